@@ -1,0 +1,212 @@
+#pragma once
+// The Model: a whole deployment with every name resolved. Built once by resolve(), never changed afterwards; everything
+// behind it (graph, checks, lowering, generation) reads it. Ids are places in declaration order: what an imported file
+// declares comes before what its importer declares; providers stand in order of preference, group after group.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/model/ids.hpp"
+#include "compiler/model/value_set.hpp"
+#include "dsl/span.hpp"
+#include "dsl/spec.hpp"
+
+namespace director::compiler {
+
+using dsl::Span;
+using dsl::Word;
+
+/// A name that was used somewhere, and the thing that it means.
+template <class IdType>
+struct Use {
+  IdType id{};
+  Span span{};
+};
+
+/// Microseconds. Always above 0.
+using Microseconds = std::int64_t;
+
+struct State {
+  Word name;
+  std::optional<std::string> type;      ///< the C++ enum that the user named
+  bool is_range = false;                ///< integers low..high; else the words of `values`, numbered from 0, ascending
+  std::int64_t low = 0, high = 0;       ///< the domain; for words 0 and count - 1
+  std::vector<std::string> values;      ///< empty for a range
+  std::vector<Span> value_spans;        ///< where each value is declared
+  std::vector<std::int64_t> unordered;  ///< sentinels: satisfy no < <= > >=
+  std::optional<std::int64_t> initial;
+  Span initial_span{};
+  bool external = false;
+  struct Expires {
+    Microseconds after = 0;
+    std::optional<std::int64_t> to;     ///< nothing: becomes unset
+    Span span{};
+  };
+  std::optional<Expires> expires;
+  std::optional<Use<GroupId>> of;       ///< set by that group only, back to `initial` when it stops
+  std::string doc;
+  std::string value_text(std::int64_t value) const; ///< the word, or the digits
+
+  /// All values; a value that is unset is not among them.
+  ValueSet domain() const { return ValueSet::interval(low, high); }
+  /// It may be without a value: no initial one, or one that expires to nothing.
+  bool may_be_unset() const { return !initial || (expires && !expires->to); }
+};
+
+/// (state, operator, values): what semantics.md calls a condition. One row for each different way of writing it, so that
+/// "the same condition" means the same row. `any` (a bare state name in `sets`) accepts every value.
+struct Condition {
+  enum class Op { equal, not_equal, less, less_equal, greater, greater_equal, any };
+  StateId state{};
+  Op op = Op::equal;
+  std::vector<std::int64_t> operands; ///< as written; several only for equal and not_equal
+  ValueSet accepts;                   ///< the values that satisfy it (unset never does)
+  std::string text;                   ///< normal form, as in `Stability == ready|set`
+};
+
+struct ConditionUse {
+  ConditionId id{};
+  Span span{};
+  std::optional<Microseconds> within; ///< only in `causing`
+};
+
+/// One static way in which an edge can be requested.
+struct Level {
+  std::int32_t priority = 0;
+  bool optional = false;
+  bool apart = false;
+  bool operator==(const Level&) const = default;
+};
+
+/// An entry of `tasks`, of a pack or of `roots`.
+struct Task {
+  GroupId target{};
+  EdgeId edge{};
+  Span span{};
+  struct NamedLevel {
+    std::string name;        ///< empty where the level was written without one
+    std::uint32_t level = 0; ///< index into Edge::levels
+    Span span{};
+  };
+  std::vector<NamedLevel> levels; ///< never empty; the first is the default
+  std::string doc;
+};
+
+struct Pack {
+  std::string name; ///< empty for flat `tasks`
+  Span span{};
+  std::vector<Task> tasks;
+  std::string doc;
+};
+
+struct Provider {
+  GroupId group{};
+  std::string name; ///< `default` where the group writes its words directly
+  Span span{};      ///< of the name (of the group's name for `default`)
+  bool direct = false;
+  std::vector<ConditionUse> when, stay, causing, sets; ///< `sets` with what stands beside `providers`
+  std::vector<Use<GroupId>> needs, uses;
+  std::vector<Use<TriggerId>> triggers;
+  std::optional<Microseconds> every;
+  bool has_packs = false;
+  std::vector<Pack> packs; ///< named packs; or one without a name that holds the flat `tasks`; or none at all
+  std::string doc;
+};
+
+struct Handler {
+  Span span{};
+  std::vector<ConditionUse> sets;
+};
+
+struct Group {
+  Word name;
+  std::vector<ProviderId> providers; ///< in order of preference; consecutive ids
+  std::optional<Handler> start, stop;
+  std::optional<Use<LayerId>> layer;
+  ModuleId module{};
+  std::string data; ///< C++ type of the task's data; empty: none
+  Span data_span{};
+  bool realtime = false;
+  std::vector<EdgeId> edges;      ///< that it requests or needs, in declaration order; consecutive ids
+  std::vector<EdgeId> requesters; ///< edges that lead to it, in order of id
+  std::string doc;
+};
+
+/// requester -> target. Root edges come first, then those of each group, in the order of semantics.md, section 1.
+struct Edge {
+  std::optional<GroupId> requester; ///< nothing: root
+  GroupId target{};
+  std::vector<Level> levels;        ///< different ones only, the first one is the first that was declared; empty: need only
+  bool needed = false;              ///< some provider of the requester needs the target
+  Span span{};                      ///< where it was declared first
+};
+
+struct Trigger {
+  std::string name;                  ///< `Sensors`, or `Walk.halting.broken`
+  Span span{};
+  std::optional<ProviderId> promise; ///< it fires when this provider's `within` runs out
+  std::string doc;
+};
+
+struct Module {
+  std::string name;
+  std::vector<GroupId> groups; ///< in order
+};
+
+struct Layer {
+  Word name;
+};
+
+struct Assertion {
+  enum class Kind { never_together, beats, can_run, soft };
+  Kind kind = Kind::can_run;
+  Span span{};
+  std::vector<Use<GroupId>> groups; ///< beats: winner, loser; soft: from, to
+};
+
+/// `allow: [id]` on a thing: what is found inside `scope` (the thing's whole text) is not reported.
+struct Allowance {
+  Word id;
+  Span scope{};
+  bool with_because = false;
+};
+
+struct Model {
+  std::string name;
+  std::string name_space;           ///< C++ namespace
+  std::vector<std::string> headers; ///< to include, in order, each once
+  std::string doc;
+  Span name_span{};
+  bool deployment = false;          ///< the main file has `roots`
+  IdTable<StateId, State> states;
+  IdTable<ConditionId, Condition> conditions;
+  IdTable<GroupId, Group> groups;
+  IdTable<ProviderId, Provider> providers;
+  IdTable<EdgeId, Edge> edges;
+  IdTable<TriggerId, Trigger> triggers; ///< declared ones first, then the promises that are listened to
+  IdTable<ModuleId, Module> modules;    ///< in order of their first group
+  IdTable<LayerId, Layer> layers;
+  std::vector<Task> roots;              ///< entries of the main file's `roots`; their edges are the first edges
+  std::vector<Use<GroupId>> externs;
+  std::vector<Assertion> assertions;
+  std::vector<Allowance> allowances;
+  std::int64_t trials = 10'000; ///< limits: trials
+  Span trials_span{};
+
+  const Group& group_of(ProviderId id) const { return groups[providers[id].group]; }
+  /// `Walk.halting`, or `Kick` for a provider called `default`.
+  std::string full_name(ProviderId id) const;
+  /// `root>Kick`, `Walk>LeftLeg`.
+  std::string edge_name(EdgeId id) const;
+  std::optional<GroupId> find_group(std::string_view name) const;
+  std::optional<StateId> find_state(std::string_view name) const;
+  /// As a Causing: on the same state, and values(c) a non-empty subset of values(w).
+  bool satisfies(ConditionId causing, ConditionId when) const;
+  /// Some `causing` of the provider satisfies the condition.
+  bool causes(ProviderId provider, ConditionId when) const;
+};
+
+} // namespace director::compiler
