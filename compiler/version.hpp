@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace director::compiler {
+
+// The version of Director, "1.2.3": what `directorc --version` and every manifest say. It stands in the top CMakeLists.txt.
+std::string_view version();
+
+} // namespace director::compiler
