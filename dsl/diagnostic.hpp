@@ -1,0 +1,38 @@
+#pragma once
+// What is wrong with the user's input: a value that every stage returns and only the command line prints.
+
+#include "dsl/span.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::dsl {
+
+enum class Level { error, warning, lint };
+
+std::string_view name_of(Level level); ///< "error", "warning", "lint"
+
+/// Another party of a finding, with its own place.
+struct Note {
+  Span span{};
+  std::string message;
+  bool operator==(const Note&) const = default;
+};
+
+struct Diagnostic {
+  std::string id; ///< the rule, snake_case: a page of compiler/checks
+  Level level = Level::error;
+  Span span{};
+  std::string message; ///< without the id
+  std::vector<Note> notes;
+  std::string help; ///< what to do; empty if there is nothing to propose
+  bool operator==(const Diagnostic&) const = default;
+};
+
+/// By file, begin, end; at one place by id, then message. Equal ones are merged.
+void sort_by_place(std::vector<Diagnostic>& diagnostics);
+
+bool has_errors(const std::vector<Diagnostic>& diagnostics);
+
+} // namespace director::dsl

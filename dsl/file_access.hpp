@@ -1,0 +1,48 @@
+#pragma once
+// How the language reaches files: an interface, the disk behind it for the command line, a map behind it for tests.
+
+#include "dsl/result.hpp"
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace director::dsl {
+
+struct FileError {
+  enum class Kind { not_found, not_readable, too_large };
+  Kind kind = Kind::not_found;
+  std::string message; ///< what the system says: "no such file", "is a directory"
+};
+
+class FileAccess {
+public:
+  /// The whole content. More than `most` bytes: too_large, and no more than that is read.
+  virtual Result<std::string, FileError> read(const std::string& path, std::size_t most) = 0;
+  /// Equal for two ways of writing the path of one file, whether or not it exists.
+  virtual std::string identity(const std::string& path) = 0;
+
+protected:
+  ~FileAccess() = default;
+};
+
+class DiskFiles final : public FileAccess {
+public:
+  Result<std::string, FileError> read(const std::string& path, std::size_t most) override;
+  std::string identity(const std::string& path) override;
+};
+
+/// path -> text.
+class MemoryFiles final : public FileAccess {
+public:
+  MemoryFiles() = default;
+  explicit MemoryFiles(std::map<std::string, std::string> files);
+  void add(const std::string& path, std::string text);
+  Result<std::string, FileError> read(const std::string& path, std::size_t most) override;
+  std::string identity(const std::string& path) override;
+
+private:
+  std::map<std::string, std::string> files_;
+};
+
+} // namespace director::dsl

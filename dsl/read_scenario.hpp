@@ -1,0 +1,22 @@
+#pragma once
+// Reads a scenario file (not the behaviour that it names). Source: the second half of the language page.
+
+#include "dsl/diagnostic.hpp"
+#include "dsl/file_access.hpp"
+#include "dsl/scenario_spec.hpp"
+#include "dsl/source_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::dsl {
+
+struct ReadScenarioResult {
+  ScenarioSpec scenario;
+  std::vector<Diagnostic> diagnostics; ///< sorted by place
+};
+
+/// The file is added to `sources`. Where it cannot be read: import_not_found at the beginning of an empty text.
+ReadScenarioResult read_scenario(const std::string& path, FileAccess& files, Sources& sources);
+
+} // namespace director::dsl

@@ -1,0 +1,28 @@
+#pragma once
+// Diagnostics as text for people:
+//   soccer.yaml:12:9: error: message [id]
+//      12 |   when: [Phase = playing]
+//         |          ^~~~~~~~~~~~~~~
+//   soccer.yaml:3:3: note: ...
+//     help: ...
+
+#include "dsl/diagnostic.hpp"
+#include "dsl/source_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::dsl {
+
+struct RenderOptions {
+  bool colours = false;
+  std::size_t width = 110; ///< columns of source that are shown; longer lines are cut around the place
+};
+
+std::string render(const Diagnostic& diagnostic, const Sources& sources, const RenderOptions& options = {});
+
+/// All of them, and a closing line that counts: "2 errors, 1 warning". Nothing at all for an empty list.
+std::string render(const std::vector<Diagnostic>& diagnostics, const Sources& sources,
+                   const RenderOptions& options = {});
+
+} // namespace director::dsl
