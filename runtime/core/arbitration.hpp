@@ -1,0 +1,119 @@
+#pragma once
+// Arbitration: from requests, state values, enabled flags, pending reasons and the last assignment to a new assignment.
+// This is the pass from nothing, as semantics.md 4 words it: what is decided here does not depend on how it was decided
+// the last time, only on what.
+//
+// The pass is greedy along the order of edges: the first candidate takes what it needs, and nobody behind it can change
+// that. So one sweep decides, and only the rule that equals never take from each other can ask for a repetition.
+// Cost: candidates times providers and plans tried, each compared along its chain of holders.
+
+#include "runtime/core/state.hpp"
+#include "runtime/core/tables.hpp"
+
+namespace director {
+
+class Pass {
+public:
+  /// Reads State's decision part and its `anew` marks; writes `now`, `next_order` and `queued`.
+  Pass(const Tables& tables, State& state) : t_(tables), s_(state) {}
+  void arbitrate();
+  Index order_count() const { return order_count_; }
+
+private:
+  /// Which claims a chain is read along: those of this pass (and of the combination in hand), or the last assignment.
+  enum class Along : std::uint8_t { now, last };
+  struct Place {
+    Index edge;
+    Along along;
+  };
+  struct Chain {
+    Index length = 0;
+    Index top = none; ///< its edge of root or limbo; none where the chain does not reach that far
+  };
+
+  // order.cpp: section 4.1
+  bool is_limbo(Index edge) const { return edge >= t_.edges.size(); }
+  Index target(Index edge) const;
+  Index requester(Index edge) const;
+  bool requested(Index edge) const { return !is_limbo(edge) && s_.request[edge] != none; }
+  Index above(Place place) const;
+  Chain chain(Place place) const;
+  bool in_chain(Index edge, Place of) const;
+  int compare(Place a, Place b, bool in_order) const;
+  bool before(Place a, Place b) const { return compare(a, b, false) < 0; }
+  bool optional(Index edge) const;
+  Index urgency(Index edge) const;
+
+  // choose.cpp: sections 4.2 and 4.3
+  bool alive(Index edge) const;
+  bool available(Index group, Index edge, bool record);
+  bool applies(const Push& push, Index edge) const;
+  Index pushed_first(Index group, Index edge) const;
+  Index preferred(Index group, Index place, Index edge) const;
+  bool holds(Index condition) const;
+  bool stays(Index provider) const;
+  bool waived(Index provider, Index condition, Index edge) const;
+  Index first_false(Index provider, Index edge) const;
+  template <class Each>
+  void each_lacking(Index provider, Each each) const;
+  bool combine(Index count, bool with_conditions);
+  bool next_choice(Index at, bool fresh, bool with_conditions, bool record);
+  bool plan_fits(Index at, bool with_conditions, bool record, Index& keep);
+  bool plan_as_it_is(Index at) const;
+  bool first_plan(Index provider, Index begin, Index& end, bool static_only);
+  bool next_plan(Index provider, Index begin, Index& end, bool static_only);
+  bool extend_plan(Index provider, Index begin, Index& end, bool static_only);
+  void drop_entries(Index begin, Index end);
+  void leave_combination(Index count);
+  Index entries_begin(Index at) const { return at == 0 ? Index{0} : s_.member_entries[at - 1]; }
+  Index slot_of(Index owner, Index group) const;
+
+  // pass.cpp: section 4.4
+  void sweep();
+  bool denied_in_vain();
+  void clear();
+  void become_candidates(Range edges);
+  void become_candidates_below(Index group);
+  bool may_ask(Index group) const;
+  bool alone(Index edge) const;
+  bool stale(Index group) const;
+  bool stale_requester(Index edge) const;
+  bool runs_for_now(Index edge) const;
+  bool outdated_order(Index count) const;
+  void try_unit(Index count);
+  void try_each(Index count);
+  bool may_be_asked_for(Index member);
+  bool reached_from_stale(Index claims, Index edge);
+  bool premature(Index count);
+  void defer(Index count);
+  void grant(Index count);
+  void claim_plan(Index owner, Index begin, Index end);
+  void refuse(Index count);
+  void explain(Index count, Why why, Index condition = none);
+  bool in_unit(Index edge, Index count) const;
+  void hand_over();
+  void hand_over(Index group);
+  void finish();
+  void sort_order();
+
+  // push.cpp: the pushes of a unit
+  void keep_pushes(Index count);
+  void keep_serving_pushes(Index count);
+  void want(Range conditions);
+  void want_choices(Index count);
+  bool satisfies(Index provider, Index condition) const;
+  bool somebody_satisfies(Index condition) const;
+  void push_for(Index count);
+  template <class Each>
+  void each_unmet(Index count, Each each);
+  bool find_chain(Index condition, Index member, Push& out);
+  void relax(Index member, bool& changed);
+  bool can_be_pushed(Index provider, Index member) const;
+  bool goes_before(Index member, Index edge) const;
+
+  const Tables& t_;
+  State& s_;
+  Index candidates_ = 0, denied_ = 0, order_count_ = 0, stale_granted_ = 0, spare_ = 0;
+};
+
+} // namespace director

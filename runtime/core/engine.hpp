@@ -1,0 +1,97 @@
+#pragma once
+// The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration.hpp) and acts
+// on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
+
+#include "runtime/core/inbox.hpp"
+#include "runtime/core/observer.hpp"
+#include "runtime/core/run.hpp"
+#include "runtime/core/state.hpp"
+
+namespace director {
+
+class Engine {
+public:
+  static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
+
+  /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8. Begins as after reset().
+  Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {});
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// Back to the start: initial values, every provider enabled, nothing requested. What waits in the inbox stays.
+  void reset();
+
+  /// Sets a state before the first step; not an input, and nobody is told.
+  void preset(Index state, std::int32_t value);
+
+  void set_budget(std::uint32_t micro_steps) { budget_ = micro_steps; }
+
+  /// Micro-steps until quiescence: the inputs that are in the inbox now (at time `now`), then what is due, each due time
+  /// to quiescence before the next. An earlier `now` counts as the last one.
+  StepResult step(Time now);
+
+  /// The next time at which a step would have something to do without an input; `never` if there is none.
+  Time next_due() const;
+
+  // What holds between steps.
+  std::int32_t value(Index state) const { return s_.values[state]; }
+  bool enabled(Index provider) const { return s_.enabled[provider] != 0; }
+  RunState state(Index edge) const;      ///< of a request: running, queued or none
+  bool done(Index edge) const;           ///< the target said done or failed; only while running
+  bool failed(Index edge) const;
+  Index holder(Index group) const { return s_.last.holder[group]; } ///< edge; >= edges.size(): limbo; none
+  Index active(Index group) const { return s_.last.active[group]; } ///< provider, or none
+  bool granted(Index group) const { return (s_.last.flags[group] & flag::granted) != 0; }
+  bool in_force(Index group) const { return (s_.last.flags[group] & flag::in_force) != 0; }
+  Queued queued(Index edge) const { return s_.queued[edge]; }
+  Time now() const { return s_.counters->now; }
+  const Tables& tables() const { return t_; }
+  const State& memory() const { return s_; }
+
+private:
+  friend class Run;
+  friend class Handling;
+
+  // engine.cpp
+  bool micro_step();
+  bool take_input();
+  bool next_due_timer();
+  void run_next();
+  bool commit_pack(const Range& edges);
+  void end_micro_step();
+  void request(Index edge, Index level);
+  bool set_value(Index state, std::int32_t value);
+  void report_set(Index state, std::int32_t value);
+  bool take_handlers_input();
+  bool fire(Index trigger);
+  void add_reason(Index group, Reason reason);
+  bool expire(Index state);
+  bool break_promise(Index promise);
+  void tell(Event event);
+  DataPlace data_of(Index group) const;
+
+  // act.cpp
+  void act();
+  void stop_group(Index group);
+  void start_group(Index group);
+  void give_reasons(Index group);
+  void settle_data();
+  void keep_promises();
+  void report_decisions();
+  void adopt();
+
+  const Tables& t_;
+  State s_;
+  Bodies bodies_;
+  Inbox& inbox_;
+  Observer observer_;
+  Shape shape_;
+  std::uint32_t budget_ = default_budget;
+  std::uint32_t quota_ = 0;         ///< records of the inbox that this step may still take
+  Index starting_ = none;           ///< the group whose start handler runs: its data may still be staged
+  Index anew_owner_ = none;         ///< whose edges may be marked anew; edges.size(): root's
+  bool inside_ = false;             ///< a body or handler is running
+  bool faulted_ = false;
+};
+
+} // namespace director

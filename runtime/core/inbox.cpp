@@ -1,0 +1,48 @@
+// Door: runtime/core/inbox.hpp. Test: tests/runtime/core/inbox_test.cpp.
+//
+// A cell's turn says whose turn it is: equal to a writer's position, it is free for that writer; one more, it is full for
+// the reader of that position. The reader frees cells in order, so the last cell of a claim being free means that all of
+// the claim are. A writer publishes its records from the last to the first: who sees the first sees the whole input.
+
+#include "runtime/core/inbox.hpp"
+
+namespace director {
+
+Inbox::Inbox(std::span<Cell> cells) : cells_(cells) {
+  for (std::uint32_t i = 0; i < cells_.size(); ++i) cells_[i].turn.store(i, std::memory_order_relaxed);
+}
+
+bool Inbox::post(std::span<const Input> records) {
+  const auto count = static_cast<std::uint32_t>(records.size());
+  const auto mask = static_cast<std::uint32_t>(cells_.size() - 1);
+  if (count == 0 || count > cells_.size()) return count == 0;
+  std::uint32_t at = tail_.load(std::memory_order_relaxed);
+  for (;;) {
+    const std::uint32_t last = at + count - 1;
+    const auto lag = static_cast<std::int32_t>(cells_[last & mask].turn.load(std::memory_order_acquire) - last);
+    if (lag < 0) return false;
+    if (lag > 0) {
+      at = tail_.load(std::memory_order_relaxed); // another writer was faster
+    } else if (tail_.compare_exchange_weak(at, at + count, std::memory_order_relaxed)) {
+      break;
+    }
+  }
+  for (std::uint32_t i = count; i-- > 0;) {
+    Cell& cell = cells_[(at + i) & mask];
+    cell.input = records[i];
+    cell.turn.store(at + i + 1, std::memory_order_release);
+  }
+  return true;
+}
+
+bool Inbox::take(Input& out) {
+  const auto mask = static_cast<std::uint32_t>(cells_.size() - 1);
+  Cell& cell = cells_[head_ & mask];
+  if (cell.turn.load(std::memory_order_acquire) != head_ + 1) return false;
+  out = cell.input;
+  cell.turn.store(head_ + static_cast<std::uint32_t>(cells_.size()), std::memory_order_release);
+  ++head_;
+  return true;
+}
+
+} // namespace director

@@ -1,0 +1,52 @@
+#pragma once
+// What the engine tells about each of its decisions. An observer is a function and a pointer; it is called in the middle
+// of a micro-step and must not call the engine.
+
+#include "runtime/core/tables.hpp"
+#include "runtime/core/words.hpp"
+
+namespace director {
+
+struct Event {
+  enum class Kind : std::uint8_t {
+    input,     ///< an input was taken: `input`, and what it is about
+    run,       ///< `provider` of `group` is called for `reasons`
+    start,     ///< start handler of `group` (where it has one)
+    stop,      ///< stop handler of `group` (where it has one)
+    done,      ///< `group` said done
+    failed,    ///< `group` said failed
+    grant,     ///< `group` goes to `edge`, in `provider`; `other` is the edge that controlled it before, or none
+    lose,      ///< `group`, controlled by `other` before, is controlled by nobody
+    queue,     ///< the request on `edge` does not run: `why`, and for waiting the first false `condition`
+    push,      ///< `group` is pushed to `provider` for the request on `edge`, to make `condition` true
+    release,   ///< the push on `group` is over
+    set,       ///< `state` becomes `value` (director::unset: it has none any more), by a body, handler, owner or expiry
+    refused,   ///< a body tried to set `state` to `value`, which its provider does not declare
+    broken,    ///< the promise of `provider` of `group` ran out
+    fault,     ///< the body of `provider`, or a handler of `group`, threw
+    exhausted, ///< the budget of one step ran out
+  };
+  enum class Input : std::uint8_t { none, request, cancel, set, fire, enable, disable, expire, wait, within, every };
+
+  Kind kind = Kind::input;
+  Input input = Input::none;
+  Reasons reasons{};
+  Why why = Why::none;
+  Index group = none;
+  Index provider = none;
+  Index edge = none;
+  Index other = none;
+  Index state = none;
+  Index condition = none;
+  Index trigger = none;
+  std::int32_t value = unset;
+  Time time = 0;               ///< the engine's time
+  std::uint64_t micro_step = 0; ///< counts from 1
+};
+
+struct Observer {
+  void (*tell)(void* self, const Event& event) = nullptr; ///< null: nobody listens, and nothing is prepared for it
+  void* self = nullptr;
+};
+
+} // namespace director

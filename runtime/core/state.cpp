@@ -1,0 +1,21 @@
+// Door: runtime/core/state.hpp. Test: tests/runtime/core/state_test.cpp.
+
+#include "runtime/core/state.hpp"
+
+namespace director {
+
+State State::in(std::byte* memory, const Shape& shape) {
+  State state;
+  std::size_t at = 0;
+  each(
+      state, shape,
+      [&]<class T>(T*& array, std::size_t count) {
+        at = aligned(at, alignof(T));
+        array = reinterpret_cast<T*>(memory + at); // the block's bytes become these arrays; Engine::reset fills them
+        at += count * sizeof(T);
+      },
+      [&] { at = aligned(at, 8); });
+  return state;
+}
+
+} // namespace director

@@ -1,0 +1,130 @@
+#pragma once
+// The tables that a specification is compiled to. They never change while a behaviour runs and may lie in read-only
+// memory; all of what changes is in State (state.hpp). Written by compiler/lower, printed by compiler/emit, read by the
+// engine. Terms: semantics.md, section 1.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace director {
+
+#ifdef DIRECTOR_SMALL_INDEX
+using Index = std::uint16_t; ///< for small targets: up to 65,534 rows a table
+#else
+using Index = std::uint32_t;
+#endif
+
+inline constexpr Index none = static_cast<Index>(-1);
+
+/// The value of a state without a value. No declared value is that small.
+inline constexpr std::int32_t unset = -2147483647 - 1;
+
+/// Microseconds since any start that the caller chose.
+using Time = std::int64_t;
+inline constexpr Time never = 9223372036854775807;
+
+/// Rows [begin, end) of another table, mostly of Tables::lists.
+struct Range {
+  Index begin = 0, end = 0;
+  constexpr Index size() const { return static_cast<Index>(end - begin); }
+  constexpr bool empty() const { return begin == end; }
+};
+
+/// One static way in which an edge is requested.
+struct Level {
+  std::int32_t priority = 0;
+  /// The static priority table: the place of (optional, priority) among all levels of the requester, 0 first; equal
+  /// levels have equal ranks. Rules 3 and 4 of semantics.md 4.1 compare `optional` and `urgency`, which follow from it.
+  Index rank = 0;
+  /// The place of the priority alone among those of the requester, 0 the highest.
+  Index urgency = 0;
+  bool optional = false;
+  bool apart = false;
+};
+
+/// requester -> target. Edges of root come first, then those of each group; among siblings in order of declaration.
+struct Edge {
+  Index requester = none; ///< group, or none for root
+  Index target = 0;       ///< group
+  Range levels;           ///< of Tables::levels; empty where it is needed only
+  Index need_urgency = 0; ///< as Level::urgency: of an edge that holds without a request
+};
+
+struct Provider {
+  Index group = 0;
+  Range when;     ///< lists: conditions
+  Range stay;     ///< lists: conditions
+  Range needs;    ///< lists: edges from its group to the groups needed
+  Range triggers; ///< lists: triggers that it listens to
+  Range effects;  ///< lists: conditions that its `causing` satisfies, ascending
+  Range causing;  ///< lists: states that its `causing` is about
+  Range aims;     ///< lists: conditions in `when` or `stay` of it and of every provider in one of its plans; if it causes
+  Range promises; ///< of Tables::promises
+  Time every = 0; ///< 0: none
+};
+
+struct Group {
+  Range providers;  ///< of Tables::providers, in order of preference
+  Range edges;      ///< of Tables::edges: what it may request or need
+  Range requesters; ///< lists: edges that lead to it, ascending
+  Range slots;      ///< lists: the groups with more than one provider among what it needs, transitively: a plan is the
+                    ///< provider picked for each of them. The same range indexes State::plan.
+  Range listens;    ///< lists: triggers that any of its providers listens to. The same range indexes State::fired.
+  Range owned;      ///< lists: states that belong to it
+  bool start = false; ///< has such a handler
+  bool stop = false;
+};
+
+/// Values that satisfy: any of these closed intervals.
+struct Interval {
+  std::int32_t low = 0, high = 0;
+};
+
+struct Condition {
+  Index state = 0;
+  Range accepts; ///< of Tables::intervals
+  Range causers; ///< lists: providers whose `causing` satisfies it, ascending
+};
+
+struct StateVariable {
+  std::int32_t initial = unset;
+  Time expires = 0; ///< 0: never
+  std::int32_t expires_to = unset;
+  Index owner = none; ///< the group that it belongs to
+  bool external = false;
+};
+
+/// A `causing` with `within`.
+struct Promise {
+  Index provider = 0;
+  Index condition = 0;
+  Time within = 0;
+  Index trigger = none; ///< fired when it is broken; none where nobody listens
+};
+
+struct Trigger {
+  Range listeners; ///< lists: providers
+};
+
+struct Tables {
+  std::span<const Group> groups;
+  std::span<const Provider> providers;
+  std::span<const Edge> edges;
+  std::span<const Level> levels;
+  std::span<const Condition> conditions;
+  std::span<const Interval> intervals;
+  std::span<const StateVariable> states;
+  std::span<const Trigger> triggers;
+  std::span<const Promise> promises;
+  std::span<const Index> lists;
+  std::span<const Index> causing_providers; ///< those with `causing`, ascending
+  Index root_edges = 0;                     ///< how many edges are of root
+  Index plan_slots = 0;                     ///< the sum of all Group::slots
+  Index listen_slots = 0;                   ///< the sum of all Group::listens
+  Index most_edges = 0;                     ///< the most edges of one group
+
+  constexpr std::span<const Index> list(Range range) const { return lists.subspan(range.begin, range.size()); }
+};
+
+} // namespace director
