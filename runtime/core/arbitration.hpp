@@ -28,14 +28,14 @@ private:
   };
   struct Chain {
     Index length = 0;
-    Index top = none; ///< its edge of root or limbo; none where the chain does not reach that far
+    Index top = nil; ///< its edge of root or limbo; nil where the chain does not reach that far
   };
 
   // order.cpp: section 4.1
   bool is_limbo(Index edge) const { return edge >= t_.edges.size(); }
   Index target(Index edge) const;
   Index requester(Index edge) const;
-  bool requested(Index edge) const { return !is_limbo(edge) && s_.request[edge] != none; }
+  bool requested(Index edge) const { return !is_limbo(edge) && s_.request[edge] != nil; }
   Index above(Place place) const;
   Chain chain(Place place) const;
   bool in_chain(Index edge, Place of) const;
@@ -89,7 +89,7 @@ private:
   void grant(Index count);
   void claim_plan(Index owner, Index begin, Index end);
   void refuse(Index count);
-  void explain(Index count, Why why, Index condition = none);
+  void explain(Index count, Why why, Index condition = nil);
   bool in_unit(Index edge, Index count) const;
   void hand_over();
   void hand_over(Index group);

@@ -30,7 +30,7 @@ public:
   /// to quiescence before the next. An earlier `now` counts as the last one.
   StepResult step(Time now);
 
-  /// The next time at which a step would have something to do without an input; `never` if there is none.
+  /// The next time at which a step would have something to do without an input; `never` if there is nil.
   Time next_due() const;
 
   // What holds between steps.
@@ -39,8 +39,8 @@ public:
   RunState state(Index edge) const;      ///< of a request: running, queued or none
   bool done(Index edge) const;           ///< the target said done or failed; only while running
   bool failed(Index edge) const;
-  Index holder(Index group) const { return s_.last.holder[group]; } ///< edge; >= edges.size(): limbo; none
-  Index active(Index group) const { return s_.last.active[group]; } ///< provider, or none
+  Index holder(Index group) const { return s_.last.holder[group]; } ///< edge; >= edges.size(): limbo; nil
+  Index active(Index group) const { return s_.last.active[group]; } ///< provider, or nil
   bool granted(Index group) const { return (s_.last.flags[group] & flag::granted) != 0; }
   bool in_force(Index group) const { return (s_.last.flags[group] & flag::in_force) != 0; }
   Queued queued(Index edge) const { return s_.queued[edge]; }
@@ -88,8 +88,8 @@ private:
   Shape shape_;
   std::uint32_t budget_ = default_budget;
   std::uint32_t quota_ = 0;         ///< records of the inbox that this step may still take
-  Index starting_ = none;           ///< the group whose start handler runs: its data may still be staged
-  Index anew_owner_ = none;         ///< whose edges may be marked anew; edges.size(): root's
+  Index starting_ = nil;           ///< the group whose start handler runs: its data may still be staged
+  Index anew_owner_ = nil;         ///< whose edges may be marked anew; edges.size(): root's
   bool inside_ = false;             ///< a body or handler is running
   bool faulted_ = false;
 };

@@ -17,7 +17,7 @@ struct Input {
   bool more = false;           ///< the next record belongs to the same input (request and set)
   Index thing = 0;             ///< root edge, state, trigger or provider
   Index level = 0;             ///< request: of Tables::levels
-  Index handle = none;         ///< request: where its data wait; none: it has none
+  Index handle = nil;         ///< request: where its data wait; nil: it has nil
   std::int32_t value = 0;      ///< set
 };
 

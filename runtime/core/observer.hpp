@@ -15,12 +15,12 @@ struct Event {
     stop,      ///< stop handler of `group` (where it has one)
     done,      ///< `group` said done
     failed,    ///< `group` said failed
-    grant,     ///< `group` goes to `edge`, in `provider`; `other` is the edge that controlled it before, or none
+    grant,     ///< `group` goes to `edge`, in `provider`; `other` is the edge that controlled it before, or nil
     lose,      ///< `group`, controlled by `other` before, is controlled by nobody
     queue,     ///< the request on `edge` does not run: `why`, and for waiting the first false `condition`
     push,      ///< `group` is pushed to `provider` for the request on `edge`, to make `condition` true
     release,   ///< the push on `group` is over
-    set,       ///< `state` becomes `value` (director::unset: it has none any more), by a body, handler, owner or expiry
+    set,       ///< `state` becomes `value` (director::unset: it has nil any more), by a body, handler, owner or expiry
     refused,   ///< a body tried to set `state` to `value`, which its provider does not declare
     broken,    ///< the promise of `provider` of `group` ran out
     fault,     ///< the body of `provider`, or a handler of `group`, threw
@@ -32,13 +32,13 @@ struct Event {
   Input input = Input::none;
   Reasons reasons{};
   Why why = Why::none;
-  Index group = none;
-  Index provider = none;
-  Index edge = none;
-  Index other = none;
-  Index state = none;
-  Index condition = none;
-  Index trigger = none;
+  Index group = nil;
+  Index provider = nil;
+  Index edge = nil;
+  Index other = nil;
+  Index state = nil;
+  Index condition = nil;
+  Index trigger = nil;
   std::int32_t value = unset;
   Time time = 0;               ///< the engine's time
   std::uint64_t micro_step = 0; ///< counts from 1

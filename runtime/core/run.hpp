@@ -73,7 +73,7 @@ private:
 
 /// What the engine calls: tables of functions. `self` is given back to each.
 struct Bodies {
-  /// What happens to task data; the engine moves none itself. Null where no task has data.
+  /// What happens to task data; the engine moves nil itself. Null where no task has data.
   enum class Data : std::uint8_t {
     accept, ///< of root edge `edge`: from slot `handle` of the program's inputs to the edge's staging slot
     settle, ///< from the staging slot of `edge` to its slot
@@ -82,8 +82,8 @@ struct Bodies {
   };
   void* self = nullptr;
   Outcome (*const* run)(void* self, Run& run) = nullptr;           ///< one a provider
-  void (*const* start)(void* self, Handling& handling) = nullptr;  ///< one a group, null where it has none
-  void (*const* stop)(void* self, Handling& handling) = nullptr;   ///< one a group, null where it has none
+  void (*const* start)(void* self, Handling& handling) = nullptr;  ///< one a group, null where it has nil
+  void (*const* stop)(void* self, Handling& handling) = nullptr;   ///< one a group, null where it has nil
   void (*data)(void* self, Data what, Index edge, Index handle) = nullptr;
 };
 

@@ -35,31 +35,31 @@ inline constexpr std::uint8_t done = 1;
 inline constexpr std::uint8_t failed = 2; ///< with `done`
 } // namespace result
 
-/// A push (u, k, c), k being the row, and the unmet condition that it was made for. No push: edge == none.
+/// A push (u, k, c), k being the row, and the unmet condition that it was made for. No push: edge == nil.
 struct Push {
-  Index edge = none, provider = none, condition = none;
+  Index edge = nil, provider = nil, condition = nil;
   constexpr bool operator==(const Push&) const = default;
 };
 
-/// What a push in force serves; condition == none: nothing, or its condition holds.
+/// What a push in force serves; condition == nil: nothing, or its condition holds.
 struct Service {
-  Index provider = none, condition = none;
+  Index provider = nil, condition = nil;
   constexpr bool operator==(const Service&) const = default;
 };
 
 /// Why an edge is queued; the first false condition where it waits for one.
 struct Queued {
   Why why = Why::none;
-  Index condition = none;
+  Index condition = nil;
   constexpr bool operator==(const Queued&) const = default;
 };
 
 /// One assignment: what a pass decides. The committed one is a part of the decision state; a pass writes another.
 struct Assignment {
-  Index* holder = nullptr;        ///< group: edge that controls it, limbo edges are edges.size() + group; none: nobody
-  Index* active = nullptr;        ///< group: provider that runs for it; none: it is not live
+  Index* holder = nullptr;        ///< group: edge that controls it, limbo edges are edges.size() + group; nil: nobody
+  Index* active = nullptr;        ///< group: provider that runs for it; nil: it is not live
   std::uint8_t* flags = nullptr;  ///< group: bits of `flag`
-  Index* plan = nullptr;          ///< slot: provider picked in the plan of the slot's owner; none: not in it
+  Index* plan = nullptr;          ///< slot: provider picked in the plan of the slot's owner; nil: not in it
   Push* push = nullptr;           ///< group
   Service* serves = nullptr;      ///< group
 };
@@ -70,7 +70,7 @@ struct Counters {
   std::uint64_t micro_step = 0;    ///< how many were taken
   Index order_count = 0;           ///< rows of State::order in use
   Index queue_count = 0;           ///< rows of State::queue in use
-  Index due_phase = 0;             ///< which kind of timer is being served; 4: none
+  Index due_phase = 0;             ///< which kind of timer is being served; 4: nil
   Index due_at = 0;                ///< the next row of that kind to look at
   std::uint8_t begun = 0;          ///< the first step was taken
   std::uint8_t unsettled = 0;      ///< the last arbitration changed something
@@ -88,13 +88,13 @@ struct State {
   Time* promise_due = nullptr;          ///< promise: when it is broken
   std::int32_t* values = nullptr;       ///< state
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
-  Index* request = nullptr;             ///< edge: level (of Tables::levels) at which it is requested; none
+  Index* request = nullptr;             ///< edge: level (of Tables::levels) at which it is requested; nil
   Assignment last;                      ///< what the last pass decided
   Index* order = nullptr;               ///< the groups that are held, in order; Counters::order_count rows
   Index* queue = nullptr;               ///< groups that are to run, oldest first; Counters::queue_count rows
   Index* promised_edge = nullptr;       ///< group: pusher of the push for which promises were taken
-  Index* promised_provider = nullptr;   ///< group: its provider; none: no promise
-  Index* data_from = nullptr;           ///< group: edge whose slot holds its data; none: its own slot
+  Index* promised_provider = nullptr;   ///< group: its provider; nil: no promise
+  Index* data_from = nullptr;           ///< group: edge whose slot holds its data; nil: its own slot
   std::uint8_t* enabled = nullptr;      ///< provider
   std::uint8_t* done = nullptr;         ///< group: bits of `result`
   std::uint8_t* pending = nullptr;      ///< group: bits of Reason
@@ -103,9 +103,9 @@ struct State {
 
   // What one pass, commit or act needs and forgets.
   std::uint64_t* cost = nullptr;        ///< condition: length of the shortest chain of pushes that makes it true
-  Index* cost_at = nullptr;             ///< condition: first provider of that chain; none: no chain
+  Index* cost_at = nullptr;             ///< condition: first provider of that chain; nil: no chain
   Index* cost_plan = nullptr;           ///< condition: number of its plan
-  Index* cost_next = nullptr;           ///< condition: the first condition that it lacks; none: nothing
+  Index* cost_next = nullptr;           ///< condition: the first condition that it lacks; nil: nothing
   Assignment now;                       ///< what this pass decides
   Push* own = nullptr;                  ///< group: the pushes of the unit in hand
   Push* first = nullptr;                ///< group: new pushes of the unit in hand
@@ -115,7 +115,7 @@ struct State {
   Index* entry_need = nullptr;          ///< the edge by which an entry is needed
   Index* entry_choice = nullptr;        ///< its provider, as a place in the order of preference
   Index* entry_provider = nullptr;      ///< its provider
-  Index* entry_parent = nullptr;        ///< entry that needs it; none: the provider that the plan is for
+  Index* entry_parent = nullptr;        ///< entry that needs it; nil: the provider that the plan is for
   Index* entry_place = nullptr;         ///< place of the need in its needer's list
   Index* member = nullptr;              ///< most_edges + 1: edges of the unit in hand
   Index* member_choice = nullptr;       ///< provider of the member's target, as a place in the order of preference
@@ -124,7 +124,7 @@ struct State {
   Index* candidate = nullptr;           ///< edges that are candidates
   Index* reach = nullptr;               ///< groups: work list of a search
   Index* denied = nullptr;              ///< groups in the order in which they were denied for their holder's sake
-  Index* staged_level = nullptr;        ///< place among the running group's edges: level asked for; none
+  Index* staged_level = nullptr;        ///< place among the running group's edges: level asked for; nil
   Queued* queued = nullptr;             ///< edge: why it does not run
   std::int32_t* staged_value = nullptr; ///< state: what the running body set; unset: nothing
   std::uint8_t* edge_marks = nullptr;   ///< edge: bits of `mark`

@@ -15,7 +15,7 @@ using Index = std::uint16_t; ///< for small targets: up to 65,534 rows a table
 using Index = std::uint32_t;
 #endif
 
-inline constexpr Index none = static_cast<Index>(-1);
+inline constexpr Index nil = static_cast<Index>(-1);
 
 /// The value of a state without a value. No declared value is that small.
 inline constexpr std::int32_t unset = -2147483647 - 1;
@@ -45,7 +45,7 @@ struct Level {
 
 /// requester -> target. Edges of root come first, then those of each group; among siblings in order of declaration.
 struct Edge {
-  Index requester = none; ///< group, or none for root
+  Index requester = nil; ///< group, or nil for root
   Index target = 0;       ///< group
   Range levels;           ///< of Tables::levels; empty where it is needed only
   Index need_urgency = 0; ///< as Level::urgency: of an edge that holds without a request
@@ -61,7 +61,7 @@ struct Provider {
   Range causing;  ///< lists: states that its `causing` is about
   Range aims;     ///< lists: conditions in `when` or `stay` of it and of every provider in one of its plans; if it causes
   Range promises; ///< of Tables::promises
-  Time every = 0; ///< 0: none
+  Time every = 0; ///< 0: nil
 };
 
 struct Group {
@@ -91,7 +91,7 @@ struct StateVariable {
   std::int32_t initial = unset;
   Time expires = 0; ///< 0: never
   std::int32_t expires_to = unset;
-  Index owner = none; ///< the group that it belongs to
+  Index owner = nil; ///< the group that it belongs to
   bool external = false;
 };
 
@@ -100,7 +100,7 @@ struct Promise {
   Index provider = 0;
   Index condition = 0;
   Time within = 0;
-  Index trigger = none; ///< fired when it is broken; none where nobody listens
+  Index trigger = nil; ///< fired when it is broken; nil where nobody listens
 };
 
 struct Trigger {
