@@ -18,7 +18,7 @@ struct Shape {
 
   static constexpr Shape of(const Tables& t) {
     return {t.groups.size(),   t.providers.size(), t.edges.size(),   t.conditions.size(), t.states.size(),
-            t.promises.size(), t.plan_slots,       t.listen_slots,   t.most_edges};
+            t.promises.size(), t.plan_groups.size(), t.listened.size(), t.most_edges};
   }
 };
 

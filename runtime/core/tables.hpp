@@ -68,9 +68,8 @@ struct Group {
   Range providers;  ///< of Tables::providers, in order of preference
   Range edges;      ///< of Tables::edges: what it may request or need
   Range requesters; ///< lists: edges that lead to it, ascending
-  Range slots;      ///< lists: the groups with more than one provider among what it needs, transitively: a plan is the
-                    ///< provider picked for each of them. The same range indexes State::plan.
-  Range listens;    ///< lists: triggers that any of its providers listens to. The same range indexes State::fired.
+  Range slots;      ///< of Tables::plan_groups and of Assignment::plan: a plan is the provider picked for each of these
+  Range listens;    ///< of Tables::listened and of State::fired
   Range owned;      ///< lists: states that belong to it
   bool start = false; ///< has such a handler
   bool stop = false;
@@ -119,10 +118,11 @@ struct Tables {
   std::span<const Promise> promises;
   std::span<const Index> lists;
   std::span<const Index> causing_providers; ///< those with `causing`, ascending
-  Index root_edges = 0;                     ///< how many edges are of root
-  Index plan_slots = 0;                     ///< the sum of all Group::slots
-  Index listen_slots = 0;                   ///< the sum of all Group::listens
-  Index most_edges = 0;                     ///< the most edges of one group
+  std::span<const Index> plan_groups; ///< group after group, the groups with more than one provider among all that it
+                                      ///< needs, transitively
+  std::span<const Index> listened;    ///< group after group, the triggers that any of its providers listens to
+  Index root_edges = 0;               ///< how many edges are of root
+  Index most_edges = 0;               ///< the most edges of one group
 
   constexpr std::span<const Index> list(Range range) const { return lists.subspan(range.begin, range.size()); }
 };
