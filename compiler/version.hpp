@@ -4,7 +4,8 @@
 
 namespace director::compiler {
 
-// The version of Director, "1.2.3": what `directorc --version` and every manifest say. It stands in the top CMakeLists.txt.
+// The version of Director, "1.2.3": what `directorc --version` and every manifest say. It stands in the top
+// CMakeLists.txt.
 std::string_view version();
 
 } // namespace director::compiler

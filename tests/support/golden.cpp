@@ -1,4 +1,4 @@
-// Door: tests/support/golden.hpp. Test: tests/layout/golden_test.cpp.
+// Door: tests/support/golden.hpp. Test: tests/bless/bless.cmake.
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,0 +1,120 @@
+# shellcheck shell=bash disable=SC2034
+# What the scripts at the root share: how they speak, what they install, how they configure and build. Sourced by bash, with the working directory at
+# the root of the project.
+
+if [ -t 1 ] && [ -z "${NO_COLOR:-}" ] && [ "${TERM:-dumb}" != dumb ]; then
+  bold=$'\e[1m' red=$'\e[31m' plain=$'\e[0m' terminal=yes
+else
+  bold='' red='' plain='' terminal=''
+fi
+
+step() { printf '%s\n' "${bold}== $*${plain}"; }
+fail() {
+  printf '%s\n' "${red}$(basename "$0"): $1${plain}" >&2
+  shift
+  [ $# = 0 ] || printf '  %s\n' "$@" >&2
+  exit 1
+}
+
+# The packages, by what needs them. A name before a colon is a command that makes the package superfluous where another one provides it.
+packages_main=(g++:g++ cmake:cmake ninja:ninja-build dot:graphviz
+               libyaml-cpp-dev libfmt-dev libcli11-dev nlohmann-json3-dev libboost1.74-dev)
+packages_test=(catch2 librapidcheck-dev nm:binutils make:make ccache:ccache)
+packages_clang=(clang++-19:clang-19)
+
+# missing_packages <package>...: those that are not installed, one a line. Without dpkg nobody can tell, so nothing is missing: CMake will say.
+missing_packages() {
+  command -v dpkg-query >/dev/null || return 0
+  local entry name
+  for entry in "$@"; do
+    name=${entry#*:}
+    [ "$entry" != "$name" ] && command -v "${entry%%:*}" >/dev/null && continue
+    case $(dpkg-query -W -f='${db:Status-Status} ' "$name" 2>/dev/null) in
+      *'installed '*) ;;
+      *) printf '%s\n' "$name" ;;
+    esac
+  done
+}
+
+# show_progress <log> <number of packages>: passes apt's words on to the log, and to a person as one line that moves, or a line now and then.
+show_progress() {
+  awk -v log_file="$1" -v terminal="$terminal" '
+    { print >> log_file; fflush(log_file) }
+    /^(Get:|Unpacking |Setting up )/ {
+      count++
+      what = $1 == "Setting" ? "setting up " $3 : $1 == "Unpacking" ? "unpacking " $2 : "fetching " ($5 ~ /^[a-z0-9]/ ? $5 : $4)
+      if (terminal) { printf "\r\033[K   %s", substr(what, 1, 70) } else if (count % 50 == 0) { printf "   %s ...\n", what }
+      fflush()
+    }
+    END { if (terminal) printf "\r\033[K" }'
+}
+
+# why_apt_failed <log>: sets `why`, and prints nothing.
+why_apt_failed() {
+  if grep -qE 'No space left|enough free space' "$1"; then
+    why="the disk is full: $(df -Ph / | awk 'NR == 2 { print $4 }') are free on /"
+  elif grep -qE 'Could not get lock|is another process using it' "$1"; then
+    why="another package manager is running; try again when it has finished"
+  elif grep -qE 'Temporary failure resolving|Could not resolve|Could not connect|Connection failed|Network is unreachable|Failed to fetch|Unable to fetch' "$1"; then
+    why="the package servers cannot be reached: check the network (and the proxy, if there is one)"
+  elif grep -q 'Unable to locate package' "$1"; then
+    why="this system does not offer $(sed -n 's/.*Unable to locate package //p' "$1" | paste -sd' ' -); Director is made for Debian 12"
+  else
+    why="apt-get failed: $(grep -E '^(E|W):' "$1" | tail -n 1)"
+  fi
+}
+
+# install_packages <package>...: installs what is missing and calls apt only then. Returns 1 and says in `why` why it could not.
+install_packages() {
+  local missing asroot=() log
+  mapfile -t missing < <(missing_packages "$@")
+  [ ${#missing[@]} -gt 0 ] || return 0
+  printf '   installing %s\n' "${missing[*]}"
+  if ! command -v apt-get >/dev/null; then
+    why="these packages are missing and there is no apt-get to install them: ${missing[*]}"
+    return 1
+  fi
+  if [ "$(id -u)" != 0 ]; then
+    if ! command -v sudo >/dev/null || { [ ! -t 0 ] && ! sudo -n true 2>/dev/null; }; then
+      why="these packages are missing, and installing them needs root rights or sudo: ${missing[*]}"
+      return 1
+    fi
+    asroot=(sudo)
+  fi
+  log=$(mktemp "${TMPDIR:-/tmp}/director-apt.XXXXXX")
+  local apt=(env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -o Acquire::Retries=3 -o DPkg::Lock::Timeout=120)
+  "${asroot[@]}" "${apt[@]}" update 2>&1 </dev/null | show_progress "$log" || true
+  if ! "${asroot[@]}" "${apt[@]}" install -y --no-install-recommends "${missing[@]}" 2>&1 </dev/null | show_progress "$log"; then
+    why_apt_failed "$log"
+    why="$why (its whole output: $log)"
+    return 1
+  fi
+  rm -f "$log"
+  hash -r
+}
+
+# need_disk <megabytes>: what the build takes, before it has taken half of it.
+need_disk() {
+  local free
+  free=$(df -Pm . | awk 'NR == 2 { print $4 }')
+  [ "$free" -ge "$1" ] || fail "the disk is nearly full: about $1 MB are needed in $PWD, $free MB are free"
+}
+
+# configure <preset> <cmake argument>...: quiet unless something is wrong. A build tree that was copied from elsewhere is made anew.
+configure() {
+  local preset=$1 tree=build/$1 fresh=()
+  shift
+  mkdir -p "$tree" 2>/dev/null && [ -w "$tree" ] || fail "cannot write to $PWD/$tree: build as the user to whom the project belongs"
+  if [ -f "$tree/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$tree/CMakeCache.txt"; then fresh=(--fresh); fi
+  if ! cmake --preset "$preset" "${fresh[@]}" "$@" >"$tree/configure.log" 2>&1; then
+    cat "$tree/configure.log" >&2
+    return 1
+  fi
+}
+
+# build <preset> <target>...
+build() {
+  local preset=$1
+  shift
+  NINJA_STATUS='   [%f/%t] ' cmake --build "build/$preset" ${1:+--target "$@"}
+}

@@ -1,0 +1,114 @@
+// Door: tests/layout/includes.hpp. Test: tests/layout/includes_test.cpp.
+#include "tests/layout/includes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <regex>
+
+namespace director::tests {
+
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+struct Room {
+  std::string_view folder; // of the files that the row is about; the first row that fits counts
+  Names rooms;             // the folders whose headers these may include
+};
+
+// One way only. Generated code includes its own header by its bare name, and so do the behaviours that are written
+// against it.
+const std::vector<Room>& rooms() {
+  static const std::vector<Room> all{
+      {"runtime/core/", {"runtime/core/"}},
+      {"runtime/hosted/", {"runtime/core/", "runtime/hosted/"}},
+      {"schemas/", {}},
+      {"dsl/", {"dsl/", "schemas/"}},
+      {"compiler/", {"compiler/", "dsl/", "runtime/core/", "runtime/hosted/"}},
+      {"generated/", {"runtime/core/", "behaviours/"}},
+      {"behaviours/", {"behaviours/", "runtime/core/", "runtime/hosted/"}},
+      {"tests/oracle/", {"tests/oracle/", "tests/support/", "dsl/", "compiler/model/"}},
+      {"tests/", {"tests/", "compiler/", "dsl/", "runtime/core/", "runtime/hosted/", "behaviours/"}},
+  };
+  return all;
+}
+
+struct Library {
+  std::string_view prefix; // of the header's name
+  std::vector<std::string_view> places;
+};
+
+// One library, one place: what each costs the compiler is paid once.
+const std::vector<Library>& libraries() {
+  static const std::vector<Library> all{
+      {"yaml-cpp/", {"dsl/yaml_tree.cpp"}}, {"fmt/", {"dsl/", "compiler/"}},
+      {"CLI/", {"compiler/cli/"}},          {"nlohmann/", {"compiler/emit/json.hpp", "compiler/emit/json.cpp"}},
+      {"boost/", {"compiler/graph/"}},      {"clang/", {"compiler/facts/"}},
+      {"llvm/", {"compiler/facts/"}},       {"catch2/", {"tests/"}},
+      {"rapidcheck", {"tests/"}},           {"benchmark/", {"tests/bench/"}},
+  };
+  return all;
+}
+
+constexpr std::array core_headers{"array",  "atomic", "bit",  "compare", "concepts",    "cstddef", "cstdint",
+                                  "limits", "new",    "span", "tuple",   "type_traits", "utility"};
+constexpr std::array generated_headers{"chrono", "exception"};
+
+bool is_standard(std::string_view name) { return name.find_first_of("./") == std::string_view::npos; }
+
+bool is_among(const auto& names, std::string_view name) { return std::ranges::find(names, name) != std::end(names); }
+
+bool starts_with_one_of(std::string_view name, const Names& prefixes) {
+  return std::ranges::any_of(prefixes, [name](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
+std::string angled_fault(std::string_view path, std::string_view name) {
+  const std::string header = "<" + std::string(name) + ">";
+  if (is_standard(name)) {
+    const bool core = path.starts_with("runtime/core/");
+    const bool generated = path.starts_with("generated/");
+    if (!core && !generated) return {};
+    if (is_among(core_headers, name) || (generated && is_among(generated_headers, name))) return {};
+    return header + " is not among the standard headers that " + (core ? "runtime/core" : "generated") + " may use";
+  }
+  for (const Library& library : libraries()) {
+    if (!name.starts_with(library.prefix)) continue;
+    if (starts_with_one_of(path, library.places)) return {};
+    return header + " may be included only in " + std::string(library.places.front());
+  }
+  // What remains is the operating system: the terminal and child processes, and what runs on a computer.
+  if (starts_with_one_of(path, {"compiler/cli/", "runtime/hosted/", "tests/"})) return {};
+  return header + " belongs to no library that this room may know";
+}
+
+std::string quoted_fault(std::string_view path, std::string_view name) {
+  const std::string header = "\"" + std::string(name) + "\"";
+  const auto room = std::ranges::find_if(rooms(), [path](const Room& each) { return path.starts_with(each.folder); });
+  if (room == rooms().end()) return "this folder is not a room of the project, so it includes nothing";
+  if (name.find('/') == std::string_view::npos) {
+    if (starts_with_one_of(path, {"generated/", "behaviours/", "tests/"})) return {};
+    return header + " must be written from the root of the project";
+  }
+  if (starts_with_one_of(name, room->rooms)) return {};
+  return header + " is a room that " + std::string(room->folder.substr(0, room->folder.size() - 1)) + " must not know";
+}
+
+} // namespace
+
+std::string include_fault(std::string_view path, std::string_view name, bool angled) {
+  return angled ? angled_fault(path, name) : quoted_fault(path, name);
+}
+
+std::vector<std::string> include_faults(std::string_view path, const std::vector<std::string>& lines) {
+  static const std::regex include{R"(^\s*#\s*include\s*([<"])([^>"]*)[>"])"};
+  std::vector<std::string> faults;
+  for (std::size_t index = 0; index < lines.size(); ++index) {
+    std::smatch match;
+    if (!std::regex_search(lines[index], match, include)) continue;
+    if (const std::string fault = include_fault(path, match[2].str(), match[1] == "<"); !fault.empty())
+      faults.push_back(std::string(path) + ":" + std::to_string(index + 1) + ": " + fault);
+  }
+  return faults;
+}
+
+} // namespace director::tests

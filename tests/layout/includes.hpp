@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::tests {
+
+// Says what is wrong with the include `name` (written in <> or "") in the file at `path` (from the root of the
+// project); empty where nothing is. The rules are the rooms' own: who may know whom, and in which place each library is
+// known.
+std::string include_fault(std::string_view path, std::string_view name, bool angled);
+
+// All faults of a file, as "path:line: fault".
+std::vector<std::string> include_faults(std::string_view path, const std::vector<std::string>& lines);
+
+} // namespace director::tests
