@@ -1,0 +1,52 @@
+// Door: compiler/model/model.hpp. Test: tests/compiler/model/model_test.cpp.
+#include "compiler/model/model.hpp"
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+template <class IdType, class Row>
+std::optional<IdType> find_named(const IdTable<IdType, Row>& table, std::string_view name) {
+  for (const IdType id : table.ids()) {
+    if (table[id].name.text == name) return id;
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::string State::value_text(std::int64_t value) const {
+  if (is_range) return std::to_string(value);
+  return values.at(static_cast<std::size_t>(value));
+}
+
+std::string Model::full_name(ProviderId id) const {
+  const Provider& provider = providers[id];
+  const std::string& group = groups[provider.group].name.text;
+  return provider.direct ? group : group + "." + provider.name;
+}
+
+std::string Model::edge_name(EdgeId id) const {
+  const Edge& edge = edges[id];
+  return (edge.requester ? groups[*edge.requester].name.text : "root") + ">" + groups[edge.target].name.text;
+}
+
+std::optional<GroupId> Model::find_group(std::string_view name) const { return find_named(groups, name); }
+
+std::optional<StateId> Model::find_state(std::string_view name) const { return find_named(states, name); }
+
+bool Model::satisfies(ConditionId causing, ConditionId when) const {
+  const Condition& promise = conditions[causing];
+  const Condition& goal = conditions[when];
+  return promise.state == goal.state && !promise.accepts.empty() && promise.accepts.subset_of(goal.accepts);
+}
+
+bool Model::causes(ProviderId provider, ConditionId when) const {
+  const std::vector<ConditionUse>& promises = providers[provider].causing;
+  return std::any_of(promises.begin(), promises.end(),
+                     [&](const ConditionUse& promise) { return satisfies(promise.id, when); });
+}
+
+} // namespace director::compiler

@@ -1,0 +1,94 @@
+// Door: compiler/model/value_set.hpp. Test: tests/compiler/model/value_set_test.cpp.
+#include "compiler/model/value_set.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace director::compiler {
+
+namespace {
+
+using Interval = ValueSet::Interval;
+constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
+
+/// `high` and `low` leave no room for a value between them.
+bool touches(std::int64_t high, std::int64_t low) { return high == largest || low <= high + 1; }
+
+} // namespace
+
+ValueSet ValueSet::interval(std::int64_t low, std::int64_t high) {
+  ValueSet set;
+  if (low <= high) set.intervals_.push_back({low, high});
+  return set;
+}
+
+bool ValueSet::contains(std::int64_t value) const {
+  return std::any_of(intervals_.begin(), intervals_.end(),
+                     [value](const Interval& i) { return i.low <= value && value <= i.high; });
+}
+
+bool ValueSet::subset_of(const ValueSet& other) const { return intersected(other) == *this; }
+
+std::int64_t ValueSet::count() const {
+  // In unsigned arithmetic, because the distance of two signed numbers may be more than the largest signed one.
+  std::uint64_t total = 0;
+  for (const Interval& i : intervals_) {
+    const std::uint64_t distance = static_cast<std::uint64_t>(i.high) - static_cast<std::uint64_t>(i.low);
+    if (distance >= static_cast<std::uint64_t>(largest) - total) return largest;
+    total += distance + 1;
+  }
+  return static_cast<std::int64_t>(total);
+}
+
+ValueSet ValueSet::united(const ValueSet& other) const {
+  std::vector<Interval> all = intervals_;
+  all.insert(all.end(), other.intervals_.begin(), other.intervals_.end());
+  std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+  ValueSet out;
+  for (const Interval& i : all) {
+    if (!out.intervals_.empty() && touches(out.intervals_.back().high, i.low)) {
+      out.intervals_.back().high = std::max(out.intervals_.back().high, i.high);
+    } else {
+      out.intervals_.push_back(i);
+    }
+  }
+  return out;
+}
+
+ValueSet ValueSet::intersected(const ValueSet& other) const {
+  ValueSet out;
+  auto a = intervals_.begin();
+  auto b = other.intervals_.begin();
+  while (a != intervals_.end() && b != other.intervals_.end()) {
+    const std::int64_t low = std::max(a->low, b->low);
+    const std::int64_t high = std::min(a->high, b->high);
+    if (low <= high) out.intervals_.push_back({low, high});
+    if (a->high < b->high) {
+      ++a;
+    } else {
+      ++b;
+    }
+  }
+  return out;
+}
+
+ValueSet ValueSet::without(const ValueSet& other) const {
+  ValueSet out;
+  for (const Interval& i : intervals_) {
+    std::int64_t low = i.low;
+    bool used_up = false;
+    for (const Interval& hole : other.intervals_) {
+      if (hole.high < low || hole.low > i.high) continue;
+      if (hole.low > low) out.intervals_.push_back({low, hole.low - 1});
+      if (hole.high >= i.high) {
+        used_up = true;
+        break;
+      }
+      low = hole.high + 1;
+    }
+    if (!used_up) out.intervals_.push_back({low, i.high});
+  }
+  return out;
+}
+
+} // namespace director::compiler
