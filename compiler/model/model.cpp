@@ -10,7 +10,7 @@ namespace {
 template <class IdType, class Row>
 std::optional<IdType> find_named(const IdTable<IdType, Row>& table, std::string_view name) {
   for (const IdType id : table.ids()) {
-    if (table[id].name.text == name) return id;
+    if (table[id].name.value == name) return id;
   }
   return std::nullopt;
 }
@@ -24,18 +24,18 @@ std::string State::value_text(std::int64_t value) const {
 
 std::string Model::full_name(ProviderId id) const {
   const Provider& provider = providers[id];
-  const std::string& group = groups[provider.group].name.text;
+  const std::string& group = groups[provider.group].name.value;
   return provider.direct ? group : group + "." + provider.name;
 }
 
 std::string Model::edge_name(EdgeId id) const {
   const Edge& edge = edges[id];
-  return (edge.requester ? groups[*edge.requester].name.text : "root") + ">" + groups[edge.target].name.text;
+  return (edge.requester ? groups[*edge.requester].name.value : "root") + ">" + groups[edge.target].name.value;
 }
 
-std::optional<GroupId> Model::find_group(std::string_view name) const { return find_named(groups, name); }
+std::optional<GroupId> Model::find_group(std::string_view text) const { return find_named(groups, text); }
 
-std::optional<StateId> Model::find_state(std::string_view name) const { return find_named(states, name); }
+std::optional<StateId> Model::find_state(std::string_view text) const { return find_named(states, text); }
 
 bool Model::satisfies(ConditionId causing, ConditionId when) const {
   const Condition& promise = conditions[causing];

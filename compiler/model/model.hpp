@@ -3,16 +3,16 @@
 // behind it (graph, checks, lowering, generation) reads it. Ids are places in declaration order: what an imported file
 // declares comes before what its importer declares; providers stand in order of preference, group after group.
 
+#include "compiler/model/ids.hpp"
+#include "compiler/model/value_set.hpp"
+#include "dsl/span.hpp"
+#include "dsl/spec.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "compiler/model/ids.hpp"
-#include "compiler/model/value_set.hpp"
-#include "dsl/span.hpp"
-#include "dsl/spec.hpp"
 
 namespace director::compiler {
 
@@ -31,22 +31,22 @@ using Microseconds = std::int64_t;
 
 struct State {
   Word name;
-  std::optional<std::string> type;      ///< the C++ enum that the user named
-  bool is_range = false;                ///< integers low..high; else the words of `values`, numbered from 0, ascending
-  std::int64_t low = 0, high = 0;       ///< the domain; for words 0 and count - 1
-  std::vector<std::string> values;      ///< empty for a range
-  std::vector<Span> value_spans;        ///< where each value is declared
-  std::vector<std::int64_t> unordered;  ///< sentinels: satisfy no < <= > >=
+  std::optional<std::string> type;     ///< the C++ enum that the user named
+  bool is_range = false;               ///< integers low..high; else the words of `values`, numbered from 0, ascending
+  std::int64_t low = 0, high = 0;      ///< the domain; for words 0 and count - 1
+  std::vector<std::string> values;     ///< empty for a range
+  std::vector<Span> value_spans;       ///< where each value is declared
+  std::vector<std::int64_t> unordered; ///< sentinels: satisfy no < <= > >=
   std::optional<std::int64_t> initial;
   Span initial_span{};
   bool external = false;
   struct Expires {
     Microseconds after = 0;
-    std::optional<std::int64_t> to;     ///< nothing: becomes unset
+    std::optional<std::int64_t> to; ///< nothing: becomes unset
     Span span{};
   };
   std::optional<Expires> expires;
-  std::optional<Use<GroupId>> of;       ///< set by that group only, back to `initial` when it stops
+  std::optional<Use<GroupId>> of; ///< set by that group only, back to `initial` when it stops
   std::string doc;
   std::string value_text(std::int64_t value) const; ///< the word, or the digits
 
@@ -56,8 +56,8 @@ struct State {
   bool may_be_unset() const { return !initial || (expires && !expires->to); }
 };
 
-/// (state, operator, values): what semantics.md calls a condition. One row for each different way of writing it, so that
-/// "the same condition" means the same row. `any` (a bare state name in `sets`) accepts every value.
+/// (state, operator, values): what semantics.md calls a condition. One row for each different way of writing it, so
+/// that "the same condition" means the same row. `any` (a bare state name in `sets`) accepts every value.
 struct Condition {
   enum class Op { equal, not_equal, less, less_equal, greater, greater_equal, any };
   StateId state{};
@@ -139,13 +139,13 @@ struct Group {
 struct Edge {
   std::optional<GroupId> requester; ///< nothing: root
   GroupId target{};
-  std::vector<Level> levels;        ///< different ones only, the first one is the first that was declared; empty: need only
-  bool needed = false;              ///< some provider of the requester needs the target
-  Span span{};                      ///< where it was declared first
+  std::vector<Level> levels; ///< different ones only, the first one is the first that was declared; empty: need only
+  bool needed = false;       ///< some provider of the requester needs the target
+  Span span{};               ///< where it was declared first
 };
 
 struct Trigger {
-  std::string name;                  ///< `Sensors`, or `Walk.halting.broken`
+  std::string name; ///< `Sensors`, or `Walk.halting.broken`
   Span span{};
   std::optional<ProviderId> promise; ///< it fires when this provider's `within` runs out
   std::string doc;
@@ -180,7 +180,7 @@ struct Model {
   std::vector<std::string> headers; ///< to include, in order, each once
   std::string doc;
   Span name_span{};
-  bool deployment = false;          ///< the main file has `roots`
+  bool deployment = false; ///< the main file has `roots`
   IdTable<StateId, State> states;
   IdTable<ConditionId, Condition> conditions;
   IdTable<GroupId, Group> groups;
@@ -189,7 +189,7 @@ struct Model {
   IdTable<TriggerId, Trigger> triggers; ///< declared ones first, then the promises that are listened to
   IdTable<ModuleId, Module> modules;    ///< in order of their first group
   IdTable<LayerId, Layer> layers;
-  std::vector<Task> roots;              ///< entries of the main file's `roots`; their edges are the first edges
+  std::vector<Task> roots; ///< entries of the main file's `roots`; their edges are the first edges
   std::vector<Use<GroupId>> externs;
   std::vector<Assertion> assertions;
   std::vector<Allowance> allowances;

@@ -1,6 +1,6 @@
 #pragma once
-// A set of values of one state: closed intervals of value numbers, sorted, disjoint and never touching, so that two equal
-// sets are equal values. Source: semantics.md, section 1 (a condition is the set of values that satisfies it).
+// A set of values of one state: closed intervals of value numbers, sorted, disjoint and never touching, so that two
+// equal sets are equal values. Source: semantics.md, section 1 (a condition is the set of values that satisfies it).
 
 #include <cstdint>
 #include <vector>

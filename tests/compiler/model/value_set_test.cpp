@@ -1,0 +1,59 @@
+#include "compiler/model/value_set.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdint>
+#include <limits>
+
+namespace {
+
+using director::compiler::ValueSet;
+constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+
+ValueSet of(std::initializer_list<std::int64_t> values) {
+  ValueSet out;
+  for (const std::int64_t v : values) out = out.united(ValueSet::single(v));
+  return out;
+}
+
+TEST_CASE("neighbours become one interval, in whatever order they come") {
+  CHECK(of({3, 1, 2}) == ValueSet::interval(1, 3));
+  CHECK(of({1, 3}).intervals().size() == 2);
+  CHECK(ValueSet::interval(0, 5).united(ValueSet::interval(2, 9)) == ValueSet::interval(0, 9));
+  CHECK(ValueSet::interval(5, 4).empty());
+}
+
+TEST_CASE("a set without some values is what remains around them") {
+  CHECK(ValueSet::interval(0, 9).without(of({0, 4, 9})) == ValueSet::interval(1, 3).united(ValueSet::interval(5, 8)));
+  CHECK(ValueSet::interval(0, 9).without(ValueSet::interval(-5, 20)).empty());
+  CHECK(ValueSet::interval(0, 9).without(ValueSet::interval(20, 30)) == ValueSet::interval(0, 9));
+  CHECK(ValueSet().without(of({1})).empty());
+}
+
+TEST_CASE("what two sets have in common") {
+  CHECK(of({1, 3, 5}).intersected(ValueSet::interval(2, 5)) == of({3, 5}));
+  CHECK(of({1}).intersected(of({2})).empty());
+}
+
+TEST_CASE("subsets, members and counts") {
+  CHECK(of({3, 5}).subset_of(ValueSet::interval(3, 5)));
+  CHECK_FALSE(ValueSet::interval(3, 5).subset_of(of({3, 5})));
+  CHECK(ValueSet().subset_of(ValueSet()));
+  CHECK(of({3, 5}).contains(5));
+  CHECK_FALSE(of({3, 5}).contains(4));
+  CHECK(of({3, 5}).count() == 2);
+  CHECK(ValueSet().count() == 0);
+}
+
+TEST_CASE("the largest numbers are numbers like others") {
+  const ValueSet all = ValueSet::interval(least, most);
+  CHECK(all.count() == most);
+  CHECK(all.without(ValueSet::single(most)) == ValueSet::interval(least, most - 1));
+  CHECK(all.without(ValueSet::single(least)) == ValueSet::interval(least + 1, most));
+  CHECK(all.without(all).empty());
+  CHECK(ValueSet::single(most).united(ValueSet::single(least)).intervals().size() == 2);
+  CHECK(ValueSet::single(most).united(ValueSet::single(most - 1)) == ValueSet::interval(most - 1, most));
+}
+
+} // namespace

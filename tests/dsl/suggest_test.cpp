@@ -1,0 +1,33 @@
+#include "dsl/suggest.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::dsl::suggest;
+const std::vector<std::string> names{"Walk", "WalkTo", "Kick", "LeftLeg", "LeftArm"};
+
+TEST_CASE("a misspelt word is led to the nearest one") {
+  CHECK(suggest("Wlak", names) == "Walk");
+  CHECK(suggest("Kicks", names) == "Kick");
+  CHECK(suggest("LeftLge", names) == "LeftLeg");
+  CHECK(suggest("WalkTp", names) == "WalkTo");
+}
+
+TEST_CASE("a word in another case is nearer than a word with other letters") {
+  CHECK(suggest("walk", names) == "Walk");
+  CHECK(suggest("WALK", names) == "Walk");
+  CHECK(suggest("b", {"a", "B"}) == "B");
+}
+
+TEST_CASE("a word that is like none gets no suggestion") {
+  CHECK_FALSE(suggest("Grasp", names));
+  CHECK_FALSE(suggest("", names));
+  CHECK_FALSE(suggest("b", {"a"}));
+  CHECK_FALSE(suggest("Walk", {}));
+  CHECK_FALSE(suggest(std::string(101, 'a'), {std::string(100, 'a')}));
+}
+
+TEST_CASE("of equally near words the first one counts") { CHECK(suggest("Left", {"Lift", "Loft"}) == "Lift"); }
+
+} // namespace
