@@ -69,18 +69,18 @@ install_packages() {
   local missing asroot=() log
   mapfile -t missing < <(missing_packages "$@")
   [ ${#missing[@]} -gt 0 ] || return 0
-  printf '   installing %s\n' "${missing[*]}"
   if ! command -v apt-get >/dev/null; then
     why="these packages are missing and there is no apt-get to install them: ${missing[*]}"
     return 1
   fi
   if [ "$(id -u)" != 0 ]; then
     if ! command -v sudo >/dev/null || { [ ! -t 0 ] && ! sudo -n true 2>/dev/null; }; then
-      why="these packages are missing, and installing them needs root rights or sudo: ${missing[*]}"
+      why="packages are missing, and to install them needs root rights or sudo; as root: apt-get install ${missing[*]}"
       return 1
     fi
     asroot=(sudo)
   fi
+  printf '   installing %s\n' "${missing[*]}"
   log=$(mktemp "${TMPDIR:-/tmp}/director-apt.XXXXXX")
   local apt=(env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -o Acquire::Retries=3 -o DPkg::Lock::Timeout=120)
   "${asroot[@]}" "${apt[@]}" update 2>&1 </dev/null | show_progress "$log" || true
@@ -93,18 +93,24 @@ install_packages() {
   hash -r
 }
 
-# need_disk <megabytes>: what the build takes, before it has taken half of it.
+# need_disk <preset>...: says so before the build of those that have no tree yet fills the disk.
 need_disk() {
-  local free
+  local free needed=0 preset
+  for preset in "$@"; do [ -d "build/$preset" ] || needed=$((needed + 700)); done
   free=$(df -Pm . | awk 'NR == 2 { print $4 }')
-  [ "$free" -ge "$1" ] || fail "the disk is nearly full: about $1 MB are needed in $PWD, $free MB are free"
+  [ "$free" -ge "$needed" ] || fail "the disk is nearly full: about $needed MB are needed in $PWD, $free MB are free"
+}
+
+# need_right: the build tree may be new, but not another's.
+need_right() {
+  { mkdir -p build && [ -w build ]; } 2>/dev/null || fail "cannot write to $PWD/build: build as the user to whom the project belongs"
 }
 
 # configure <preset> <cmake argument>...: quiet unless something is wrong. A build tree that was copied from elsewhere is made anew.
 configure() {
   local preset=$1 tree=build/$1 fresh=()
   shift
-  mkdir -p "$tree" 2>/dev/null && [ -w "$tree" ] || fail "cannot write to $PWD/$tree: build as the user to whom the project belongs"
+  mkdir -p "$tree"
   if [ -f "$tree/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$tree/CMakeCache.txt"; then fresh=(--fresh); fi
   if ! cmake --preset "$preset" "${fresh[@]}" "$@" >"$tree/configure.log" 2>&1; then
     cat "$tree/configure.log" >&2
