@@ -54,26 +54,21 @@ private:
   bool stays(Index provider) const;
   bool waived(Index provider, Index condition, Index edge) const;
   Index first_false(Index provider, Index edge) const;
-  template <class Each>
-  void each_lacking(Index provider, Each each) const;
   bool combine(Index count, bool with_conditions);
   bool next_choice(Index at, bool fresh, bool with_conditions, bool record);
   bool plan_fits(Index at, bool with_conditions, bool record, Index& keep);
   bool plan_as_it_is(Index at) const;
-  bool first_plan(Index provider, Index begin, Index& end, bool static_only);
-  bool next_plan(Index provider, Index begin, Index& end, bool static_only);
-  bool extend_plan(Index provider, Index begin, Index& end, bool static_only);
+  bool search_plan(Index provider, Index begin, Index& end, bool fresh, bool by_declaration);
   void drop_entries(Index begin, Index end);
   void leave_combination(Index count);
   Index entries_begin(Index at) const { return at == 0 ? Index{0} : s_.member_entries[at - 1]; }
   Index slot_of(Index owner, Index group) const;
 
   // pass.cpp: section 4.4
+  void clear();
   void sweep();
   bool denied_in_vain();
-  void clear();
   void become_candidates(Range edges);
-  void become_candidates_below(Index group);
   bool may_ask(Index group) const;
   bool alone(Index edge) const;
   bool stale(Index group) const;
@@ -81,39 +76,40 @@ private:
   bool runs_for_now(Index edge) const;
   bool outdated_order(Index count) const;
   void try_unit(Index count);
-  void try_each(Index count);
-  bool may_be_asked_for(Index member);
-  bool reached_from_stale(Index claims, Index edge);
+  void try_members(Index count);
   bool premature(Index count);
+  bool reached_from_stale(Index found, Index edge);
   void defer(Index count);
   void grant(Index count);
-  void claim_plan(Index owner, Index begin, Index end);
+  void plan_for(Index owner, Index provider, Index begin, Index end);
+  void claim_plan(Index begin, Index end);
+  void waken(Index begin, Index end);
   void refuse(Index count);
   void explain(Index count, Why why, Index condition = nil);
-  bool in_unit(Index edge, Index count) const;
   void hand_over();
   void hand_over(Index group);
+  Index recall_plan(Index group);
   void finish();
+  bool asked_for(Index group) const;
   void sort_order();
 
   // push.cpp: the pushes of a unit
+  bool in_unit(Index edge, Index count) const;
+  Index collect_unmet(Index count);
   void keep_pushes(Index count);
   void keep_serving_pushes(Index count);
   void want(Range conditions);
-  void want_choices(Index count);
   bool satisfies(Index provider, Index condition) const;
   bool somebody_satisfies(Index condition) const;
-  void push_for(Index count);
-  template <class Each>
-  void each_unmet(Index count, Each each);
+  void push_for(Index count, Index unmet);
   bool find_chain(Index condition, Index member, Push& out);
-  void relax(Index member, bool& changed);
+  bool relax(Index provider);
   bool can_be_pushed(Index provider, Index member) const;
   bool goes_before(Index member, Index edge) const;
 
   const Tables& t_;
   State& s_;
-  Index candidates_ = 0, denied_ = 0, order_count_ = 0, stale_granted_ = 0, spare_ = 0;
+  Index candidates_ = 0, denied_ = 0, order_count_ = 0, stale_granted_ = 0;
 };
 
 } // namespace director

@@ -1,6 +1,6 @@
 #pragma once
-// The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration.hpp) and acts
-// on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
+// The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration.hpp) and
+// acts on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
 
 #include "runtime/core/inbox.hpp"
 #include "runtime/core/observer.hpp"
@@ -26,8 +26,8 @@ public:
 
   void set_budget(std::uint32_t micro_steps) { budget_ = micro_steps; }
 
-  /// Micro-steps until quiescence: the inputs that are in the inbox now (at time `now`), then what is due, each due time
-  /// to quiescence before the next. An earlier `now` counts as the last one.
+  /// Micro-steps until quiescence: the inputs that are in the inbox now (at time `now`), then what is due, each due
+  /// time to quiescence before the next. An earlier `now` counts as the last one.
   StepResult step(Time now);
 
   /// The next time at which a step would have something to do without an input; `never` if there is nil.
@@ -36,8 +36,8 @@ public:
   // What holds between steps.
   std::int32_t value(Index state) const { return s_.values[state]; }
   bool enabled(Index provider) const { return s_.enabled[provider] != 0; }
-  RunState state(Index edge) const;      ///< of a request: running, queued or none
-  bool done(Index edge) const;           ///< the target said done or failed; only while running
+  RunState state(Index edge) const; ///< of a request: running, queued or none
+  bool done(Index edge) const;      ///< the target said done or failed; only while running
   bool failed(Index edge) const;
   Index holder(Index group) const { return s_.last.holder[group]; } ///< edge; >= edges.size(): limbo; nil
   Index active(Index group) const { return s_.last.active[group]; } ///< provider, or nil
@@ -52,45 +52,55 @@ private:
   friend class Run;
   friend class Handling;
 
-  // engine.cpp
+  // step.cpp: section 3
   bool micro_step();
+  bool work_left() const;
   bool take_input();
-  bool next_due_timer();
+  bool take_more(Input& record);
+  void take_request(Input record);
+  void take_states(Input record);
+  void take_handlers_input();
+  bool take_timer();
+  bool expire(Index state);
+  bool break_promise(Index promise);
+  bool fire(Index trigger);
   void run_next();
-  bool commit_pack(const Range& edges);
-  void end_micro_step();
+  void commit(const Run& run, Outcome::Kind kind);
+  void commit_pack(Range edges);
+  void answer(Index group, bool failed);
   void request(Index edge, Index level);
   bool set_value(Index state, std::int32_t value);
   void report_set(Index state, std::int32_t value);
-  bool take_handlers_input();
-  bool fire(Index trigger);
-  void add_reason(Index group, Reason reason);
-  bool expire(Index state);
-  bool break_promise(Index promise);
-  void tell(Event event);
-  DataPlace data_of(Index group) const;
+  void report_input(const Input& record) const;
+  void end_micro_step();
 
-  // act.cpp
-  void act();
+  // act.cpp: section 5
+  void act(std::span<const Index> order);
   void stop_group(Index group);
-  void start_group(Index group);
   void give_reasons(Index group);
-  void settle_data();
   void keep_promises();
+  void settle_data(Range edges);
+  void adopt(std::span<const Index> order);
   void report_decisions();
-  void adopt();
+  void add_reason(Index group, Reason reason);
+  void handle(Index group, Reason reason);
+  bool changed() const;
+
+  Event event(Event::Kind kind, Index group = nil) const;
+  void tell(const Event& event) const;
+  bool observed() const { return observer_.tell != nullptr; }
+  DataPlace data_of(Index group) const;
 
   const Tables& t_;
   State s_;
   Bodies bodies_;
   Inbox& inbox_;
   Observer observer_;
-  Shape shape_;
   std::uint32_t budget_ = default_budget;
-  std::uint32_t quota_ = 0;         ///< records of the inbox that this step may still take
-  Index starting_ = nil;           ///< the group whose start handler runs: its data may still be staged
-  Index anew_owner_ = nil;         ///< whose edges may be marked anew; edges.size(): root's
-  bool inside_ = false;             ///< a body or handler is running
+  std::uint32_t quota_ = 0; ///< records of the inbox that this step may still take
+  Index starting_ = nil;    ///< the group whose start handler runs: its data may still be staged
+  Range anew_{};            ///< the edges among which some are marked anew
+  bool inside_ = false;     ///< a body or handler is running
   bool faulted_ = false;
 };
 

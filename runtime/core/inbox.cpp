@@ -1,8 +1,9 @@
 // Door: runtime/core/inbox.hpp. Test: tests/runtime/core/inbox_test.cpp.
 //
-// A cell's turn says whose turn it is: equal to a writer's position, it is free for that writer; one more, it is full for
-// the reader of that position. The reader frees cells in order, so the last cell of a claim being free means that all of
-// the claim are. A writer publishes its records from the last to the first: who sees the first sees the whole input.
+// A cell's turn says whose turn it is: equal to a writer's position, it is free for that writer; one more, it is full
+// for the reader of that position. The reader frees cells in order, so the last cell of a claim being free means that
+// all of the claim are. A writer publishes its records from the last to the first: who sees the first sees the whole
+// input.
 
 #include "runtime/core/inbox.hpp"
 

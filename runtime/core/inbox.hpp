@@ -3,22 +3,22 @@
 // An input may take several records (several states set at once, several root tasks): it goes in whole or not at all.
 // Needs 32-bit compare-and-swap. Source: D. Vyukov's bounded queue, with several cells claimed at once.
 
+#include "runtime/core/tables.hpp"
+
 #include <atomic>
 #include <cstdint>
 #include <span>
-
-#include "runtime/core/tables.hpp"
 
 namespace director {
 
 struct Input {
   enum class Kind : std::uint8_t { request, cancel, set, fire, enable, disable };
   Kind kind = Kind::set;
-  bool more = false;           ///< the next record belongs to the same input (request and set)
-  Index thing = 0;             ///< root edge, state, trigger or provider
-  Index level = 0;             ///< request: of Tables::levels
-  Index handle = nil;         ///< request: where its data wait; nil: it has nil
-  std::int32_t value = 0;      ///< set
+  bool more = false;      ///< the next record belongs to the same input (request and set)
+  Index thing = 0;        ///< root edge, state, trigger or provider
+  Index level = 0;        ///< request: of Tables::levels
+  Index handle = nil;     ///< request: where its data wait; nil: it has nil
+  std::int32_t value = 0; ///< set
 };
 
 class Inbox {

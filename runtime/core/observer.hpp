@@ -1,6 +1,6 @@
 #pragma once
-// What the engine tells about each of its decisions. An observer is a function and a pointer; it is called in the middle
-// of a micro-step and must not call the engine.
+// What the engine tells about each of its decisions. An observer is a function and a pointer; it is called in the
+// middle of a micro-step and must not call the engine.
 
 #include "runtime/core/tables.hpp"
 #include "runtime/core/words.hpp"
@@ -40,7 +40,7 @@ struct Event {
   Index condition = nil;
   Index trigger = nil;
   std::int32_t value = unset;
-  Time time = 0;               ///< the engine's time
+  Time time = 0;                ///< the engine's time
   std::uint64_t micro_step = 0; ///< counts from 1
 };
 

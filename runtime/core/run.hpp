@@ -22,15 +22,15 @@ public:
   Index group() const { return group_; }
   Reasons reasons() const { return reasons_; }
   Time now() const;
-  bool triggered(Index trigger) const;  ///< this trigger fired since the last run
-  RunState state(Index edge) const;     ///< of the target of an edge of this group
-  bool done(Index edge) const;          ///< it said done or failed; only while running
-  bool failed(Index edge) const;        ///< it said failed; only while running
-  DataPlace data() const;               ///< of the task that this run is for
+  bool triggered(Index trigger) const; ///< this trigger fired since the last run
+  RunState state(Index edge) const;    ///< of the target of an edge of this group
+  bool done(Index edge) const;         ///< it said done or failed; only while running
+  bool failed(Index edge) const;       ///< it said failed; only while running
+  DataPlace data() const;              ///< of the task that this run is for
 
-  void set(Index state, std::int32_t value); ///< the last one counts; the caller checks that it is declared
+  void set(Index state, std::int32_t value);    ///< the last one counts; the caller checks that it is declared
   void refuse(Index state, std::int32_t value); ///< tells the observer of a value that is not declared
-  void wait(Time duration);                  ///< above 0; the last one counts
+  void wait(Time duration);                     ///< above 0; the last one counts
   /// Asks for an edge of this group at a level (of Tables::levels). Asked twice, the last one counts. True if this is a
   /// new task for the target; false if `keep` leaves a request of that level as it is.
   bool request(Index edge, Index level, bool keep = false);
@@ -44,7 +44,10 @@ public:
 private:
   friend class Engine;
   Run(Engine& engine, Index group, Index provider, Reasons reasons)
-      : engine_(engine), group_(group), provider_(provider), reasons_(reasons) {}
+      : engine_(engine),
+        group_(group),
+        provider_(provider),
+        reasons_(reasons) {}
   Engine& engine_;
   Index group_, provider_;
   Reasons reasons_;
@@ -75,15 +78,15 @@ private:
 struct Bodies {
   /// What happens to task data; the engine moves nil itself. Null where no task has data.
   enum class Data : std::uint8_t {
-    accept, ///< of root edge `edge`: from slot `handle` of the program's inputs to the edge's staging slot
+    accept, ///< of root edge `edge`: from slot `handle` of the program's inputs (nil: no data) to the edge's staging
+            ///< slot; the slot of the inputs is free again
     settle, ///< from the staging slot of `edge` to its slot
     retain, ///< from the slot of `edge` to the slot of its target group: a new request is about to take its place
-    drop,   ///< slot `handle` of the program's inputs for `edge` is not needed any more
   };
   void* self = nullptr;
-  Outcome (*const* run)(void* self, Run& run) = nullptr;           ///< one a provider
-  void (*const* start)(void* self, Handling& handling) = nullptr;  ///< one a group, null where it has nil
-  void (*const* stop)(void* self, Handling& handling) = nullptr;   ///< one a group, null where it has nil
+  Outcome (*const* run)(void* self, Run& run) = nullptr;          ///< one a provider
+  void (*const* start)(void* self, Handling& handling) = nullptr; ///< one a group, null where it has nil
+  void (*const* stop)(void* self, Handling& handling) = nullptr;  ///< one a group, null where it has nil
   void (*data)(void* self, Data what, Index edge, Index handle) = nullptr;
 };
 

@@ -1,13 +1,13 @@
 #pragma once
-// All memory of the engine that changes: one block of bytes, owned by the caller, whose size follows from the tables. It
-// begins with the decision state: everything that the next decision depends on, trivially copyable, so that two blocks
-// with equal decision bytes behave alike. Behind it lies what one pass needs and forgets.
-
-#include <cstddef>
-#include <cstdint>
+// All memory of the engine that changes: one block of bytes, owned by the caller, whose size follows from the tables.
+// It begins with the decision state: everything that the next decision depends on, trivially copyable, so that two
+// blocks with equal decision bytes behave alike. Behind it lies what one pass needs and forgets.
 
 #include "runtime/core/tables.hpp"
 #include "runtime/core/words.hpp"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace director {
 
@@ -15,14 +15,23 @@ namespace director {
 struct Shape {
   std::size_t groups = 0, providers = 0, edges = 0, conditions = 0, states = 0, promises = 0;
   std::size_t plan_slots = 0, listen_slots = 0, most_edges = 0;
+  std::size_t lacking = 0; ///< the most conditions that one combination of choices can lack
 
   static constexpr Shape of(const Tables& t) {
-    return {t.groups.size(),   t.providers.size(), t.edges.size(),   t.conditions.size(), t.states.size(),
+    Shape n{t.groups.size(),   t.providers.size(),   t.edges.size(),    t.conditions.size(), t.states.size(),
             t.promises.size(), t.plan_groups.size(), t.listened.size(), t.most_edges};
+    for (const Group& group : t.groups) {
+      Index most = 0;
+      for (Index p = group.providers.begin; p != group.providers.end; ++p) {
+        if (t.providers[p].when.size() > most) most = t.providers[p].when.size();
+      }
+      n.lacking += most;
+    }
+    return n;
   }
 };
 
-/// Bits of State::flags and Pass's copy of it, one byte a group.
+/// Bits of Assignment::flags.
 namespace flag {
 inline constexpr std::uint8_t granted = 1;  ///< a unit got it as its target in the last pass
 inline constexpr std::uint8_t needed = 2;   ///< its holder claimed it for a plan
@@ -56,82 +65,87 @@ struct Queued {
 
 /// One assignment: what a pass decides. The committed one is a part of the decision state; a pass writes another.
 struct Assignment {
-  Index* holder = nullptr;        ///< group: edge that controls it, limbo edges are edges.size() + group; nil: nobody
-  Index* active = nullptr;        ///< group: provider that runs for it; nil: it is not live
-  std::uint8_t* flags = nullptr;  ///< group: bits of `flag`
-  Index* plan = nullptr;          ///< slot: provider picked in the plan of the slot's owner; nil: not in it
-  Push* push = nullptr;           ///< group
-  Service* serves = nullptr;      ///< group
+  Index* holder = nullptr;       ///< group: edge that controls it, limbo edges are edges.size() + group; nil: nobody
+  Index* active = nullptr;       ///< group: provider that runs for it; nil: it is not live
+  std::uint8_t* flags = nullptr; ///< group: bits of `flag`
+  Index* planned = nullptr;      ///< group: provider whose needs its plan meets; nil: it has no plan
+  Index* plan = nullptr;         ///< slot: provider picked in the plan of the slot's owner; nil: not in it
+  Push* push = nullptr;          ///< group
+  Service* serves = nullptr;     ///< group
 };
 
 struct Counters {
-  Time now = 0;                    ///< the engine's time: that of the input or timer being served
-  Time until = 0;                  ///< the time that `step` was given last
-  std::uint64_t micro_step = 0;    ///< how many were taken
-  Index order_count = 0;           ///< rows of State::order in use
-  Index queue_count = 0;           ///< rows of State::queue in use
-  Index due_phase = 0;             ///< which kind of timer is being served; 4: nil
-  Index due_at = 0;                ///< the next row of that kind to look at
-  std::uint8_t begun = 0;          ///< the first step was taken
-  std::uint8_t unsettled = 0;      ///< the last arbitration changed something
-  std::uint8_t handlers_set = 0;   ///< State::handler_values holds an input
+  Time now = 0;                  ///< the engine's time: that of the input or timer being served
+  Time until = 0;                ///< the time that `step` was given last
+  std::uint64_t micro_step = 0;  ///< how many were taken
+  Index order_count = 0;         ///< rows of State::order in use
+  Index queue_count = 0;         ///< rows of State::queue in use
+  Index due_phase = 0;           ///< which kind of timer is being served; 4: nil
+  Index due_at = 0;              ///< the next row of that kind to look at
+  std::uint8_t begun = 0;        ///< the first step was taken
+  std::uint8_t unsettled = 0;    ///< the last arbitration changed something
+  std::uint8_t handlers_set = 0; ///< State::handler_values holds an input
   std::uint8_t padding = 0;
 };
 
 struct State {
   // The decision state.
   Counters* counters = nullptr;
-  std::uint64_t* stamp = nullptr;       ///< edge: micro-step in which it became requested or changed its level
-  Time* expiry = nullptr;               ///< state: when its value expires
-  Time* wait = nullptr;                 ///< group
-  Time* every = nullptr;                ///< group: when its provider is due again
-  Time* promise_due = nullptr;          ///< promise: when it is broken
-  std::int32_t* values = nullptr;       ///< state
+  std::uint64_t* stamp = nullptr;         ///< edge: micro-step in which it became requested or changed its level
+  Time* expiry = nullptr;                 ///< state: when its value expires
+  Time* wait = nullptr;                   ///< group
+  Time* every = nullptr;                  ///< group: when its provider is due again
+  Time* promise_due = nullptr;            ///< promise: when it is broken
+  std::int32_t* values = nullptr;         ///< state
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
-  Index* request = nullptr;             ///< edge: level (of Tables::levels) at which it is requested; nil
-  Assignment last;                      ///< what the last pass decided
-  Index* order = nullptr;               ///< the groups that are held, in order; Counters::order_count rows
-  Index* queue = nullptr;               ///< groups that are to run, oldest first; Counters::queue_count rows
-  Index* promised_edge = nullptr;       ///< group: pusher of the push for which promises were taken
-  Index* promised_provider = nullptr;   ///< group: its provider; nil: no promise
-  Index* data_from = nullptr;           ///< group: edge whose slot holds its data; nil: its own slot
-  std::uint8_t* enabled = nullptr;      ///< provider
-  std::uint8_t* done = nullptr;         ///< group: bits of `result`
-  std::uint8_t* pending = nullptr;      ///< group: bits of Reason
-  std::uint8_t* in_queue = nullptr;     ///< group
-  std::uint8_t* fired = nullptr;        ///< listening slot (Group::listens): the trigger fired since the last run
+  Index* request = nullptr;               ///< edge: level (of Tables::levels) at which it is requested; nil
+  Assignment last;                        ///< what the last pass decided
+  Index* order = nullptr;                 ///< the groups that are held, in order; Counters::order_count rows
+  Index* queue = nullptr;                 ///< groups that are to run, oldest first; Counters::queue_count rows
+  Index* promised_edge = nullptr;         ///< group: pusher of the push for which promises were taken
+  Index* promised_provider = nullptr;     ///< group: its provider; nil: no promise
+  Index* data_from = nullptr;             ///< group: edge whose slot holds its data; nil: its own slot
+  std::uint8_t* enabled = nullptr;        ///< provider
+  std::uint8_t* done = nullptr;           ///< group: bits of `result`
+  std::uint8_t* pending = nullptr;        ///< group: bits of Reason
+  std::uint8_t* in_queue = nullptr;       ///< group
+  std::uint8_t* fired = nullptr;          ///< listening slot (Group::listens): the trigger fired since the last run
 
   // What one pass, commit or act needs and forgets.
-  std::uint64_t* cost = nullptr;        ///< condition: length of the shortest chain of pushes that makes it true
-  Index* cost_at = nullptr;             ///< condition: first provider of that chain; nil: no chain
-  Index* cost_plan = nullptr;           ///< condition: number of its plan
-  Index* cost_next = nullptr;           ///< condition: the first condition that it lacks; nil: nothing
-  Assignment now;                       ///< what this pass decides
-  Push* own = nullptr;                  ///< group: the pushes of the unit in hand
-  Push* first = nullptr;                ///< group: new pushes of the unit in hand
-  Index* next_order = nullptr;          ///< group
-  Index* trial = nullptr;               ///< group: edge that would claim it in the combination in hand
-  Index* entry_group = nullptr;         ///< 2 * groups: plans of the members in hand, as stacks of entries
-  Index* entry_need = nullptr;          ///< the edge by which an entry is needed
-  Index* entry_choice = nullptr;        ///< its provider, as a place in the order of preference
-  Index* entry_provider = nullptr;      ///< its provider
-  Index* entry_parent = nullptr;        ///< entry that needs it; nil: the provider that the plan is for
-  Index* entry_place = nullptr;         ///< place of the need in its needer's list
-  Index* member = nullptr;              ///< most_edges + 1: edges of the unit in hand
-  Index* member_choice = nullptr;       ///< provider of the member's target, as a place in the order of preference
-  Index* member_provider = nullptr;     ///< that provider
-  Index* member_entries = nullptr;      ///< one past the last entry of the member's plan
-  Index* candidate = nullptr;           ///< edges that are candidates
-  Index* reach = nullptr;               ///< groups: work list of a search
-  Index* denied = nullptr;              ///< groups in the order in which they were denied for their holder's sake
-  Index* staged_level = nullptr;        ///< place among the running group's edges: level asked for; nil
-  Queued* queued = nullptr;             ///< edge: why it does not run
-  std::int32_t* staged_value = nullptr; ///< state: what the running body set; unset: nothing
-  std::uint8_t* edge_marks = nullptr;   ///< edge: bits of `mark`
-  std::uint8_t* group_marks = nullptr;  ///< group: bits of `mark`
+  std::uint64_t* cost = nullptr;           ///< condition: length of the shortest chain of pushes that makes it true
+  Index* cost_at = nullptr;                ///< condition: first provider of that chain; nil: no chain
+  Index* cost_plan = nullptr;              ///< condition: number of its plan
+  Index* cost_next = nullptr;              ///< condition: the first condition that it lacks; nil: nothing
+  Assignment now;                          ///< what this pass decides
+  Push* own = nullptr;                     ///< group: the pushes of the unit in hand
+  Push* first = nullptr;                   ///< group: new pushes of the unit in hand
+  Index* next_order = nullptr;             ///< group
+  Index* trial = nullptr;                  ///< group: edge that would claim it in the combination in hand
+  Index* entry_group = nullptr;            ///< 2 * groups: plans of the members in hand, as stacks of entries
+  Index* entry_need = nullptr;             ///< the edge by which an entry is needed
+  Index* entry_choice = nullptr;           ///< its provider, as a place in the order of preference
+  Index* entry_provider = nullptr;         ///< its provider
+  Index* entry_parent = nullptr;           ///< entry that needs it; nil: the provider that the plan is for
+  Index* entry_place = nullptr;            ///< place of the need in its needer's list
+  Index* unit = nullptr;                   ///< most_edges + 1: edges that are tried together
+  Index* member = nullptr;                 ///< those of them that are in hand
+  Index* member_choice = nullptr;          ///< provider of the member's target, as a place in the order of preference
+  Index* member_provider = nullptr;        ///< that provider
+  Index* member_entries = nullptr;         ///< one past the last entry of the member's plan
+  Index* candidate = nullptr;              ///< edges that are candidates
+  Index* reach = nullptr;                  ///< groups: work list of a search
+  Index* denied = nullptr;                 ///< groups in the order in which they were denied for their holder's sake
+  Index* staged_level = nullptr;           ///< place among the running group's edges: level asked for; nil
+  Index* unmet_member = nullptr;           ///< false conditions of the combination in hand: the member,
+  Index* unmet = nullptr;                  ///< and the condition
+  Queued* queued = nullptr;                ///< edge: why it did not run after the last pass
+  Queued* next_queued = nullptr;           ///< edge: why it does not run after this one
+  std::int32_t* staged_value = nullptr;    ///< state: what the running body set; unset: nothing
+  std::uint8_t* edge_marks = nullptr;      ///< edge: bits of `mark`
+  std::uint8_t* group_marks = nullptr;     ///< group: bits of `mark`
   std::uint8_t* condition_marks = nullptr; ///< condition: bits of `mark`
-  std::uint8_t* anew = nullptr;         ///< edge: requested anew in this micro-step
-  std::uint8_t* staged_keep = nullptr;  ///< place among the running group's edges: asked for with keep
+  std::uint8_t* anew = nullptr;            ///< edge: requested anew in this micro-step
+  std::uint8_t* staged_keep = nullptr;     ///< place among the running group's edges: asked for with keep
 
   /// Calls visit(pointer to member, count) for every array; `scratch()` between the decision state and the rest.
   template <class Self, class Visit, class Scratch>
@@ -152,10 +166,11 @@ struct State {
     visit(s.own, n.groups), visit(s.first, n.groups), visit(s.next_order, n.groups), visit(s.trial, n.groups);
     visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
     visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
-    visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
+    visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
     visit(s.member_provider, n.most_edges + 1), visit(s.member_entries, n.most_edges + 1);
     visit(s.candidate, n.edges), visit(s.reach, n.groups), visit(s.denied, n.groups);
-    visit(s.staged_level, n.most_edges + 1), visit(s.queued, n.edges), visit(s.staged_value, n.states);
+    visit(s.staged_level, n.most_edges + 1), visit(s.unmet_member, n.lacking), visit(s.unmet, n.lacking);
+    visit(s.queued, n.edges), visit(s.next_queued, n.edges), visit(s.staged_value, n.states);
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
     visit(s.anew, n.edges), visit(s.staged_keep, n.most_edges + 1);
   }
@@ -175,7 +190,8 @@ private:
 
   template <class Visit>
   static constexpr void each_of(auto& a, const Shape& n, Visit&& visit) {
-    visit(a.holder, n.groups), visit(a.active, n.groups), visit(a.plan, n.plan_slots), visit(a.push, n.groups);
+    visit(a.holder, n.groups), visit(a.active, n.groups), visit(a.planned, n.groups);
+    visit(a.plan, n.plan_slots), visit(a.push, n.groups);
     visit(a.serves, n.groups), visit(a.flags, n.groups);
   }
   static constexpr Size measure(const Shape& shape) {

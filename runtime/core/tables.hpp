@@ -45,7 +45,7 @@ struct Level {
 
 /// requester -> target. Edges of root come first, then those of each group; among siblings in order of declaration.
 struct Edge {
-  Index requester = nil; ///< group, or nil for root
+  Index requester = nil;  ///< group, or nil for root
   Index target = 0;       ///< group
   Range levels;           ///< of Tables::levels; empty where it is needed only
   Index need_urgency = 0; ///< as Level::urgency: of an edge that holds without a request
@@ -59,7 +59,7 @@ struct Provider {
   Range triggers; ///< lists: triggers that it listens to
   Range effects;  ///< lists: conditions that its `causing` satisfies, ascending
   Range causing;  ///< lists: states that its `causing` is about
-  Range aims;     ///< lists: conditions in `when` or `stay` of it and of every provider in one of its plans; if it causes
+  Range aims; ///< lists: conditions in `when` or `stay` of it and of every provider in one of its plans; if it causes
   Range promises; ///< of Tables::promises
   Time every = 0; ///< 0: nil
 };

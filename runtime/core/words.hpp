@@ -8,13 +8,13 @@ namespace director {
 
 /// Why a provider is called.
 enum class Reason : std::uint8_t {
-  new_task = 1,      ///< its task was requested, granted to someone else, or given to this provider
-  pushed = 2,        ///< a stronger task waits for a state that this provider causes
-  subtask_done = 4,  ///< a task that it requested said done or failed
-  wait = 8,          ///< the time that it asked for with `wait` has passed
-  trigger = 16,      ///< a trigger that it listens to was fired, or its `every` came round
-  started = 32,      ///< only in a start handler
-  stopped = 64,      ///< only in a stop handler
+  new_task = 1,     ///< its task was requested, granted to someone else, or given to this provider
+  pushed = 2,       ///< a stronger task waits for a state that this provider causes
+  subtask_done = 4, ///< a task that it requested said done or failed
+  wait = 8,         ///< the time that it asked for with `wait` has passed
+  trigger = 16,     ///< a trigger that it listens to was fired, or its `every` came round
+  started = 32,     ///< only in a start handler
+  stopped = 64,     ///< only in a stop handler
 };
 
 /// A set of reasons.

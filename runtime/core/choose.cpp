@@ -1,0 +1,252 @@
+// Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+//
+// Sections 4.2 and 4.3: what is available, and how a group can be granted to an edge. A plan is searched, not
+// enumerated: it is a stack of entries (group, provider, who needs it), extended depth first; the next plan changes the
+// last entry that has another provider. The plans of all members of a unit lie on one stack, one behind the other.
+
+#include "runtime/core/arbitration.hpp"
+#include "runtime/core/marks.hpp"
+
+namespace director {
+
+/// Requested or needed by its requester's active provider, whose own chain is alive up to root.
+bool Pass::alive(Index edge) const {
+  for (;;) {
+    if (is_limbo(edge)) return false;
+    const Index group = target(edge);
+    const bool needed = s_.last.holder[group] == edge && (s_.last.flags[group] & flag::needed) != 0;
+    if (!requested(edge) && !needed) return false;
+    const Index from = requester(edge);
+    if (from == nil) return true;
+    edge = s_.last.holder[from];
+    if (edge == nil) return false;
+  }
+}
+
+bool Pass::available(Index group, Index edge, bool record) {
+  if (s_.now.holder[group] != nil) return s_.now.holder[group] == edge;
+  const Index holder = s_.last.holder[group]; // equals never take from each other
+  if (holder == nil || holder == edge || is_limbo(holder) || (s_.edge_marks[holder] & mark::refused) != 0 ||
+      (s_.group_marks[group] & mark::forgotten) != 0 || !alive(holder) ||
+      compare({edge, Along::now}, {holder, Along::last}, false) != 0)
+    return true;
+  if (record && (s_.group_marks[group] & mark::denied) == 0) {
+    s_.group_marks[group] |= mark::denied;
+    s_.denied[denied_++] = group;
+  }
+  return false;
+}
+
+/// The pusher goes before `edge`, and `edge` is not below it.
+bool Pass::applies(const Push& push, Index edge) const {
+  return push.edge != nil && before({push.edge, Along::now}, {edge, Along::now}) &&
+         !in_chain(push.edge, {edge, Along::now});
+}
+
+/// The provider that a push moves to the front for an edge that controls the group, or nil.
+Index Pass::pushed_first(Index group, Index edge) const {
+  const Push& push = s_.now.push[group];
+  return push.edge != nil && applies(push, edge) ? push.provider : nil;
+}
+
+/// The provider at a place in the order of preference that holds for `edge`.
+Index Pass::preferred(Index group, Index place, Index edge) const {
+  const Index begin = t_.groups[group].providers.begin;
+  const Index first = pushed_first(group, edge);
+  if (first == nil) return static_cast<Index>(begin + place);
+  if (place == 0) return first;
+  const auto usual = static_cast<Index>(begin + place - 1);
+  return usual < first ? usual : static_cast<Index>(usual + 1);
+}
+
+bool Pass::holds(Index condition) const { return director::holds(t_, s_, condition); }
+
+/// It was active for its granted group after the last pass, and all of its `stay` holds: then its `when` does not
+/// count.
+bool Pass::stays(Index provider) const {
+  const Provider& row = t_.providers[provider];
+  if (row.stay.empty() || s_.last.active[row.group] != provider || (s_.last.flags[row.group] & flag::granted) == 0)
+    return false;
+  for (const Index condition : t_.list(row.stay)) {
+    if (!holds(condition)) return false;
+  }
+  return true;
+}
+
+/// Held in this provider on purpose: conditions on states that it causes itself do not count.
+bool Pass::waived(Index provider, Index condition, Index edge) const {
+  const Index group = t_.providers[provider].group;
+  const Push& push = s_.now.push[group];
+  if (push.edge == nil || push.provider != provider || (s_.last.flags[group] & flag::in_force) == 0 ||
+      s_.last.push[group].provider != provider)
+    return false;
+  for (const Index state : t_.list(t_.providers[provider].causing)) {
+    if (state == t_.conditions[condition].state) return applies(push, edge);
+  }
+  return false;
+}
+
+/// The first condition that keeps the provider from running for an edge, or nil.
+Index Pass::first_false(Index provider, Index edge) const {
+  if (stays(provider)) return nil;
+  for (const Index condition : t_.list(t_.providers[provider].when)) {
+    if (!holds(condition) && !waived(provider, condition, edge)) return condition;
+  }
+  return nil;
+}
+
+/// Where the plan of `owner` keeps the provider picked for `group`; nil where it has only one.
+Index Pass::slot_of(Index owner, Index group) const {
+  const Range slots = t_.groups[owner].slots;
+  for (Index slot = slots.begin; slot != slots.end; ++slot) {
+    if (t_.plan_groups[slot] == group) return slot;
+  }
+  return nil;
+}
+
+void Pass::drop_entries(Index begin, Index end) {
+  for (Index i = end; i-- > begin;) s_.trial[s_.entry_group[i]] = nil;
+}
+
+/// The first plan (`fresh`) or the next one of a provider whose group is marked in `trial`, as entries [begin, end).
+/// The next plan changes the last entry that has another provider. Then an entry is added for each need that is still
+/// open, depth first; a group cannot be held for two purposes.
+bool Pass::search_plan(Index provider, Index begin, Index& end, bool fresh, bool by_declaration) {
+  const auto pick = [&](Index entry) {
+    const Index group = s_.entry_group[entry], choice = s_.entry_choice[entry];
+    s_.entry_provider[entry] = by_declaration ? static_cast<Index>(t_.groups[group].providers.begin + choice)
+                                              : preferred(group, choice, s_.entry_need[entry]);
+  };
+  if (fresh) end = begin;
+  for (bool back = !fresh;;) {
+    while (back) {
+      if (end == begin) return false;
+      const auto last = static_cast<Index>(end - 1);
+      if (++s_.entry_choice[last] < t_.groups[s_.entry_group[last]].providers.size()) {
+        pick(last);
+        back = false;
+      } else {
+        s_.trial[s_.entry_group[last]] = nil;
+        --end;
+      }
+    }
+    Index parent = end == begin ? nil : static_cast<Index>(end - 1); // whose need is to be met next, and which one
+    Index place = 0;
+    const auto needs = [&] { return t_.providers[parent == nil ? provider : s_.entry_provider[parent]].needs; };
+    while (place >= needs().size()) {
+      if (parent == nil) return true;
+      place = static_cast<Index>(s_.entry_place[parent] + 1);
+      parent = s_.entry_parent[parent];
+    }
+    const Index need = t_.list(needs())[place], group = t_.edges[need].target;
+    if (s_.trial[group] != nil) {
+      back = true;
+      continue;
+    }
+    s_.trial[group] = need;
+    s_.entry_group[end] = group;
+    s_.entry_need[end] = need;
+    s_.entry_choice[end] = 0;
+    s_.entry_parent[end] = parent;
+    s_.entry_place[end] = place;
+    pick(end++);
+  }
+}
+
+/// The plan in hand is the one that the member's target has.
+bool Pass::plan_as_it_is(Index at) const {
+  const Index owner = target(s_.member[at]);
+  for (Index i = entries_begin(at); i < s_.member_entries[at]; ++i) {
+    const Index slot = slot_of(owner, s_.entry_group[i]);
+    if (slot != nil && s_.last.plan[slot] != s_.entry_provider[i]) return false;
+  }
+  return true;
+}
+
+/// Can the plan in hand be claimed, and do its conditions hold? `keep`: how many entries the next plan to try may
+/// share.
+bool Pass::plan_fits(Index at, bool with_conditions, bool record, Index& keep) {
+  const Index begin = entries_begin(at), end = s_.member_entries[at];
+  keep = end;
+  for (Index i = begin; i < end; ++i) {
+    if (s_.enabled[s_.entry_provider[i]] != 0 && available(s_.entry_group[i], s_.entry_need[i], record)) continue;
+    keep = static_cast<Index>(i + 1);
+    return false;
+  }
+  for (Index i = begin; with_conditions && i < end; ++i) {
+    if (first_false(s_.entry_provider[i], s_.entry_need[i]) != nil) return false;
+  }
+  return true;
+}
+
+/// The first (`fresh`) or next choice of a member of the unit: its provider and its plan's entries. False: no more, and
+/// nothing of it is marked.
+bool Pass::next_choice(Index at, bool fresh, bool with_conditions, bool record) {
+  const Index edge = s_.member[at], group = target(edge);
+  const bool as_it_is = stale_requester(edge); // also no other provider or plan
+  const Range providers = t_.groups[group].providers;
+  Index& place = s_.member_choice[at];
+  Index& provider = s_.member_provider[at];
+  Index& end = s_.member_entries[at];
+  const Index begin = entries_begin(at);
+  bool found = false;
+  if (fresh) {
+    if (s_.trial[group] != nil || !available(group, edge, record)) return false;
+    s_.trial[group] = edge;
+    place = 0;
+  } else {
+    found = search_plan(provider, begin, end, false, false);
+    if (!found) ++place;
+  }
+  for (; place < providers.size(); ++place) {
+    if (!found) {
+      provider = preferred(group, place, edge);
+      if (s_.enabled[provider] == 0 || (as_it_is && provider != s_.last.active[group])) continue;
+      if (with_conditions && first_false(provider, edge) != nil) continue;
+      found = search_plan(provider, begin, end, true, false);
+    }
+    while (found) {
+      Index keep = end;
+      if (!(as_it_is && !plan_as_it_is(at)) && plan_fits(at, with_conditions, record, keep)) return true;
+      drop_entries(keep, end);
+      end = keep;
+      found = search_plan(provider, begin, end, false, false);
+    }
+  }
+  s_.trial[group] = nil;
+  return false;
+}
+
+/// The first combination of choices, lexicographically over the members, in which all claims are compatible. True: it
+/// is in hand (member_*, entry_*, trial) until leave_combination. Which holders stood in the way counts over all
+/// choices of each member, also those that are never needed: so each member's are looked at once, and then combined.
+bool Pass::combine(Index count, bool with_conditions) {
+  for (Index at = 0; at < count; ++at) {
+    // Alone on the stack: entries_begin() of a later member is where the earlier one ends.
+    if (at > 0) s_.member_entries[at - 1] = 0;
+    bool any = false;
+    for (bool fresh = true; next_choice(at, fresh, with_conditions, true); fresh = false) any = true;
+    if (!any) return false;
+  }
+  Index at = 0;
+  bool fresh = true;
+  for (;;) {
+    if (next_choice(at, fresh, with_conditions, false)) {
+      if (at + 1 == count) return true;
+      ++at;
+      fresh = true;
+    } else {
+      if (at == 0) return false;
+      --at;
+      fresh = false;
+    }
+  }
+}
+
+void Pass::leave_combination(Index count) {
+  if (count == 0) return;
+  drop_entries(0, s_.member_entries[count - 1]);
+  for (Index at = 0; at < count; ++at) s_.trial[target(s_.member[at])] = nil;
+}
+
+} // namespace director

@@ -1,0 +1,134 @@
+// Door: runtime/core/engine.hpp, run.hpp. Test: tests/runtime/core/engine_test.cpp.
+//
+// What the engine is asked from outside a micro-step, and what bodies and handlers ask of it.
+
+#include "runtime/core/engine.hpp"
+
+#include "runtime/core/marks.hpp"
+
+namespace director {
+
+Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
+    : t_(tables),
+      s_(State::in(memory, Shape::of(tables))),
+      bodies_(bodies),
+      inbox_(inbox),
+      observer_(observer) {
+  reset();
+}
+
+void Engine::reset() {
+  const Shape shape = Shape::of(t_);
+  State::each(
+      s_, shape,
+      []<class T>(T*& array, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) array[i] = T{};
+      },
+      [] {});
+  s_.counters->due_phase = due::none;
+  for (Index i = 0; i < t_.states.size(); ++i) {
+    s_.values[i] = t_.states[i].initial;
+    s_.expiry[i] = never;
+    s_.handler_values[i] = s_.staged_value[i] = unset;
+  }
+  for (Index p = 0; p < t_.providers.size(); ++p) s_.enabled[p] = 1;
+  for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e] = nil;
+  for (Index i = 0; i < t_.promises.size(); ++i) s_.promise_due[i] = never;
+  for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = nil;
+  for (Index i = 0; i < t_.most_edges; ++i) s_.staged_level[i] = nil;
+  for (Index g = 0; g < t_.groups.size(); ++g) {
+    s_.wait[g] = s_.every[g] = never;
+    s_.last.holder[g] = s_.last.active[g] = s_.last.planned[g] = nil;
+    s_.promised_edge[g] = s_.promised_provider[g] = s_.data_from[g] = s_.trial[g] = nil;
+  }
+  starting_ = nil;
+  anew_ = {};
+  inside_ = faulted_ = false;
+}
+
+void Engine::preset(Index state, std::int32_t value) { s_.values[state] = value; }
+
+RunState Engine::state(Index edge) const {
+  const Index group = t_.edges[edge].target;
+  if (granted(group) && s_.last.holder[group] == edge) return RunState::running;
+  return s_.request[edge] != nil ? RunState::queued : RunState::none;
+}
+
+bool Engine::done(Index edge) const { return s_.done[t_.edges[edge].target] != 0 && state(edge) == RunState::running; }
+
+bool Engine::failed(Index edge) const {
+  return (s_.done[t_.edges[edge].target] & result::failed) != 0 && state(edge) == RunState::running;
+}
+
+/// Where the data of the task are that the group was given last. A start handler may be called for a request of this
+/// very micro-step, whose data are settled after the act.
+DataPlace Engine::data_of(Index group) const {
+  const Index edge = s_.data_from[group];
+  if (edge == nil) return {DataPlace::Slot::group, group};
+  if (starting_ == group && s_.anew[edge] != 0) return {DataPlace::Slot::staging, edge};
+  return {DataPlace::Slot::edge, edge};
+}
+
+Event Engine::event(Event::Kind kind, Index group) const {
+  Event out;
+  out.kind = kind;
+  out.group = group;
+  out.time = s_.counters->now;
+  out.micro_step = s_.counters->micro_step;
+  return out;
+}
+
+void Engine::tell(const Event& event) const {
+  if (observed()) observer_.tell(observer_.self, event);
+}
+
+// What a body sees and asks for.
+
+Time Run::now() const { return engine_.now(); }
+RunState Run::state(Index edge) const { return engine_.state(edge); }
+bool Run::done(Index edge) const { return engine_.done(edge); }
+bool Run::failed(Index edge) const { return engine_.failed(edge); }
+DataPlace Run::data() const { return engine_.data_of(group_); }
+void Run::set(Index state, std::int32_t value) { engine_.s_.staged_value[state] = value; }
+void Run::wait(Time duration) { wait_ = duration; }
+
+bool Run::triggered(Index trigger) const {
+  const Range listens = engine_.t_.groups[group_].listens;
+  for (Index slot = listens.begin; slot != listens.end; ++slot) {
+    if (engine_.t_.listened[slot] == trigger) return engine_.s_.fired[slot] != 0;
+  }
+  return false;
+}
+
+void Run::refuse(Index state, std::int32_t value) {
+  Event event = engine_.event(Event::Kind::refused, group_);
+  event.provider = provider_;
+  event.state = state;
+  event.value = value;
+  engine_.tell(event);
+}
+
+bool Run::request(Index edge, Index level, bool keep) {
+  const auto at = static_cast<Index>(edge - engine_.t_.groups[group_].edges.begin);
+  const bool leave = keep && engine_.s_.request[edge] == level;
+  engine_.s_.staged_level[at] = level;
+  engine_.s_.staged_keep[at] = leave ? 1 : 0;
+  return !leave;
+}
+
+Time Handling::now() const { return engine_.now(); }
+DataPlace Handling::data() const { return engine_.data_of(group_); }
+
+void Handling::set(Index state, std::int32_t value) {
+  engine_.s_.handler_values[state] = value;
+  engine_.s_.counters->handlers_set = 1;
+}
+
+void Handling::refuse(Index state, std::int32_t value) {
+  Event event = engine_.event(Event::Kind::refused, group_);
+  event.state = state;
+  event.value = value;
+  engine_.tell(event);
+}
+
+} // namespace director

@@ -1,0 +1,40 @@
+#pragma once
+// Marks that one pass makes on edges, groups and conditions, and the one test that everybody needs.
+
+#include "runtime/core/state.hpp"
+#include "runtime/core/tables.hpp"
+
+namespace director {
+
+namespace mark {
+// On edges.
+inline constexpr std::uint8_t candidate = 1;
+inline constexpr std::uint8_t tried = 2;
+inline constexpr std::uint8_t refused = 4;
+inline constexpr std::uint8_t deferred = 8;
+// On groups.
+inline constexpr std::uint8_t forgotten = 1; ///< its last holder no longer stands in an equal's way
+inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder
+inline constexpr std::uint8_t reached = 4;
+inline constexpr std::uint8_t busy = 8; ///< its push serves a condition of the unit in hand
+// On conditions.
+inline constexpr std::uint8_t wanted = 1;
+} // namespace mark
+
+/// Kinds of timers, in the order in which those that are due together are served.
+namespace due {
+inline constexpr Index expiry = 0, wait = 1, promise = 2, every = 3, none = 4;
+} // namespace due
+
+/// A condition on an unset state is false.
+inline bool holds(const Tables& t, const State& s, Index condition) {
+  const Condition& row = t.conditions[condition];
+  const std::int32_t value = s.values[row.state];
+  if (value == unset) return false;
+  for (Index i = row.accepts.begin; i != row.accepts.end; ++i) {
+    if (t.intervals[i].low <= value && value <= t.intervals[i].high) return true;
+  }
+  return false;
+}
+
+} // namespace director

@@ -1,0 +1,390 @@
+// Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+//
+// Section 4.4: the pass. Candidates are tried in order, unit by unit; what is granted adds the edges of its pack.
+
+#include "runtime/core/arbitration.hpp"
+#include "runtime/core/marks.hpp"
+
+namespace director {
+
+void Pass::arbitrate() {
+  for (Index g = 0; g < t_.groups.size(); ++g) s_.group_marks[g] = 0;
+  do {
+    clear();
+    sweep();
+  } while (denied_in_vain());
+  hand_over();
+  finish();
+}
+
+void Pass::clear() {
+  candidates_ = denied_ = order_count_ = stale_granted_ = 0;
+  for (Index g = 0; g < t_.groups.size(); ++g) {
+    s_.now.holder[g] = s_.now.active[g] = s_.now.planned[g] = s_.trial[g] = nil;
+    s_.now.flags[g] = 0;
+    s_.now.push[g] = Push{};
+    s_.now.serves[g] = Service{};
+    s_.group_marks[g] &= mark::forgotten;
+  }
+  for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.now.plan[slot] = nil;
+  for (Index e = 0; e < t_.edges.size(); ++e) {
+    s_.edge_marks[e] = 0;
+    s_.next_queued[e] = Queued{};
+  }
+  become_candidates({0, t_.root_edges});
+}
+
+/// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.
+bool Pass::denied_in_vain() {
+  for (Index i = 0; i < denied_; ++i) {
+    const Index group = s_.denied[i];
+    if (s_.now.holder[group] == s_.last.holder[group]) continue;
+    s_.group_marks[group] |= mark::forgotten;
+    return true;
+  }
+  return false;
+}
+
+void Pass::become_candidates(Range edges) {
+  for (Index e = edges.begin; e != edges.end; ++e) {
+    if (!requested(e) || (s_.edge_marks[e] & (mark::candidate | mark::tried)) != 0) continue;
+    s_.edge_marks[e] |= mark::candidate;
+    s_.candidate[candidates_++] = e;
+  }
+}
+
+/// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
+bool Pass::may_ask(Index group) const {
+  return group == nil || (s_.now.flags[group] & flag::granted) != 0 || stale(group);
+}
+
+bool Pass::alone(Index edge) const {
+  const Level& level = t_.levels[s_.request[edge]];
+  return requester(edge) == nil || level.optional || level.apart;
+}
+
+/// Tries candidates, the first in order first, until none is left.
+void Pass::sweep() {
+  const auto take = [&](Index i) {
+    s_.edge_marks[s_.candidate[i]] &= static_cast<std::uint8_t>(~mark::candidate);
+    s_.candidate[i] = s_.candidate[--candidates_];
+  };
+  for (;;) {
+    for (Index i = candidates_; i-- > 0;) {
+      if (!may_ask(requester(s_.candidate[i]))) take(i);
+    }
+    if (candidates_ == 0) return;
+    Index first = s_.candidate[0];
+    for (Index i = 1; i < candidates_; ++i) {
+      if (compare({s_.candidate[i], Along::now}, {first, Along::now}, true) < 0) first = s_.candidate[i];
+    }
+    Index count = 0;
+    const bool is_alone = alone(first);
+    for (Index i = candidates_; i-- > 0;) {
+      const Index edge = s_.candidate[i];
+      if (edge != first && (is_alone || requester(edge) != requester(first) || alone(edge))) continue;
+      take(i);
+      s_.edge_marks[edge] |= mark::tried;
+      Index at = count++; // members in order
+      for (; at > 0 && compare({edge, Along::now}, {s_.unit[at - 1], Along::now}, true) < 0; --at)
+        s_.unit[at] = s_.unit[at - 1];
+      s_.unit[at] = edge;
+    }
+    try_unit(count);
+  }
+}
+
+/// A group whose orders are outdated.
+bool Pass::stale(Index group) const {
+  for (;;) {
+    const Index edge = s_.now.holder[group];
+    if (is_limbo(edge)) return true;
+    if ((s_.now.flags[group] & flag::granted) != 0) {
+      constexpr auto outdating = static_cast<std::uint8_t>(static_cast<std::uint8_t>(Reason::new_task) |
+                                                           static_cast<std::uint8_t>(Reason::pushed));
+      return (s_.pending[group] & outdating) != 0 || s_.anew[edge] != 0 || edge != s_.last.holder[group] ||
+             s_.now.active[group] != s_.last.active[group];
+    }
+    group = requester(edge); // held only as a need: while its requester is stale
+    if (group == nil) return false;
+  }
+}
+
+bool Pass::stale_requester(Index edge) const {
+  const Index group = requester(edge);
+  return group != nil && stale(group);
+}
+
+/// Its target was granted to it before this pass.
+bool Pass::runs_for_now(Index edge) const {
+  const Index group = target(edge);
+  return s_.last.holder[group] == edge && (s_.last.flags[group] & flag::granted) != 0;
+}
+
+/// Something new on behalf of outdated orders.
+bool Pass::outdated_order(Index count) const {
+  if (!stale_requester(s_.member[0])) return false;
+  for (Index at = 0; at < count; ++at) {
+    if (!runs_for_now(s_.member[at])) return true;
+  }
+  return false;
+}
+
+void Pass::try_unit(Index count) {
+  if (count > 1 && stale_requester(s_.unit[0])) {
+    for (Index i = 0; i < count; ++i) { // each member for itself
+      s_.member[0] = s_.unit[i];
+      try_members(1);
+    }
+    return;
+  }
+  for (Index i = 0; i < count; ++i) s_.member[i] = s_.unit[i];
+  try_members(count);
+}
+
+void Pass::try_members(Index count) {
+  if (outdated_order(count) || !combine(count, true)) return refuse(count);
+  if (!premature(count)) return grant(count);
+  leave_combination(count);
+  defer(count);
+}
+
+/// What was granted before stays, the others wait for the runs to come.
+void Pass::defer(Index count) {
+  for (Index i = 0; i < count; ++i) {
+    s_.member[0] = s_.unit[i];
+    if (runs_for_now(s_.member[0]) && combine(1, true)) {
+      grant(1);
+    } else {
+      s_.edge_marks[s_.member[0]] |= mark::refused;
+      keep_pushes(1);
+      explain(1, Why::deferred);
+    }
+  }
+}
+
+/// For a member that is new, the combination in hand claims what a stale group that goes before it may still ask for.
+bool Pass::premature(Index count) {
+  if (stale_granted_ == 0) return false;
+  for (Index at = 0; at < count; ++at) {
+    const Index edge = s_.member[at];
+    if (runs_for_now(edge)) continue;
+    Index found = 0;
+    s_.reach[found++] = target(edge);
+    for (Index i = entries_begin(at); i < s_.member_entries[at]; ++i) s_.reach[found++] = s_.entry_group[i];
+    if (reached_from_stale(found, edge)) return true;
+  }
+  return false;
+}
+
+/// Upwards from the groups in `reach`: may a granted stale group ask for one of them, transitively? With an edge: only
+/// one that goes before it and is not above it.
+bool Pass::reached_from_stale(Index found, Index edge) {
+  const auto counts = [&](Index group) {
+    if ((s_.now.flags[group] & flag::granted) == 0 || !stale(group)) return false;
+    const Index holder = s_.now.holder[group];
+    return edge == nil || (!in_chain(holder, {edge, Along::now}) && before({holder, Along::now}, {edge, Along::now}));
+  };
+  for (Index g = 0; g < t_.groups.size(); ++g) s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::reached);
+  const Index claims = found;
+  bool yes = false;
+  for (Index i = 0; i < found && !yes; ++i) {
+    for (const Index up : t_.list(t_.groups[s_.reach[i]].requesters)) {
+      const Index group = t_.edges[up].requester;
+      if (group == nil || (s_.group_marks[group] & mark::reached) != 0) continue;
+      s_.group_marks[group] |= mark::reached;
+      yes = yes || counts(group);
+      bool listed = false;
+      for (Index j = 0; j < claims; ++j) listed = listed || s_.reach[j] == group;
+      if (!listed) s_.reach[found++] = group;
+    }
+  }
+  return yes;
+}
+
+void Pass::grant(Index count) {
+  for (Index at = 0; at < count; ++at) {
+    const Index edge = s_.member[at], group = target(edge), begin = entries_begin(at), end = s_.member_entries[at];
+    s_.now.holder[group] = edge;
+    s_.now.active[group] = s_.member_provider[at];
+    s_.now.flags[group] |= flag::granted;
+    plan_for(group, s_.member_provider[at], begin, end);
+    for (Index i = begin; i < end; ++i) s_.now.holder[s_.entry_group[i]] = s_.entry_need[i];
+    claim_plan(begin, end);
+  }
+  for (Index at = 0; at < count; ++at) {
+    const Index group = target(s_.member[at]);
+    if (stale(group)) ++stale_granted_;
+    become_candidates(t_.groups[group].edges);
+    waken(entries_begin(at), s_.member_entries[at]);
+  }
+  keep_serving_pushes(count);
+  leave_combination(count);
+}
+
+/// The plan of `owner` for its provider is entries [begin, end).
+void Pass::plan_for(Index owner, Index provider, Index begin, Index end) {
+  const Range slots = t_.groups[owner].slots;
+  s_.now.planned[owner] = provider;
+  for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
+  if (slots.empty()) return;
+  for (Index i = begin; i < end; ++i) {
+    const Index slot = slot_of(owner, s_.entry_group[i]);
+    if (slot != nil) s_.now.plan[slot] = s_.entry_provider[i];
+  }
+}
+
+/// Every group of a plan is needed from now on; one that is not granted has the part of the plan that it needs.
+void Pass::claim_plan(Index begin, Index end) {
+  for (Index i = begin; i < end; ++i) {
+    const Index group = s_.entry_group[i];
+    s_.now.flags[group] |= flag::needed;
+    if ((s_.now.flags[group] & flag::granted) != 0) continue;
+    auto below = static_cast<Index>(i + 1); // depth first: what an entry needs stands right behind it
+    while (below < end && s_.entry_parent[below] != nil && s_.entry_parent[below] >= i) ++below;
+    plan_for(group, s_.entry_provider[i], static_cast<Index>(i + 1), below);
+  }
+}
+
+/// The pack edges of live plan groups become candidates for as long as these are stale.
+void Pass::waken(Index begin, Index end) {
+  for (Index i = begin; i < end; ++i) {
+    const Index group = s_.entry_group[i];
+    if (s_.last.active[group] != nil && stale(group)) become_candidates(t_.groups[group].edges);
+  }
+}
+
+void Pass::refuse(Index count) {
+  for (Index at = 0; at < count; ++at) s_.edge_marks[s_.member[at]] |= mark::refused;
+  if (outdated_order(count)) { // it is not even tried
+    keep_pushes(count);
+    return explain(count, Why::outdated);
+  }
+  if (!combine(count, false)) return explain(count, Why::blocked);
+  const Index unmet = collect_unmet(count);
+  const bool early = stale_requester(s_.member[0]) || premature(count);
+  leave_combination(count);
+  explain(count, Why::waiting, s_.unmet[0]);
+  if (early) return keep_pushes(count);
+  for (Index i = 0; i < unmet; ++i) {
+    if (!somebody_satisfies(s_.unmet[i])) return; // it waits for the outside, and holds nobody back
+  }
+  push_for(count, unmet);
+}
+
+void Pass::explain(Index count, Why why, Index condition) {
+  for (Index at = 0; at < count; ++at) s_.next_queued[s_.member[at]] = {why, condition};
+}
+
+/// Live groups that nobody claims are kept for an heir that is about to run.
+void Pass::hand_over() {
+  for (Index i = 0; i < s_.counters->order_count; ++i) {
+    const Index group = s_.order[i];
+    if (s_.last.active[group] == nil || s_.now.holder[group] != nil || stale_granted_ == 0) continue;
+    s_.reach[0] = group;
+    if (reached_from_stale(1, nil)) hand_over(group);
+  }
+}
+
+void Pass::hand_over(Index group) {
+  const Index end = recall_plan(group);
+  for (Index i = 0; i < end; ++i) {
+    if (s_.now.holder[s_.entry_group[i]] != nil) return;
+  }
+  s_.now.holder[group] = static_cast<Index>(t_.edges.size() + group);
+  s_.now.active[group] = s_.last.active[group];
+  if (s_.last.planned[group] != nil) plan_for(group, s_.last.planned[group], 0, end);
+  for (Index i = 0; i < end; ++i) s_.now.holder[s_.entry_group[i]] = s_.entry_need[i];
+  claim_plan(0, end);
+  become_candidates(t_.groups[group].edges);
+  waken(0, end);
+  sweep();
+}
+
+/// Writes the plan that a group had after the last pass as entries from 0 on; returns how many.
+Index Pass::recall_plan(Index group) {
+  if (s_.last.planned[group] == nil) return 0;
+  Index end = 0;
+  for (Index parent = nil;;) {
+    const Index provider = parent == nil ? s_.last.planned[group] : s_.entry_provider[parent];
+    Index place = 0;
+    Index owner = parent;
+    Index of = provider;
+    while (place >= t_.providers[of].needs.size()) { // the next need, depth first
+      if (owner == nil) return end;
+      place = static_cast<Index>(s_.entry_place[owner] + 1);
+      owner = s_.entry_parent[owner];
+      of = owner == nil ? s_.last.planned[group] : s_.entry_provider[owner];
+    }
+    const Index need = t_.list(t_.providers[of].needs)[place], needed = t_.edges[need].target;
+    const Index slot = slot_of(group, needed);
+    s_.entry_group[end] = needed;
+    s_.entry_need[end] = need;
+    s_.entry_provider[end] = slot == nil ? t_.groups[needed].providers.begin : s_.last.plan[slot];
+    s_.entry_parent[end] = owner;
+    s_.entry_place[end] = place;
+    parent = end++;
+  }
+}
+
+/// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
+void Pass::finish() {
+  for (Index g = 0; g < t_.groups.size(); ++g) {
+    if (s_.now.holder[g] == nil) continue;
+    s_.next_order[order_count_++] = g;
+    if (s_.now.active[g] == nil && s_.last.active[g] != nil && stale(g)) s_.now.active[g] = s_.last.active[g];
+  }
+  for (Index g = 0; g < t_.groups.size(); ++g) {
+    Push& push = s_.now.push[g];
+    if (push.edge == nil) continue;
+    if (s_.now.holder[g] == nil) {
+      if (!asked_for(g)) push = Push{};
+      continue;
+    }
+    const bool was_in_force = (s_.last.flags[g] & flag::in_force) != 0;
+    if (s_.now.active[g] != push.provider || ((s_.now.flags[g] & flag::granted) == 0 && !was_in_force) ||
+        !applies(push, s_.now.holder[g]))
+      continue;
+    s_.now.flags[g] |= flag::in_force;
+    if (!holds(push.condition)) s_.now.serves[g] = {push.provider, push.condition};
+  }
+  sort_order();
+}
+
+/// By root or a live group.
+bool Pass::asked_for(Index group) const {
+  for (const Index edge : t_.list(t_.groups[group].requesters)) {
+    const Index from = t_.edges[edge].requester;
+    if (requested(edge) && (from == nil || s_.now.active[from] != nil)) return true;
+  }
+  return false;
+}
+
+/// Sorts next_order by section 4.1: a heap in place.
+void Pass::sort_order() {
+  const auto goes_behind = [&](Index a, Index b) {
+    return compare({s_.now.holder[a], Along::now}, {s_.now.holder[b], Along::now}, true) > 0;
+  };
+  const auto sink = [&](Index at, Index end) {
+    for (;;) {
+      auto child = static_cast<Index>(2 * at + 1);
+      if (child >= end) return;
+      if (child + 1U < end && goes_behind(s_.next_order[child + 1], s_.next_order[child])) ++child;
+      if (!goes_behind(s_.next_order[child], s_.next_order[at])) return;
+      const Index moved = s_.next_order[at];
+      s_.next_order[at] = s_.next_order[child];
+      s_.next_order[child] = moved;
+      at = child;
+    }
+  };
+  for (Index i = order_count_ / 2; i-- > 0;) sink(i, order_count_);
+  for (Index end = order_count_; end > 1;) {
+    --end;
+    const Index moved = s_.next_order[0];
+    s_.next_order[0] = s_.next_order[end];
+    s_.next_order[end] = moved;
+    sink(0, end);
+  }
+}
+
+} // namespace director

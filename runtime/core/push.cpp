@@ -1,0 +1,217 @@
+// Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+//
+// Section 4.4, Refuse: the pushes of a unit that waits for conditions. For each condition the shortest chain of causing
+// providers is searched: the length of a chain is 1 for its last provider plus the lengths for all that this one lacks,
+// a least fixed point over conditions, found by relaxing every causing provider until nothing gets shorter.
+
+#include "runtime/core/arbitration.hpp"
+#include "runtime/core/marks.hpp"
+
+namespace director {
+
+namespace {
+constexpr std::uint64_t endless = ~std::uint64_t{0};
+} // namespace
+
+bool Pass::in_unit(Index edge, Index count) const {
+  for (Index at = 0; at < count; ++at) {
+    if (s_.member[at] == edge) return true;
+  }
+  return false;
+}
+
+/// The false conditions of the combination in hand, member by member: its provider's, then its plan's.
+Index Pass::collect_unmet(Index count) {
+  Index found = 0;
+  for (Index at = 0; at < count; ++at) {
+    const auto add = [&](Index provider, Index edge) {
+      if (stays(provider)) return;
+      for (const Index condition : t_.list(t_.providers[provider].when)) {
+        if (holds(condition) || waived(provider, condition, edge)) continue;
+        s_.unmet_member[found] = s_.member[at];
+        s_.unmet[found++] = condition;
+      }
+    };
+    add(s_.member_provider[at], s_.member[at]);
+    for (Index i = entries_begin(at); i < s_.member_entries[at]; ++i) add(s_.entry_provider[i], s_.entry_need[i]);
+  }
+  return found;
+}
+
+bool Pass::satisfies(Index provider, Index condition) const {
+  for (const Index effect : t_.list(t_.providers[provider].effects)) {
+    if (effect == condition) return true;
+  }
+  return false;
+}
+
+bool Pass::somebody_satisfies(Index condition) const {
+  for (const Index provider : t_.list(t_.conditions[condition].causers)) {
+    if (s_.enabled[provider] != 0) return true;
+  }
+  return false;
+}
+
+/// The pushes that the unit made before stay.
+void Pass::keep_pushes(Index count) {
+  for (Index g = 0; g < t_.groups.size(); ++g) {
+    const Push& push = s_.last.push[g];
+    if (push.edge != nil && s_.now.push[g].edge == nil && in_unit(push.edge, count)) s_.now.push[g] = push;
+  }
+}
+
+void Pass::want(Range conditions) {
+  for (const Index condition : t_.list(conditions)) s_.condition_marks[condition] |= mark::wanted;
+}
+
+/// The unit is granted: of its pushes those stay that serve the choices in hand, or a push that does.
+void Pass::keep_serving_pushes(Index count) {
+  bool any = false;
+  for (Index g = 0; g < t_.groups.size(); ++g) {
+    s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
+    any = any || (s_.last.push[g].edge != nil && in_unit(s_.last.push[g].edge, count));
+  }
+  if (!any) return;
+  for (Index c = 0; c < t_.conditions.size(); ++c) s_.condition_marks[c] = 0;
+  const auto want_provider = [&](Index provider) {
+    want(t_.providers[provider].when);
+    want(t_.providers[provider].stay);
+  };
+  for (Index at = 0; at < count; ++at) {
+    want_provider(s_.member_provider[at]);
+    for (Index i = entries_begin(at); i < s_.member_entries[at]; ++i) want_provider(s_.entry_provider[i]);
+  }
+  const auto serves = [&](Index provider) {
+    for (const Index effect : t_.list(t_.providers[provider].effects)) {
+      if (s_.condition_marks[effect] != 0) return true;
+    }
+    return false;
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (Index g = 0; g < t_.groups.size(); ++g) {
+      const Push& push = s_.last.push[g];
+      if (push.edge == nil || (s_.group_marks[g] & mark::busy) != 0 || !in_unit(push.edge, count) ||
+          !serves(push.provider))
+        continue;
+      s_.group_marks[g] |= mark::busy;
+      want(t_.providers[push.provider].aims);
+      if (s_.now.push[g].edge == nil) s_.now.push[g] = push;
+      more = true;
+    }
+  }
+}
+
+/// Pushes made before stay; new ones are made only if every condition is served.
+void Pass::push_for(Index count, Index unmet) {
+  const auto theirs = [&](Index g) -> const Push& { return s_.now.push[g]; }; // made by units before this one
+  for (Index g = 0; g < t_.groups.size(); ++g) {
+    const Push& push = s_.last.push[g];
+    const bool ours =
+        push.edge != nil && in_unit(push.edge, count) && (theirs(g).edge == nil || theirs(g).provider == push.provider);
+    s_.own[g] = ours ? push : Push{};
+    s_.first[g] = Push{};
+    s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
+  }
+  bool all_served = true;
+  for (Index i = 0; i < unmet; ++i) {
+    bool served = false;
+    for (Index g = 0; g < t_.groups.size(); ++g) {
+      if (s_.own[g].edge == nil || !satisfies(s_.own[g].provider, s_.unmet[i])) continue;
+      s_.group_marks[g] |= mark::busy;
+      served = true;
+    }
+    Push push;
+    if (served) continue;
+    if (!find_chain(s_.unmet[i], s_.unmet_member[i], push)) {
+      all_served = false;
+      continue;
+    }
+    Push& first = s_.first[t_.providers[push.provider].group];
+    if (first.edge == nil) first = push; // one group serves one condition after the other
+  }
+  for (Index g = 0; g < t_.groups.size(); ++g) {
+    const bool free = (s_.group_marks[g] & mark::busy) == 0 && theirs(g).edge == nil;
+    if (all_served && s_.first[g].edge != nil && free && s_.own[g].provider != s_.first[g].provider)
+      s_.own[g] = s_.first[g];
+    if (s_.own[g].edge != nil && theirs(g).edge == nil) s_.now.push[g] = s_.own[g];
+  }
+}
+
+/// The first push of the shortest chain that makes a condition of `member` true.
+bool Pass::find_chain(Index condition, Index member, Push& out) {
+  for (Index c = 0; c < t_.conditions.size(); ++c) s_.cost[c] = endless;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Index provider : t_.causing_providers) {
+      if (can_be_pushed(provider, member)) changed = relax(provider) || changed;
+    }
+  }
+  if (s_.cost[condition] == endless) return false;
+  while (s_.cost_next[condition] != nil) condition = s_.cost_next[condition];
+  out = {member, s_.cost_at[condition], condition};
+  return true;
+}
+
+/// Does this provider, with one of its plans, make a chain shorter (or as short, and declared earlier)?
+bool Pass::relax(Index provider) {
+  const Provider& row = t_.providers[provider];
+  bool changed = false;
+  Index end = 0, number = 0;
+  s_.trial[row.group] = 0; // its own group counts as used
+  for (bool more = search_plan(provider, 0, end, true, true); more; more = search_plan(provider, 0, end, false, true)) {
+    const Index plan = number++;
+    bool possible = true;
+    for (Index i = 0; i < end; ++i)
+      possible = possible && s_.now.holder[s_.entry_group[i]] == nil && s_.enabled[s_.entry_provider[i]] != 0;
+    if (!possible) continue;
+    std::uint64_t length = 1;
+    Index lacks = nil;
+    const auto add = [&](Index of) {
+      if (stays(of)) return;
+      for (const Index condition : t_.list(t_.providers[of].when)) {
+        if (holds(condition)) continue;
+        if (lacks == nil) lacks = condition;
+        const std::uint64_t more_length = s_.cost[condition];
+        length = more_length >= endless - length ? endless : length + more_length;
+      }
+    };
+    add(provider);
+    for (Index i = 0; i < end; ++i) add(s_.entry_provider[i]);
+    if (length == endless) continue;
+    for (const Index effect : t_.list(row.effects)) {
+      const bool shorter = length < s_.cost[effect];
+      const bool earlier =
+          length == s_.cost[effect] &&
+          (provider < s_.cost_at[effect] || (provider == s_.cost_at[effect] && plan < s_.cost_plan[effect]));
+      if (!shorter && !earlier) continue;
+      s_.cost[effect] = length;
+      s_.cost_at[effect] = provider;
+      s_.cost_plan[effect] = plan;
+      s_.cost_next[effect] = lacks;
+      changed = true;
+    }
+  }
+  s_.trial[row.group] = nil;
+  return changed;
+}
+
+bool Pass::can_be_pushed(Index provider, Index member) const {
+  const Index group = t_.providers[provider].group;
+  const Push& there = s_.now.push[group]; // by another unit
+  if (s_.enabled[provider] == 0 || s_.now.holder[group] != nil || (there.edge != nil && there.provider != provider))
+    return false;
+  for (const Index edge : t_.list(t_.groups[group].requesters)) {
+    if (requested(edge) && goes_before(member, edge)) return true;
+  }
+  return false;
+}
+
+/// The edge's last chain reaches root, `member` goes before it, and it is not below `member`.
+bool Pass::goes_before(Index member, Index edge) const {
+  const Index top = chain({edge, Along::last}).top;
+  return top != nil && !is_limbo(top) && !in_chain(member, {edge, Along::last}) &&
+         compare({member, Along::now}, {edge, Along::last}, false) < 0;
+}
+
+} // namespace director
