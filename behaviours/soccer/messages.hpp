@@ -1,7 +1,7 @@
 #pragma once
 // Shape: the data that the player's tasks carry, and the referee's word. Units: millimetres, hundredths of a degree.
 
-#include "behaviours/soccer/geometry.hpp"
+#include "behaviours/soccer/world/geometry.hpp"
 
 namespace soccer {
 

@@ -3,7 +3,7 @@
 // everything that happens follows from the seed and from what the robot is told to do. Units: geometry.hpp; the field's
 // origin is its centre, the goal is at +x. Errors: none.
 
-#include "behaviours/soccer/robot.hpp"
+#include "behaviours/soccer/world/robot.hpp"
 
 namespace sim {
 

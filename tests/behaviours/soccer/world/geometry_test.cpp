@@ -1,5 +1,5 @@
-#include "behaviours/soccer/geometry.hpp"
-#include "behaviours/soccer/random.hpp"
+#include "behaviours/soccer/world/geometry.hpp"
+#include "behaviours/soccer/world/random.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-// Door: behaviours/soccer/robot.hpp. Test: tests/behaviours/soccer/robot_test.cpp.
-#include "behaviours/soccer/robot.hpp"
+// Door: behaviours/soccer/world/robot.hpp. Test: tests/behaviours/soccer/world/robot_test.cpp.
+#include "behaviours/soccer/world/robot.hpp"
 
 #include <algorithm>
 #include <cstdlib>

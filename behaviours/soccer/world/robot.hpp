@@ -3,7 +3,7 @@
 // of balance, a camera's last picture. Units: geometry.hpp; a tick is 10 ms. Errors: none; a servo stops at its limits.
 
 #include "behaviours/soccer/messages.hpp"
-#include "behaviours/soccer/random.hpp"
+#include "behaviours/soccer/world/random.hpp"
 
 #include <array>
 

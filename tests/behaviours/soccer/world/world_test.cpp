@@ -1,4 +1,4 @@
-#include "behaviours/soccer/world.hpp"
+#include "behaviours/soccer/world/world.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "behaviours/soccer/robot.hpp"
+#include "behaviours/soccer/world/robot.hpp"
 
 #include <catch2/catch.hpp>
 

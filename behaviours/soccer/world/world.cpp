@@ -1,5 +1,5 @@
-// Door: behaviours/soccer/world.hpp. Test: tests/behaviours/soccer/world_test.cpp.
-#include "behaviours/soccer/world.hpp"
+// Door: behaviours/soccer/world/world.hpp. Test: tests/behaviours/soccer/world/world_test.cpp.
+#include "behaviours/soccer/world/world.hpp"
 
 #include <cstdlib>
 
