@@ -47,30 +47,30 @@ struct Level {
 struct Edge {
   Index requester = nil;  ///< group, or nil for root
   Index target = 0;       ///< group
-  Range levels;           ///< of Tables::levels; empty where it is needed only
+  Range levels{};         ///< of Tables::levels; empty where it is needed only
   Index need_urgency = 0; ///< as Level::urgency: of an edge that holds without a request
 };
 
 struct Provider {
   Index group = 0;
-  Range when;     ///< lists: conditions
-  Range stay;     ///< lists: conditions
-  Range needs;    ///< lists: edges from its group to the groups needed
-  Range triggers; ///< lists: triggers that it listens to
-  Range effects;  ///< lists: conditions that its `causing` satisfies, ascending
-  Range causing;  ///< lists: states that its `causing` is about
-  Range aims; ///< lists: conditions in `when` or `stay` of it and of every provider in one of its plans; if it causes
-  Range promises; ///< of Tables::promises
-  Time every = 0; ///< 0: nil
+  Range when{};     ///< lists: conditions
+  Range stay{};     ///< lists: conditions
+  Range needs{};    ///< lists: edges from its group to the groups needed
+  Range triggers{}; ///< lists: triggers that it listens to
+  Range effects{};  ///< lists: conditions that its `causing` satisfies, ascending
+  Range causing{};  ///< lists: states that its `causing` is about
+  Range aims{}; ///< lists: conditions in `when` or `stay` of it and of every provider in one of its plans; if it causes
+  Range promises{}; ///< of Tables::promises
+  Time every = 0;   ///< 0: nil
 };
 
 struct Group {
-  Range providers;  ///< of Tables::providers, in order of preference
-  Range edges;      ///< of Tables::edges: what it may request or need
-  Range requesters; ///< lists: edges that lead to it, ascending
-  Range slots;      ///< of Tables::plan_groups and of Assignment::plan: a plan is the provider picked for each of these
-  Range listens;    ///< of Tables::listened and of State::fired
-  Range owned;      ///< lists: states that belong to it
+  Range providers{};  ///< of Tables::providers, in order of preference
+  Range edges{};      ///< of Tables::edges: what it may request or need
+  Range requesters{}; ///< lists: edges that lead to it, ascending
+  Range slots{};   ///< of Tables::plan_groups and of Assignment::plan: a plan is the provider picked for each of these
+  Range listens{}; ///< of Tables::listened and of State::fired
+  Range owned{};   ///< lists: states that belong to it
   bool start = false; ///< has such a handler
   bool stop = false;
 };
@@ -82,8 +82,8 @@ struct Interval {
 
 struct Condition {
   Index state = 0;
-  Range accepts; ///< of Tables::intervals
-  Range causers; ///< lists: providers whose `causing` satisfies it, ascending
+  Range accepts{}; ///< of Tables::intervals
+  Range causers{}; ///< lists: providers whose `causing` satisfies it, ascending
 };
 
 struct StateVariable {
@@ -103,7 +103,7 @@ struct Promise {
 };
 
 struct Trigger {
-  Range listeners; ///< lists: providers
+  Range listeners{}; ///< lists: providers
 };
 
 struct Tables {
