@@ -1,0 +1,120 @@
+// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_groups_test.cpp.
+#include "compiler/model/resolver.hpp"
+#include "dsl/suggest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+void add_group(Resolver& r, Word name, GroupSource source) {
+  r.groups.emplace(name.value, GroupId{static_cast<std::uint32_t>(r.model.groups.size())});
+  Group group;
+  group.name = std::move(name);
+  r.model.groups.add(std::move(group));
+  r.group_sources.add(std::move(source));
+}
+
+/// Puts providers into a group's order of preference, at `place`.
+void add_providers(Resolver& r, const Word& group, GroupSource& source, const std::vector<dsl::ProviderSpec>& specs,
+                   std::size_t place) {
+  for (const dsl::ProviderSpec& spec : specs) {
+    if (!spec.direct) check_name(r, "provider", spec.name);
+    const std::string name = capitalised(spec.name.value);
+    if (name == capitalised(group.value)) {
+      r.error("redefined_name", spec.name.span,
+              fmt::format("the provider `{}` and its group `{}` become one name in C++, `{}`", spec.name.value,
+                          group.value, name))
+          .notes.push_back({group.span, "the group is declared here"});
+    }
+    const auto first = std::find_if(source.providers.begin(), source.providers.end(),
+                                    [&](const dsl::ProviderSpec* p) { return capitalised(p->name.value) == name; });
+    if (first == source.providers.end()) {
+      source.providers.insert(source.providers.begin() + static_cast<std::ptrdiff_t>(place++), &spec);
+      continue;
+    }
+    const Word& other = (*first)->name;
+    const std::string message =
+        other.value == spec.name.value
+            ? fmt::format("the provider `{}` of `{}` is declared twice", other.value, group.value)
+            : fmt::format("the providers `{}` and `{}` of `{}` become one name in C++, `{}`", other.value,
+                          spec.name.value, group.value, name);
+    r.error("redefined_name", spec.name.span, message).notes.push_back({other.span, "declared first here"});
+    source.forgotten.push_back(&spec);
+  }
+}
+
+void declare_group(Resolver& r, const dsl::BehaviourSpec& file, const dsl::GroupSpec& spec) {
+  check_name(r, "group", spec.name);
+  claim_cpp_name(r, "group", spec.name);
+  GroupSource source;
+  source.spec = &spec;
+  source.file = &file;
+  add_providers(r, spec.name, source, spec.providers, 0);
+  if (r.groups.count(spec.name.value) != 0) {
+    r.forgotten_groups.push_back(std::move(source));
+  } else {
+    add_group(r, spec.name, std::move(source));
+  }
+}
+
+/// What is `extern` and not declared becomes a group without providers, so that its name means something.
+void declare_extern(Resolver& r, const dsl::BehaviourSpec& file, const Word& name) {
+  const auto at = r.groups.find(name.value);
+  if (at == r.groups.end()) {
+    GroupSource source;
+    source.file = &file;
+    add_group(r, name, std::move(source));
+    if (r.model.deployment) {
+      r.error("unprovided_task", name.span, fmt::format("nothing provides `{}`", name.value)).help =
+          fmt::format("import a file that declares a group `{}`", name.value);
+    }
+  }
+  r.model.externs.push_back({r.groups.find(name.value)->second, name.span});
+}
+
+void extend(Resolver& r, const dsl::ExtendSpec& spec) {
+  const auto id = find_group(r, spec.group);
+  if (!id) return;
+  GroupSource& source = r.group_sources[*id];
+  std::size_t place = source.providers.size();
+  if (spec.before) {
+    std::vector<std::string> known;
+    for (const dsl::ProviderSpec* provider : source.providers) known.push_back(provider->name.value);
+    const auto at = std::find(known.begin(), known.end(), spec.before->value);
+    place = static_cast<std::size_t>(at - known.begin());
+    if (at == known.end()) {
+      Diagnostic& finding =
+          r.error("undefined_name", spec.before->span,
+                  fmt::format("`{}` has no provider called `{}`", spec.group.value, spec.before->value));
+      if (!known.empty()) finding.help = fmt::format("its providers are {}", fmt::join(known, ", "));
+    }
+  }
+  add_providers(r, r.model.groups[*id].name, source, spec.providers, place);
+}
+
+} // namespace
+
+void declare_groups(Resolver& r) {
+  for (const dsl::BehaviourSpec& file : r.spec.files) {
+    for (const dsl::GroupSpec& spec : file.groups) declare_group(r, file, spec);
+  }
+  for (const dsl::BehaviourSpec& file : r.spec.files) {
+    for (const Word& name : file.externs) declare_extern(r, file, name);
+  }
+  for (const dsl::BehaviourSpec& file : r.spec.files) {
+    for (const dsl::ExtendSpec& spec : file.extend) extend(r, spec);
+  }
+  for (const GroupId id : r.model.groups.ids()) {
+    const GroupSource& source = r.group_sources[id];
+    if (!source.spec || !source.providers.empty()) continue;
+    r.error("unprovided_task", source.spec->name.span,
+            fmt::format("the group `{}` has no provider", source.spec->name.value))
+        .help = "a group whose `providers` list is left out has one provider, called `default`";
+  }
+}
+
+} // namespace director::compiler

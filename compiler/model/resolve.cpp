@@ -1,0 +1,51 @@
+// Door: compiler/model/resolve.hpp. Test: tests/compiler/model/resolve_test.cpp.
+#include "compiler/model/resolve.hpp"
+
+#include "compiler/model/resolver.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace director::compiler {
+
+namespace {
+
+void name_the_whole(Resolver& r) {
+  Model& model = r.model;
+  check_name(r, "behaviour", r.main.name);
+  model.name = r.main.name.value;
+  model.name_span = r.main.name.span;
+  model.name_space = r.main.cpp.name_space ? r.main.cpp.name_space->value : model.name;
+  model.deployment = r.main.roots.has_value();
+  if (r.main.doc) model.doc = r.main.doc->value;
+  if (r.main.limits.trials) {
+    model.trials = r.main.limits.trials->value;
+    model.trials_span = r.main.limits.trials->span;
+  }
+  for (const dsl::BehaviourSpec& file : r.spec.files) {
+    for (const Word& header : file.cpp.headers) {
+      if (std::find(model.headers.begin(), model.headers.end(), header.value) == model.headers.end())
+        model.headers.push_back(header.value);
+    }
+  }
+}
+
+} // namespace
+
+Resolved resolve(const dsl::Spec& spec, const dsl::Sources& sources, const ResolveOptions& options) {
+  if (spec.files.empty()) return {};
+  Resolver r{spec, sources, options, spec.files.back()};
+  name_the_whole(r);
+  declare_states_and_triggers(r);
+  declare_groups(r);
+  name_modules(r);
+  resolve_states(r);
+  resolve_roots(r);
+  resolve_groups(r);
+  resolve_rest(r);
+  if (!dsl::has_errors(r.findings)) find_unused(r);
+  dsl::sort_by_place(r.findings);
+  return {std::move(r.model), std::move(r.findings)};
+}
+
+} // namespace director::compiler

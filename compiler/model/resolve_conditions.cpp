@@ -1,0 +1,128 @@
+// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_conditions_test.cpp.
+#include "compiler/model/resolver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+using Op = Condition::Op;
+
+Op op_of(const dsl::ConditionSpec& spec) {
+  if (spec.any) return Op::any;
+  switch (spec.op.value) {
+  case dsl::Op::equal: return Op::equal;
+  case dsl::Op::not_equal: return Op::not_equal;
+  case dsl::Op::less: return Op::less;
+  case dsl::Op::less_equal: return Op::less_equal;
+  case dsl::Op::greater: return Op::greater;
+  case dsl::Op::greater_equal: return Op::greater_equal;
+  }
+  return Op::equal;
+}
+
+std::string_view text_of(Op op) {
+  switch (op) {
+  case Op::equal: return "==";
+  case Op::not_equal: return "!=";
+  case Op::less: return "<";
+  case Op::less_equal: return "<=";
+  case Op::greater: return ">";
+  case Op::greater_equal: return ">=";
+  case Op::any: break;
+  }
+  return "";
+}
+
+bool is_ordered(Op op) { return op != Op::any && op != Op::equal && op != Op::not_equal; }
+
+/// By the place in the list alone: whether a sentinel has one is not asked here.
+ValueSet accepted(const State& state, Op op, const std::vector<std::int64_t>& operands) {
+  const ValueSet domain = state.domain();
+  const auto above = [&](std::int64_t value) { return ValueSet::interval(value, state.high); };
+  const auto below = [&](std::int64_t value) { return ValueSet::interval(state.low, value); };
+  switch (op) {
+  case Op::less: return below(operands[0]).without(ValueSet::single(operands[0]));
+  case Op::less_equal: return below(operands[0]);
+  case Op::greater: return above(operands[0]).without(ValueSet::single(operands[0]));
+  case Op::greater_equal: return above(operands[0]);
+  case Op::any: return domain;
+  case Op::equal:
+  case Op::not_equal: break;
+  }
+  ValueSet listed;
+  for (const std::int64_t value : operands) listed = listed.united(ValueSet::single(value));
+  return op == Op::equal ? listed : domain.without(listed);
+}
+
+/// A sentinel that stands where the comparison holds looks as if it were meant.
+void report_sentinels(Resolver& r, const State& state, const Condition& condition, Span span) {
+  for (const std::int64_t sentinel : state.unordered) {
+    if (!condition.accepts.contains(sentinel)) continue;
+    const std::string name = state.value_text(sentinel);
+    Diagnostic& finding =
+        r.find("ordering_on_sentinel", dsl::Level::warning, span,
+               fmt::format("`{}` does not hold for `{}`, although that stands where it would", condition.text, name));
+    finding.notes.push_back({state.value_spans[static_cast<std::size_t>(sentinel)],
+                             fmt::format("`{}` is `unordered`: it satisfies no ordered comparison", name)});
+  }
+}
+
+bool operands_are_ordered(Resolver& r, const State& state, const dsl::ConditionSpec& spec,
+                          const std::vector<std::int64_t>& operands) {
+  if (std::find(state.unordered.begin(), state.unordered.end(), operands[0]) == state.unordered.end()) return true;
+  r.error("value_outside_domain", spec.values[0].span,
+          fmt::format("`{}` has no place in the order of the state `{}`: nothing is less or greater than it",
+                      spec.values[0].value, state.name.value))
+      .notes.push_back({state.value_spans[static_cast<std::size_t>(operands[0])], "it is `unordered`"});
+  return false;
+}
+
+std::optional<Condition> resolve_condition(Resolver& r, const dsl::ConditionSpec& spec) {
+  const auto state_id = find_state(r, spec.state);
+  if (!state_id) return std::nullopt;
+  const State& state = r.model.states[*state_id];
+  Condition condition;
+  condition.state = *state_id;
+  condition.op = op_of(spec);
+  std::vector<std::string> words;
+  for (const Word& word : spec.values) {
+    if (const auto value = find_value(r, state, word)) {
+      condition.operands.push_back(*value);
+      words.push_back(state.value_text(*value));
+    }
+  }
+  if (condition.operands.size() != spec.values.size()) return std::nullopt;
+  if (is_ordered(condition.op) && !operands_are_ordered(r, state, spec, condition.operands)) return std::nullopt;
+  condition.accepts = accepted(state, condition.op, condition.operands);
+  condition.text = state.name.value;
+  if (!spec.any) condition.text += fmt::format(" {} {}", text_of(condition.op), fmt::join(words, "|"));
+  if (is_ordered(condition.op)) {
+    report_sentinels(r, state, condition, spec.span);
+    for (const std::int64_t sentinel : state.unordered)
+      condition.accepts = condition.accepts.without(ValueSet::single(sentinel));
+  }
+  return condition;
+}
+
+} // namespace
+
+std::vector<ConditionUse> resolve_conditions(Resolver& r, const std::vector<dsl::ConditionSpec>& specs) {
+  std::vector<ConditionUse> out;
+  for (const dsl::ConditionSpec& spec : specs) {
+    auto condition = resolve_condition(r, spec);
+    if (!condition) continue;
+    const auto [at, is_new] =
+        r.conditions.try_emplace(condition->text, ConditionId{static_cast<std::uint32_t>(r.model.conditions.size())});
+    if (is_new) r.model.conditions.add(*std::move(condition));
+    ConditionUse use{at->second, spec.span, std::nullopt};
+    if (spec.within) use.within = spec.within->value.microseconds();
+    out.push_back(use);
+  }
+  return out;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,134 @@
+// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_states_test.cpp.
+#include "compiler/model/resolver.hpp"
+#include "dsl/suggest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace director::compiler {
+
+namespace {
+
+void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
+  if (spec.range) {
+    state.is_range = true;
+    state.low = spec.range->low.value;
+    state.high = spec.range->high.value;
+  }
+  if (!spec.values) return;
+  for (const Word& value : *spec.values) {
+    check_name(r, "value", value, false);
+    const auto first = std::find(state.values.begin(), state.values.end(), value.value);
+    if (first != state.values.end()) {
+      r.error("redefined_name", value.span,
+              fmt::format("the value `{}` of the state `{}` is declared twice", value.value, state.name.value))
+          .notes.push_back(
+              {state.value_spans[static_cast<std::size_t>(first - state.values.begin())], "declared first here"});
+      continue;
+    }
+    state.values.push_back(value.value);
+    state.value_spans.push_back(value.span);
+  }
+  state.high = static_cast<std::int64_t>(state.values.size()) - 1;
+}
+
+void declare_type(Resolver& r, State& state, const dsl::StateSpec& spec) {
+  if (!spec.type) return;
+  state.type = spec.type->value;
+  for (const dsl::StateSpec* other : r.state_sources) {
+    if (!other->type || other->type->value != *state.type) continue;
+    r.error(
+         "redefined_name", spec.type->span,
+         fmt::format("the states `{}` and `{}` have one type, `{}`", other->name.value, state.name.value, *state.type))
+        .notes.push_back({other->type->span, fmt::format("`{}` has it first", other->name.value)});
+    break;
+  }
+  if (!spec.values && !r.options.scanner) {
+    r.error("type_needs_scanner", spec.type->span,
+            fmt::format("the values of `{}` are not known here: this directorc cannot read C++", *state.type))
+        .help = fmt::format("list the values of `{}` beside its type: `values: [...]`", state.name.value);
+  }
+}
+
+} // namespace
+
+void declare_states_and_triggers(Resolver& r) {
+  for (const dsl::BehaviourSpec& file : r.spec.files) {
+    for (const dsl::StateSpec& spec : file.states) {
+      check_name(r, "state", spec.name);
+      claim_cpp_name(r, "state", spec.name);
+      State state;
+      state.name = spec.name;
+      declare_type(r, state, spec);
+      declare_values(r, state, spec);
+      if (spec.doc) state.doc = spec.doc->value;
+      if (!r.states.try_emplace(spec.name.value, StateId{static_cast<std::uint32_t>(r.model.states.size())}).second)
+        continue;
+      r.model.states.add(std::move(state));
+      r.state_sources.add(&spec);
+    }
+    for (const Word& name : file.triggers) {
+      check_name(r, "trigger", name);
+      claim_cpp_name(r, "trigger", name);
+      if (!r.triggers.try_emplace(name.value, TriggerId{static_cast<std::uint32_t>(r.model.triggers.size())}).second)
+        continue;
+      r.model.triggers.add({name.value, name.span, std::nullopt, {}});
+    }
+  }
+}
+
+std::optional<std::int64_t> find_value(Resolver& r, const State& state, const Word& value) {
+  const std::string& text = value.value;
+  const std::string& name = state.name.value;
+  if (state.is_range) {
+    std::int64_t number = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (fault == std::errc() && end == text.data() + text.size() && number >= state.low && number <= state.high)
+      return number;
+    r.error("value_outside_domain", value.span,
+            fmt::format("`{}` is no value of the state `{}`: its values are the whole numbers from {} to {}", text,
+                        name, state.low, state.high));
+    return std::nullopt;
+  }
+  const auto at = std::find(state.values.begin(), state.values.end(), text);
+  if (at != state.values.end()) return at - state.values.begin();
+  if (state.type && state.values.empty()) return std::nullopt; // what it lacks is reported at its type
+  Diagnostic& finding = r.error(
+      "value_outside_domain", value.span,
+      fmt::format("`{}` is no value of the state `{}`: its values are {}", text, name, fmt::join(state.values, ", ")));
+  if (const auto nearest = dsl::suggest(text, state.values)) finding.help = fmt::format("did you mean `{}`?", *nearest);
+  return std::nullopt;
+}
+
+void resolve_states(Resolver& r) {
+  for (const StateId id : r.model.states.ids()) {
+    State& state = r.model.states[id];
+    const dsl::StateSpec& spec = *r.state_sources[id];
+    for (const Word& word : spec.unordered) {
+      const auto value = find_value(r, state, word);
+      if (value && state.is_range) {
+        r.error("value_outside_domain", word.span,
+                fmt::format("`unordered` is for listed values: the numbers of `{}` all have their place",
+                            state.name.value));
+      } else if (value && std::find(state.unordered.begin(), state.unordered.end(), *value) == state.unordered.end()) {
+        state.unordered.push_back(*value);
+      }
+    }
+    if (spec.initial) {
+      state.initial = find_value(r, state, *spec.initial);
+      state.initial_span = spec.initial->span;
+    }
+    state.external = spec.external.value;
+    if (spec.expires) {
+      state.expires = State::Expires{spec.expires->after.value.microseconds(), std::nullopt, spec.expires->after.span};
+      if (spec.expires->to) state.expires->to = find_value(r, state, *spec.expires->to);
+    }
+    if (spec.of) {
+      if (const auto group = find_group(r, *spec.of)) state.of = Use<GroupId>{*group, spec.of->span};
+    }
+  }
+}
+
+} // namespace director::compiler

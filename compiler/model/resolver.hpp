@@ -1,0 +1,93 @@
+#pragma once
+// What the steps of resolve() share while they work: the model as far as it is made, the names, the findings. Only the
+// files resolve*.cpp include this.
+
+#include "compiler/model/resolve.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::compiler {
+
+using dsl::Diagnostic;
+
+struct GroupSource {
+  const dsl::GroupSpec* spec = nullptr; ///< nothing: an `extern` that nobody provides
+  const dsl::BehaviourSpec* file = nullptr;
+  std::vector<const dsl::ProviderSpec*> providers; ///< in order of preference, `extend` included
+  std::vector<const dsl::ProviderSpec*> forgotten; ///< their names are taken: looked at for their own faults only
+};
+
+struct Resolver {
+  const dsl::Spec& spec;
+  const dsl::Sources& sources;
+  const ResolveOptions& options;
+  const dsl::BehaviourSpec& main; ///< the last file
+
+  Model model{};
+  std::vector<Diagnostic> findings{};
+
+  std::map<std::string, StateId, std::less<>> states{};
+  std::map<std::string, GroupId, std::less<>> groups{};
+  std::map<std::string, TriggerId, std::less<>> triggers{};
+  std::map<std::string, LayerId, std::less<>> layers{};
+  IdTable<StateId, const dsl::StateSpec*> state_sources{};
+  IdTable<GroupId, GroupSource> group_sources{};
+  std::vector<GroupSource> forgotten_groups{};                  ///< likewise
+  std::map<std::string, ConditionId, std::less<>> conditions{}; ///< by normal text
+  std::map<std::pair<std::optional<GroupId>, GroupId>, EdgeId> edges{};
+
+  /// A name of C++: the kind and place of what took it.
+  struct Declared {
+    std::string kind; ///< "group"
+    Word name;
+  };
+  std::map<std::string, Declared, std::less<>> cpp_names{}; ///< by capitalised name
+
+  Diagnostic& find(std::string_view id, dsl::Level level, Span span, std::string message) {
+    findings.push_back({std::string(id), level, span, std::move(message), {}, {}});
+    return findings.back();
+  }
+  Diagnostic& error(std::string_view id, Span span, std::string message) {
+    return find(id, dsl::Level::error, span, std::move(message));
+  }
+};
+
+// resolve_names.cpp
+std::string capitalised(std::string_view name);
+/// A reserved_name if it is one. `whole_rule`: also the language's own words, not only C++'s.
+bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole_rule = true);
+/// The words that a run context has of its own: no pack has such a name.
+bool is_context_word(std::string_view name);
+bool is_reserved(std::string_view name);
+/// A redefined_name if the C++ name is taken; else takes it.
+bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name);
+/// undefined_name, with the nearest of `known` as its help, and a note where it is the name of something else.
+void report_undefined(Resolver& r, std::string_view kind, const Word& name, const std::vector<std::string>& known);
+/// Nothing, and a finding, where there is none.
+std::optional<GroupId> find_group(Resolver& r, const Word& name);
+std::optional<StateId> find_state(Resolver& r, const Word& name);
+
+// One step each, in this order.
+void declare_states_and_triggers(Resolver& r); // resolve_states.cpp
+void declare_groups(Resolver& r);              // declare_groups.cpp
+void name_modules(Resolver& r);                // resolve_modules.cpp
+void resolve_states(Resolver& r);              // resolve_states.cpp
+void resolve_roots(Resolver& r);               // resolve_tasks.cpp
+void resolve_groups(Resolver& r);              // resolve_groups.cpp
+void resolve_rest(Resolver& r);                // resolve_rest.cpp
+void find_unused(Resolver& r);                 // resolve_unused.cpp
+
+// Parts that more than one step uses.
+/// The number of a value; nothing, and a finding, where the state has no such value.
+std::optional<std::int64_t> find_value(Resolver& r, const State& state, const Word& value); // resolve_states.cpp
+std::vector<ConditionUse> resolve_conditions(Resolver& r, const std::vector<dsl::ConditionSpec>& specs);
+/// The entries of `tasks`, a pack or `roots` (no requester). Their edges are declared as they are met.
+std::vector<Task> resolve_tasks(Resolver& r, std::optional<GroupId> requester, const std::vector<dsl::TaskSpec>& specs);
+/// The edge of a need, declared if no task was it before.
+void declare_need(Resolver& r, GroupId requester, const Use<GroupId>& need);
+
+} // namespace director::compiler
