@@ -1,0 +1,31 @@
+// Door: dsl/data.hpp. Test: tests/dsl/data_test.cpp.
+#include "dsl/data.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace director::dsl {
+
+bool Data::operator==(const Data& other) const {
+  if (kind != other.kind || text != other.text || items.size() != other.items.size()) return false;
+  if (kind != Kind::mapping) return items == other.items;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto at = std::find(other.keys.begin(), other.keys.end(), keys[i]);
+    if (at == other.keys.end() || items[i] != other.items[static_cast<std::size_t>(at - other.keys.begin())])
+      return false;
+  }
+  return true;
+}
+
+std::string to_text(const Data& data) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < data.items.size(); ++i)
+    parts.push_back((data.kind == Data::Kind::mapping ? data.keys[i] + ": " : "") + to_text(data.items[i]));
+  if (data.kind == Data::Kind::list) return fmt::format("[{}]", fmt::join(parts, ", "));
+  if (data.kind == Data::Kind::mapping) return fmt::format("{{{}}}", fmt::join(parts, ", "));
+  return data.text;
+}
+
+} // namespace director::dsl

@@ -1,0 +1,51 @@
+#pragma once
+// A piece of a YAML file with its place. Nothing is converted: a scalar is its text, and whether it was quoted.
+
+#include "dsl/span.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::dsl {
+
+struct YamlPair;
+
+struct YamlNode {
+  enum class Kind {
+    broken, ///< a diagnostic has been given for it: look no further
+    null,   ///< nothing, `~` or a bare null; the place is that of the key or dash before it
+    scalar,
+    list,
+    mapping
+  };
+  enum class Style { plain, single_quoted, double_quoted, literal, folded };
+
+  Kind kind = Kind::broken;
+  Style style = Style::plain;  ///< of a scalar
+  std::string text;            ///< of a scalar
+  std::vector<YamlNode> items; ///< of a list
+  std::vector<YamlPair> pairs; ///< of a mapping, in the order of the file, each key once
+  Span span{};
+
+  bool quoted() const { return style != Style::plain; }
+  /// The value of a key; nullptr without it, or if this is no mapping.
+  const YamlNode* find(std::string_view key) const;
+};
+
+struct YamlPair {
+  Word key;
+  YamlNode::Style key_style = YamlNode::Style::plain;
+  YamlNode value;
+  Span span{}; ///< from the key to the end of the value
+};
+
+/// The place of the bytes [first, last) of a scalar's text; the place of the whole scalar where escapes or folding
+/// make that impossible to say. `first == last` is a place between two bytes.
+Span span_within(const YamlNode& scalar, std::string_view source, std::size_t first, std::size_t last);
+
+/// The lines of a scalar, each without the blanks around it, and each with its place if the scalar is a literal (`|`).
+std::vector<Word> lines_of(const YamlNode& scalar, std::string_view source);
+
+} // namespace director::dsl

@@ -1,0 +1,160 @@
+// Door: dsl/yaml_scan.hpp. Test: tests/dsl/yaml_scan_test.cpp.
+#include "dsl/yaml_scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace director::dsl::yaml_scan {
+
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_space(char c) { return is_blank(c) || c == '\n' || c == '\r'; }
+
+std::size_t line_begin(std::string_view text, std::size_t at) {
+  const std::size_t newline = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
+  return newline == std::string_view::npos ? 0 : newline + 1;
+}
+
+std::size_t line_end(std::string_view text, std::size_t at) { return std::min(text.find('\n', at), text.size()); }
+
+/// How many bytes the well-formed UTF-8 character at `at` has (Unicode, table 3-7); 0: there is none.
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<std::uint8_t>(text[i]) : 0U; };
+  const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
+    return byte(i) >= low && byte(i) <= high;
+  };
+  const unsigned lead = byte(at);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return follows(at + 1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const unsigned low = lead == 0xE0 ? 0xA0U : 0x80U, high = lead == 0xED ? 0x9FU : 0xBFU;
+    return follows(at + 1, low, high) && follows(at + 2) ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const unsigned low = lead == 0xF0 ? 0x90U : 0x80U, high = lead == 0xF4 ? 0x8FU : 0xBFU;
+    return follows(at + 1, low, high) && follows(at + 2) && follows(at + 3) ? 4 : 0;
+  }
+  return 0;
+}
+
+} // namespace
+
+std::optional<Fault> forbidden_bytes(std::string_view text) {
+  using namespace std::string_view_literals;
+  const std::string save_as = "save the file as UTF-8 without a byte order mark";
+  if (text.starts_with("\xEF\xBB\xBF"sv)) return Fault{0, 3, "the file begins with a byte order mark", save_as};
+  if (text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv))
+    return Fault{0, 2, "the file is UTF-16, expected UTF-8", save_as};
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = static_cast<std::uint8_t>(text[at]);
+    const bool line_break = byte == '\n' || (byte == '\r' && at + 1 < text.size() && text[at + 1] == '\n');
+    if ((byte < 0x20 && byte != '\t' && !line_break) || byte == 0x7F)
+      return Fault{at, at + 1, fmt::format("the byte 0x{:02X} may not stand in a text", byte), ""};
+    const std::size_t length = utf8_length(text, at);
+    if (length == 0) return Fault{at, at + 1, fmt::format("the byte 0x{:02X} is not UTF-8", byte), save_as};
+    at += length;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> tab_in_indentation(std::string_view text, std::size_t at) {
+  const std::size_t begin = line_begin(text, at);
+  const std::size_t first = text.find_first_not_of(" \t", begin);
+  if (first == std::string_view::npos || text[first] == '#' || text[first] == '\n' || text[first] == '\r') return {};
+  const std::size_t tab = text.find('\t', begin);
+  return tab < first ? std::optional(tab) : std::nullopt;
+}
+
+std::optional<std::size_t> end_of_quoted(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  for (std::size_t at = begin + 1; at < text.size(); ++at) {
+    if (quote == '"' && text[at] == '\\') {
+      ++at;
+    } else if (text[at] == quote) {
+      if (quote == '"' || at + 1 == text.size() || text[at + 1] != quote) return at + 1;
+      ++at; // '' inside single quotes is one quote
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> unclosed_quote(std::string_view text, std::size_t from) {
+  for (std::size_t at = from; at < text.size(); ++at) {
+    const bool opens =
+        at == 0 || is_space(text[at - 1]) || std::string_view("[{,:").find(text[at - 1]) != std::string_view::npos;
+    if (!opens) continue;
+    if (text[at] == '#') {
+      at = line_end(text, at);
+    } else if (text[at] == '"' || text[at] == '\'') {
+      const auto end = end_of_quoted(text, at);
+      if (!end) return at;
+      at = *end - 1;
+    }
+  }
+  return std::nullopt;
+}
+
+std::size_t skip_blanks(std::string_view text, std::size_t at) {
+  for (; at < text.size(); ++at) {
+    if (text[at] == '#' && (at == 0 || is_space(text[at - 1]))) {
+      at = line_end(text, at);
+      if (at == text.size()) break;
+    } else if (!is_space(text[at])) {
+      break;
+    }
+  }
+  return at;
+}
+
+std::size_t skip_properties(std::string_view text, std::size_t at) {
+  while (at < text.size() && (text[at] == '&' || text[at] == '!')) {
+    while (at < text.size() && !is_space(text[at])) ++at;
+    at = skip_blanks(text, at);
+  }
+  return at;
+}
+
+std::size_t place_in_plain(std::string_view text, std::size_t begin, std::string_view value, std::size_t index) {
+  std::size_t at = begin;
+  std::size_t end = begin; // behind the last byte that was found
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    // A line break in the text, with the blanks around it, is one blank or several line breaks in the value.
+    if (at < text.size() && text[at] != value[i] && is_space(text[at]))
+      while (at < text.size() && text[at] != value[i] && is_space(text[at])) ++at;
+    if (at < text.size() && text[at] == value[i]) {
+      if (i == index) return at;
+      end = ++at;
+    } else if (i == index) {
+      return end;
+    }
+  }
+  return end;
+}
+
+Block block_scalar(std::string_view text, std::size_t begin, std::size_t least) {
+  const std::size_t header_end = line_end(text, begin);
+  std::optional<std::size_t> indent;
+  for (std::size_t at = begin + 1; at < header_end && !is_space(text[at]); ++at)
+    if (text[at] >= '1' && text[at] <= '9')
+      indent = (least == 0 ? 0 : least - 1) + static_cast<std::size_t>(text[at] - '0');
+  std::size_t last = header_end; // behind the header while there is no content: comments count as the header's
+  while (last > begin && is_space(text[last - 1])) --last;
+  Block block{std::min(header_end + 1, text.size()), last};
+  for (std::size_t line = block.body; line < text.size(); line = line_end(text, line) + 1) {
+    const std::size_t end = line_end(text, line);
+    std::size_t first = line;
+    while (first < end && text[first] == ' ') ++first;
+    std::size_t back = end;
+    while (back > first && is_space(text[back - 1])) --back;
+    if (back == first) continue; // a blank line belongs to the block if another one follows
+    if (!indent) indent = std::max(first - line, least);
+    if (first - line < *indent || text.substr(line, 3) == "...") break;
+    block.end = back;
+  }
+  return block;
+}
+
+} // namespace director::dsl::yaml_scan

@@ -1,0 +1,49 @@
+#pragma once
+// Looks at YAML text itself for what yaml-cpp does not say: bytes that must not be there, tabs, and where things end.
+// Offsets are bytes of `text`.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace director::dsl::yaml_scan {
+
+struct Fault {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::string message;
+  std::string help;
+};
+
+/// The first byte that no file of ours may have: not UTF-8, a NUL or another control character, a byte order mark.
+std::optional<Fault> forbidden_bytes(std::string_view text);
+
+/// Where the line's indentation holds a tab in front of something that is neither a comment nor the end of the line.
+/// `at` is any place in the line.
+std::optional<std::size_t> tab_in_indentation(std::string_view text, std::size_t at);
+
+/// Behind the closing quote; nothing if there is none. `begin` is at the opening one.
+std::optional<std::size_t> end_of_quoted(std::string_view text, std::size_t begin);
+
+/// The first quote from `from` on that opens something and is never closed.
+std::optional<std::size_t> unclosed_quote(std::string_view text, std::size_t from);
+
+/// Behind blanks, line breaks and comments.
+std::size_t skip_blanks(std::string_view text, std::size_t at);
+
+/// Behind an anchor or a tag (and blanks) that stands before a value.
+std::size_t skip_properties(std::string_view text, std::size_t at);
+
+/// The place in the text of byte `index` of a plain scalar's value; of its end for index == value.size().
+std::size_t place_in_plain(std::string_view text, std::size_t begin, std::string_view value, std::size_t index);
+
+/// A block scalar, `|` or `>`.
+struct Block {
+  std::size_t body = 0; ///< where the first line behind the header begins
+  std::size_t end = 0;  ///< behind the last byte that is not blank: of the header if the block is empty
+};
+/// `least`: how far its lines are indented at least, which is one more than the block list or mapping around it.
+Block block_scalar(std::string_view text, std::size_t begin, std::size_t least);
+
+} // namespace director::dsl::yaml_scan

@@ -1,0 +1,173 @@
+// Door: dsl/yaml_tree.hpp. Test: tests/dsl/yaml_tree_test.cpp.
+//
+// yaml-cpp is asked for events, not for its own tree (a file of 64 MiB would cost it 3.5 GB), and is trusted with
+// little: it accepts much that the language refuses, and drops some of what it reads. What it is known to get wrong:
+//   - the document `,` is read for ever when documents are asked for one after another;
+//   - text behind the end of the first document is ignored until the next document is asked for;
+//   - a quote that is never closed ends the text without a word, unless `...` follows;
+//   - duplicate keys, invalid UTF-8 and null keys are taken as they come, tabs often.
+#include "dsl/yaml_tree.hpp"
+
+#include "dsl/tree_builder.hpp"
+#include "dsl/yaml_scan.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace director::dsl {
+
+namespace {
+
+using YAML::anchor_t;
+using YAML::Mark;
+using Style = YAML::EmitterStyle::value;
+
+std::size_t offset(const Mark& mark) { return static_cast<std::size_t>(std::max(mark.pos, 0)); }
+
+class Events final : public YAML::EventHandler {
+public:
+  explicit Events(TreeBuilder& builder) : builder_(builder) {}
+
+private:
+  void OnDocumentStart(const Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const Mark& mark, anchor_t) override { builder_.null(offset(mark)); }
+  void OnAlias(const Mark& mark, anchor_t) override { builder_.alias(offset(mark)); }
+  void OnScalar(const Mark& mark, const std::string& tag, anchor_t, const std::string& value) override {
+    builder_.scalar(offset(mark), value, tag == "?");
+  }
+  void OnSequenceStart(const Mark& mark, const std::string&, anchor_t, Style style) override {
+    builder_.start(YamlNode::Kind::list, offset(mark), style == YAML::EmitterStyle::Flow);
+  }
+  void OnSequenceEnd() override { builder_.finish(); }
+  void OnMapStart(const Mark& mark, const std::string&, anchor_t, Style style) override {
+    builder_.start(YamlNode::Kind::mapping, offset(mark), style == YAML::EmitterStyle::Flow);
+  }
+  void OnMapEnd() override { builder_.finish(); }
+
+  TreeBuilder& builder_;
+};
+
+/// Asks for a second document, and leaves at its first event.
+class NothingMore final : public YAML::EventHandler {
+public:
+  struct More {
+    std::size_t at;
+  };
+
+private:
+  void OnDocumentStart(const Mark& mark) override { throw More{offset(mark)}; }
+  void OnDocumentEnd() override {}
+  void OnNull(const Mark&, anchor_t) override {}
+  void OnAlias(const Mark&, anchor_t) override {}
+  void OnScalar(const Mark&, const std::string&, anchor_t, const std::string&) override {}
+  void OnSequenceStart(const Mark&, const std::string&, anchor_t, Style) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const Mark&, const std::string&, anchor_t, Style) override {}
+  void OnMapEnd() override {}
+};
+
+/// What yaml-cpp says, in words that help.
+struct Words {
+  std::string_view theirs, message, help;
+};
+constexpr std::string_view indented = "is the line indented as it should be?";
+constexpr Words better_words[] = {
+    {"illegal map value", "a `:` that belongs to no key",
+     "is the line indented as it should be? A text with `: ` in it needs quotes"},
+    {"illegal map key", "a `? ` that may not stand here", ""},
+    {"illegal block entry", "a `- ` that may not stand here",
+     "a list begins in a line of its own, or is written [a, b]"},
+    {"end of map not found", "expected another key, or the end of this mapping", indented},
+    {"end of sequence not found", "expected another `- `, or the end of this list", indented},
+    {"end of map flow not found", "expected `,` or `}` here", ""},
+    {"end of sequence flow not found", "expected `,` or `]` here", ""},
+    {"illegal flow end", "a closing bracket that nothing opened", ""},
+    {"unknown token", "no word begins with this character", "put the text in quotes"},
+    {"the referenced anchor is not defined", "aliases are not part of the language", "write the value itself"},
+    {"alias not found after *", "aliases are not part of the language", "a text that begins with `*` needs quotes"},
+    {"anchor not found after &", "anchors are not part of the language", "a text that begins with `&` needs quotes"},
+};
+
+bool report_tab(TreeBuilder& builder, std::string_view text, std::size_t at) {
+  const auto tab = yaml_scan::tab_in_indentation(text, std::min(at, text.size()));
+  if (tab) builder.report("yaml_syntax", *tab, *tab + 1, "a tab in the indentation", "indent with blanks");
+  return tab.has_value();
+}
+
+void report_exception(TreeBuilder& builder, std::string_view text, const YAML::Exception& exception) {
+  const std::size_t at = std::min(offset(exception.mark), text.size());
+  // The parser may notice a tab, or a quote that does not end, only far behind it.
+  if (report_tab(builder, text, at) || report_tab(builder, text, yaml_scan::skip_blanks(text, builder.cursor())))
+    return;
+  if (exception.msg.find("in scalar") != std::string::npos)
+    if (const auto quote = yaml_scan::unclosed_quote(text, builder.cursor()))
+      return builder.report("yaml_syntax", *quote, *quote + 1, "this quote is never closed");
+  std::string message = exception.msg, help;
+  for (const Words& words : better_words)
+    if (exception.msg == words.theirs) message = words.message, help = words.help;
+  std::vector<Note> notes;
+  const auto bracket = builder.open_bracket();
+  if (bracket && exception.msg.find(" flow not found") != std::string::npos) {
+    builder.forget_last_key();
+    notes.push_back({builder.span(*bracket, *bracket + 1), "opened here"});
+  }
+  builder.report("yaml_syntax", at, at + 1, std::move(message), std::move(help), std::move(notes));
+}
+
+void report_more(TreeBuilder& builder, std::string_view text, std::size_t at) {
+  if (report_tab(builder, text, at)) return;
+  if (text.substr(std::min(at, text.size())).starts_with("---"))
+    builder.report("yaml_syntax", at, at + 3, "a second document; a file has one");
+  else
+    builder.report("yaml_syntax", at, at + 1, "text behind the end of the document", std::string(indented));
+}
+
+/// yaml-cpp lets tabs indent what stands in brackets, and the first line.
+void refuse_tabs(TreeBuilder& builder, std::string_view text, const YamlNode& node) {
+  const auto look = [&](std::size_t at) {
+    std::size_t line = at; // back over blanks only: a line may be long, and have many values
+    while (line > 0 && (text[line - 1] == ' ' || text[line - 1] == '\t')) --line;
+    if (line < at && (line == 0 || text[line - 1] == '\n')) report_tab(builder, text, at);
+  };
+  if (node.kind == YamlNode::Kind::scalar) look(node.span.begin);
+  for (const YamlNode& item : node.items) refuse_tabs(builder, text, item);
+  for (const YamlPair& pair : node.pairs) {
+    look(pair.key.span.begin);
+    refuse_tabs(builder, text, pair.value);
+  }
+}
+
+} // namespace
+
+YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& diagnostics) {
+  TreeBuilder builder(file, text, diagnostics);
+  if (const auto fault = yaml_scan::forbidden_bytes(text)) {
+    const Span span{file, static_cast<std::uint32_t>(fault->begin), static_cast<std::uint32_t>(fault->end)};
+    diagnostics.push_back({"yaml_syntax", Level::error, span, fault->message, {}, fault->help});
+    return {};
+  }
+  try {
+    std::istringstream stream(std::string(text) + "\n...\n");
+    YAML::Parser parser(stream);
+    Events events(builder);
+    parser.HandleNextDocument(events);
+    NothingMore nothing_more;
+    parser.HandleNextDocument(nothing_more);
+    YamlNode root = builder.take_root();
+    refuse_tabs(builder, text, root);
+    return root;
+  } catch (const TreeBuilder::Stop&) {
+  } catch (const NothingMore::More& more) {
+    report_more(builder, text, more.at);
+  } catch (const YAML::Exception& exception) { report_exception(builder, text, exception); }
+  return {};
+}
+
+} // namespace director::dsl

@@ -1,0 +1,31 @@
+// Tests dsl/data.hpp.
+#include "dsl/data.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace director::dsl;
+
+namespace {
+
+Data scalar(Data::Kind kind, const char* text) { return {kind, text, {}, {}}; }
+Data number(const char* text) { return scalar(Data::Kind::integer, text); }
+
+} // namespace
+
+TEST_CASE("Data is printed in flow style") {
+  const Data list{Data::Kind::list, "", {}, {number("1"), scalar(Data::Kind::text, "left")}};
+  const Data mapping{Data::Kind::mapping, "", {"at", "sure"}, {list, scalar(Data::Kind::boolean, "true")}};
+  CHECK(to_text(mapping) == "{at: [1, left], sure: true}");
+  CHECK(to_text(Data{Data::Kind::list, "", {}, {}}) == "[]");
+  CHECK(to_text(Data{Data::Kind::mapping, "", {}, {}}) == "{}");
+}
+
+TEST_CASE("The order of a mapping does not count, that of a list does") {
+  const Data one = number("1"), two = number("2");
+  CHECK(Data{Data::Kind::mapping, "", {"a", "b"}, {one, two}} == Data{Data::Kind::mapping, "", {"b", "a"}, {two, one}});
+  CHECK_FALSE(Data{Data::Kind::mapping, "", {"a", "b"}, {one, two}} ==
+              Data{Data::Kind::mapping, "", {"a", "c"}, {one, two}});
+  CHECK_FALSE(Data{Data::Kind::list, "", {}, {one, two}} == Data{Data::Kind::list, "", {}, {two, one}});
+}
+
+TEST_CASE("A number is not the text of its digits") { CHECK_FALSE(number("3") == scalar(Data::Kind::text, "3")); }

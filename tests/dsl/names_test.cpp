@@ -1,0 +1,39 @@
+// Tests dsl/names.hpp.
+#include "dsl/names.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace director::dsl;
+
+TEST_CASE("An identifier has letters, digits and underscores, and begins with no digit") {
+  for (const char* text : {"Walk", "_", "a1", "left_leg"}) CHECK(is_identifier(text));
+  for (const char* text : {"", "1a", "left-leg", "Walk.halting", "Ärm", "a b"}) CHECK_FALSE(is_identifier(text));
+}
+
+TEST_CASE("Keywords of C++20 are known in all their spellings, and nothing else is") {
+  for (const char* text : {"alignas", "class", "co_yield", "requires", "xor_eq", "and", "true", "while"})
+    CHECK(is_cpp_keyword(text));
+  for (const char* text : {"", "Class", "final", "override", "import", "walk"}) CHECK_FALSE(is_cpp_keyword(text));
+}
+
+TEST_CASE("Reserved words are reserved with either case of their first letter") {
+  for (const char* text : {"start", "Stop", "default", "Root", "limbo"}) CHECK(is_reserved(text));
+  for (const char* text : {"", "START", "starts", "halt"}) CHECK_FALSE(is_reserved(text));
+}
+
+TEST_CASE("The words of a run's context are known") {
+  for (const char* text : {"task", "reasons", "try_set", "triggered", "fail"}) CHECK(is_context_word(text));
+  for (const char* text : {"", "Task", "attack"}) CHECK_FALSE(is_context_word(text));
+}
+
+TEST_CASE("What old YAML tools take for booleans is a trap in any case") {
+  for (const char* text : {"yes", "NO", "On", "off", "y", "N"}) CHECK(is_yaml_word_trap(text));
+  for (const char* text : {"", "true", "none", "yess", "o"}) CHECK_FALSE(is_yaml_word_trap(text));
+}
+
+TEST_CASE("A name becomes a C++ name by its first letter") {
+  CHECK(capitalised("walking") == "Walking");
+  CHECK(capitalised("Walk") == "Walk");
+  CHECK(capitalised("_x") == "_x");
+  CHECK(capitalised("") == "");
+}
