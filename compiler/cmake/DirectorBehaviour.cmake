@@ -21,14 +21,14 @@ function(director_add_behaviour target file)
   endif()
   set(behaviour ${CMAKE_MATCH_1})
 
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/director/${target})
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/director/${target}/${behaviour})
   set(outputs ${folder}/${behaviour}.hpp ${folder}/${behaviour}.cpp ${folder}/manifest.json)
   set(depfile ${folder}/${behaviour}.d)
   add_custom_command(
     OUTPUT ${outputs}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
     COMMAND Director::directorc generate ${file} -o ${folder} --depfile ${depfile}
-    DEPENDS ${file} Director::directorc
+    DEPENDS ${file} $<TARGET_FILE:Director::directorc>
     DEPFILE ${depfile}
     COMMENT "Generating the behaviour ${behaviour}"
     VERBATIM)
