@@ -58,6 +58,26 @@ private:
   std::vector<T> rows_;
 };
 
+/// Some of the ids of a table.
+template <class IdType>
+class IdSet {
+public:
+  IdSet() = default;
+  explicit IdSet(std::size_t count) : has_(count, false) {}
+
+  bool contains(IdType id) const { return has_[id.value]; }
+  /// True if it was not in the set before.
+  bool add(IdType id) {
+    if (has_[id.value]) return false;
+    has_[id.value] = true;
+    return true;
+  }
+  bool operator==(const IdSet&) const = default;
+
+private:
+  std::vector<bool> has_;
+};
+
 } // namespace director::compiler
 
 template <class Tag>

@@ -1,49 +1,13 @@
 // Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_names_test.cpp.
 #include "compiler/model/resolver.hpp"
+#include "dsl/names.hpp"
 #include "dsl/suggest.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 namespace director::compiler {
 
 namespace {
-
-constexpr std::string_view cpp_keywords[] = {
-    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
-    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char8_t",
-    "char16_t",    "char32_t", "class",      "co_await",  "co_return", "co_yield",     "compl",
-    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
-    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
-    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
-    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
-    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
-    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
-    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
-    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
-    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
-    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
-    "xor_eq"};
-
-constexpr std::string_view own_words[] = {"Start", "Stop", "Default", "Root", "Limbo"};
-
-constexpr std::string_view context_words[] = {"task", "reasons", "request", "done", "fail",     "keep",
-                                              "set",  "try_set", "wait",    "uses", "triggered"};
-
-template <std::size_t count>
-bool is_one_of(std::string_view name, const std::string_view (&words)[count]) {
-  return std::find(std::begin(words), std::end(words), name) != std::end(words);
-}
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_identifier(std::string_view name) {
-  return !name.empty() && is_letter(name[0]) &&
-         std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); });
-}
 
 /// Kinds of which the generated class `Behaviour` leaves no room for another one of its name.
 bool lives_beside_the_behaviour(std::string_view kind) {
@@ -52,33 +16,21 @@ bool lives_beside_the_behaviour(std::string_view kind) {
 
 } // namespace
 
-std::string capitalised(std::string_view name) {
-  std::string out(name);
-  if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
-  return out;
-}
-
-bool is_context_word(std::string_view name) { return is_one_of(name, context_words); }
-
-bool is_reserved(std::string_view name) {
-  return is_one_of(name, cpp_keywords) || is_one_of(capitalised(name), own_words);
-}
-
 bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole_rule) {
   const std::string& text = name.value;
-  if (!is_identifier(text)) {
+  if (!dsl::is_identifier(text)) {
     r.error("reserved_name", name.span, fmt::format("`{}` is no name for a {}", text, kind)).help =
         "a name has letters, digits and `_`, and does not begin with a digit";
-  } else if (is_one_of(text, cpp_keywords)) {
+  } else if (dsl::is_cpp_keyword(text)) {
     r.error("reserved_name", name.span,
             fmt::format("a {} cannot be called `{}`: that is a keyword of C++", kind, text));
-  } else if (whole_rule && is_one_of(capitalised(text), own_words)) {
+  } else if (whole_rule && dsl::is_reserved(text)) {
     r.error("reserved_name", name.span,
             fmt::format("a {} cannot be called `{}`: that is a word of Director's own", kind, text));
   } else if (lives_beside_the_behaviour(kind) && capitalised(text) == "Behaviour") {
     r.error("reserved_name", name.span,
             fmt::format("a {} cannot be called `{}`: the generated class is called `Behaviour`", kind, text));
-  } else if (kind == "pack" && is_context_word(text)) {
+  } else if (kind == "pack" && dsl::is_context_word(text)) {
     r.error("reserved_name", name.span,
             fmt::format("a pack cannot be called `{}`: a body's context has a word `{}` of its own", text, text));
   } else {

@@ -3,6 +3,7 @@
 // files resolve*.cpp include this.
 
 #include "compiler/model/resolve.hpp"
+#include "dsl/names.hpp"
 
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 
 namespace director::compiler {
 
+using dsl::capitalised;
 using dsl::Diagnostic;
 
 struct GroupSource {
@@ -57,12 +59,8 @@ struct Resolver {
 };
 
 // resolve_names.cpp
-std::string capitalised(std::string_view name);
 /// A reserved_name if it is one. `whole_rule`: also the language's own words, not only C++'s.
 bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole_rule = true);
-/// The words that a run context has of its own: no pack has such a name.
-bool is_context_word(std::string_view name);
-bool is_reserved(std::string_view name);
 /// A redefined_name if the C++ name is taken; else takes it.
 bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name);
 /// undefined_name, with the nearest of `known` as its help, and a note where it is the name of something else.

@@ -1,0 +1,42 @@
+#pragma once
+// The Graph: who leads to whom, derived from a Model. Nodes are groups, by the number of their id.
+
+#include "compiler/graph/algorithms.hpp"
+#include "compiler/model/model.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+struct Graph {
+  Arrows tasks;  ///< requester -> what it may request
+  Arrows needs;  ///< group -> what one of its providers needs
+  Arrows claims; ///< both
+
+  /// A provider's promise that satisfies somebody's condition.
+  struct Causing {
+    ProviderId causer{};
+    ConditionUse promise{};
+    ProviderId waiter{};
+    ConditionUse condition{}; ///< in the waiter's `when`
+    bool operator==(const Causing& other) const;
+  };
+  std::vector<Causing> causing; ///< in order of waiter, condition, causer
+
+  std::vector<std::vector<Node>> task_cycles;  ///< components of `tasks`
+  std::vector<std::vector<Node>> needs_cycles; ///< components of `needs`
+  std::vector<Node> order;                     ///< groups, requesters first, over `claims`
+  /// The last group before this one that every chain of requests from a root passes; nothing: there is none, or no
+  /// chain.
+  IdTable<GroupId, std::optional<GroupId>> gate;
+  IdSet<GroupId> requestable; ///< some chain of requests from a root leads to it
+};
+
+Graph make_graph(const Model& model);
+
+/// For people and tests: one line for each arrow.
+std::string print_graph(const Model& model, const Graph& graph);
+
+} // namespace director::compiler
