@@ -14,18 +14,17 @@
 
 namespace director::dsl {
 
-/// A behaviour of a thousand groups has about 200 KB. More than this is a mistake, or somebody who wants our memory.
-inline constexpr std::size_t largest_file = 64U * 1024 * 1024;
 /// A file imports a file that imports a file: each costs a frame of the reader's stack.
 inline constexpr std::size_t deepest_import = 200;
 
 struct ReadResult {
   Spec spec;
   std::vector<Diagnostic> diagnostics; ///< sorted by place
+  bool readable = true;                ///< false: the file itself cannot be read, and that is the only finding
 };
 
-/// The files that were read are added to `sources`, the main one first. Nothing in the result's `spec` and
-/// import_not_found at the beginning of an empty text: `path` itself cannot be read.
+/// The files that were read are added to `sources`, the main one first. Where `path` itself cannot be read: an empty
+/// text, and import_not_found (or input_limit) at its beginning.
 ReadResult read_behaviour(const std::string& path, FileAccess& files, Sources& sources);
 
 } // namespace director::dsl

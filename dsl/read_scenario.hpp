@@ -14,6 +14,7 @@ namespace director::dsl {
 struct ReadScenarioResult {
   ScenarioSpec scenario;
   std::vector<Diagnostic> diagnostics; ///< sorted by place
+  bool readable = true;                ///< false: the file itself cannot be read, and that is the only finding
 };
 
 /// The file is added to `sources`. Where it cannot be read: import_not_found at the beginning of an empty text.

@@ -1,0 +1,35 @@
+// Door: dsl/load_file.hpp. Test: tests/dsl/read_behaviour_test.cpp.
+#include "dsl/load_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+namespace director::dsl {
+
+LoadedFile load_file(const std::string& path, FileAccess& files, Sources& sources,
+                     std::vector<Diagnostic>& diagnostics) {
+  auto text = files.read(path, largest_file);
+  if (text) return {sources.add(path, std::move(text.value())), true};
+  const FileId id = sources.add(path, "");
+  diagnostics.push_back(unreadable(path, text.error(), {id, 0, 0}));
+  return {id, false};
+}
+
+Diagnostic unreadable(const std::string& path, const FileError& error, Span place) {
+  if (error.kind == FileError::Kind::too_large)
+    return {"input_limit",
+            Level::error,
+            place,
+            fmt::format("`{}` is larger than {} MiB", path, largest_file >> 20U),
+            {},
+            ""};
+  return {"import_not_found", Level::error, place, fmt::format("cannot read `{}`: {}", path, error.message), {}, ""};
+}
+
+std::string beside(const std::string& file, const std::string& relative) {
+  return (std::filesystem::path(file).parent_path() / relative).lexically_normal().string();
+}
+
+} // namespace director::dsl

@@ -1,0 +1,33 @@
+#pragma once
+// Fetches the text of a file that was named on the command line or in another file.
+
+#include "dsl/diagnostic.hpp"
+#include "dsl/file_access.hpp"
+#include "dsl/source_file.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace director::dsl {
+
+/// A behaviour of a thousand groups has about 200 KB. More than this is a mistake, or somebody who wants our memory.
+inline constexpr std::size_t largest_file = 64U * 1024 * 1024;
+
+struct LoadedFile {
+  FileId id{};
+  bool readable = false;
+};
+
+/// Adds the file to `sources`. Where it cannot be read that is an empty text, and import_not_found or input_limit at
+/// its beginning.
+LoadedFile load_file(const std::string& path, FileAccess& files, Sources& sources,
+                     std::vector<Diagnostic>& diagnostics);
+
+/// Why a file cannot be read, as a finding at the place that names it.
+Diagnostic unreadable(const std::string& path, const FileError& error, Span place);
+
+/// The path of what `file` names relative to itself.
+std::string beside(const std::string& file, const std::string& relative);
+
+} // namespace director::dsl

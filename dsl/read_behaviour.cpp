@@ -1,0 +1,105 @@
+// Door: dsl/read_behaviour.hpp. Test: tests/dsl/read_behaviour_test.cpp.
+#include "dsl/read_behaviour.hpp"
+
+#include "dsl/load_file.hpp"
+#include "dsl/read_file.hpp"
+#include "dsl/yaml_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace director::dsl {
+
+namespace {
+
+class Importer {
+public:
+  Importer(FileAccess& files, Sources& sources, ReadResult& result)
+      : files_(files),
+        sources_(sources),
+        result_(result) {}
+
+  void read_main(const std::string& path) {
+    const LoadedFile loaded = load_file(path, files_, sources_, result_.diagnostics);
+    result_.readable = loaded.readable;
+    if (loaded.readable) read(path, loaded.id);
+  }
+
+private:
+  struct OpenFile {
+    std::string identity, path;
+  };
+
+  void read(const std::string& path, FileId id) {
+    open_.push_back({files_.identity(path), path});
+    known_.emplace(open_.back().identity, id);
+    const std::string& text = sources_[id].text();
+    const YamlNode root = read_yaml(id, text, result_.diagnostics);
+    Reader reader(text, result_.diagnostics);
+    if (root.kind == YamlNode::Kind::mapping) {
+      BehaviourSpec file = read_file(reader, root);
+      for (ImportSpec& import : file.imports) import.file = follow(path, import.path);
+      result_.spec.files.push_back(std::move(file));
+    } else if (root.kind != YamlNode::Kind::broken) {
+      reader.error("wrong_node_kind", root.span, fmt::format("a behaviour file is a mapping, found {}", found(root)),
+                   "it begins with `behaviour: name` and `language: 1`");
+    }
+    open_.pop_back();
+  }
+
+  std::optional<FileId> follow(const std::string& importer, const Word& import) {
+    const std::string path = beside(importer, import.value);
+    const std::string identity = files_.identity(path);
+    const auto again =
+        std::find_if(open_.begin(), open_.end(), [&](const OpenFile& file) { return file.identity == identity; });
+    if (again != open_.end()) {
+      report("import_cycle", import, cycle(again - open_.begin()));
+      return std::nullopt;
+    }
+    if (const auto known = known_.find(identity); known != known_.end()) return known->second;
+    if (open_.size() == deepest_import) {
+      report("input_limit", import, fmt::format("files that import one another deeper than {} levels", deepest_import));
+      return std::nullopt;
+    }
+    auto text = files_.read(path, largest_file);
+    if (!text) {
+      result_.diagnostics.push_back(unreadable(path, text.error(), import.span));
+      return std::nullopt;
+    }
+    const FileId id = sources_.add(path, std::move(text.value()));
+    read(path, id);
+    return id;
+  }
+
+  /// `a.yaml imports b.yaml imports a.yaml`.
+  std::string cycle(std::ptrdiff_t first) const {
+    std::string chain;
+    for (std::size_t i = static_cast<std::size_t>(first); i < open_.size(); ++i)
+      chain += fmt::format("`{}` imports ", open_[i].path);
+    return chain + fmt::format("`{}`", open_[static_cast<std::size_t>(first)].path);
+  }
+
+  void report(std::string id, const Word& import, std::string message) {
+    result_.diagnostics.push_back({std::move(id), Level::error, import.span, std::move(message), {}, ""});
+  }
+
+  FileAccess& files_;
+  Sources& sources_;
+  ReadResult& result_;
+  std::vector<OpenFile> open_;
+  std::map<std::string, FileId> known_;
+};
+
+} // namespace
+
+ReadResult read_behaviour(const std::string& path, FileAccess& files, Sources& sources) {
+  ReadResult result;
+  Importer(files, sources, result).read_main(path);
+  sort_by_place(result.diagnostics);
+  return result;
+}
+
+} // namespace director::dsl

@@ -1,0 +1,205 @@
+// Door: dsl/read_condition.hpp. Test: tests/dsl/read_condition_test.cpp.
+#include "dsl/read_condition.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace director::dsl {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> ops{"==", "!=", "<", "<=", ">", ">="}; // in the order of Op
+constexpr std::string_view known_ops = "one of ==, !=, <, <=, >, >=";
+
+/// What people write who know other languages.
+struct Habit {
+  std::string_view written, help;
+};
+constexpr std::array habits{
+    Habit{"=", "write `==`"},
+    Habit{"===", "write `==`"},
+    Habit{"=<", "write `<=`"},
+    Habit{"=>", "write `>=`"},
+    Habit{"<>", "write `!=`"},
+    Habit{"&&", "each condition is an entry of its own in the list; all must hold"},
+    Habit{"and", "each condition is an entry of its own in the list; all must hold"},
+    Habit{"||", "alternatives are values of one state: `Phase == ready|set`"},
+    Habit{"or", "alternatives are values of one state: `Phase == ready|set`"},
+};
+
+std::string habit_help(std::string_view token) {
+  for (const Habit& habit : habits)
+    if (habit.written == token) return std::string(habit.help);
+  return "";
+}
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_word(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+         static_cast<unsigned char>(c) >=
+             0x80; // letters of other alphabets: no name has them, but they are no operators
+}
+
+/// Bytes [begin, end) of the text.
+struct Token {
+  std::size_t begin = 0, end = 0;
+};
+
+struct Fault {
+  Token place;
+  std::string message, help;
+};
+
+class Parser {
+public:
+  Parser(const YamlNode& node, std::string_view source, ConditionUse use)
+      : node_(node),
+        source_(source),
+        text_(node.text),
+        use_(use) {}
+
+  /// Complete unless there is a fault.
+  ConditionSpec condition() {
+    ConditionSpec out;
+    out.span = node_.span;
+    out.state = word("the name of a state");
+    if (use_ == ConditionUse::sets && at_end()) {
+      out.any = true;
+      out.op.span = out.state.span;
+      return out;
+    }
+    out.op = op(out.state.value);
+    values(out);
+    const Token rest = peek();
+    if (text(rest) == "within")
+      out.within = within(rest);
+    else if (!at_end())
+      fail(rest, fmt::format("expected the end of the condition, found {}", found(rest)), habit_help(text(rest)));
+    return out;
+  }
+  const std::optional<Fault>& fault() const { return fault_; }
+
+private:
+  std::string_view text(Token token) const { return text_.substr(token.begin, token.end - token.begin); }
+  Span span(Token token) const { return span_within(node_, source_, token.begin, token.end); }
+
+  /// A word, a `|`, or a run of other characters. Empty at the end.
+  Token peek() const {
+    std::size_t begin = at_;
+    while (begin < text_.size() && is_space(text_[begin])) ++begin;
+    std::size_t end = begin;
+    if (end == text_.size()) return {begin, end};
+    const bool negative = text_[end] == '-' && end + 1 < text_.size() && is_digit(text_[end + 1]);
+    if (negative || is_word(text_[end]))
+      for (++end; end < text_.size() && is_word(text_[end]);) ++end;
+    else if (text_[end] == '|' && text_.substr(end, 2) != "||")
+      ++end;
+    else
+      while (end < text_.size() && !is_word(text_[end]) && !is_space(text_[end]) && (end == begin || text_[end] != '-'))
+        ++end;
+    return {begin, end};
+  }
+
+  std::string found(Token token) const {
+    return token.begin == token.end ? "nothing" : fmt::format("`{}`", text(token));
+  }
+
+  bool at_end() const { return peek().begin == text_.size(); }
+
+  /// The first fault counts: what follows it is read for nothing.
+  void fail(Token place, std::string message, std::string help = "") {
+    if (!fault_) fault_ = Fault{place, std::move(message), std::move(help)};
+  }
+
+  Word word(std::string_view expected) {
+    const Token token = peek();
+    const bool number = token.end > token.begin + 1 && text_[token.begin] == '-';
+    if (token.begin == token.end || !(is_word(text_[token.begin]) || number))
+      fail(token, fmt::format("expected {}, found {}", expected, found(token)));
+    at_ = token.end;
+    return {std::string(text(token)), span(token)};
+  }
+
+  Located<Op> op(const std::string& state) {
+    const Token token = peek();
+    const auto known = std::find(ops.begin(), ops.end(), text(token));
+    at_ = token.end;
+    if (known != ops.end()) return {static_cast<Op>(known - ops.begin()), span(token)};
+    fail(token, fmt::format("expected {} behind `{}`, found {}", known_ops, state, found(token)),
+         habit_help(text(token)));
+    return {};
+  }
+
+  void values(ConditionSpec& out) {
+    const Token first = peek();
+    out.values.push_back(word(fmt::format("a value behind `{}`", to_text(out.op.value))));
+    while (text(peek()) == "|") {
+      at_ = peek().end;
+      out.values.push_back(word("a value behind `|`"));
+    }
+    if (out.values.size() > 1 && out.op.value != Op::equal && out.op.value != Op::not_equal)
+      fail({first.begin, at_}, fmt::format("`{}` compares with one value, found alternatives", to_text(out.op.value)),
+           "alternatives go with == and !=");
+  }
+
+  std::optional<Located<Duration>> within(Token keyword) {
+    at_ = keyword.end;
+    const std::size_t begin = peek().begin;
+    const Token rest{begin, std::max(begin, text_.find_last_not_of(" \t\r\n") + 1)};
+    const auto duration = parse_duration(text(rest));
+    if (use_ != ConditionUse::causing)
+      fail({keyword.begin, rest.end}, "`within` belongs to a promise: it stands in `causing` only");
+    else if (!duration || duration->amount == 0)
+      fail(rest, fmt::format("expected a duration such as 2 s behind `within`, found {}", found(rest)),
+           "a whole number above 0 and one of us, ms, s, min");
+    else
+      return Located<Duration>{*duration, span(rest)};
+    return std::nullopt;
+  }
+
+  const YamlNode& node_;
+  std::string_view source_;
+  std::string_view text_;
+  ConditionUse use_;
+  std::size_t at_ = 0;
+  std::optional<Fault> fault_;
+};
+
+} // namespace
+
+std::optional<ConditionSpec> read_condition(Reader& reader, const YamlNode& node, std::string_view subject,
+                                            ConditionUse use) {
+  if (!reader.is_scalar(&node, subject, "a condition such as Phase == playing")) return std::nullopt;
+  Parser parser(node, reader.source(), use);
+  ConditionSpec condition = parser.condition();
+  if (!parser.fault()) return condition;
+  const auto& [place, message, help] = *parser.fault();
+  reader.error("bad_condition", span_within(node, reader.source(), place.begin, place.end), message, help);
+  return std::nullopt;
+}
+
+std::vector<ConditionSpec> read_conditions(Reader& reader, const YamlNode* node, std::string_view subject,
+                                           ConditionUse use) {
+  std::vector<ConditionSpec> out;
+  if (!reader.is_list(node, subject)) return out;
+  for (const YamlNode& item : node->items)
+    if (auto condition = read_condition(reader, item, subject, use)) out.push_back(std::move(*condition));
+  return out;
+}
+
+std::string_view to_text(Op op) { return ops[static_cast<std::size_t>(op)]; }
+
+std::string to_text(const ConditionSpec& condition) {
+  std::string out = condition.state.value;
+  if (condition.any) return out;
+  out += fmt::format(" {} ", to_text(condition.op.value));
+  for (std::size_t i = 0; i < condition.values.size(); ++i) out += (i == 0 ? "" : "|") + condition.values[i].value;
+  if (condition.within) out += " within " + to_text(condition.within->value);
+  return out;
+}
+
+} // namespace director::dsl

@@ -1,0 +1,139 @@
+// Door: dsl/read_group.hpp. Test: tests/dsl/read_group_test.cpp.
+#include "dsl/read_group.hpp"
+
+#include "dsl/read_condition.hpp"
+#include "dsl/read_tasks.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace director::dsl {
+
+namespace {
+
+/// Words of a provider that cannot stand beside `providers`; `sets`, `uses` and `triggers` can, and are for all of
+/// them.
+constexpr std::array<std::string_view, 7> provider_only{"when", "stay", "causing", "needs", "every", "tasks", "packs"};
+
+/// Not `name`, `doc` and `allow`, which a group has for itself.
+void read_provider_words(Reader& reader, const YamlNode& mapping, ProviderSpec& provider) {
+  const auto conditions = [&](std::string_view key, ConditionUse use) {
+    return read_conditions(reader, mapping.find(key), key, use);
+  };
+  provider.when = conditions("when", ConditionUse::comparison);
+  provider.stay = conditions("stay", ConditionUse::comparison);
+  provider.causing = conditions("causing", ConditionUse::causing);
+  provider.sets = conditions("sets", ConditionUse::sets);
+  provider.needs = reader.words(mapping.find("needs"), "needs", "the name of a group");
+  provider.uses = reader.words(mapping.find("uses"), "uses", "the name of a group");
+  provider.triggers = reader.words(mapping.find("triggers"), "triggers", "the name of a trigger");
+  provider.every = reader.duration(mapping.find("every"), "every");
+  provider.tasks = read_tasks(reader, mapping.find("tasks"), "tasks");
+  provider.packs = read_packs(reader, mapping.find("packs"));
+  reader.exclude(mapping, "tasks", "packs");
+  if (provider.tasks && provider.packs) provider.packs.reset();
+}
+
+ProviderSpec read_provider(Reader& reader, const YamlNode& mapping) {
+  static const Keys keys{"name",     "when",  "stay",  "causing", "sets", "needs", "uses",
+                         "triggers", "every", "tasks", "packs",   "doc",  "allow", "because"};
+  const Span first = mapping.pairs.empty() ? mapping.span : mapping.pairs.front().key.span;
+  const YamlNode* name = mapping.find("name");
+  const bool named = name && name->kind == YamlNode::Kind::scalar;
+  reader.know_keys(mapping, named ? fmt::format("provider `{}`", name->text) : "a provider", keys);
+  ProviderSpec provider;
+  provider.span = mapping.span;
+  provider.name =
+      reader.word(reader.require(mapping, "name", "a provider", first), "name", "a name").value_or(Word{"", first});
+  read_provider_words(reader, mapping, provider);
+  provider.doc = reader.text(mapping.find("doc"), "doc");
+  provider.allow = read_allow(reader, mapping);
+  return provider;
+}
+
+std::vector<ProviderSpec> read_providers(Reader& reader, const YamlNode* node) {
+  std::vector<ProviderSpec> out;
+  if (!reader.is_list(node, "providers", "a list of providers")) return out;
+  for (const YamlNode& item : node->items)
+    if (reader.is_mapping(&item, "providers", "a mapping such as {name: walking}"))
+      out.push_back(read_provider(reader, item));
+  return out;
+}
+
+/// The group writes its provider's words directly.
+ProviderSpec read_direct_provider(Reader& reader, const YamlNode& mapping, const GroupSpec& group) {
+  ProviderSpec provider;
+  provider.name = {"default", group.name.span};
+  provider.direct = true;
+  provider.span = group.span;
+  read_provider_words(reader, mapping, provider);
+  return provider;
+}
+
+/// `start: true`, `stop: {sets: [...]}`.
+std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, std::string_view which) {
+  if (!node || node->kind == YamlNode::Kind::broken) return std::nullopt;
+  HandlerSpec handler{{}, node->span};
+  if (node->kind == YamlNode::Kind::scalar && !node->quoted() && node->text == "true") return handler;
+  const YamlNode* sets = node->find("sets");
+  if (node->kind != YamlNode::Kind::mapping || node->pairs.size() != 1 || !sets) {
+    reader.error("start_stop_shape", node->span,
+                 fmt::format("`{}`: expected true or a mapping with `sets` alone, found {}", which, found(*node)),
+                 node->kind == YamlNode::Kind::scalar && node->text == "false" ? "a group without one leaves it out"
+                                                                               : "");
+    return std::nullopt;
+  }
+  handler.sets = read_conditions(reader, sets, "sets", ConditionUse::sets);
+  return handler;
+}
+
+} // namespace
+
+GroupSpec read_group(Reader& reader, const YamlPair& pair) {
+  static const Keys keys{"doc",       "layer", "module", "data",    "realtime", "start",  "stop",
+                         "providers", "when",  "stay",   "causing", "sets",     "needs",  "uses",
+                         "triggers",  "every", "tasks",  "packs",   "allow",    "because"};
+  GroupSpec group;
+  group.span = pair.span;
+  group.name = reader.name(pair);
+  group.realtime.span = pair.key.span;
+  const YamlNode& mapping = pair.value;
+  if (!reader.is_mapping(&mapping, pair.key.value)) return group;
+  reader.know_keys(mapping, fmt::format("group `{}`", pair.key.value), keys);
+  group.doc = reader.text(mapping.find("doc"), "doc");
+  group.layer = reader.word(mapping.find("layer"), "layer", "the name of a layer");
+  group.module = reader.word(mapping.find("module"), "module", "the name of a module");
+  group.data = reader.word(mapping.find("data"), "data", "a C++ type");
+  if (const auto flag = reader.flag(mapping.find("realtime"), "realtime")) group.realtime = *flag;
+  group.start = read_handler(reader, mapping.find("start"), "start");
+  group.stop = read_handler(reader, mapping.find("stop"), "stop");
+  group.allow = read_allow(reader, mapping);
+  if (!mapping.find("providers")) {
+    group.providers.push_back(read_direct_provider(reader, mapping, group));
+    return group;
+  }
+  for (const std::string_view word : provider_only) reader.exclude(mapping, "providers", word);
+  group.providers = read_providers(reader, mapping.find("providers"));
+  group.sets = read_conditions(reader, mapping.find("sets"), "sets", ConditionUse::sets);
+  group.uses = reader.words(mapping.find("uses"), "uses", "the name of a group");
+  group.triggers = reader.words(mapping.find("triggers"), "triggers", "the name of a trigger");
+  return group;
+}
+
+ExtendSpec read_extend(Reader& reader, const YamlPair& pair) {
+  static const Keys keys{"before", "providers", "doc"};
+  ExtendSpec extend;
+  extend.span = pair.span;
+  extend.group = reader.name(pair);
+  if (!reader.is_mapping(&pair.value, pair.key.value)) return extend;
+  const std::string thing = fmt::format("extend of `{}`", pair.key.value);
+  reader.know_keys(pair.value, thing, keys);
+  extend.before = reader.word(pair.value.find("before"), "before", "the name of a provider");
+  extend.providers = read_providers(reader, reader.require(pair.value, "providers", thing, pair.key.span));
+  extend.doc = reader.text(pair.value.find("doc"), "doc");
+  return extend;
+}
+
+} // namespace director::dsl

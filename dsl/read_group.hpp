@@ -1,0 +1,12 @@
+#pragma once
+// Reads groups, their providers, and `extend`.
+
+#include "dsl/reader.hpp"
+#include "dsl/spec.hpp"
+
+namespace director::dsl {
+
+GroupSpec read_group(Reader& reader, const YamlPair& pair);
+ExtendSpec read_extend(Reader& reader, const YamlPair& pair);
+
+} // namespace director::dsl

@@ -1,0 +1,11 @@
+#pragma once
+// Reads states.
+
+#include "dsl/reader.hpp"
+#include "dsl/spec.hpp"
+
+namespace director::dsl {
+
+StateSpec read_state(Reader& reader, const YamlPair& pair);
+
+} // namespace director::dsl

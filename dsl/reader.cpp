@@ -1,0 +1,190 @@
+// Door: dsl/reader.hpp. Test: tests/dsl/reader_test.cpp.
+#include "dsl/reader.hpp"
+
+#include "dsl/names.hpp"
+#include "dsl/suggest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace director::dsl {
+
+namespace {
+
+constexpr std::size_t longest_quote = 40;
+
+std::string quoted(std::string_view text) {
+  const std::size_t line = text.find('\n');
+  if (line == std::string_view::npos && text.size() <= longest_quote) return fmt::format("`{}`", text);
+  std::size_t size = std::min(line, longest_quote);
+  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U) --size; // not within a character
+  return fmt::format("`{}…`", text.substr(0, size));
+}
+
+} // namespace
+
+std::string found(const YamlNode& node) {
+  switch (node.kind) {
+  case YamlNode::Kind::broken:
+  case YamlNode::Kind::null: return "nothing";
+  case YamlNode::Kind::list: return "a list";
+  case YamlNode::Kind::mapping: return "a mapping";
+  case YamlNode::Kind::scalar: break;
+  }
+  return (node.quoted() ? "the text " : "") + quoted(node.text);
+}
+
+std::optional<std::int64_t> parse_number(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  const std::string_view digits = text.starts_with('-') ? text.substr(1) : text;
+  if (digits.starts_with('0') && text != "0") return std::nullopt; // octal for some tools
+  return value;
+}
+
+void Reader::error(std::string id, Span span, std::string message, std::string help, std::vector<Note> notes) {
+  diagnostics_.push_back({std::move(id), Level::error, span, std::move(message), std::move(notes), std::move(help)});
+}
+
+void Reader::unexpected(const YamlNode& node, std::string_view subject, std::string_view expected, std::string help) {
+  if (node.kind == YamlNode::Kind::broken) return;
+  error("wrong_node_kind", node.span, fmt::format("`{}`: expected {}, found {}", subject, expected, found(node)),
+        std::move(help));
+}
+
+bool Reader::is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected) {
+  if (!node) return false;
+  const bool good = node->kind == YamlNode::Kind::mapping;
+  if (!good) unexpected(*node, subject, expected, node->kind == YamlNode::Kind::null ? "an empty one is `{}`" : "");
+  return good;
+}
+
+bool Reader::is_list(const YamlNode* node, std::string_view subject, std::string_view expected) {
+  if (!node) return false;
+  const bool good = node->kind == YamlNode::Kind::list;
+  std::string help;
+  if (node->kind == YamlNode::Kind::null) help = "an empty one is `[]`";
+  if (node->kind == YamlNode::Kind::scalar && !node->text.empty()) help = fmt::format("write `[{}]`", node->text);
+  if (!good) unexpected(*node, subject, expected, std::move(help));
+  return good;
+}
+
+bool Reader::is_scalar(const YamlNode* node, std::string_view subject, std::string_view expected) {
+  if (!node) return false;
+  const bool good = node->kind == YamlNode::Kind::scalar;
+  if (!good) unexpected(*node, subject, expected);
+  return good;
+}
+
+void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys) {
+  for (const YamlPair& pair : mapping.pairs) {
+    const std::string& key = pair.key.value;
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    const auto near = suggest(key, keys);
+    if (near) misspelt_.emplace_back(&mapping, *near);
+    error("unknown_key", pair.key.span, fmt::format("{} has no key {}", thing, quoted(key)),
+          near ? fmt::format("did you mean `{}`?", *near) : fmt::format("it may have {}", fmt::join(keys, ", ")));
+  }
+}
+
+void Reader::exclude(const YamlNode& mapping, std::string_view key, std::string_view other) {
+  if (!mapping.find(key) || !mapping.find(other)) return;
+  Word first = key_of(mapping, key), second = key_of(mapping, other);
+  if (second.span < first.span) std::swap(first, second);
+  error("exclusive_keys", second.span, fmt::format("`{}` and `{}` exclude each other", first.value, second.value), "",
+        {{first.span, fmt::format("`{}` stands here", first.value)}});
+}
+
+const Word& Reader::key_of(const YamlNode& mapping, std::string_view key) {
+  return std::find_if(mapping.pairs.begin(), mapping.pairs.end(),
+                      [&](const YamlPair& pair) { return pair.key.value == key; })
+      ->key;
+}
+
+bool Reader::lacks(const YamlNode& mapping, std::string_view key) const {
+  const auto meant = [&](const auto& entry) { return entry.first == &mapping && entry.second == key; };
+  return !mapping.find(key) && std::none_of(misspelt_.begin(), misspelt_.end(), meant);
+}
+
+const YamlNode* Reader::require(const YamlNode& mapping, std::string_view key, std::string_view thing, Span place) {
+  const YamlNode* node = mapping.find(key);
+  if (lacks(mapping, key)) error("missing_key", place, fmt::format("{} needs `{}`", thing, key));
+  return node;
+}
+
+void Reader::warn_of_trap(const Word& word, bool quoted) {
+  if (quoted || !is_yaml_word_trap(word.value)) return;
+  diagnostics_.push_back({"yaml_word_trap",
+                          Level::warning,
+                          word.span,
+                          fmt::format("older YAML tools read a bare `{}` as a boolean", word.value),
+                          {},
+                          fmt::format("write \"{}\", or choose another word", word.value)});
+}
+
+std::optional<Word> Reader::word(const YamlNode* node, std::string_view subject, std::string_view expected) {
+  if (!is_scalar(node, subject, expected)) return std::nullopt;
+  if (node->text.empty()) {
+    unexpected(*node, subject, expected);
+    return std::nullopt;
+  }
+  Word word{node->text, node->span};
+  warn_of_trap(word, node->quoted());
+  return word;
+}
+
+std::vector<Word> Reader::words(const YamlNode* node, std::string_view subject, std::string_view expected) {
+  std::vector<Word> out;
+  if (!is_list(node, subject)) return out;
+  for (const YamlNode& item : node->items)
+    if (auto one = word(&item, subject, expected)) out.push_back(std::move(*one));
+  return out;
+}
+
+Word Reader::name(const YamlPair& pair) {
+  warn_of_trap(pair.key, pair.key_style != YamlNode::Style::plain);
+  return pair.key;
+}
+
+std::optional<Word> Reader::text(const YamlNode* node, std::string_view subject) {
+  if (!is_scalar(node, subject, "a text")) return std::nullopt;
+  return Word{node->text, node->span};
+}
+
+std::optional<Located<bool>> Reader::flag(const YamlNode* node, std::string_view subject) {
+  if (!is_scalar(node, subject, "true or false")) return std::nullopt;
+  if (!node->quoted() && (node->text == "true" || node->text == "false"))
+    return Located<bool>{node->text == "true", node->span};
+  unexpected(*node, subject, "true or false");
+  return std::nullopt;
+}
+
+std::optional<Located<std::int64_t>> Reader::number(const YamlNode* node, std::string_view subject, Bounds bounds) {
+  if (!is_scalar(node, subject, "a whole number")) return std::nullopt;
+  const auto value = node->quoted() ? std::nullopt : parse_number(node->text);
+  if (value && *value >= bounds.low && *value <= bounds.high) return Located<std::int64_t>{*value, node->span};
+  const Bounds all;
+  std::string range;
+  if (bounds.high != all.high)
+    range = fmt::format(" from {} to {}", bounds.low, bounds.high);
+  else if (bounds.low != all.low)
+    range = fmt::format(" from {}", bounds.low);
+  unexpected(*node, subject, "a whole number" + range);
+  return std::nullopt;
+}
+
+std::optional<Located<Duration>> Reader::duration(const YamlNode* node, std::string_view subject, std::int64_t least) {
+  constexpr std::string_view expected = "a duration such as 10 ms";
+  if (!is_scalar(node, subject, expected)) return std::nullopt;
+  const auto value = parse_duration(node->text);
+  if (value && value->microseconds() >= least) return Located<Duration>{*value, node->span};
+  unexpected(*node, subject, value ? "a duration above 0" : expected,
+             value ? "" : "a whole number and one of us, ms, s, min");
+  return std::nullopt;
+}
+
+} // namespace director::dsl

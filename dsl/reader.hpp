@@ -1,0 +1,81 @@
+#pragma once
+// What the readers of behaviour and scenario files share: each function looks at one node, reports what is wrong with
+// it, and returns what it says. A node that was reported already (`broken`) is passed over in silence. Nodes are given
+// as pointers where they may be absent; then nothing is reported either.
+
+#include "dsl/diagnostic.hpp"
+#include "dsl/duration.hpp"
+#include "dsl/span.hpp"
+#include "dsl/yaml_node.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace director::dsl {
+
+/// Kinds of things and the keys that they may have.
+using Keys = std::vector<std::string>;
+
+struct Bounds {
+  std::int64_t low = std::numeric_limits<std::int64_t>::min();
+  std::int64_t high = std::numeric_limits<std::int64_t>::max();
+};
+
+class Reader {
+public:
+  Reader(std::string_view source, std::vector<Diagnostic>& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+
+  std::string_view source() const { return source_; }
+
+  void error(std::string id, Span span, std::string message, std::string help = "", std::vector<Note> notes = {});
+  /// wrong_node_kind: "`subject`: expected `expected`, found ...".
+  void unexpected(const YamlNode& node, std::string_view subject, std::string_view expected, std::string help = "");
+
+  /// False, and reported, unless the node is there and has this kind.
+  bool is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected = "a mapping");
+  bool is_list(const YamlNode* node, std::string_view subject, std::string_view expected = "a list");
+  bool is_scalar(const YamlNode* node, std::string_view subject, std::string_view expected);
+
+  /// unknown_key for every other key of the mapping. `thing`: "a group", "provider `walking`". Comes before lacks() and
+  /// require(), which are silent about a key that is only misspelt.
+  void know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys);
+  /// exclusive_keys at the later of the two, if both are there.
+  void exclude(const YamlNode& mapping, std::string_view key, std::string_view other);
+  bool lacks(const YamlNode& mapping, std::string_view key) const;
+  /// The value of a key that must be there: missing_key at `place`.
+  const YamlNode* require(const YamlNode& mapping, std::string_view key, std::string_view thing, Span place);
+  /// The key itself, with its place; it must be there.
+  static const Word& key_of(const YamlNode& mapping, std::string_view key);
+
+  /// A name or a value: any scalar. Warns of words that YAML 1.1 takes for booleans.
+  std::optional<Word> word(const YamlNode* node, std::string_view subject, std::string_view expected);
+  std::vector<Word> words(const YamlNode* node, std::string_view subject, std::string_view expected);
+  /// A key that is a name.
+  Word name(const YamlPair& pair);
+  /// Text for people.
+  std::optional<Word> text(const YamlNode* node, std::string_view subject);
+  std::optional<Located<bool>> flag(const YamlNode* node, std::string_view subject);
+  std::optional<Located<std::int64_t>> number(const YamlNode* node, std::string_view subject, Bounds bounds = {});
+  /// Of at least `least`, which is 0 or 1 microsecond.
+  std::optional<Located<Duration>> duration(const YamlNode* node, std::string_view subject, std::int64_t least = 1);
+
+private:
+  void warn_of_trap(const Word& word, bool quoted);
+
+  std::string_view source_;
+  std::vector<Diagnostic>& diagnostics_;
+  std::vector<std::pair<const YamlNode*, std::string>> misspelt_; ///< mapping, and the key that was probably meant
+};
+
+/// What a person would call the node: "a list", "nothing", "`yes`".
+std::string found(const YamlNode& node);
+
+/// A whole number as the language writes it: no leading zeros, no plus, nothing but decimal digits.
+std::optional<std::int64_t> parse_number(std::string_view text);
+
+} // namespace director::dsl

@@ -1,0 +1,150 @@
+// Door: dsl/render.hpp. Test: tests/dsl/render_test.cpp.
+#include "dsl/render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace director::dsl {
+
+namespace {
+
+/// ECMA-48, SGR; all empty without colours.
+struct Palette {
+  std::string_view bold, level, mark, reset;
+};
+
+Palette palette(bool colours, std::string_view level) {
+  return colours ? Palette{"\033[1m", level, "\033[1;32m", "\033[0m"} : Palette{};
+}
+
+std::string_view colour_of(Level level) {
+  switch (level) {
+  case Level::error: return "\033[1;31m";
+  case Level::warning: return "\033[1;35m";
+  case Level::lint: return "\033[1;34m";
+  }
+  return "";
+}
+
+constexpr std::string_view note_colour = "\033[1;36m";
+constexpr std::size_t tab_stop = 4;
+constexpr std::string_view ellipsis = "…";
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
+/// A line as it is shown, and the columns in it (a character is one column, tabs are blanks) that a span covers.
+struct Excerpt {
+  std::string text;
+  std::size_t begin = 0, end = 0;
+};
+
+/// The part of the line around bytes [begin, end) that is at most `width` columns wide.
+Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end, std::size_t width) {
+  std::size_t first = 0;
+  const std::size_t lead = width / 3; // columns before the place where the line must be cut there
+  if (begin > width - lead) first = begin - lead;
+  while (first > 0 && continues_character(line[first])) --first;
+  Excerpt out;
+  std::size_t column = 0;
+  if (first > 0) {
+    out.text += ellipsis;
+    column = 1;
+  }
+  std::size_t at = first;
+  for (; at < line.size() && column < width; ++at) {
+    if (at == begin) out.begin = column;
+    if (at == end) out.end = column;
+    if (line[at] == '\t') {
+      const std::size_t wide = tab_stop - column % tab_stop;
+      out.text.append(wide, ' ');
+      column += wide;
+    } else {
+      out.text += static_cast<unsigned char>(line[at]) < 0x20 || line[at] == 0x7F ? '?' : line[at];
+      if (at + 1 == line.size() || !continues_character(line[at + 1])) ++column;
+    }
+  }
+  if (begin >= at) out.begin = column;
+  if (end >= at) out.end = column;
+  if (at < line.size()) {
+    while (at < line.size() && continues_character(line[at])) out.text += line[at++];
+    out.text += ellipsis;
+  }
+  return out;
+}
+
+std::string numbered(std::string_view number, std::string_view line) {
+  std::string out = fmt::format("{:>5} | {}", number, line);
+  out.erase(out.find_last_not_of(' ') + 1);
+  return out + "\n";
+}
+
+/// One line with marks below: `^` begins what the finding is about, `~` goes on with it.
+std::string marked_line(const SourceFile& file, std::uint32_t line, std::size_t begin, std::size_t end, bool first,
+                        const RenderOptions& options, const Palette& colour) {
+  const Excerpt shown = excerpt(file.line_text(line), begin, end, options.width);
+  const std::size_t size = std::max<std::size_t>(shown.end > shown.begin ? shown.end - shown.begin : 0, 1);
+  const std::string marks = std::string(1, first ? '^' : '~') + std::string(size - 1, '~');
+  return numbered(std::to_string(line), shown.text) +
+         fmt::format("      | {}{}{}{}\n", std::string(shown.begin, ' '), colour.mark, marks, colour.reset);
+}
+
+/// The lines of a span; of a long one the first and the last.
+std::string snippet(const SourceFile& file, const Span& span, const RenderOptions& options, const Palette& colour) {
+  const Place from = file.place(span.begin), to = file.place(std::max(span.begin, span.end));
+  const std::size_t first_size = file.line_text(from.line).size();
+  if (from.line == to.line) return marked_line(file, from.line, from.column - 1, to.column - 1, true, options, colour);
+  std::string out = marked_line(file, from.line, from.column - 1, first_size, true, options, colour);
+  const std::string_view last = file.line_text(to.line).substr(0, to.column - 1);
+  const std::size_t indentation = last.find_first_not_of(" \t");
+  if (indentation == std::string_view::npos) return out; // it ends at the beginning of a line
+  if (to.line > from.line + 1) out += "  ... |\n";
+  return out + marked_line(file, to.line, indentation, last.size(), false, options, colour);
+}
+
+std::string headline(const SourceFile& file, const Span& span, std::string_view kind, std::string_view message,
+                     const Palette& colour) {
+  const Place place = file.place(span.begin);
+  return fmt::format("{}{}:{}:{}:{} {}{}:{} {}{}{}\n", colour.bold, file.path(), place.line, place.column, colour.reset,
+                     colour.level, kind, colour.reset, colour.bold, message, colour.reset);
+}
+
+} // namespace
+
+std::string render(const Diagnostic& diagnostic, const Sources& sources, const RenderOptions& options) {
+  if (diagnostic.span.file.value >= sources.size()) // there is no text to show
+    return fmt::format("{}: {} [{}]\n", name_of(diagnostic.level), diagnostic.message, diagnostic.id);
+  const Palette colour = palette(options.colours, colour_of(diagnostic.level));
+  const SourceFile& file = sources[diagnostic.span.file];
+  std::string out = headline(file, diagnostic.span, name_of(diagnostic.level),
+                             fmt::format("{} [{}]", diagnostic.message, diagnostic.id), colour);
+  if (!file.text().empty()) out += snippet(file, diagnostic.span, options, colour);
+  for (const Note& note : diagnostic.notes) {
+    if (note.span.file.value >= sources.size()) continue;
+    const Palette note_palette = palette(options.colours, note_colour);
+    out += headline(sources[note.span.file], note.span, "note", note.message, note_palette);
+    out += snippet(sources[note.span.file], note.span, options, note_palette);
+  }
+  if (!diagnostic.help.empty()) out += fmt::format("  {}help:{} {}\n", colour.bold, colour.reset, diagnostic.help);
+  return out;
+}
+
+std::string render(const std::vector<Diagnostic>& diagnostics, const Sources& sources, const RenderOptions& options) {
+  std::string out;
+  std::array<std::size_t, 3> counts{};
+  for (const Diagnostic& diagnostic : diagnostics) {
+    out += render(diagnostic, sources, options);
+    ++counts[static_cast<std::size_t>(diagnostic.level)];
+  }
+  std::string summary;
+  for (const Level level : {Level::error, Level::warning, Level::lint}) {
+    const std::size_t count = counts[static_cast<std::size_t>(level)];
+    if (count == 0) continue;
+    summary += fmt::format("{}{} {}{}", summary.empty() ? "" : ", ", count, name_of(level), count == 1 ? "" : "s");
+  }
+  return summary.empty() ? out : out + summary + "\n";
+}
+
+} // namespace director::dsl

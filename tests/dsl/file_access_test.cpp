@@ -1,0 +1,72 @@
+// Tests dsl/file_access.hpp.
+#include "dsl/file_access.hpp"
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace director::dsl;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of its own that goes away with the test.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("director_file_access_" + std::to_string(getpid()));
+  Folder() { fs::create_directories(path / "inner"); }
+  ~Folder() { fs::remove_all(path); }
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+    return (path / name).string();
+  }
+};
+
+} // namespace
+
+TEST_CASE("A file on the disk is read byte by byte") {
+  const Folder folder;
+  const std::string text("a: \0\r\n\xFF", 7);
+  DiskFiles files;
+  const auto read = files.read(folder.file("a.yaml", text), 7);
+  REQUIRE(read);
+  CHECK(read.value() == text);
+}
+
+TEST_CASE("What cannot be read says why") {
+  const Folder folder;
+  DiskFiles files;
+  const auto missing = files.read((folder.path / "none.yaml").string(), 100);
+  REQUIRE_FALSE(missing);
+  CHECK(missing.error().kind == FileError::Kind::not_found);
+  CHECK(missing.error().message == "No such file or directory");
+  const auto directory = files.read(folder.path.string(), 100);
+  REQUIRE_FALSE(directory);
+  CHECK(directory.error().kind == FileError::Kind::not_readable);
+  CHECK(directory.error().message == "Is a directory");
+  const auto large = files.read(folder.file("large.yaml", std::string(100, 'x')), 99);
+  REQUIRE_FALSE(large);
+  CHECK(large.error().kind == FileError::Kind::too_large);
+  CHECK_FALSE(files.read("/dev/zero", 1 << 20)); // without an end
+}
+
+TEST_CASE("One file has one identity, however its path is written") {
+  const Folder folder;
+  const std::string path = folder.file("a.yaml", "");
+  fs::create_symlink(path, folder.path / "link.yaml");
+  DiskFiles files;
+  CHECK(files.identity((folder.path / "inner/../a.yaml").string()) == files.identity(path));
+  CHECK(files.identity((folder.path / "link.yaml").string()) == files.identity(path));
+  CHECK(files.identity((folder.path / "inner/../none.yaml").string()) ==
+        files.identity((folder.path / "none.yaml").string()));
+}
+
+TEST_CASE("Files in memory behave like those on the disk") {
+  MemoryFiles files({{"dir/a.yaml", "text"}});
+  REQUIRE(files.read("dir/../dir/./a.yaml", 4));
+  CHECK(files.read("dir/../dir/./a.yaml", 4).value() == "text");
+  CHECK(files.read("dir/a.yaml", 3).error().kind == FileError::Kind::too_large);
+  CHECK(files.read("a.yaml", 4).error().kind == FileError::Kind::not_found);
+  CHECK(files.identity("dir/../a.yaml") == files.identity("a.yaml"));
+}

@@ -1,0 +1,156 @@
+// Tests dsl/render.hpp.
+#include "dsl/render.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace director::dsl;
+
+namespace {
+
+struct Shown {
+  Sources sources;
+  FileId file;
+  explicit Shown(std::string text) : file(sources.add("walk.yaml", std::move(text))) {}
+
+  Span span(std::string_view part) const {
+    const auto begin = static_cast<std::uint32_t>(sources[file].text().find(part));
+    return {file, begin, static_cast<std::uint32_t>(begin + part.size())};
+  }
+  Diagnostic error(std::string_view part) const {
+    return {"unknown_key", Level::error, span(part), "no such key", {}, ""};
+  }
+};
+
+} // namespace
+
+TEST_CASE("A finding shows its line with marks, its other parties and its help") {
+  const Shown shown("groups:\n  Walk: {}\n  Walk: {needs: [Legs]}\n");
+  Diagnostic finding{"duplicate_key",
+                     Level::warning,
+                     {shown.file, 20, 24},
+                     "the key stands here twice",
+                     {{shown.span("Walk"), "the first one is here"}},
+                     "call one of them otherwise"};
+  CHECK(render(finding, shown.sources) == R"(walk.yaml:3:2: warning: the key stands here twice [duplicate_key]
+    3 |   Walk: {needs: [Legs]}
+      |  ^~~~
+walk.yaml:2:3: note: the first one is here
+    2 |   Walk: {}
+      |   ^~~~
+  help: call one of them otherwise
+)");
+}
+
+TEST_CASE("A place between two bytes, and one at the end of the text, have one mark") {
+  const Shown shown("when: [Phase]\nx");
+  Diagnostic finding = shown.error("]");
+  finding.span.end = finding.span.begin;
+  CHECK(render(finding, shown.sources) == R"(walk.yaml:1:13: error: no such key [unknown_key]
+    1 | when: [Phase]
+      |             ^
+)");
+  finding.span = {shown.file, 15, 15};
+  CHECK(render(finding, shown.sources) == R"(walk.yaml:2:2: error: no such key [unknown_key]
+    2 | x
+      |  ^
+)");
+}
+
+TEST_CASE("Marks stand below what they mean in lines with tabs and letters of several bytes") {
+  const Shown shown("\tä: \"grün\"\t# wert\n");
+  CHECK(render(shown.error("\"grün\""), shown.sources) == "walk.yaml:1:6: error: no such key [unknown_key]\n"
+                                                          "    1 |     ä: \"grün\"   # wert\n"
+                                                          "      |        ^~~~~~\n");
+  CHECK(render(shown.error("wert"), shown.sources) == "walk.yaml:1:16: error: no such key [unknown_key]\n"
+                                                      "    1 |     ä: \"grün\"   # wert\n"
+                                                      "      |                   ^~~~\n");
+}
+
+TEST_CASE("A span of several lines shows the first and the last") {
+  const Shown two("a:\n  b: 1\n"), many("a:\n  b: 1\n  c: 2\n  d: 3\n");
+  CHECK(render(two.error("a:\n  b: 1"), two.sources) == R"(walk.yaml:1:1: error: no such key [unknown_key]
+    1 | a:
+      | ^~
+    2 |   b: 1
+      |   ~~~~
+)");
+  CHECK(render(many.error("a:\n  b: 1\n  c: 2\n  d: 3"), many.sources) ==
+        R"(walk.yaml:1:1: error: no such key [unknown_key]
+    1 | a:
+      | ^~
+  ... |
+    4 |   d: 3
+      |   ~~~~
+)");
+  CHECK(render(two.error("a:\n"), two.sources) == R"(walk.yaml:1:1: error: no such key [unknown_key]
+    1 | a:
+      | ^~
+)");
+}
+
+TEST_CASE("A long line is cut around the place") {
+  const std::string word(30, 'x');
+  const Shown shown("tasks: [" + word + ", here, " + word + "]\n");
+  RenderOptions narrow;
+  narrow.width = 24;
+  CHECK(render(shown.error("here"), shown.sources, narrow) == R"(walk.yaml:1:41: error: no such key [unknown_key]
+    1 | …xxxxxx, here, xxxxxxxxx…
+      |          ^~~~
+)");
+  CHECK(render(shown.error("tasks"), shown.sources, narrow) == R"(walk.yaml:1:1: error: no such key [unknown_key]
+    1 | tasks: [xxxxxxxxxxxxxxxx…
+      | ^~~~~
+)");
+  const Shown umlauts("k: " + std::string("äöüäöüäöüäöüäöüäöüäöüäöüäöü") + " here");
+  CHECK(render(umlauts.error("here"), umlauts.sources, narrow) == R"(walk.yaml:1:59: error: no such key [unknown_key]
+    1 | …üäöü here
+      |       ^~~~
+)");
+}
+
+TEST_CASE("Control bytes do not reach the terminal") {
+  const Shown shown("a: \033[31mred\n");
+  CHECK(render(shown.error("\033"), shown.sources) == R"(walk.yaml:1:4: error: no such key [unknown_key]
+    1 | a: ?[31mred
+      |    ^
+)");
+}
+
+TEST_CASE("A text that could not be read shows no line") {
+  Shown shown("");
+  CHECK(render({"import_not_found", Level::error, {shown.file, 0, 0}, "cannot read `walk.yaml`", {}, ""},
+               shown.sources) == "walk.yaml:1:1: error: cannot read `walk.yaml` [import_not_found]\n");
+}
+
+TEST_CASE("Several findings end in their numbers") {
+  const Shown shown("a: b\n");
+  Diagnostic warning = shown.error("b"), lint = shown.error("b");
+  warning.level = Level::warning;
+  lint.level = Level::lint;
+  CHECK(render(std::vector{shown.error("a"), shown.error("b"), warning, lint}, shown.sources) ==
+        R"(walk.yaml:1:1: error: no such key [unknown_key]
+    1 | a: b
+      | ^
+walk.yaml:1:4: error: no such key [unknown_key]
+    1 | a: b
+      |    ^
+walk.yaml:1:4: warning: no such key [unknown_key]
+    1 | a: b
+      |    ^
+walk.yaml:1:4: lint: no such key [unknown_key]
+    1 | a: b
+      |    ^
+2 errors, 1 warning, 1 lint
+)");
+  CHECK(render(std::vector<Diagnostic>{}, shown.sources) == "");
+}
+
+TEST_CASE("Colours go around the place, the level, the message and the marks") {
+  const Shown shown("a: b\n");
+  RenderOptions coloured;
+  coloured.colours = true;
+  CHECK(render(shown.error("b"), shown.sources, coloured) ==
+        "\033[1mwalk.yaml:1:4:\033[0m \033[1;31merror:\033[0m \033[1mno such key [unknown_key]\033[0m\n"
+        "    1 | a: b\n"
+        "      |    \033[1;32m^\033[0m\n");
+}
