@@ -36,10 +36,6 @@ std::string DiskFiles::identity(const std::string& path) {
   return failed ? std::filesystem::path(path).lexically_normal().string() : canonical.string();
 }
 
-MemoryFiles::MemoryFiles(std::map<std::string, std::string> files) {
-  for (auto& [path, text] : files) add(path, std::move(text));
-}
-
 void MemoryFiles::add(const std::string& path, std::string text) { files_[identity(path)] = std::move(text); }
 
 Result<std::string, FileError> MemoryFiles::read(const std::string& path, std::size_t most) {

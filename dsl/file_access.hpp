@@ -35,8 +35,6 @@ public:
 /// path -> text.
 class MemoryFiles final : public FileAccess {
 public:
-  MemoryFiles() = default;
-  explicit MemoryFiles(std::map<std::string, std::string> files);
   void add(const std::string& path, std::string text);
   Result<std::string, FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override;

@@ -63,7 +63,8 @@ TEST_CASE("One file has one identity, however its path is written") {
 }
 
 TEST_CASE("Files in memory behave like those on the disk") {
-  MemoryFiles files({{"dir/a.yaml", "text"}});
+  MemoryFiles files;
+  files.add("dir/a.yaml", "text");
   REQUIRE(files.read("dir/../dir/./a.yaml", 4));
   CHECK(files.read("dir/../dir/./a.yaml", 4).value() == "text");
   CHECK(files.read("dir/a.yaml", 3).error().kind == FileError::Kind::too_large);
