@@ -1,0 +1,59 @@
+// Door: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
+//
+// Only conditions that somebody waits for have rows: those in `when` and `stay`, and promises with a time limit. Who
+// causes them is found per state, so that the cost is that of the pairs which could fit.
+
+#include "compiler/lower/steps.hpp"
+
+#include <set>
+
+namespace director::compiler {
+
+namespace {
+
+void number_conditions(const Model& model, Lowered& out) {
+  std::set<ConditionId> asked_for;
+  for (const Provider& provider : model.providers) {
+    for (const ConditionUse& use : provider.when) asked_for.insert(use.id);
+    for (const ConditionUse& use : provider.stay) asked_for.insert(use.id);
+    for (const ConditionUse& use : provider.causing) {
+      if (use.within) asked_for.insert(use.id);
+    }
+  }
+  out.condition_ids.assign(asked_for.begin(), asked_for.end());
+}
+
+Range add_intervals(const ValueSet& accepts, Lowered& out) {
+  const auto begin = static_cast<Index>(out.intervals.size());
+  for (const ValueSet::Interval& interval : accepts.intervals()) {
+    out.intervals.push_back({static_cast<std::int32_t>(interval.low), static_cast<std::int32_t>(interval.high)});
+  }
+  return {begin, static_cast<Index>(out.intervals.size())};
+}
+
+} // namespace
+
+void lower_conditions(const Model& model, Lowered& out) {
+  number_conditions(model, out);
+  IdTable<StateId, std::vector<ProviderId>> causers_of(model.states.size());
+  for (const ProviderId provider : model.providers.ids()) {
+    for (const ConditionUse& promise : model.providers[provider].causing) {
+      std::vector<ProviderId>& causers = causers_of[model.conditions[promise.id].state];
+      if (causers.empty() || causers.back() != provider) causers.push_back(provider);
+    }
+  }
+  for (const ConditionId id : out.condition_ids) {
+    const Condition& condition = model.conditions[id];
+    std::vector<Index> causers;
+    for (const ProviderId provider : causers_of[condition.state]) {
+      if (model.causes(provider, id)) causers.push_back(row(provider));
+    }
+    director::Condition lowered;
+    lowered.state = row(condition.state);
+    lowered.accepts = add_intervals(condition.accepts, out);
+    lowered.causers = add_list(out, causers);
+    out.conditions.push_back(lowered);
+  }
+}
+
+} // namespace director::compiler

@@ -1,0 +1,82 @@
+// Door: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
+//
+// The static priority table: numbers that stand for priorities, dense for each requester, so that the engine compares
+// small places and nobody asks how far two priorities lie apart.
+
+#include "compiler/lower/steps.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace director::compiler {
+
+namespace {
+
+/// An edge that holds without a request counts with the priority of its first level.
+std::int32_t need_priority(const Edge& edge) { return edge.levels.empty() ? 0 : edge.levels.front().priority; }
+
+/// Mandatory before optional, then the higher priority.
+std::pair<bool, std::int64_t> strength(const Level& level) { return {level.optional, -std::int64_t{level.priority}}; }
+
+template <class Key>
+class Places {
+public:
+  void add(Key key) { keys_.push_back(key); }
+  void sort() {
+    std::sort(keys_.begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+  }
+  Index of(const Key& key) const {
+    return static_cast<Index>(std::lower_bound(keys_.begin(), keys_.end(), key) - keys_.begin());
+  }
+
+private:
+  std::vector<Key> keys_;
+};
+
+/// The edges of one requester, which have consecutive ids.
+void lower_siblings(const Model& model, std::span<const EdgeId> siblings, Lowered& out) {
+  Places<std::pair<bool, std::int64_t>> ranks;
+  Places<std::int64_t> urgencies;
+  for (const EdgeId id : siblings) {
+    const Edge& edge = model.edges[id];
+    urgencies.add(-std::int64_t{need_priority(edge)});
+    for (const Level& level : edge.levels) {
+      ranks.add(strength(level));
+      urgencies.add(-std::int64_t{level.priority});
+    }
+  }
+  ranks.sort();
+  urgencies.sort();
+  for (const EdgeId id : siblings) {
+    const Edge& edge = model.edges[id];
+    director::Edge lowered;
+    if (edge.requester) lowered.requester = row(*edge.requester);
+    lowered.target = row(edge.target);
+    lowered.need_urgency = urgencies.of(-std::int64_t{need_priority(edge)});
+    lowered.levels.begin = static_cast<Index>(out.levels.size());
+    for (const Level& level : edge.levels) {
+      out.levels.push_back({level.priority, ranks.of(strength(level)), urgencies.of(-std::int64_t{level.priority}),
+                            level.optional, level.apart});
+    }
+    lowered.levels.end = static_cast<Index>(out.levels.size());
+    out.edges.push_back(lowered);
+  }
+}
+
+} // namespace
+
+void lower_edges(const Model& model, Lowered& out) {
+  std::vector<EdgeId> of_root;
+  for (const EdgeId id : model.edges.ids()) {
+    if (!model.edges[id].requester) of_root.push_back(id);
+  }
+  lower_siblings(model, of_root, out);
+  out.root_edges = static_cast<Index>(of_root.size());
+  for (const Group& group : model.groups) {
+    lower_siblings(model, group.edges, out);
+    out.most_edges = std::max(out.most_edges, static_cast<Index>(group.edges.size()));
+  }
+}
+
+} // namespace director::compiler

@@ -1,0 +1,38 @@
+#pragma once
+// The tables of runtime/core/tables.hpp as values that own their rows, and what leads from a row back to the Model.
+// Rows of groups, providers, edges, states and triggers have the numbers that the Model's ids have.
+
+#include "compiler/model/ids.hpp"
+#include "runtime/core/tables.hpp"
+
+#include <vector>
+
+namespace director::compiler {
+
+struct Lowered {
+  std::vector<director::Group> groups;
+  std::vector<director::Provider> providers;
+  std::vector<director::Edge> edges;
+  std::vector<director::Level> levels; ///< edge after edge, in the order of Edge::levels in the Model
+  std::vector<director::Condition> conditions;
+  std::vector<director::Interval> intervals;
+  std::vector<director::StateVariable> states;
+  std::vector<director::Trigger> triggers;
+  std::vector<director::Promise> promises;
+  std::vector<Index> lists;
+  std::vector<Index> causing_providers;
+  std::vector<Index> plan_groups;
+  std::vector<Index> listened;
+  Index root_edges = 0;
+  Index most_edges = 0;
+
+  std::vector<ConditionId> condition_ids; ///< row of `conditions` -> what it is in the Model; ascending
+  /// Providers with so many plans that their aims hold the conditions of all that they need, also of what no plan
+  /// picks.
+  std::vector<ProviderId> wide_aims;
+
+  /// Reads the vectors above: valid for as long as this object lives and is not assigned to.
+  Tables view() const;
+};
+
+} // namespace director::compiler

@@ -1,0 +1,26 @@
+#pragma once
+// What a group or provider may need, over the Model. Source: semantics.md, section 1 (need plans).
+
+#include "compiler/model/model.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace director::compiler {
+
+/// All groups that the group's providers need, and those that these need, and so on; ascending, never the group itself.
+std::vector<GroupId> needed_by(const Model& model, GroupId group);
+
+/// Enough for what people write: a provider with eight needs of three alternatives each has 6,561 plans, and most are
+/// answered by the first few of them.
+inline constexpr std::size_t most_plan_steps = 10'000;
+
+struct PlanProviders {
+  std::vector<ProviderId> providers; ///< ascending, without the one that the plans are for
+  bool exact = true; ///< false: the search ended at its bound, and these are all that could be in a plan
+};
+
+/// The providers that occur in at least one valid plan of this one.
+PlanProviders providers_in_plans(const Model& model, ProviderId provider, std::size_t most_steps = most_plan_steps);
+
+} // namespace director::compiler

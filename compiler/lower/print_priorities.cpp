@@ -1,0 +1,104 @@
+// Door: compiler/lower/print_tables.hpp. Test: tests/compiler/lower/print_tables_test.cpp.
+#include "compiler/lower/contention.hpp"
+#include "compiler/lower/print_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace director::compiler {
+
+namespace {
+
+/// A level of one edge as it stands in its requester's ranking.
+struct Ranked {
+  EdgeId edge{};
+  Level level;
+};
+
+bool goes_before(const Ranked& a, const Ranked& b) {
+  if (a.level.optional != b.level.optional) return b.level.optional;
+  return a.level.priority > b.level.priority;
+}
+
+class Printer {
+public:
+  explicit Printer(const Model& model) : model_(model) {}
+
+  std::string print() {
+    out_ += "priorities\n";
+    std::vector<EdgeId> of_root;
+    for (const EdgeId id : model_.edges.ids()) {
+      if (!model_.edges[id].requester) of_root.push_back(id);
+    }
+    print_requester("root", of_root);
+    for (const Group& group : model_.groups) print_requester(group.name.value, group.edges);
+    out_ += "\ncontended groups\n";
+    for (const GroupId id : model_.groups.ids()) print_contended(id);
+    return out_;
+  }
+
+private:
+  const std::string& name(GroupId id) const { return model_.groups[id].name.value; }
+
+  void print_requester(std::string_view requester, const std::vector<EdgeId>& edges) {
+    std::vector<Ranked> ranked;
+    std::string needed;
+    for (const EdgeId id : edges) {
+      for (const Level& level : model_.edges[id].levels) ranked.push_back({id, level});
+      if (model_.edges[id].levels.empty()) needed += (needed.empty() ? "" : ", ") + name(model_.edges[id].target);
+    }
+    if (edges.empty()) return;
+    std::stable_sort(ranked.begin(), ranked.end(), goes_before);
+    fmt::format_to(std::back_inserter(out_), "  {}\n", requester);
+    int rank = 0;
+    for (std::size_t i = 0; i < ranked.size(); ++i) {
+      const Level& level = ranked[i].level;
+      if (i > 0 && goes_before(ranked[i - 1], ranked[i])) ++rank;
+      fmt::format_to(std::back_inserter(out_), "    {:>2}  {}, priority {}{}{}\n", rank,
+                     name(model_.edges[ranked[i].edge].target), level.priority, level.optional ? ", optional" : "",
+                     level.apart ? ", apart" : "");
+    }
+    if (!needed.empty()) fmt::format_to(std::back_inserter(out_), "        only needs {}\n", needed);
+  }
+
+  void print_contended(GroupId id) {
+    if (model_.groups[id].requesters.size() < 2) return;
+    fmt::format_to(std::back_inserter(out_), "  {}\n", name(id));
+    bool complete = true;
+    for (const Contention& contention : contentions(model_, id)) {
+      complete = complete && contention.complete;
+      fmt::format_to(std::back_inserter(out_), "    {} and {}{}\n", model_.edge_name(contention.first),
+                     model_.edge_name(contention.second),
+                     contention.decisions.empty() && contention.complete ? ": never both" : "");
+      for (const Decision& decision : contention.decisions) print_decision(contention, decision);
+    }
+    if (!complete) {
+      fmt::format_to(std::back_inserter(out_), "    cut after {} pairs of chains: there may be more\n",
+                     most_chain_pairs);
+    }
+  }
+
+  void print_decision(const Contention& contention, const Decision& decision) {
+    const int order = order_of(decision);
+    const std::string verdict =
+        order == 0 ? "equal" : model_.edge_name(order < 0 ? contention.first : contention.second) + " first";
+    fmt::format_to(
+        std::back_inserter(out_), "      at {}: {}, {}: {}\n", decision.requester ? name(*decision.requester) : "root",
+        standing(decision.first_sibling, decision.first), standing(decision.second_sibling, decision.second), verdict);
+  }
+
+  std::string standing(EdgeId sibling, const Standing& way) const {
+    return fmt::format("{} {}{}", name(model_.edges[sibling].target), way.priority, way.optional ? " optional" : "");
+  }
+
+  const Model& model_;
+  std::string out_;
+};
+
+} // namespace
+
+std::string print_priorities(const Model& model) { return Printer(model).print(); }
+
+} // namespace director::compiler
