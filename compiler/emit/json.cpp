@@ -1,0 +1,82 @@
+// Door: compiler/emit/json.hpp. Test: tests/compiler/emit/json_test.cpp.
+#include "compiler/emit/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace director::compiler {
+
+struct JsonAccess {
+  static nlohmann::ordered_json convert(const Json& json) {
+    switch (json.kind_) {
+    case Json::Kind::null: return nullptr;
+    case Json::Kind::boolean: return json.number_ != 0;
+    case Json::Kind::number: return json.number_;
+    case Json::Kind::text: return json.text_;
+    case Json::Kind::list: {
+      nlohmann::ordered_json out = nlohmann::ordered_json::array();
+      for (const Json& item : json.items_) out.push_back(convert(item));
+      return out;
+    }
+    case Json::Kind::object: break;
+    }
+    nlohmann::ordered_json out = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < json.keys_.size(); ++i) out[json.keys_[i]] = convert(json.items_[i]);
+    return out;
+  }
+
+  static std::string dump(const Json& json, int indent) {
+    return convert(json).dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  }
+};
+
+Json Json::boolean(bool value) {
+  Json json;
+  json.kind_ = Kind::boolean;
+  json.number_ = value ? 1 : 0;
+  return json;
+}
+
+Json Json::number(std::int64_t value) {
+  Json json;
+  json.kind_ = Kind::number;
+  json.number_ = value;
+  return json;
+}
+
+Json Json::text(std::string_view value) {
+  Json json;
+  json.kind_ = Kind::text;
+  json.text_ = value;
+  return json;
+}
+
+Json Json::list(std::vector<Json> items) {
+  Json json;
+  json.kind_ = Kind::list;
+  json.items_ = std::move(items);
+  return json;
+}
+
+Json Json::object(Members members) {
+  Json json;
+  json.kind_ = Kind::object;
+  for (auto& [key, value] : members) json.add(key, std::move(value));
+  return json;
+}
+
+Json& Json::add(std::string_view key, Json value) & {
+  keys_.emplace_back(key);
+  items_.push_back(std::move(value));
+  return *this;
+}
+
+Json& Json::add(Json item) & {
+  items_.push_back(std::move(item));
+  return *this;
+}
+
+std::string to_line(const Json& json) { return JsonAccess::dump(json, -1); }
+
+std::string to_lines(const Json& json) { return JsonAccess::dump(json, 2) + "\n"; }
+
+} // namespace director::compiler
