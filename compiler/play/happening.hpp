@@ -1,0 +1,47 @@
+#pragma once
+// What happens in a scenario, as values that need no Model to be printed. Source: the language page, its second half.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+struct Happening {
+  enum class Kind {
+    input, ///< `words`: what the step says
+    run,
+    start,
+    stop,
+    done,
+    failed,
+    broken,
+    budget_exhausted,
+    // Decisions: only where they are asked for.
+    queue, ///< from, group, `words`: why
+    push,  ///< group, provider, from, `words`: the group for which it is pushed
+    release,
+    set, ///< state, value
+  };
+  Kind kind = Kind::input;
+  std::uint32_t step = 1; ///< counts from 1
+  std::string group;
+  std::string provider;             ///< also where it is called `default`
+  std::vector<std::string> reasons; ///< of a run, in the order of the page
+  std::string from;                 ///< the requester, or `root`
+  std::string words;
+  std::string state;
+  std::optional<std::string> value; ///< nothing: the state has none any more
+  bool is_number = false;           ///< the value is one
+
+  bool operator==(const Happening&) const = default;
+};
+
+/// One line, as `expect` has it; an input behind `> `.
+std::string to_text(const Happening& happening);
+
+/// One JSON object on one line.
+std::string to_json(const Happening& happening);
+
+} // namespace director::compiler

@@ -1,0 +1,20 @@
+#pragma once
+// The difference of two lists of lines, as a unified diff: what their longest common subsequence leaves out. By the
+// plain table of all pairs, because a step has few lines.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+inline constexpr std::size_t diff_context = 3; ///< equal lines shown around a difference
+inline constexpr std::size_t most_diff_cells =
+    4'000'000; ///< of the table; beyond it all between the equal ends differs
+
+/// "--- expected", "+++ happened", then hunks; nothing where they are equal. At most `most_lines` of them, and then how
+/// many more there are.
+std::vector<std::string> unified_diff(const std::vector<std::string>& expected,
+                                      const std::vector<std::string>& happened, std::size_t most_lines = 200);
+
+} // namespace director::compiler

@@ -1,0 +1,134 @@
+// Door: compiler/play/names.hpp. Test: tests/compiler/play/resolve_scenario_test.cpp.
+#include "compiler/play/names.hpp"
+
+#include "dsl/suggest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace director::compiler {
+
+using dsl::Diagnostic;
+
+Diagnostic& Names::error(std::string_view id, Span span, std::string message) {
+  findings_.push_back({std::string(id), dsl::Level::error, span, std::move(message), {}, {}});
+  return findings_.back();
+}
+
+Diagnostic& Names::undefined(Span span, std::string message, std::string_view name,
+                             const std::vector<std::string>& known) {
+  Diagnostic& finding = error("undefined_name", span, std::move(message));
+  if (const auto nearest = dsl::suggest(name, known)) finding.help = fmt::format("did you mean `{}`?", *nearest);
+  return finding;
+}
+
+std::optional<GroupId> Names::group(const Word& name) {
+  if (const auto found = model.find_group(name.value)) return found;
+  std::vector<std::string> known;
+  for (const Group& each : model.groups) known.push_back(each.name.value);
+  undefined(name.span, fmt::format("there is no group called `{}`", name.value), name.value, known);
+  return std::nullopt;
+}
+
+std::optional<StateId> Names::state(const Word& name) {
+  if (const auto found = model.find_state(name.value)) return found;
+  std::vector<std::string> known;
+  for (const State& each : model.states) known.push_back(each.name.value);
+  undefined(name.span, fmt::format("there is no state called `{}`", name.value), name.value, known);
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> Names::value(StateId id, const Word& value) {
+  const State& of = model.states[id];
+  const std::string& text = value.value;
+  if (of.is_range) {
+    std::int64_t number = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (fault == std::errc() && end == text.data() + text.size() && of.domain().contains(number)) return number;
+    error("value_outside_domain", value.span,
+          fmt::format("`{}` is no value of the state `{}`: its values are the whole numbers from {} to {}", text,
+                      of.name.value, of.low, of.high));
+    return std::nullopt;
+  }
+  const auto at = std::find(of.values.begin(), of.values.end(), text);
+  if (at != of.values.end()) return at - of.values.begin();
+  Diagnostic& finding = error("value_outside_domain", value.span,
+                              fmt::format("`{}` is no value of the state `{}`: its values are {}", text, of.name.value,
+                                          fmt::join(of.values, ", ")));
+  if (const auto nearest = dsl::suggest(text, of.values)) finding.help = fmt::format("did you mean `{}`?", *nearest);
+  return std::nullopt;
+}
+
+std::optional<Setting> Names::setting(const dsl::SettingSpec& spec) {
+  const std::optional<StateId> id = state(spec.state);
+  if (!id) return std::nullopt;
+  const std::optional<std::int64_t> number = value(*id, spec.value);
+  if (!number) return std::nullopt;
+  return Setting{*id, *number};
+}
+
+std::optional<ProviderId> Names::provider(GroupId id, const Word& name) {
+  const Group& of = model.groups[id];
+  std::vector<std::string> known;
+  for (const ProviderId each : of.providers) {
+    if (model.providers[each].name == name.value) return each;
+    known.push_back(model.providers[each].name);
+  }
+  undefined(name.span, fmt::format("the group `{}` has no provider called `{}`", of.name.value, name.value), name.value,
+            known);
+  return std::nullopt;
+}
+
+std::optional<TriggerId> Names::trigger(const Word& name, bool declared) {
+  std::vector<std::string> known;
+  for (const TriggerId id : model.triggers.ids()) {
+    const Trigger& each = model.triggers[id];
+    if (declared && each.promise) continue;
+    if (each.name == name.value) return id;
+    known.push_back(each.name);
+  }
+  undefined(name.span, fmt::format("there is no trigger called `{}`", name.value), name.value, known);
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> Names::level(const Task& task, const std::optional<Word>& name) {
+  if (!name) return task.levels.front().level;
+  std::vector<std::string> known;
+  for (const Task::NamedLevel& each : task.levels) {
+    if (each.name == name->value) return each.level;
+    if (!each.name.empty()) known.push_back(each.name);
+  }
+  undefined(name->span,
+            fmt::format("the task `{}` has no level called `{}`", model.groups[task.target].name.value, name->value),
+            name->value, known)
+      .notes.push_back({task.span, known.empty() ? "it is declared here, without levels" : "it is declared here"});
+  return std::nullopt;
+}
+
+const Task* Names::task(const std::vector<Task>& tasks, std::string_view owner, const Word& name) {
+  const std::optional<GroupId> target = group(name);
+  if (!target) return nullptr;
+  std::vector<std::string> known;
+  for (const Task& each : tasks) {
+    if (each.target == *target) return &each;
+    known.push_back(model.groups[each.target].name.value);
+  }
+  undefined(name.span, fmt::format("{} no task called `{}`", owner, name.value), name.value, known);
+  return nullptr;
+}
+
+std::optional<Asked> Names::asked(const std::vector<Task>& tasks, std::string_view owner,
+                                  const dsl::RequestSpec& spec) {
+  const Task* found = task(tasks, owner, spec.group);
+  if (found == nullptr) return std::nullopt;
+  const std::optional<std::uint32_t> at = level(*found, spec.level);
+  if (!at) return std::nullopt;
+  Asked out{found->edge, *at, std::nullopt, spec.keep.value};
+  if (spec.data) out.data = spec.data->value;
+  return out;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,144 @@
+// Door: compiler/play/play.hpp. Test: tests/compiler/play/play_test.cpp.
+#include "compiler/play/play.hpp"
+
+#include "compiler/play/scripted_bodies.hpp"
+#include "runtime/core/engine.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace director::compiler {
+
+namespace {
+
+using Kind = dsl::InputSpec::Kind;
+
+std::size_t records_of(const ScenarioInput& input) {
+  return std::max({std::size_t{1}, input.requests.size(), input.set.size()});
+}
+
+/// As many cells as the fullest step needs.
+std::size_t inbox_size(const Scenario& scenario) {
+  std::size_t most = 2;
+  for (const ScenarioStep& step : scenario.steps) {
+    std::size_t records = 0;
+    for (const ScenarioInput& input : step.inputs) records += records_of(input);
+    most = std::max(most, records);
+  }
+  return std::bit_ceil(most);
+}
+
+class Player {
+public:
+  Player(const Scenario& scenario, const Model& model, const Lowered& lowered, const PlayOptions& options,
+         const Sink& sink)
+      : scenario_(scenario),
+        tables_(lowered.view()),
+        bodies_(scenario, tables_),
+        recorder_(model, lowered, options.decisions, sink),
+        cells_(inbox_size(scenario)),
+        inbox_(cells_),
+        memory_((director::State::bytes(Shape::of(tables_)) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)),
+        engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies_.table(), inbox_, recorder_.observer()) {
+    engine_.set_budget(play_budget);
+  }
+
+  Played play() {
+    for (const Setting& given : scenario_.given) {
+      engine_.preset(static_cast<Index>(given.state.value), static_cast<std::int32_t>(given.value));
+    }
+    run_engine(); // time begins: what expires counts from here
+    for (const ScenarioStep& step : scenario_.steps) {
+      recorder_.begin_step(++step_);
+      for (const std::string& shown : step.shown) recorder_.input(shown);
+      if (!(step.advance ? advance(*step.advance) : take(step.inputs))) break;
+    }
+    return {step_, exhausted_, bodies_.refused()};
+  }
+
+private:
+  /// False: the scenario ends here.
+  bool run_engine() {
+    switch (engine_.step(now_)) {
+    case StepResult::quiescent: return true;
+    case StepResult::budget_exhausted:
+      exhausted_ = true;
+      recorder_.budget_exhausted();
+      return false;
+    case StepResult::fault:
+    case StepResult::refused: break;
+    }
+    return false;
+  }
+
+  /// Each due time has a run of the engine to itself.
+  bool advance(Time by) {
+    const Time until = by > never - now_ ? never - 1 : now_ + by;
+    while (engine_.next_due() <= until) {
+      now_ = engine_.next_due();
+      if (!run_engine()) return false;
+    }
+    now_ = until;
+    return true;
+  }
+
+  bool take(const std::vector<ScenarioInput>& inputs) {
+    for (const ScenarioInput& input : inputs) inbox_.post(records(input));
+    return run_engine();
+  }
+
+  static Input record(Input::Kind kind, std::uint32_t thing) {
+    Input out;
+    out.kind = kind;
+    out.thing = static_cast<Index>(thing);
+    return out;
+  }
+
+  std::vector<Input> records(const ScenarioInput& input) {
+    std::vector<Input> out;
+    switch (input.kind) {
+    case Kind::request:
+      for (const Asked& asked : input.requests) {
+        Input request = record(Input::Kind::request, asked.edge.value);
+        request.level = static_cast<Index>(tables_.edges[request.thing].levels.begin + asked.level);
+        request.handle = bodies_.data().wait_for_input(asked.data);
+        out.push_back(request);
+      }
+      break;
+    case Kind::set:
+      for (const Setting& setting : input.set) {
+        Input set = record(Input::Kind::set, setting.state.value);
+        set.value = static_cast<std::int32_t>(setting.value);
+        out.push_back(set);
+      }
+      break;
+    case Kind::cancel: out.push_back(record(Input::Kind::cancel, input.root.value)); break;
+    case Kind::trigger: out.push_back(record(Input::Kind::fire, input.trigger.value)); break;
+    case Kind::enable: out.push_back(record(Input::Kind::enable, input.provider.value)); break;
+    case Kind::disable: out.push_back(record(Input::Kind::disable, input.provider.value)); break;
+    }
+    for (std::size_t i = 0; i + 1 < out.size(); ++i) out[i].more = true;
+    return out;
+  }
+
+  const Scenario& scenario_;
+  const Tables tables_;
+  ScriptedBodies bodies_;
+  Recorder recorder_;
+  std::vector<Inbox::Cell> cells_;
+  Inbox inbox_;
+  std::vector<std::uint64_t> memory_;
+  Engine engine_;
+  Time now_ = 0;
+  std::uint32_t step_ = 0;
+  bool exhausted_ = false;
+};
+
+} // namespace
+
+Played play(const Scenario& scenario, const Model& model, const Lowered& lowered, const PlayOptions& options,
+            const Sink& sink) {
+  return Player(scenario, model, lowered, options, sink).play();
+}
+
+} // namespace director::compiler

@@ -1,0 +1,30 @@
+#pragma once
+// Plays a scenario: the engine of a robot on lowered tables, with scripted bodies and listed inputs.
+
+#include "compiler/play/recorder.hpp"
+#include "compiler/play/scenario.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace director::compiler {
+
+struct PlayOptions {
+  bool decisions = false; ///< also queue, push, release, set and unset
+};
+
+/// Micro-steps each time the engine runs: inputs, or one due time.
+inline constexpr std::uint32_t play_budget = 10'000;
+
+/// How it ended, if not behind its last step.
+struct Played {
+  std::uint32_t last_step = 0; ///< the last one that was played; counts from 1
+  bool budget_exhausted = false;
+  std::optional<dsl::Diagnostic> refused; ///< what a body was to do and may not
+};
+
+/// `sink` gets everything in order: each step's inputs, then what happened.
+Played play(const Scenario& scenario, const Model& model, const Lowered& lowered, const PlayOptions& options,
+            const Sink& sink);
+
+} // namespace director::compiler

@@ -1,0 +1,115 @@
+// Door: compiler/play/recorder.hpp. Test: tests/compiler/play/play_test.cpp.
+#include "compiler/play/recorder.hpp"
+
+#include <array>
+
+namespace director::compiler {
+
+namespace {
+
+struct NamedReason {
+  Reason reason;
+  const char* name;
+};
+
+/// In the order in which a run lists them.
+constexpr std::array named_reasons{NamedReason{Reason::new_task, "new_task"}, NamedReason{Reason::pushed, "pushed"},
+                                   NamedReason{Reason::subtask_done, "subtask_done"}, NamedReason{Reason::wait, "wait"},
+                                   NamedReason{Reason::trigger, "trigger"}};
+
+} // namespace
+
+Observer Recorder::observer() {
+  return {[](void* self, const Event& event) { static_cast<Recorder*>(self)->tell(event); }, this};
+}
+
+Happening Recorder::happening(Happening::Kind kind) const {
+  Happening out;
+  out.kind = kind;
+  out.step = step_;
+  return out;
+}
+
+void Recorder::input(std::string words) {
+  Happening out = happening(Happening::Kind::input);
+  out.words = std::move(words);
+  sink_(out);
+}
+
+void Recorder::budget_exhausted() { sink_(happening(Happening::Kind::budget_exhausted)); }
+
+std::string Recorder::requester(Index edge) const {
+  const Index from = lowered_.edges[edge].requester;
+  return from == nil ? "root" : group(from);
+}
+
+std::string Recorder::why(const Event& event) const {
+  switch (event.why) {
+  case Why::waiting:
+    return event.condition == nil ? "waiting"
+                                  : "waiting for " + model_.conditions[lowered_.condition_ids[event.condition]].text;
+  case Why::blocked: return "blocked";
+  case Why::outdated: return "outdated";
+  case Why::deferred: return "deferred";
+  case Why::none: break;
+  }
+  return "none";
+}
+
+void Recorder::tell(const Event& event) {
+  using Kind = Happening::Kind;
+  Happening out = happening(Kind::run);
+  if (event.group != nil) out.group = group(event.group);
+  if (event.provider != nil) out.provider = model_.providers[ProviderId{event.provider}].name;
+  switch (event.kind) {
+  case Event::Kind::run:
+    for (const NamedReason& each : named_reasons) {
+      if (event.reasons.has(each.reason)) out.reasons.emplace_back(each.name);
+    }
+    break;
+  case Event::Kind::start: out.kind = Kind::start; break;
+  case Event::Kind::stop: out.kind = Kind::stop; break;
+  case Event::Kind::done: out.kind = Kind::done; break;
+  case Event::Kind::failed: out.kind = Kind::failed; break;
+  case Event::Kind::broken: out.kind = Kind::broken; break;
+  case Event::Kind::queue:
+  case Event::Kind::push:
+  case Event::Kind::release:
+  case Event::Kind::set:
+    if (!decisions_) return;
+    decide(event, out);
+    break;
+  case Event::Kind::input:
+  case Event::Kind::grant:
+  case Event::Kind::lose:
+  case Event::Kind::refused:
+  case Event::Kind::fault:
+  case Event::Kind::exhausted: return; // the page's format has no such event, or the player tells it itself
+  }
+  sink_(out);
+}
+
+void Recorder::decide(const Event& event, Happening& out) {
+  using Kind = Happening::Kind;
+  switch (event.kind) {
+  case Event::Kind::queue:
+    out.kind = Kind::queue;
+    out.from = requester(event.edge);
+    out.words = why(event);
+    return;
+  case Event::Kind::push:
+    out.kind = Kind::push;
+    out.from = requester(event.edge);
+    out.words = group(lowered_.edges[event.edge].target);
+    return;
+  case Event::Kind::release: out.kind = Kind::release; return;
+  default: break;
+  }
+  const State& state = model_.states[StateId{event.state}];
+  out.kind = Kind::set;
+  out.state = state.name.value;
+  out.is_number = state.is_range;
+  if (event.value != unset) out.value = state.value_text(event.value);
+}
+
+} // namespace director::compiler

@@ -1,0 +1,46 @@
+#pragma once
+// The engine's events as happenings of a scenario.
+
+#include "compiler/lower/lowered.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/play/happening.hpp"
+#include "runtime/core/observer.hpp"
+
+#include <functional>
+
+namespace director::compiler {
+
+using Sink = std::function<void(const Happening&)>;
+
+class Recorder {
+public:
+  /// All of them are only referred to. `decisions`: also why something is queued, pushed, released or set.
+  Recorder(const Model& model, const Lowered& lowered, bool decisions, const Sink& sink)
+      : model_(model),
+        lowered_(lowered),
+        decisions_(decisions),
+        sink_(sink) {}
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  Observer observer(); ///< for as long as this object lives
+  void begin_step(std::uint32_t step) { step_ = step; }
+  void input(std::string words);
+  void budget_exhausted();
+
+private:
+  void tell(const Event& event);
+  void decide(const Event& event, Happening& out);
+  const std::string& group(Index index) const { return model_.groups[GroupId{index}].name.value; }
+  std::string why(const Event& event) const;
+  std::string requester(Index edge) const;
+  Happening happening(Happening::Kind kind) const;
+
+  const Model& model_;
+  const Lowered& lowered_;
+  bool decisions_;
+  const Sink& sink_;
+  std::uint32_t step_ = 0;
+};
+
+} // namespace director::compiler

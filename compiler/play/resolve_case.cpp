@@ -1,0 +1,181 @@
+// Door: compiler/play/resolve_case.hpp. Test: tests/compiler/play/resolve_scenario_test.cpp.
+#include "compiler/play/resolve_case.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+std::vector<Asked> whole(const Pack& pack) {
+  std::vector<Asked> out;
+  for (const Task& task : pack.tasks) out.push_back({task.edge, task.levels.front().level, std::nullopt, false});
+  return out;
+}
+
+/// An edge asked for twice: the last one counts.
+void ask(std::vector<Asked>& asked, Asked entry) {
+  const auto same = std::find_if(asked.begin(), asked.end(), [&](const Asked& a) { return a.edge == entry.edge; });
+  if (same == asked.end()) {
+    asked.push_back(std::move(entry));
+  } else {
+    *same = std::move(entry);
+  }
+}
+
+const Pack* find_pack(const Provider& provider, const Word& name, Names& names) {
+  const std::string full = names.model.groups[provider.group].name.value + "." + provider.name;
+  if (!provider.has_packs) {
+    names.error("undefined_name", name.span, fmt::format("`{}` has no packs", full)).help =
+        "say what it requests with `tasks`";
+    return nullptr;
+  }
+  std::vector<std::string> known;
+  for (const Pack& pack : provider.packs) {
+    if (pack.name == name.value) return &pack;
+    known.push_back(pack.name);
+  }
+  names.undefined(name.span, fmt::format("`{}` has no pack called `{}`", full, name.value), name.value, known);
+  return nullptr;
+}
+
+/// What is in every pack of it stands in `packs`, so a bare list of tasks, or none at all, answers nothing.
+void pack_is_missing(const dsl::CaseSpec& spec, const Provider& provider, Names& names) {
+  std::vector<std::string> known;
+  for (const Pack& pack : provider.packs) known.push_back(pack.name);
+  const bool listed = spec.answer.value == dsl::Answer::tasks;
+  const std::string full = names.model.groups[provider.group].name.value + "." + provider.name;
+  names
+      .error("missing_key", listed ? spec.answer.span : spec.span,
+             fmt::format("`{}` has packs: {}", full,
+                         listed ? "a case names one of them, not tasks" : "a case that answers nothing names one"))
+      .help = fmt::format("`pack:` and one of {}", fmt::join(known, ", "));
+}
+
+void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case& out) {
+  const Provider& provider = names.model.providers[id];
+  const std::string owner = fmt::format("`{}` requests", names.model.full_name(id));
+  switch (spec.answer.value) {
+  case dsl::Answer::done: out.answer = Case::Answer::done; return;
+  case dsl::Answer::failed: out.answer = Case::Answer::failed; return;
+  case dsl::Answer::keep: out.answer = Case::Answer::keep; return;
+  case dsl::Answer::pack: {
+    if (!spec.pack) return;
+    const Pack* pack = find_pack(provider, *spec.pack, names);
+    if (pack == nullptr) return;
+    out.pack = whole(*pack);
+    const std::string in_pack = fmt::format("the pack `{}` has", pack->name);
+    for (const dsl::RequestSpec& entry : spec.tasks) {
+      if (auto asked = names.asked(pack->tasks, in_pack, entry)) ask(out.pack, std::move(*asked));
+    }
+    return;
+  }
+  case dsl::Answer::nothing:
+  case dsl::Answer::tasks: break;
+  }
+  if (provider.has_packs) return pack_is_missing(spec, provider, names);
+  static const std::vector<Task> none;
+  const std::vector<Task>& tasks = provider.packs.empty() ? none : provider.packs.front().tasks;
+  for (const dsl::RequestSpec& entry : spec.tasks) {
+    if (auto asked = names.asked(tasks, owner, entry)) ask(out.pack, std::move(*asked));
+  }
+}
+
+void resolve_uses(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case& out) {
+  const Model& model = names.model;
+  const Provider& provider = model.providers[id];
+  for (const dsl::UseGuardSpec& guard : spec.uses) {
+    const std::optional<GroupId> group = names.group(guard.group);
+    if (!group) continue;
+    std::vector<std::string> known;
+    for (const Use<GroupId>& use : provider.uses) known.push_back(model.groups[use.id].name.value);
+    if (std::find(known.begin(), known.end(), guard.group.value) == known.end()) {
+      names.undefined(
+          guard.group.span,
+          fmt::format("`{}` does not see `{}`: it is not in its `uses`", model.full_name(id), guard.group.value),
+          guard.group.value, known);
+      continue;
+    }
+    UseGuard resolved{std::nullopt, guard.state.value};
+    for (const EdgeId edge : model.groups[provider.group].edges) {
+      if (model.edges[edge].target == *group) resolved.edge = edge;
+    }
+    out.uses.push_back(resolved);
+  }
+}
+
+bool declares(const Model& model, const std::vector<ConditionUse>& uses, const Setting& setting) {
+  return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) {
+    const Condition& condition = model.conditions[use.id];
+    return condition.state == setting.state && condition.accepts.contains(setting.value);
+  });
+}
+
+void resolve_set(const dsl::CaseSpec& spec, const std::string& who, const std::vector<ConditionUse>& declared,
+                 Names& names, Case& out) {
+  for (const dsl::SettingSpec& each : spec.set) {
+    const std::optional<Setting> setting = names.setting(each);
+    if (!setting) continue;
+    out.set.push_back(*setting);
+    if (declares(names.model, declared, *setting)) continue;
+    std::vector<std::string> texts;
+    for (const ConditionUse& use : declared) texts.push_back(names.model.conditions[use.id].text);
+    names
+        .error("undeclared_state_write", each.value.span,
+               fmt::format("{} sets `{}` to `{}`, which it does not declare", who, each.state.value, each.value.value))
+        .help = texts.empty() ? "it declares nothing that it sets"
+                              : fmt::format("what it declares is `{}`", fmt::join(texts, "`, `"));
+  }
+}
+
+void resolve_guards(const dsl::CaseSpec& spec, Case& out) {
+  if (spec.data) out.data = spec.data->value;
+  if (spec.run) out.run = spec.run->value;
+}
+
+} // namespace
+
+Case resolve_case(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
+  const Provider& provider = names.model.providers[id];
+  Case out;
+  resolve_guards(spec, out);
+  if (spec.reason) out.reason = spec.reason->value;
+  if (spec.trigger) out.trigger = names.trigger(*spec.trigger, false);
+  resolve_uses(spec, id, names, out);
+  resolve_answer(spec, id, names, out);
+  std::vector<ConditionUse> declared = provider.causing;
+  declared.insert(declared.end(), provider.sets.begin(), provider.sets.end());
+  resolve_set(spec, fmt::format("`{}`", names.model.full_name(id)), declared, names, out);
+  if (spec.wait) out.wait = spec.wait->value.microseconds();
+  return out;
+}
+
+Case resolve_handler_case(const dsl::CaseSpec& spec, GroupId group, std::string_view which, const Handler& handler,
+                          Names& names) {
+  const std::string who = fmt::format("the {} handler of `{}`", which, names.model.groups[group].name.value);
+  const auto refuse = [&](std::string_view word, Span span) {
+    names.error("unknown_key", span, fmt::format("{} has no `{}`", who, word)).help =
+        "its cases have `data`, `run` and `set` only";
+  };
+  if (spec.reason) refuse("reason", spec.reason->span);
+  if (spec.trigger) refuse("trigger", spec.trigger->span);
+  for (const dsl::UseGuardSpec& guard : spec.uses) refuse("uses", guard.group.span);
+  if (spec.answer.value != dsl::Answer::nothing) refuse("answer", spec.answer.span);
+  if (spec.wait) refuse("wait", spec.wait->span);
+  Case out;
+  resolve_guards(spec, out);
+  resolve_set(spec, who, handler.sets, names, out);
+  return out;
+}
+
+Case unscripted(const Model& model, ProviderId id) {
+  Case out;
+  const Provider& provider = model.providers[id];
+  if (!provider.packs.empty()) out.pack = whole(provider.packs.front());
+  return out;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,39 @@
+#pragma once
+// Providers and handlers that behave as a scenario's script says: what stands where a robot has its C++.
+
+#include "compiler/lower/lowered.hpp"
+#include "compiler/play/data_slots.hpp"
+#include "compiler/play/scenario.hpp"
+#include "runtime/core/run.hpp"
+
+namespace director::compiler {
+
+class ScriptedBodies {
+public:
+  /// The scenario and the tables are only referred to.
+  ScriptedBodies(const Scenario& scenario, const Tables& tables);
+  ScriptedBodies(const ScriptedBodies&) = delete;
+  ScriptedBodies& operator=(const ScriptedBodies&) = delete;
+
+  Bodies table(); ///< of functions that call this object, for as long as it lives
+  DataSlots& data() { return data_; }
+  /// Why a body could not do what its script says. Its run was a fault, and the scenario ends there.
+  const std::optional<dsl::Diagnostic>& refused() const { return refused_; }
+
+private:
+  Outcome run(Run& run);
+  void handle(Handling& handling, const IdTable<GroupId, Body>& bodies, std::vector<std::int64_t>& counts);
+  bool holds(const Case& each, const Run& run, std::int64_t count) const;
+  bool holds(const UseGuard& guard, const Run& run) const;
+  bool has_data(const Case& each, DataPlace place) const;
+
+  const Scenario& scenario_;
+  const Tables& tables_;
+  DataSlots data_;
+  std::vector<std::int64_t> runs_, starts_, stops_; ///< of each provider and group, how many there were
+  std::optional<dsl::Diagnostic> refused_;
+  std::vector<Outcome (*)(void*, Run&)> run_table_;
+  std::vector<void (*)(void*, Handling&)> start_table_, stop_table_;
+};
+
+} // namespace director::compiler

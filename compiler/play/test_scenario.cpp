@@ -1,0 +1,48 @@
+// Door: compiler/play/test_scenario.hpp. Test: tests/compiler/play/test_scenario_test.cpp.
+#include "compiler/play/test_scenario.hpp"
+
+#include "compiler/play/line_diff.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace director::compiler {
+
+ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const Lowered& lowered) {
+  ScenarioResult result;
+  std::vector<std::vector<std::string>> happened(scenario.steps.size());
+  result.played = play(scenario, model, lowered, {}, [&](const Happening& happening) {
+    if (happening.kind != Happening::Kind::input) happened[happening.step - 1].push_back(to_text(happening));
+  });
+  const std::size_t last = result.played.last_step;
+  for (std::size_t i = 0; i < last; ++i) {
+    const ScenarioStep& step = scenario.steps[i];
+    if (i + 1 == last && result.played.refused) break; // it ended in the middle of this one
+    const bool exhausted = i + 1 == last && result.played.budget_exhausted;
+    if (!step.expect && !exhausted) continue;
+    std::vector<std::string> expected;
+    if (step.expect) {
+      for (const Word& line : step.expect->lines) expected.push_back(line.value);
+    }
+    if (!exhausted && expected == happened[i]) continue;
+    const Span span = step.expect ? step.expect->span : step.span;
+    result.mismatches.push_back(
+        {static_cast<std::uint32_t>(i + 1), exhausted, step.shown, span, std::move(expected), std::move(happened[i])});
+  }
+  return result;
+}
+
+std::string render(const ScenarioResult& result, const dsl::Sources& sources) {
+  std::string out;
+  for (const Mismatch& mismatch : result.mismatches) {
+    const dsl::SourceFile& file = sources[mismatch.span.file];
+    const dsl::Place place = file.place(mismatch.span.begin);
+    out += fmt::format("{}:{}:{}: step {}: {}\n", file.path(), place.line, place.column, mismatch.step,
+                       fmt::join(mismatch.shown, "; "));
+    if (mismatch.exhausted) out += fmt::format("    it did not come to rest within {} micro-steps\n", play_budget);
+    for (const std::string& line : unified_diff(mismatch.expected, mismatch.happened)) out += "    " + line + "\n";
+  }
+  return out;
+}
+
+} // namespace director::compiler

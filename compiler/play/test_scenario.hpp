@@ -1,0 +1,34 @@
+#pragma once
+// Does a scenario happen as it expects? What is compared are the lines of `expect`, step by step.
+
+#include "compiler/play/play.hpp"
+#include "dsl/source_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+/// A step that did not happen as expected.
+struct Mismatch {
+  std::uint32_t step = 1;         ///< counts from 1
+  bool exhausted = false;         ///< the budget ran out in it
+  std::vector<std::string> shown; ///< what the step says
+  Span span{};                    ///< of its `expect`, or of the step where it has none
+  std::vector<std::string> expected, happened;
+};
+
+struct ScenarioResult {
+  std::vector<Mismatch> mismatches;
+  Played played;
+  bool holds() const { return mismatches.empty() && !played.refused; }
+};
+
+/// Decisions are not compared.
+ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const Lowered& lowered);
+
+/// For each mismatch its place, its inputs and a diff; what a body may not do is left to who shows diagnostics. Empty
+/// where there is no mismatch.
+std::string render(const ScenarioResult& result, const dsl::Sources& sources);
+
+} // namespace director::compiler
