@@ -1,0 +1,16 @@
+#pragma once
+// Reads any YAML value as Data: the words of YAML 1.2's core schema, as far as the language has them.
+
+#include "dsl/data.hpp"
+#include "dsl/reader.hpp"
+#include "dsl/yaml_node.hpp"
+
+namespace director::dsl {
+
+/// What is null or broken becomes an empty text.
+Data data_of(const YamlNode& node);
+
+/// The same, where nulls are reported.
+Data read_data(Reader& reader, const YamlNode& node, std::string_view subject);
+
+} // namespace director::dsl
