@@ -34,7 +34,7 @@ public:
     }
     print_requester("root", of_root);
     for (const Group& group : model_.groups) print_requester(group.name.value, group.edges);
-    out_ += "\ncontended groups\n";
+    out_ += "\ncontended groups (where the chains to two edges part; optional: that edge or one below it)\n";
     for (const GroupId id : model_.groups.ids()) print_contended(id);
     return out_;
   }

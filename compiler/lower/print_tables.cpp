@@ -38,7 +38,7 @@ private:
 
   /// One word of a row, left out where it says nothing.
   void word(std::string_view name, const std::string& text) {
-    if (!text.empty()) line("      {:<9}{}", name, text);
+    if (!text.empty()) line("      {:<10}{}", name, text);
   }
 
   template <class Rows>
@@ -75,7 +75,7 @@ private:
   }
 
   void print_states() {
-    line("\nstates");
+    if (!tables_.states.empty()) line("\nstates");
     for (Index i = 0; i < tables_.states.size(); ++i) {
       const director::StateVariable& row = tables_.states[i];
       std::string text = value(i, row.initial);
@@ -87,7 +87,7 @@ private:
   }
 
   void print_conditions() {
-    line("\nconditions");
+    if (!tables_.conditions.empty()) line("\nconditions");
     for (Index i = 0; i < tables_.conditions.size(); ++i) {
       const director::Condition& row = tables_.conditions[i];
       line("  {:>3}  {}", i, condition(i));
@@ -102,7 +102,7 @@ private:
   }
 
   void print_triggers() {
-    line("\ntriggers");
+    if (!tables_.triggers.empty()) line("\ntriggers");
     for (Index i = 0; i < tables_.triggers.size(); ++i) {
       line("  {:>3}  {}", i, trigger(i));
       word("listeners",
@@ -144,7 +144,7 @@ private:
   }
 
   void print_promises() {
-    line("\npromises");
+    if (!tables_.promises.empty()) line("\npromises");
     for (Index i = 0; i < tables_.promises.size(); ++i) {
       const director::Promise& row = tables_.promises[i];
       line("  {:>3}  {}: {} within {}{}", i, provider(row.provider), condition(row.condition), time(row.within),
@@ -156,7 +156,8 @@ private:
     line("\nedges");
     for (Index i = 0; i < tables_.edges.size(); ++i) {
       const director::Edge& row = tables_.edges[i];
-      line("  {:>3}  {}, as a need urgency {}", i, edge(i), row.need_urgency);
+      line("  {:>3}  {}{}", i, edge(i),
+           model_.edges[EdgeId{i}].needed ? fmt::format(", as a need urgency {}", row.need_urgency) : "");
       for (Index at = row.levels.begin; at != row.levels.end; ++at) {
         const director::Level& level = tables_.levels[at];
         line("      level {}: priority {}, rank {}, urgency {}{}{}", at, level.priority, level.rank, level.urgency,
