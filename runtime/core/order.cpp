@@ -21,12 +21,13 @@ Index Pass::urgency(Index edge) const {
   return s_.request[edge] == nil ? t_.edges[edge].need_urgency : t_.levels[s_.request[edge]].urgency;
 }
 
-/// The edge that controls the requester of this one.
+/// The edge that controls the requester of this one. What is claimed goes first: a plan in hand may name a group that
+/// somebody has, even one above it, before it is found that it cannot be had.
 Index Pass::above(Place place) const {
   const Index group = requester(place.edge);
   if (group == nil) return nil;
   if (place.along == Along::last) return s_.last.holder[group];
-  return s_.trial[group] != nil ? s_.trial[group] : s_.now.holder[group];
+  return s_.now.holder[group] != nil ? s_.now.holder[group] : s_.trial[group];
 }
 
 Pass::Chain Pass::chain(Place place) const {
