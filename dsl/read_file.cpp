@@ -85,7 +85,9 @@ std::optional<AssertionSpec> read_assertion(Reader& reader, const YamlNode& node
   reader.know_keys(node, "an assertion", kinds);
   for (std::size_t i = 0; i < kinds.size(); ++i)
     for (std::size_t j = i + 1; j < kinds.size(); ++j) reader.exclude(node, kinds[i], kinds[j]);
-  if (node.pairs.empty()) reader.unexpected(node, "assertions", "one of never_together, beats, can_run, soft");
+  if (node.pairs.empty())
+    reader.error("wrong_node_kind", node.span,
+                 "`assertions`: expected one of never_together, beats, can_run, soft, found none");
   AssertionSpec out;
   out.span = node.span;
   for (std::size_t i = 0; i < kinds.size() && out.groups.empty(); ++i) {

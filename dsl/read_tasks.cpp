@@ -29,7 +29,9 @@ void read_flags(Reader& reader, const YamlNode& mapping, LevelSpec& level) {
 }
 
 bool names_a_level(Reader& reader, const YamlNode& mapping, std::string_view subject) {
-  if (mapping.pairs.empty()) reader.unexpected(mapping, subject, "at least one level");
+  if (mapping.pairs.empty())
+    reader.error("wrong_node_kind", mapping.span,
+                 fmt::format("`{}`: expected at least one level, found none", subject));
   return !mapping.pairs.empty();
 }
 

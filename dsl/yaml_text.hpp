@@ -1,0 +1,19 @@
+#pragma once
+// Writes YAML that read_yaml reads back as it was: words and texts, quoted where they must be.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::dsl {
+
+/// In any place, in brackets too.
+std::string yaml_word(std::string_view text);
+
+/// `[a, b]`
+std::string yaml_list(const std::vector<std::string>& items);
+
+/// `{a: 1, b: 2}`; the pairs are written already.
+std::string yaml_mapping(const std::vector<std::string>& pairs);
+
+} // namespace director::dsl
