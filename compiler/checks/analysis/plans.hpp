@@ -1,0 +1,32 @@
+#pragma once
+// The plans of a provider's needs (semantics.md, section 1): for each needed group a provider of it, and what that one
+// needs, no group twice. Whether there is one is NP-complete (it is exact cover in disguise), so the search counts its
+// steps.
+
+#include "compiler/model/model.hpp"
+
+#include <cstdint>
+
+namespace director::checks {
+
+using namespace director::compiler;
+
+/// More steps than any behaviour of people took by a factor of a thousand; a fraction of a second.
+inline constexpr std::int64_t plan_steps = 1'000'000;
+
+struct PlanCount {
+  std::int64_t plans = 0; ///< exact where `complete`, else at least so many
+  bool complete = true;   ///< the search came to its end within its steps, below `most`
+};
+
+/// The valid plans of a provider, up to `most` of them. A provider without needs has one.
+PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, std::int64_t steps = plan_steps);
+
+enum class PlanVerdict { found, none, undecided };
+PlanVerdict find_plan(const Model& model, ProviderId provider);
+
+/// Groups that are part of every way to have this group, itself included: what two needs cannot both come down to.
+/// The whole table at once. Cycles are no way to have a group.
+IdTable<GroupId, IdSet<GroupId>> indispensable_groups(const Model& model);
+
+} // namespace director::checks

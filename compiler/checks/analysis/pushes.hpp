@@ -1,0 +1,22 @@
+#pragma once
+// Which causing providers may be pushed, given what is known to be possible so far (semantics.md 4.4, "Refuse").
+
+#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/meetings.hpp"
+
+namespace director::checks {
+
+/// The causing providers that a task for one group may push, and what keeps it from pushing.
+struct PushGoals {
+  IdSet<GroupId> beaten;            ///< groups of causing providers that it may go before
+  IdSet<ConditionId> servable;      ///< conditions that may hold, or that a chain of pushes may bring about
+  std::vector<ProviderId> pushable; ///< in order of id
+};
+
+/// `waiter` is a requested group. `requested` and the values are those of `facts` so far.
+PushGoals find_push_goals(const Model& model, const Facts& facts, const Chains& chains, GroupId waiter);
+
+/// What a task for this group may wait for: the conditions of its providers and of those in their plans.
+std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, GroupId waiter);
+
+} // namespace director::checks

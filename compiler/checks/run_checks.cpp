@@ -1,0 +1,111 @@
+// Door: compiler/checks/run_checks.hpp. Test: tests/checks/run_checks_test.cpp.
+#include "compiler/checks/run_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace director::checks {
+
+using dsl::Diagnostic;
+using dsl::Level;
+
+namespace {
+
+bool covers(const Allowance& allowance, const Diagnostic& finding) {
+  return allowance.id.value == finding.id && finding.level != Level::error && allowance.scope.contains(finding.span);
+}
+
+/// Drops what the allowances cover, and marks those that covered something.
+void drop_covered(const Model& model, std::vector<Diagnostic>& findings, std::vector<bool>& used) {
+  const auto is_covered = [&](const Diagnostic& finding) {
+    bool covered = false;
+    for (std::size_t i = 0; i < model.allowances.size(); ++i) {
+      if (!covers(model.allowances[i], finding)) continue;
+      used[i] = true;
+      covered = true;
+    }
+    return covered;
+  };
+  findings.erase(std::remove_if(findings.begin(), findings.end(), is_covered), findings.end());
+}
+
+Diagnostic unused(const Allowance& allowance) {
+  const std::string& id = allowance.id.value;
+  const Registered* check = find_registered(id);
+  Diagnostic finding{"unused_allow", Level::warning, allowance.id.span, {}, {}, {}};
+  if (check != nullptr && level_of(*check) == Level::error) {
+    finding.message = fmt::format("`{}` is an error, which no `allow` covers", id);
+    finding.help = "mend what it reports and remove this";
+  } else {
+    finding.message = fmt::format("`{}` finds nothing here that could be allowed", id);
+    finding.help = "remove it, so that the next one does not go unseen";
+  }
+  return finding;
+}
+
+} // namespace
+
+const Registered* find_registered(std::string_view id) {
+  for (const Registered& check : registered()) {
+    if (check.id == id) return &check;
+  }
+  return nullptr;
+}
+
+Level level_of(const Registered& check) {
+  constexpr std::string_view label = "\nLevel: ";
+  const std::size_t at = check.page.find(label);
+  const std::string_view rest = at == std::string_view::npos ? "" : check.page.substr(at + label.size());
+  for (const Level level : {Level::error, Level::warning, Level::lint}) {
+    if (rest.substr(0, dsl::name_of(level).size()) == dsl::name_of(level)) return level;
+  }
+  throw std::logic_error(fmt::format("{}.md says no level", check.id));
+}
+
+std::vector<Diagnostic> run_checks(const Input& input) {
+  std::vector<Diagnostic> all;
+  for (const Registered& check : registered()) {
+    if (check.run == nullptr) continue;
+    Findings findings(check.id, level_of(check));
+    check.run(input, findings);
+    for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));
+  }
+  dsl::sort_by_place(all);
+  return all;
+}
+
+std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnostic> findings, bool all_checks_ran) {
+  std::vector<bool> used(model.allowances.size(), false);
+  drop_covered(model, findings, used);
+  if (!all_checks_ran) return findings;
+  // An `allow: [unused_allow]` is looked at last: what it covers is known only now.
+  std::vector<Diagnostic> leftover;
+  const auto collect = [&](bool last) {
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      const Allowance& allowance = model.allowances[i];
+      if (!used[i] && (allowance.id.value == "unused_allow") == last) leftover.push_back(unused(allowance));
+    }
+  };
+  collect(false);
+  drop_covered(model, leftover, used);
+  collect(true);
+  findings.insert(findings.end(), leftover.begin(), leftover.end());
+  dsl::sort_by_place(findings);
+  return findings;
+}
+
+std::vector<Diagnostic> apply_selection(const Selection& selection, std::vector<Diagnostic> findings) {
+  const auto is_unwanted = [&](const Diagnostic& finding) {
+    return finding.level == Level::lint && !selection.every_lint && selection.lints.count(finding.id) == 0;
+  };
+  findings.erase(std::remove_if(findings.begin(), findings.end(), is_unwanted), findings.end());
+  for (Diagnostic& finding : findings) {
+    const bool asked = selection.every_warning_is_error || selection.warnings_as_errors.count(finding.id) != 0;
+    if (finding.level == Level::warning && asked) finding.level = Level::error;
+  }
+  return findings;
+}
+
+} // namespace director::checks

@@ -1,0 +1,29 @@
+#pragma once
+// Runs every check, and decides what of all findings is reported, and as what.
+
+#include "compiler/checks/check.hpp"
+
+#include <set>
+
+namespace director::checks {
+
+/// What the user wants to be told.
+struct Selection {
+  bool every_lint = false;                               ///< `--lint`
+  std::set<std::string, std::less<>> lints;              ///< `--lint=<id>`
+  bool every_warning_is_error = false;                   ///< `--werror`
+  std::set<std::string, std::less<>> warnings_as_errors; ///< `--werror=<id>`
+};
+
+/// Everything that the checks find, lints too, sorted by place; nothing suppressed.
+std::vector<dsl::Diagnostic> run_checks(const Input& input);
+
+/// Drops what an `allow` covers. With `all_checks_ran`, an `allow` that covered nothing is a finding of its own;
+/// without, it may be meant for a check that did not come to its turn.
+std::vector<dsl::Diagnostic> apply_allowances(const Model& model, std::vector<dsl::Diagnostic> findings,
+                                              bool all_checks_ran);
+
+/// Drops lints that were not asked for, and makes warnings errors as asked.
+std::vector<dsl::Diagnostic> apply_selection(const Selection& selection, std::vector<dsl::Diagnostic> findings);
+
+} // namespace director::checks

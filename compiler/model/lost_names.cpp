@@ -1,0 +1,78 @@
+// Door: compiler/model/lost_names.hpp. Test: tests/compiler/model/lost_names_test.cpp.
+#include "compiler/model/lost_names.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace director::compiler {
+
+namespace {
+
+using dsl::Diagnostic;
+
+/// Behind these, whole files are missing: nothing that resolve() says can be trusted.
+bool loses_files(const Diagnostic& error) {
+  return error.id == "yaml_syntax" || error.id == "import_cycle" || error.id == "import_not_found" ||
+         error.id == "input_limit" || error.id == "language_version";
+}
+
+/// Behind these, what the error points to was read all the same.
+bool loses_nothing(const Diagnostic& error) { return error.id == "exclusive_keys"; }
+
+std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
+
+bool is_word_char(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+void add_words(std::string_view text, std::set<std::string, std::less<>>& words) {
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_word_char(text[end])) ++end;
+    if (end > at) words.emplace(text.substr(at, end - at));
+    at = std::max(end, at + 1);
+  }
+}
+
+/// Every word of the lines that an error covers, and of the lines below that are indented deeper: what was lost is
+/// there.
+void add_lost_words(const dsl::SourceFile& file, const Diagnostic& error, std::set<std::string, std::less<>>& words) {
+  const std::uint32_t first = file.place(error.span.begin).line;
+  const std::uint32_t last = file.place(error.span.end).line;
+  const std::size_t indent = indent_of(file.line_text(first));
+  for (std::uint32_t line = first; line <= file.line_count(); ++line) {
+    const std::string_view text = file.line_text(line);
+    const bool blank = indent_of(text) == text.size();
+    if (line > last && !blank && indent_of(text) <= indent) break;
+    add_words(text, words);
+  }
+}
+
+/// The word that a finding is about, where it may be one that was lost.
+bool is_about_lost(const Diagnostic& finding, std::string_view word, const std::set<std::string, std::less<>>& lost) {
+  if (finding.id == "unprovided_task") return true; // a provider may be among what was lost
+  if (finding.id != "undefined_name" && finding.id != "value_outside_domain") return false;
+  return lost.count(word) != 0;
+}
+
+} // namespace
+
+std::vector<Diagnostic> without_lost_names(const dsl::Sources& sources, const std::vector<Diagnostic>& reading,
+                                           std::vector<Diagnostic> resolving) {
+  std::set<std::string, std::less<>> lost;
+  for (const Diagnostic& error : reading) {
+    if (error.level != dsl::Level::error) continue;
+    if (loses_files(error)) return {};
+    if (!loses_nothing(error)) add_lost_words(sources[error.span.file], error, lost);
+  }
+  if (lost.empty()) return resolving;
+  const auto is_lost = [&](const Diagnostic& finding) {
+    return is_about_lost(finding, sources.text(finding.span), lost);
+  };
+  resolving.erase(std::remove_if(resolving.begin(), resolving.end(), is_lost), resolving.end());
+  return resolving;
+}
+
+} // namespace director::compiler

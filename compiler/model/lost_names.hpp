@@ -1,0 +1,16 @@
+#pragma once
+// What could not be read is not in the Spec, and a name that is declared there seems to be undefined.
+
+#include "dsl/diagnostic.hpp"
+#include "dsl/source_file.hpp"
+
+#include <vector>
+
+namespace director::compiler {
+
+/// The findings of resolve() without those that may be caused by an error of reading.
+std::vector<dsl::Diagnostic> without_lost_names(const dsl::Sources& sources,
+                                                const std::vector<dsl::Diagnostic>& reading,
+                                                std::vector<dsl::Diagnostic> resolving);
+
+} // namespace director::compiler

@@ -1,0 +1,32 @@
+#pragma once
+// From a path to a checked model: what every command does first.
+
+#include "compiler/checks/run_checks.hpp"
+#include "compiler/graph/graph.hpp"
+#include "compiler/model/model.hpp"
+#include "dsl/file_access.hpp"
+#include "dsl/source_file.hpp"
+#include "dsl/spec.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+struct CheckOptions {
+  bool scanner = false; ///< C++ can be read here
+  checks::Selection selection;
+};
+
+struct Checked {
+  dsl::Spec spec;                        ///< no file: the path itself cannot be read
+  Model model;                           ///< good only if `resolved`
+  Graph graph;                           ///< likewise
+  bool resolved = false;                 ///< no errors of "Reading" and "Names and domains"
+  bool lowerable = false;                ///< resolved, and nothing stands in the way of running it in the engine
+  std::vector<dsl::Diagnostic> findings; ///< sorted by place
+};
+
+Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sources, const CheckOptions& options = {});
+
+} // namespace director::compiler
