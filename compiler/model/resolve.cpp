@@ -12,7 +12,6 @@ namespace {
 
 void name_the_whole(Resolver& r) {
   Model& model = r.model;
-  check_name(r, "behaviour", r.main.name);
   model.name = r.main.name.value;
   model.name_span = r.main.name.span;
   model.name_space = r.main.cpp.name_space ? r.main.cpp.name_space->value : model.name;
@@ -23,6 +22,7 @@ void name_the_whole(Resolver& r) {
     model.trials_span = r.main.limits.trials->span;
   }
   for (const dsl::BehaviourSpec& file : r.spec.files) {
+    if (!file.name.value.empty()) check_name(r, "behaviour", file.name); // else it is missing, and reported as such
     for (const Word& header : file.cpp.headers) {
       if (std::find(model.headers.begin(), model.headers.end(), header.value) == model.headers.end())
         model.headers.push_back(header.value);

@@ -60,6 +60,11 @@ ValueSet accepted(const State& state, Op op, const std::vector<std::int64_t>& op
 
 /// A sentinel that stands where the comparison holds looks as if it were meant.
 void report_sentinels(Resolver& r, const State& state, const Condition& condition, Span span) {
+  std::vector<std::string> meant;
+  for (std::int64_t value = state.low; value <= state.high; ++value) {
+    const bool is_sentinel = std::find(state.unordered.begin(), state.unordered.end(), value) != state.unordered.end();
+    if (condition.accepts.contains(value) && !is_sentinel) meant.push_back(state.value_text(value));
+  }
   for (const std::int64_t sentinel : state.unordered) {
     if (!condition.accepts.contains(sentinel)) continue;
     const std::string name = state.value_text(sentinel);
@@ -68,6 +73,8 @@ void report_sentinels(Resolver& r, const State& state, const Condition& conditio
                fmt::format("`{}` does not hold for `{}`, although that stands where it would", condition.text, name));
     finding.notes.push_back({state.value_spans[static_cast<std::size_t>(sentinel)],
                              fmt::format("`{}` is `unordered`: it satisfies no ordered comparison", name)});
+    if (!meant.empty())
+      finding.help = fmt::format("list the values that you mean: `{} == {}`", state.name.value, fmt::join(meant, "|"));
   }
 }
 

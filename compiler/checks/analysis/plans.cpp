@@ -11,11 +11,12 @@ namespace {
 /// search itself, so that taking a step back costs nothing.
 class PlanSearch {
 public:
-  PlanSearch(const Model& model, std::int64_t most, std::int64_t steps)
+  PlanSearch(const Model& model, std::int64_t most, std::int64_t steps, const IdSet<ProviderId>* mended)
       : model_(model),
         used_(model.groups.size(), false),
         most_(most),
-        steps_(steps) {}
+        steps_(steps),
+        mended_(mended) {}
 
   PlanCount run(ProviderId provider) {
     const Provider& row = model_.providers[provider];
@@ -45,8 +46,9 @@ private:
     for (const ProviderId provider : model_.groups[group].providers) {
       if (steps_-- <= 0) stop();
       if (!count_.complete) break;
+      const bool is_mended = mended_ != nullptr && mended_->contains(provider);
       const Agenda below{&model_.providers[provider].needs, 0, &rest};
-      meet(&below);
+      meet(is_mended ? &rest : &below);
     }
     used_[group.value] = false;
   }
@@ -57,6 +59,7 @@ private:
   std::vector<bool> used_;
   std::int64_t most_;
   std::int64_t steps_;
+  const IdSet<ProviderId>* mended_;
   PlanCount count_;
 };
 
@@ -74,12 +77,12 @@ IdSet<GroupId> by_provider(const Model& model, const Provider& provider, const I
 } // namespace
 
 PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, std::int64_t steps) {
-  return PlanSearch(model, most, steps).run(provider);
+  return PlanSearch(model, most, steps, nullptr).run(provider);
 }
 
-PlanVerdict find_plan(const Model& model, ProviderId provider) {
+PlanVerdict find_plan(const Model& model, ProviderId provider, const IdSet<ProviderId>* mended) {
   if (model.providers[provider].needs.empty()) return PlanVerdict::found;
-  const PlanCount count = count_plans(model, provider, 1);
+  const PlanCount count = PlanSearch(model, 1, plan_steps, mended).run(provider);
   if (count.plans > 0) return PlanVerdict::found;
   return count.complete ? PlanVerdict::none : PlanVerdict::undecided;
 }

@@ -23,7 +23,8 @@ struct PlanCount {
 PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, std::int64_t steps = plan_steps);
 
 enum class PlanVerdict { found, none, undecided };
-PlanVerdict find_plan(const Model& model, ProviderId provider);
+/// `mended`: providers that are taken to need nothing.
+PlanVerdict find_plan(const Model& model, ProviderId provider, const IdSet<ProviderId>* mended = nullptr);
 
 /// Groups that are part of every way to have this group, itself included: what two needs cannot both come down to.
 /// The whole table at once. Cycles are no way to have a group.

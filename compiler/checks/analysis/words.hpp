@@ -1,0 +1,28 @@
+#pragma once
+// How messages speak of things.
+
+#include "compiler/model/model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::checks {
+
+using namespace director::compiler;
+
+std::string quoted(std::string_view name);           ///< `Walk`
+std::string name_of(const Model& model, GroupId id); ///< `Walk`, quoted, as all of these
+std::string name_of(const Model& model, ProviderId id);
+std::string name_of(const Model& model, ConditionId id);
+std::string name_of(const Model& model, StateId id);
+
+/// `a`, `b` and `c`: of things that are quoted already.
+std::string list_of(const std::vector<std::string>& things, std::string_view last = "and");
+
+/// Values in plain words: "fallen or standing", "0 to 10 or 50"; nothing: "nothing".
+std::string values_in_words(const State& state, const ValueSet& values);
+
+/// A group that leads to the next one, over needs or requests: "`A` needs `B`, which needs `C`".
+std::string chain_in_words(const Model& model, const std::vector<GroupId>& chain, std::string_view verb);
+
+} // namespace director::checks

@@ -1,0 +1,112 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/needs_conflict.md.
+#include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::checks {
+
+namespace {
+
+using dsl::Diagnostic;
+
+/// Two needs of a provider, and a group that neither can do without.
+struct Clash {
+  const Use<GroupId>* first = nullptr;
+  const Use<GroupId>* second = nullptr;
+  GroupId group{};
+  std::vector<NeedStep> from_first, from_second;
+};
+
+/// The one with the shortest chains, of these the first.
+std::optional<Clash> find_clash(const Model& model, const Provider& provider,
+                                const IdTable<GroupId, IdSet<GroupId>>& indispensable) {
+  std::optional<Clash> best;
+  std::size_t length = 0;
+  for (std::size_t j = 1; j < provider.needs.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      const Use<GroupId>& a = provider.needs[i];
+      const Use<GroupId>& b = provider.needs[j];
+      for (const GroupId group : model.groups.ids()) {
+        if (!indispensable[a.id].contains(group) || !indispensable[b.id].contains(group)) continue;
+        Clash clash{&a, &b, group, need_path(model, a.id, group), need_path(model, b.id, group)};
+        const std::size_t steps = clash.from_first.size() + clash.from_second.size();
+        if (best && steps >= length) continue;
+        length = steps;
+        best = std::move(clash);
+      }
+    }
+  }
+  return best;
+}
+
+void add_chain(const Model& model, Diagnostic& finding, const std::vector<NeedStep>& chain) {
+  for (const NeedStep& step : chain)
+    finding.notes.push_back(
+        {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to))});
+}
+
+void report_clash(const Model& model, ProviderId id, const Clash& clash, Findings& findings) {
+  const std::string provider = name_of(model, id);
+  if (clash.first->id == clash.second->id) {
+    findings.add(clash.second->span, fmt::format("{} needs {} twice", provider, name_of(model, clash.group)))
+        .notes.push_back({clash.first->span, "needed first here"});
+    return;
+  }
+  Diagnostic& finding =
+      findings.add(clash.second->span, fmt::format("{} can never run: its needs {} and {} both come down to {}",
+                                                   provider, name_of(model, clash.first->id),
+                                                   name_of(model, clash.second->id), name_of(model, clash.group)));
+  finding.notes.push_back({clash.first->span, fmt::format("the other need is {}", name_of(model, clash.first->id))});
+  add_chain(model, finding, clash.from_first);
+  add_chain(model, finding, clash.from_second);
+  finding.help =
+      fmt::format("need only one of them, or give one a provider that does without {}", name_of(model, clash.group));
+}
+
+/// Which groups each way of having a need takes, for a clash that no two needs have by themselves.
+void report_crowd(const Model& model, ProviderId id, Findings& findings) {
+  const Provider& provider = model.providers[id];
+  std::vector<std::string> names;
+  for (const Use<GroupId>& need : provider.needs) names.push_back(name_of(model, need.id));
+  Diagnostic& finding =
+      findings.add(provider.needs[0].span, fmt::format("{} can never run: no choice of providers gives it {} at once",
+                                                       name_of(model, id), list_of(names)));
+  for (const Use<GroupId>& need : provider.needs) {
+    for (const ProviderId way : model.groups[need.id].providers) {
+      std::vector<std::string> below;
+      for (const Use<GroupId>& next : model.providers[way].needs) below.push_back(name_of(model, next.id));
+      if (!below.empty())
+        finding.notes.push_back(
+            {model.providers[way].span, fmt::format("{} would take {}", name_of(model, way), list_of(below))});
+    }
+  }
+  finding.help = fmt::format("need less, or give one of {} a provider that needs less", list_of(names));
+}
+
+} // namespace
+
+void needs_conflict(const Input& input, Findings& findings) {
+  const Model& model = input.model;
+  const std::vector<ProviderId> conflicts = find_need_conflicts(model, input.facts);
+  if (conflicts.empty()) return;
+  const auto indispensable = indispensable_groups(model);
+  for (const ProviderId id : conflicts) {
+    if (const auto clash = find_clash(model, model.providers[id], indispensable)) {
+      report_clash(model, id, *clash, findings);
+    } else if (input.facts.plans[id] == PlanVerdict::none) {
+      report_crowd(model, id, findings);
+    } else {
+      findings
+          .add(model.providers[id].needs[0].span,
+               fmt::format("whether {} can ever have all that it needs was not decided within {} steps",
+                           name_of(model, id), plan_steps))
+          .help = "with fewer alternatives it would be: give the groups below fewer providers, or fewer needs";
+    }
+  }
+}
+
+} // namespace director::checks

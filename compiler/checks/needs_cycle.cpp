@@ -1,0 +1,37 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/needs_cycle.md.
+#include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+namespace director::checks {
+
+namespace {
+
+void report(const Model& model, const std::vector<NeedStep>& circle, Findings& findings) {
+  std::vector<GroupId> groups;
+  for (const NeedStep& step : circle) groups.push_back(step.from);
+  groups.push_back(circle.back().to);
+  if (groups.size() == 2) {
+    findings.add(circle[0].span, fmt::format("{} needs itself", name_of(model, groups[0]))).help =
+        "a provider holds its own group already: remove the need";
+    return;
+  }
+  dsl::Diagnostic& finding = findings.add(
+      circle[0].span, fmt::format("{}: no plan gets out of this circle", chain_in_words(model, groups, "needs")));
+  for (std::size_t i = 1; i < circle.size(); ++i)
+    finding.notes.push_back(
+        {circle[i].span, fmt::format("{} needs {}", name_of(model, circle[i].from), name_of(model, circle[i].to))});
+  finding.help = fmt::format("remove one of these needs, or give {} a provider that does without",
+                             name_of(model, circle.back().from));
+}
+
+} // namespace
+
+void needs_cycle(const Input& input, Findings& findings) {
+  for (const std::vector<NeedStep>& circle : find_need_circles(input.model, input.facts))
+    report(input.model, circle, findings);
+}
+
+} // namespace director::checks

@@ -1,0 +1,45 @@
+#pragma once
+// The page of a check, taken apart: its specimens and what they say that is found in them.
+//
+// A specimen is a ```yaml block. A comment says what is found in the line it stands in (`# reported: ...`, `# note:
+// ...`), or, on a line of its own, in the nearest line above that is not such a comment (`# reported above: ...`, `#
+// note above: ...`);
+// `# help: ...` may stand anywhere. A message may end in the id of another check, ` [redefined_name]`. Where neither
+// `behaviour:` nor `language:` begins a line, both are added in front. `# file: other.yaml` begins a further file.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace director::tests {
+
+struct Expected {
+  std::string file;
+  std::uint32_t line = 0;
+  std::string id; ///< of a finding; empty for a note
+  std::string message;
+  auto operator<=>(const Expected&) const = default;
+};
+
+struct Specimen {
+  std::uint32_t line = 0; ///< of the page
+  std::map<std::string, std::string> files;
+  std::vector<Expected> findings;
+  std::vector<Expected> notes;    ///< if none is written, notes are not compared
+  std::vector<std::string> helps; ///< likewise
+};
+
+struct Page {
+  std::string title;
+  std::vector<Specimen> reported, accepted;
+};
+
+/// The file that is checked.
+inline constexpr std::string_view main_file = "example.yaml";
+
+Page read_page(std::string_view text);
+
+} // namespace director::tests
