@@ -7,7 +7,7 @@
 namespace sim {
 namespace {
 
-constexpr Angle servo_speed = 500; // a tick: 500 degrees a second
+constexpr Angle full_speed = 500; // a tick: 500 degrees a second
 constexpr Angle limit = 120 * degree;
 constexpr Angle travel_of_a_step = 180 * degree; // all leg servos together, of both legs
 constexpr int ticks_to_fall = 40;
@@ -27,8 +27,11 @@ Robot::Robot(Point place, Random& random)
 Milliseconds Robot::move(Servo servo, Angle to) {
   target_[at(servo)] = clamped(to, limit);
   const Angle way = std::abs(target_[at(servo)] - angle_[at(servo)]);
-  return std::max(1, (way + servo_speed - 1) / servo_speed) * tick;
+  return std::max(1, (way + servo_speed() - 1) / servo_speed()) * tick;
 }
+
+/// On the ground they have the robot's weight to move.
+Angle Robot::servo_speed() const { return posture_ == Posture::upright ? full_speed : full_speed / 3; }
 
 void Robot::release() {
   gait_ = false;
@@ -51,7 +54,7 @@ void Robot::step() {
   before_ = angle_;
   int moved = 0;
   for (std::size_t i = 0; i < servos; ++i) {
-    angle_[i] += clamped(target_[i] - angle_[i], servo_speed);
+    angle_[i] += clamped(target_[i] - angle_[i], servo_speed());
     if (i < leg_servos) moved += std::abs(angle_[i] - before_[i]);
   }
   sway_ -= sway_ / 16;
@@ -67,7 +70,7 @@ void Robot::walk(int moved) {
   y_ += (ahead * s + left * c) / one;
   heading_ = wrapped(heading_ + scaled(stride_.turn, moved, travel_of_a_step));
   sway_ += static_cast<int>(std::abs(ahead) + std::abs(left)) + scaled(std::abs(stride_.turn), moved, travel_of_a_step);
-  if (walks() && --until_stumble_ <= 0) {
+  if (sway_ > brisk_sway && --until_stumble_ <= 0) {
     until_stumble_ = random_.between(1200, 2200);
     fall();
   }

@@ -57,11 +57,11 @@ public:
   void see(const Picture& picture) { picture_ = picture; }
   void fall();
   bool swings(soccer::Side leg) const; ///< in this tick that leg swings through, as for a kick
-  bool walks() const { return gait_ && sway_ > still_sway; }
 
 private:
-  static constexpr int still_sway = 3'000;
+  static constexpr int still_sway = 3'000, brisk_sway = 20'000;
 
+  Angle servo_speed() const;
   void walk(int moved);
   void balance();
 

@@ -72,7 +72,10 @@ void World::whistle() {
   if (now_ < phase_ends_) return;
   switch (phase_) {
   case GamePhase::initial: enter(GamePhase::ready, 7'000); break;
-  case GamePhase::ready: enter(GamePhase::set, 1'500); break;
+  case GamePhase::ready:
+    place_ball({0, 0});
+    enter(GamePhase::set, 1'500);
+    break;
   case GamePhase::set: enter(GamePhase::playing, 10 * 60'000); break;
   case GamePhase::playing: enter(GamePhase::finished, 60 * 60'000); break;
   case GamePhase::finished: break;
@@ -106,7 +109,7 @@ void World::place_ball(Point place) {
 
 void World::kick_off() {
   place_ball({0, 0});
-  enter(GamePhase::ready, 9'000);
+  enter(GamePhase::ready, 10'000);
 }
 
 void World::enter(GamePhase phase, Milliseconds lasts) {

@@ -1,0 +1,42 @@
+#pragma once
+// Shape: the whole program, for a deployment whose legs are `Legs`: the world and the player step a hundred times a
+// second, and a timeline tells what the engine decides. Errors: exit codes; 2 is wrong usage.
+
+#include "behaviours/soccer/arguments.hpp"
+#include "behaviours/soccer/player/player.hpp"
+#include "behaviours/soccer/timeline/timeline.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+template <class Legs>
+int play(const Arguments& arguments) {
+  const bool colours = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+  Timeline timeline{soccer::Behaviour::tables(),
+                    {soccer::names::groups, soccer::names::providers, soccer::names::states, soccer::names::value},
+                    Page{stdout, colours}};
+  sim::World world{arguments.seed};
+  player::Player<Legs> player{world, timeline.observer()};
+  int steps = 0;
+  for (; world.now() < arguments.seconds * 1000; ++steps) {
+    world.step();
+    player.step();
+  }
+  timeline.finish();
+
+  const Counts& counts = timeline.counts();
+  std::printf("\nA game of %d s, seed %llu: %d kicks, %d goals.\n", arguments.seconds,
+              static_cast<unsigned long long>(arguments.seed), world.kicks(), world.goals());
+  std::printf("%d runs, %d pushes, %d take-overs, %d hand-overs without a stop, %d steps.\n", counts.runs,
+              counts.pushes, counts.take_overs, counts.hand_overs, steps);
+  return counts.faults == 0 ? 0 : 1;
+}
+
+template <class Legs>
+int program(int count, char** values) {
+  const CommandLine command = parse({values + 1, values + count});
+  if (command.play) return play<Legs>(*command.play);
+  std::fputs(command.text.c_str(), command.exit_code == 0 ? stdout : stderr);
+  return command.exit_code;
+}

@@ -1,0 +1,5 @@
+// Door: behaviours/soccer/program.hpp. Test: tests/behaviours/soccer.
+#include "behaviours/soccer/player/legs.hpp"
+#include "behaviours/soccer/program.hpp"
+
+int main(int count, char** values) { return program<player::Legs>(count, values); }
