@@ -13,11 +13,12 @@
 template <class Legs>
 int play(const Arguments& arguments) {
   const bool colours = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  Timeline timeline{soccer::Behaviour::tables(),
-                    {soccer::names::groups, soccer::names::providers, soccer::names::states, soccer::names::value},
+  namespace names = soccer::names;
+  Timeline timeline{{names::group, names::provider, names::state, names::condition, names::value},
                     Page{stdout, colours}};
   sim::World world{arguments.seed};
   player::Player<Legs> player{world, timeline.observer()};
+  timeline.tell_of(player.behaviour().engine().tables());
   int steps = 0;
   for (; world.now() < arguments.seconds * 1000; ++steps) {
     world.step();

@@ -38,6 +38,8 @@ public:
     behaviour_.step(std::chrono::milliseconds(world_.now()));
   }
 
+  const soccer::Behaviour& behaviour() const { return behaviour_; }
+
 private:
   sim::World& world_;
   Senses senses_;

@@ -35,19 +35,17 @@ std::vector<bool> resources_of(const Tables& tables) {
 
 } // namespace
 
-Timeline::Timeline(const Tables& tables, const Names& names, Page page)
-    : tables_(tables),
-      names_(names),
-      page_(page),
-      rows_(tables.groups.size()),
-      told_waiting_(tables.edges.size()) {
+director::Observer Timeline::observer() {
+  return {[](void* self, const Event& event) { static_cast<Timeline*>(self)->tell(event); }, this};
+}
+
+void Timeline::tell_of(const Tables& tables) {
+  tables_ = tables;
+  rows_.resize(tables.groups.size());
   const std::vector<bool> resource = resources_of(tables);
   for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].resource = resource[i];
   for (const director::StateVariable& state : tables.states) values_.push_back(state.initial);
-}
-
-director::Observer Timeline::observer() {
-  return {[](void* self, const Event& event) { static_cast<Timeline*>(self)->tell(event); }, this};
+  told_waiting_.resize(tables.edges.size());
 }
 
 void Timeline::finish() {
@@ -147,17 +145,16 @@ void Timeline::queue(const Event& event) {
   Row& row = rows_[tables_.edges[event.edge].target];
   if (row.edge == event.edge) row.displaced = event.micro_step;
   if (event.why != director::Why::waiting || std::exchange(told_waiting_[event.edge], 1) != 0) return;
-  const Index on = event.condition == nil ? nil : tables_.conditions[event.condition].state;
-  line(event.time, "waits", group(tables_.edges[event.edge].target), on == nil ? "" : "for " + state(on));
+  line(event.time, "waits", group(tables_.edges[event.edge].target),
+       event.condition == nil ? "" : "for " + condition(event.condition));
 }
 
 void Timeline::push(const Event& event) {
   ++counts_.pushes;
   const std::string task = group(tables_.edges[event.edge].target);
-  std::string words = "to " + std::string(names_.providers[event.provider]) + ", as " + task;
-  if (event.condition != nil) words += " waits for " + state(tables_.conditions[event.condition].state);
   told_waiting_[event.edge] = 1;
-  line(event.time, "pushed", group(event.group), words);
+  line(event.time, "pushed", group(event.group),
+       "to " + with_provider(event.provider) + ", as " + task + " waits for " + condition(event.condition));
 }
 
 void Timeline::set(const Event& event) {
@@ -183,7 +180,7 @@ Index Timeline::requester(Index edge) const {
 /// Nothing for the only provider of a group.
 std::string Timeline::with_provider(Index provider) const {
   const director::Group& group = tables_.groups[tables_.providers[provider].group];
-  return group.providers.size() > 1 ? std::string(names_.providers[provider]) : "";
+  return group.providers.size() > 1 ? names_.provider(provider) : "";
 }
 
 void Timeline::join(const Event& event, std::string_view what, const std::string& who, const std::string& item,

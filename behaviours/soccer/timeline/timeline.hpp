@@ -6,13 +6,14 @@
 #include "behaviours/soccer/timeline/page.hpp"
 #include "runtime/core/observer.hpp"
 
-#include <span>
+#include <string>
 #include <vector>
 
-/// What the numbers in events are called.
+/// What the rows are called that events name: the functions that every generated behaviour has in `names`.
 struct Names {
-  std::span<const std::string_view> groups, providers, states;
-  std::string_view (*value)(director::Index state, std::int32_t value) = nullptr;
+  using Name = const char* (*)(director::Index row);
+  Name group, provider, state, condition;
+  const char* (*value)(director::Index state, std::int32_t number);
 };
 
 /// How often something happened.
@@ -26,11 +27,11 @@ struct Counts {
 
 class Timeline {
 public:
-  Timeline(const director::Tables& tables, const Names& names, Page page);
+  Timeline(const Names& names, Page page) : names_(names), page_(page) {}
 
-  /// For the constructor of a Behaviour. The timeline has to outlive it.
-  director::Observer observer();
-  void finish(); ///< writes what is still held back
+  director::Observer observer();                ///< for the constructor of a Behaviour
+  void tell_of(const director::Tables& tables); ///< its tables, before its first step; they have to live as long
+  void finish();                                ///< writes what is still held back
   const Counts& counts() const { return counts_; }
 
 private:
@@ -69,9 +70,10 @@ private:
   void change(const Event& event, std::string_view what, const std::string& by);
   void refused(const Event& event);
 
-  std::string group(Index index) const { return std::string(names_.groups[index]); }
-  std::string state(Index index) const { return std::string(names_.states[index]); }
-  std::string value(const Event& event) const { return std::string(names_.value(event.state, event.value)); }
+  std::string group(Index index) const { return names_.group(index); }
+  std::string condition(Index index) const { return names_.condition(index); }
+  std::string state(Index index) const { return names_.state(index); }
+  std::string value(const Event& event) const { return names_.value(event.state, event.value); }
   Index requester(Index edge) const; ///< nil also for the program and for limbo
   std::string with_provider(Index provider) const;
   void join(const Event& event, std::string_view what, const std::string& who, const std::string& item,
@@ -80,9 +82,9 @@ private:
   void line(director::Time time, std::string_view what, std::string_view who, std::string_view words = "");
   void runs_so_far();
 
-  const director::Tables& tables_;
   Names names_;
   Page page_;
+  director::Tables tables_;
   Counts counts_;
   std::vector<Row> rows_;
   std::vector<std::int32_t> values_;       ///< state: told last

@@ -18,12 +18,12 @@ enum Groups : Index { walk, kick, legs, servo };
 enum Providers : Index { walking, halting, kicks, moves_legs, moves_servo };
 enum Edges : Index { root_walk, root_kick, walk_legs, kick_legs, legs_servo };
 
-constexpr std::array<std::string_view, 4> groups{"Walk", "Kick", "Legs", "Servo"};
-constexpr std::array<std::string_view, 5> providers{"walking", "halting", "default", "default", "default"};
-constexpr std::array<std::string_view, 1> states{"Pose"};
-
-std::string_view value(Index, std::int32_t value) {
-  return value == 0 ? "moving" : value == 1 ? "standing" : "nothing";
+const char* group_name(Index row) { return std::array{"Walk", "Kick", "Legs", "Servo"}[row]; }
+const char* provider_name(Index row) { return std::array{"walking", "halting", "default", "default", "default"}[row]; }
+const char* state_name(Index) { return "Pose"; }
+const char* condition_name(Index) { return "Pose == standing"; }
+const char* value_name(Index, std::int32_t value) {
+  return value == director::unset ? "unset" : std::array{"moving", "standing"}[static_cast<std::size_t>(value)];
 }
 
 struct Told {
@@ -35,10 +35,11 @@ struct Told {
   std::array<director::Condition, 1> condition_rows{};
   director::Tables tables;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{std::tmpfile(), std::fclose};
-  std::unique_ptr<Timeline> timeline;
+  Timeline timeline;
   Event event;
 
-  explicit Told(bool colours = false) {
+  explicit Told(bool colours = false)
+      : timeline({group_name, provider_name, state_name, condition_name, value_name}, Page{file.get(), colours}) {
     group_rows[walk].providers = {walking, kicks};
     group_rows[walk].requesters = {2, 3};
     group_rows[walk].stop = true;
@@ -67,7 +68,7 @@ struct Told {
     tables.states = state_rows;
     tables.conditions = condition_rows;
     tables.lists = lists;
-    timeline = std::make_unique<Timeline>(tables, Names{groups, providers, states, value}, Page{file.get(), colours});
+    timeline.tell_of(tables);
   }
 
   /// The next event, in the same micro-step as the last one.
@@ -81,7 +82,7 @@ struct Told {
     return event;
   }
   void at(director::Time time) { event.time = time, ++event.micro_step; }
-  void tell() { timeline->observer().tell(timeline.get(), event); }
+  void tell() { timeline.observer().tell(&timeline, event); }
 
   void run(Index group, Index provider, Reason reason = Reason::new_task) {
     next(Kind::run, group).provider = provider;
@@ -107,7 +108,7 @@ struct Told {
   void simply(Kind kind, Index group) { next(kind, group), tell(); }
 
   std::string text() {
-    timeline->finish();
+    timeline.finish();
     std::rewind(file.get());
     std::string out;
     for (int c; (c = std::fgetc(file.get())) != EOF;) out += static_cast<char>(c);
@@ -144,7 +145,7 @@ TEST_CASE("a kick interrupts the walk softly, and the timeline says how") {
   told.simply(Kind::done, kick);
   CHECK(told.text() == "   0.00 s  starts    Walk\n"
                        "   0.00 s  runs      Walk          walking\n"
-                       "   0.50 s  pushed    Walk          to halting, as Kick waits for Pose\n"
+                       "   0.50 s  pushed    Walk          to halting, as Kick waits for Pose == standing\n"
                        "   0.50 s  runs      Walk          halting, pushed\n"
                        "   0.50 s  set       Pose          standing, by Walk\n"
                        "   0.50 s  takes     Kick          Legs from Walk\n"
@@ -152,10 +153,10 @@ TEST_CASE("a kick interrupts the walk softly, and the timeline says how") {
                        "   0.50 s  runs      Kick\n"
                        "   0.70 s  done      Kick\n"
                        "      ...  4 runs: Walk 2, Kick 1, Legs 1\n");
-  CHECK(told.timeline->counts().runs == 4);
-  CHECK(told.timeline->counts().pushes == 1);
-  CHECK(told.timeline->counts().take_overs == 1);
-  CHECK(told.timeline->counts().faults == 0);
+  CHECK(told.timeline.counts().runs == 4);
+  CHECK(told.timeline.counts().pushes == 1);
+  CHECK(told.timeline.counts().take_overs == 1);
+  CHECK(told.timeline.counts().faults == 0);
 }
 
 TEST_CASE("what nobody wants any more is got, not taken") {
@@ -172,7 +173,7 @@ TEST_CASE("what nobody wants any more is got, not taken") {
                        "   0.00 s  ends      Kick\n"
                        "   0.00 s  gets      Walk          Legs from Kick\n"
                        "      ...  1 runs: Kick 1\n");
-  CHECK(told.timeline->counts().take_overs == 0);
+  CHECK(told.timeline.counts().take_overs == 0);
 }
 
 TEST_CASE("runs of what runs already, of limbs and of servos are only counted, and told after a pause") {
@@ -208,7 +209,7 @@ TEST_CASE("a state is told when it changes, with where the change comes from") {
   told.set(Kind::set, 1);
   CHECK(told.text() == "   0.00 s  sensed    Pose          moving\n"
                        "   0.00 s  runs      Walk          walking\n"
-                       "   0.02 s  expired   Pose          nothing\n"
+                       "   0.02 s  expired   Pose          unset\n"
                        "   0.03 s  set       Pose          standing\n"
                        "      ...  1 runs: Walk 1\n");
 }
@@ -227,7 +228,7 @@ TEST_CASE("faults are told and counted") {
                        "   0.00 s  fault     Kick\n"
                        "   0.00 s  refused   Pose          standing, which Walk does not declare\n"
                        "   0.00 s  fault                   too many micro-steps in one step\n");
-  CHECK(told.timeline->counts().faults == 3);
+  CHECK(told.timeline.counts().faults == 3);
 }
 
 TEST_CASE("colours are for terminals, and stay around one word") {
