@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 namespace director::compiler {
 
@@ -16,6 +17,13 @@ void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
     state.is_range = true;
     state.low = spec.range->low.value;
     state.high = spec.range->high.value;
+    // The smallest number of 32 bits stands for "unset" when the behaviour runs.
+    constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
+    for (const auto& end : {spec.range->low, spec.range->high}) {
+      if (end.value >= -largest && end.value <= largest) continue;
+      r.error("value_outside_domain", end.span,
+              fmt::format("`{}` is too large for a state: its numbers go from {} to {}", end.value, -largest, largest));
+    }
   }
   if (!spec.values) return;
   for (const Word& value : *spec.values) {

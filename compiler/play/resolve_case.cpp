@@ -26,8 +26,9 @@ void ask(std::vector<Asked>& asked, Asked entry) {
   }
 }
 
-const Pack* find_pack(const Provider& provider, const Word& name, Names& names) {
-  const std::string full = names.model.groups[provider.group].name.value + "." + provider.name;
+const Pack* find_pack(ProviderId id, const Word& name, Names& names) {
+  const Provider& provider = names.model.providers[id];
+  const std::string full = names.model.full_name(id);
   if (!provider.has_packs) {
     names.error("undefined_name", name.span, fmt::format("`{}` has no packs", full)).help =
         "say what it requests with `tasks`";
@@ -43,14 +44,13 @@ const Pack* find_pack(const Provider& provider, const Word& name, Names& names) 
 }
 
 /// What is in every pack of it stands in `packs`, so a bare list of tasks, or none at all, answers nothing.
-void pack_is_missing(const dsl::CaseSpec& spec, const Provider& provider, Names& names) {
+void pack_is_missing(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   std::vector<std::string> known;
-  for (const Pack& pack : provider.packs) known.push_back(pack.name);
+  for (const Pack& pack : names.model.providers[id].packs) known.push_back(pack.name);
   const bool listed = spec.answer.value == dsl::Answer::tasks;
-  const std::string full = names.model.groups[provider.group].name.value + "." + provider.name;
   names
       .error("missing_key", listed ? spec.answer.span : spec.span,
-             fmt::format("`{}` has packs: {}", full,
+             fmt::format("`{}` has packs: {}", names.model.full_name(id),
                          listed ? "a case names one of them, not tasks" : "a case that answers nothing names one"))
       .help = fmt::format("`pack:` and one of {}", fmt::join(known, ", "));
 }
@@ -64,7 +64,7 @@ void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case
   case dsl::Answer::keep: out.answer = Case::Answer::keep; return;
   case dsl::Answer::pack: {
     if (!spec.pack) return;
-    const Pack* pack = find_pack(provider, *spec.pack, names);
+    const Pack* pack = find_pack(id, *spec.pack, names);
     if (pack == nullptr) return;
     out.pack = whole(*pack);
     const std::string in_pack = fmt::format("the pack `{}` has", pack->name);
@@ -76,7 +76,7 @@ void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case
   case dsl::Answer::nothing:
   case dsl::Answer::tasks: break;
   }
-  if (provider.has_packs) return pack_is_missing(spec, provider, names);
+  if (provider.has_packs) return pack_is_missing(spec, id, names);
   static const std::vector<Task> none;
   const std::vector<Task>& tasks = provider.packs.empty() ? none : provider.packs.front().tasks;
   for (const dsl::RequestSpec& entry : spec.tasks) {
@@ -156,15 +156,6 @@ Case resolve_case(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
 Case resolve_handler_case(const dsl::CaseSpec& spec, GroupId group, std::string_view which, const Handler& handler,
                           Names& names) {
   const std::string who = fmt::format("the {} handler of `{}`", which, names.model.groups[group].name.value);
-  const auto refuse = [&](std::string_view word, Span span) {
-    names.error("unknown_key", span, fmt::format("{} has no `{}`", who, word)).help =
-        "its cases have `data`, `run` and `set` only";
-  };
-  if (spec.reason) refuse("reason", spec.reason->span);
-  if (spec.trigger) refuse("trigger", spec.trigger->span);
-  for (const dsl::UseGuardSpec& guard : spec.uses) refuse("uses", guard.group.span);
-  if (spec.answer.value != dsl::Answer::nothing) refuse("answer", spec.answer.span);
-  if (spec.wait) refuse("wait", spec.wait->span);
   Case out;
   resolve_guards(spec, out);
   resolve_set(spec, who, handler.sets, names, out);

@@ -7,7 +7,8 @@ namespace director::compiler {
 
 Case resolve_case(const dsl::CaseSpec& spec, ProviderId provider, Names& names);
 
-/// `which`: "start" or "stop"; `handler` is that of the group.
+/// `which`: "start" or "stop"; `handler` is that of the group. Its cases have `data`, `run` and `set` only: the reader
+/// sees to that.
 Case resolve_handler_case(const dsl::CaseSpec& spec, GroupId group, std::string_view which, const Handler& handler,
                           Names& names);
 

@@ -40,7 +40,10 @@ std::string render(const ScenarioResult& result, const dsl::Sources& sources) {
     out += fmt::format("{}:{}:{}: step {}: {}\n", file.path(), place.line, place.column, mismatch.step,
                        fmt::join(mismatch.shown, "; "));
     if (mismatch.exhausted) out += fmt::format("    it did not come to rest within {} micro-steps\n", play_budget);
-    for (const std::string& line : unified_diff(mismatch.expected, mismatch.happened)) out += "    " + line + "\n";
+    const std::size_t most_lines = mismatch.exhausted ? 30 : 200;
+    for (const std::string& line : unified_diff(mismatch.expected, mismatch.happened, most_lines)) {
+      out += "    " + line + "\n";
+    }
   }
   return out;
 }

@@ -1,0 +1,112 @@
+#include "tests/compiler/support/played.hpp"
+#include "tests/support/golden.hpp"
+
+using director::tests::check_golden;
+using director::tests::load_scenario;
+
+namespace {
+
+const char* const robot = R"(behaviour: robot
+language: 1
+states:
+  Pose: {values: [moving, standing], initial: moving}
+  Charge: {range: [0, 100], external: true}
+  Mode: {values: [idle, busy], external: true}
+triggers: [Bell]
+roots:
+  Walk: {priority: {calm: 10, urgent: 80}}
+  Kick: {priority: 20}
+groups:
+  Walk:
+    start: true
+    stop: {sets: [Pose == moving]}
+    providers:
+      - {name: walking, sets: [Mode], tasks: {Legs: {priority: {slow: 1, fast: 2}}}, uses: [Legs]}
+      - {name: halting, causing: [Pose == standing], tasks: [Legs]}
+  Kick:
+    when: [Pose == standing]
+    packs: {hard: {Legs: {}, Arms: {optional: true}}, soft: {Legs: {}}}
+  Legs: {}
+  Arms: {}
+)";
+
+std::string findings(const std::string& text) { return load_scenario(robot, text).findings; }
+
+} // namespace
+
+TEST_CASE("a scenario that is right has no findings") {
+  CHECK(findings(R"(
+given: {Pose: standing, Charge: 3}
+script:
+  Walk: {set: {Mode: busy}, tasks: [Legs: {data: {x: 1}, keep: true}]}
+  Walk.halting: {reason: pushed, set: {Pose: standing}}
+  Walk.start: {data: 3, run: 1}
+  Walk.stop: {set: {Pose: moving}}
+  Kick: [{trigger: Bell, pack: hard, with: [Legs: {data: 2}]}, {done: true, wait: 10 ms}]
+  Arms.default: {continue: true}
+steps:
+  - request: {Walk: {level: urgent, data: 1}, Kick: {}}
+  - cancel: Walk
+  - set: {Charge: 3, Mode: idle}
+  - trigger: Bell
+  - inputs: [{disable: Walk.halting}, {enable: Kick.default}]
+  - advance: 10 ms
+)") == "");
+}
+
+TEST_CASE("names that mean nothing are found wherever they stand, with the nearest one that does", "[golden]") {
+  check_golden("tests/compiler/play/golden/unknown_names.txt", findings(R"(
+given: {Posse: standing}
+script:
+  Wlak: {done: true}
+  Walk.waking: {done: true}
+  Arms.start: {}
+  Legs: {trigger: Belt, tasks: [Arms]}
+  Kick: {pack: hart}
+  Walk.halting: {pack: hard}
+  Walk.walking: [{uses: {Arms: done}}, {tasks: [Legs: {level: fat}]}, {tasks: [Feet]}]
+steps:
+  - request: Leg
+  - request: {Walk: {level: urgend}}
+  - cancel: Legs
+  - set: {Charg: 3}
+  - trigger: Bel
+  - disable: Kick.halting
+  - enable: Wlak.halting
+)"));
+}
+
+TEST_CASE("what a body, a handler or a step may not set is found before anything runs", "[golden]") {
+  check_golden("tests/compiler/play/golden/undeclared_sets.txt", findings(R"(
+given: {Charge: 101}
+script:
+  Walk.walking: {set: {Pose: standing}}
+  Walk.start: {set: {Pose: moving}}
+  Walk.stop: {set: {Pose: standing}}
+  Arms: {set: {Mode: bussy}}
+steps:
+  - set: {Pose: standing, Charge: low}
+)"));
+}
+
+TEST_CASE("a provider with packs names one of them", "[golden]") {
+  check_golden("tests/compiler/play/golden/missing_packs.txt", findings(R"(
+script:
+  Kick: [{tasks: [Legs]}, {wait: 10 ms}, {pack: soft, with: [Arms]}]
+)"));
+}
+
+TEST_CASE("what some provider of a group can do is no finding at an entry for the group") {
+  CHECK(findings("script: {Walk: {set: {Pose: standing}}}\n") == "");
+}
+
+TEST_CASE("what no provider of a group can do is one finding at an entry for the group") {
+  CHECK(
+      findings("script: {Walk: {set: {Charge: 3}}}\n") ==
+      R"(test.scenario.yaml:2:31: error: `Walk.walking` sets `Charge` to `3`, which it does not declare [undeclared_state_write]
+    2 | script: {Walk: {set: {Charge: 3}}}
+      |                               ^
+  help: what it declares is `Mode`
+1 error
+)");
+}
