@@ -31,7 +31,7 @@ Tables Lowered::view() const {
   tables.triggers = triggers;
   tables.promises = promises;
   tables.lists = lists;
-  tables.causing_providers = causing_providers;
+  tables.components = components;
   tables.plan_groups = plan_groups;
   tables.listened = listened;
   tables.root_edges = root_edges;
@@ -48,6 +48,7 @@ Lowered lower(const Model& model) {
   lower_promises(model, out);
   lower_groups(model, out);
   lower_aims(model, out);
+  lower_components(out);
   return out;
 }
 

@@ -20,7 +20,7 @@ struct Lowered {
   std::vector<director::Trigger> triggers;
   std::vector<director::Promise> promises;
   std::vector<Index> lists;
-  std::vector<Index> causing_providers;
+  std::vector<director::Component> components;
   std::vector<Index> plan_groups;
   std::vector<Index> listened;
   Index root_edges = 0;

@@ -62,7 +62,6 @@ void lower_providers(const Model& model, Lowered& out) {
     lowered.causing = add_causing(model, provider, out);
     lowered.every = provider.every.value_or(0);
     out.providers.push_back(lowered);
-    if (!provider.causing.empty()) out.causing_providers.push_back(row(id));
   }
 }
 

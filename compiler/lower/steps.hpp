@@ -28,5 +28,6 @@ void lower_providers(const Model& model, Lowered& out);
 void lower_promises(const Model& model, Lowered& out);
 void lower_groups(const Model& model, Lowered& out);
 void lower_aims(const Model& model, Lowered& out);
+void lower_components(Lowered& out);
 
 } // namespace director::compiler

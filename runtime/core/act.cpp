@@ -5,43 +5,102 @@
 
 #include "runtime/core/engine.hpp"
 #include "runtime/core/marks.hpp"
+#include "runtime/core/order.hpp"
 
 namespace director {
 
-void Engine::act(std::span<const Index> order) {
+void Engine::act(Index passes) {
   Counters& c = *s_.counters;
-  c.unsettled = changed() ? 1 : 0;
-  if (observed()) report_decisions();
-  for (Index i = 0; i < c.order_count; ++i) {
-    const Index group = s_.order[i];
+  for (Index i = 0; i < passes && observed(); ++i) report_decisions(s_.work[i]);
+  for (const Index group : in_order(passes, true)) {
     if (s_.last.active[group] != nil && s_.now.active[group] == nil) stop_group(group);
   }
-  for (const Index group : order) {
+  for (const Index group : in_order(passes, false)) {
     if ((s_.now.flags[group] & flag::granted) != 0) give_reasons(group);
   }
-  Index left = 0; // runs of groups that are not granted leave the queue; what is pending stays
-  for (Index i = 0; i < c.queue_count; ++i) {
-    const Index group = s_.queue[i];
-    s_.in_queue[group] = s_.now.flags[group] & flag::granted;
-    if (s_.in_queue[group] != 0) s_.queue[left++] = group;
+  for (Index i = 0; i < c.touched_count; ++i) s_.in_queue[s_.touched[i]] &= static_cast<std::uint8_t>(~place::touched);
+  c.touched_count = 0;
+  if (passes != 0) filter_queue();
+  for (Index i = 0; i < passes; ++i) adopt(s_.work[i]);
+  for (Index i = 0; i < passes; ++i) {
+    for (const Index group : t_.list(t_.components[s_.work[i]].groups)) keep_promises(group);
   }
-  c.queue_count = left;
-  keep_promises();
-  adopt(order);
+  if (ran_ != nil) keep_promises(ran_);
   settle_data(anew_);
   for (Index e = anew_.begin; e != anew_.end; ++e) s_.anew[e] = 0;
   anew_ = {};
 }
 
-/// Did this arbitration change anything (holders, providers, who is granted, pushes)? Then it is done once more at
-/// rest.
-bool Engine::changed() const {
-  for (Index g = 0; g < t_.groups.size(); ++g) {
-    if (s_.now.holder[g] != s_.last.holder[g] || s_.now.active[g] != s_.last.active[g] ||
-        ((s_.now.flags[g] ^ s_.last.flags[g]) & flag::granted) != 0 || s_.now.push[g] != s_.last.push[g])
-      return true;
+/// The groups to look at, in the old order (those that were held) or in the new one (those that are held now, and those
+/// with a new reason elsewhere). Nothing is sorted where all are of one component.
+std::span<const Index> Engine::in_order(Index passes, bool before) {
+  const Counters& c = *s_.counters;
+  const auto part = [&](Index component) -> std::span<const Index> {
+    const Index begin = t_.components[component].order;
+    return before ? std::span<const Index>{s_.order + begin, s_.order_count[component]}
+                  : std::span<const Index>{s_.next_order + begin, s_.next_count[component]};
+  };
+  const auto passed = [&](Index group) { // its component is among those that were passed over
+    const Index component = t_.groups[group].component;
+    for (Index i = 0; i < passes; ++i) {
+      if (s_.work[i] == component) return true;
+    }
+    return false;
+  };
+  Index elsewhere = 0;
+  for (Index i = 0; i < c.touched_count && !before; ++i) elsewhere += passed(s_.touched[i]) ? Index{0} : Index{1};
+  if (passes == 0 && elsewhere == 0) return {};
+  if (passes == 1 && elsewhere == 0) return part(s_.work[0]);
+  Index count = 0;
+  bool one_component = passes == 0;
+  for (Index i = 0; i < passes; ++i) {
+    for (const Index group : part(s_.work[i])) s_.sorted[count++] = group;
   }
-  return false;
+  for (Index i = 0; i < c.touched_count && !before; ++i) {
+    const Index group = s_.touched[i];
+    if (passed(group) || !granted(group)) continue;
+    one_component = one_component && t_.groups[group].component == t_.groups[s_.touched[0]].component;
+    s_.sorted[count++] = group;
+  }
+  if (one_component) { // their order is known; they mostly come in order
+    for (Index i = 1; i < count; ++i) {
+      const Index group = s_.sorted[i];
+      Index at = i;
+      for (; at > 0 && s_.place[s_.sorted[at - 1]] > s_.place[group]; --at) s_.sorted[at] = s_.sorted[at - 1];
+      s_.sorted[at] = group;
+    }
+  } else {
+    Order(t_, s_).sort({s_.sorted, count}, before ? Order::Along::last : Order::Along::now);
+  }
+  return {s_.sorted, count};
+}
+
+/// Runs of groups that are not granted leave the queue; what is pending stays.
+void Engine::filter_queue() {
+  Counters& c = *s_.counters;
+  const auto row = [&](Index i) {
+    const std::size_t at = std::size_t{c.queue_begin} + i, size = t_.groups.size();
+    return static_cast<Index>(at < size ? at : at - size);
+  };
+  Index left = 0;
+  for (Index i = 0; i < c.queue_count; ++i) {
+    const Index group = s_.queue[row(i)];
+    if ((s_.now.flags[group] & flag::granted) != 0) {
+      s_.queue[row(left++)] = group;
+    } else {
+      s_.in_queue[group] &= static_cast<std::uint8_t>(~place::queue);
+    }
+  }
+  c.queue_count = left;
+}
+
+void Engine::enqueue(Index group) {
+  Counters& c = *s_.counters;
+  if (s_.pending[group] == 0 || (s_.in_queue[group] & place::queue) != 0) return;
+  s_.in_queue[group] |= place::queue;
+  std::size_t at = std::size_t{c.queue_begin} + c.queue_count++;
+  if (at >= t_.groups.size()) at -= t_.groups.size();
+  s_.queue[at] = group;
 }
 
 void Engine::stop_group(Index group) {
@@ -87,33 +146,25 @@ void Engine::give_reasons(Index group) {
   if (s_.last.active[group] != provider) {
     add_reason(group, (s_.now.flags[group] & flag::in_force) != 0 ? Reason::pushed : Reason::new_task);
     const Time every = t_.providers[provider].every; // the period begins when the provider becomes active
-    s_.every[group] = every == 0 ? never : s_.counters->now + every;
+    s_.every[group] = never;
+    if (every != 0) arm(s_.every[group], s_.counters->now + every);
   }
   const Service& serves = s_.now.serves[group];
   if (serves.condition != nil && serves != s_.last.serves[group]) add_reason(group, Reason::pushed);
-  if (s_.pending[group] == 0 || s_.in_queue[group] != 0) return;
-  s_.in_queue[group] = 1;
-  s_.queue[s_.counters->queue_count++] = group;
-}
-
-void Engine::add_reason(Index group, Reason reason) {
-  s_.pending[group] |= static_cast<std::uint8_t>(reason);
-  if (reason == Reason::new_task) s_.done[group] = 0;
+  enqueue(group);
 }
 
 /// Section 7: a promise ends with its push, and when its condition has come true.
-void Engine::keep_promises() {
-  for (Index g = 0; g < t_.groups.size(); ++g) {
-    const Index provider = s_.promised_provider[g];
-    if (provider == nil) continue;
-    const bool stands = (s_.now.flags[g] & flag::in_force) != 0 && s_.now.push[g].edge == s_.promised_edge[g] &&
-                        s_.now.push[g].provider == provider;
-    const Range promises = t_.providers[provider].promises;
-    for (Index i = promises.begin; i != promises.end; ++i) {
-      if (!stands || holds(t_, s_, t_.promises[i].condition)) s_.promise_due[i] = never;
-    }
-    if (!stands) s_.promised_edge[g] = s_.promised_provider[g] = nil;
+void Engine::keep_promises(Index group) {
+  const Index provider = s_.promised_provider[group];
+  if (provider == nil) return;
+  const Push& push = s_.last.push[group];
+  const bool stands = in_force(group) && push.edge == s_.promised_edge[group] && push.provider == provider;
+  const Range promises = t_.providers[provider].promises;
+  for (Index i = promises.begin; i != promises.end; ++i) {
+    if (!stands || holds(t_, s_, t_.promises[i].condition)) s_.promise_due[i] = never;
   }
+  if (!stands) s_.promised_edge[group] = s_.promised_provider[group] = nil;
 }
 
 /// The data of new requests take their slots. What was there is kept for a group that still lives on it.
@@ -132,26 +183,33 @@ void Engine::settle_data(Range edges) {
 }
 
 /// The new assignment becomes the last one.
-void Engine::adopt(std::span<const Index> order) {
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+void Engine::adopt(Index component) {
+  const Component& row = t_.components[component];
+  for (const Index g : t_.list(row.groups)) {
     s_.last.holder[g] = s_.now.holder[g];
     s_.last.active[g] = s_.now.active[g];
     s_.last.planned[g] = s_.now.planned[g];
     s_.last.flags[g] = s_.now.flags[g];
     s_.last.push[g] = s_.now.push[g];
     s_.last.serves[g] = s_.now.serves[g];
+    const Range slots = t_.groups[g].slots;
+    for (Index slot = slots.begin; slot != slots.end; ++slot) s_.last.plan[slot] = s_.now.plan[slot];
   }
-  for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = s_.now.plan[slot];
-  for (Index e = 0; e < t_.edges.size(); ++e) s_.queued[e] = s_.next_queued[e];
-  s_.counters->order_count = static_cast<Index>(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) s_.order[i] = order[i];
+  for (const Index e : t_.list(row.edges)) s_.queued[e] = s_.next_queued[e];
+  const Index count = s_.order_count[component] = s_.next_count[component];
+  for (Index i = 0; i < count; ++i) {
+    const Index group = s_.next_order[row.order + i];
+    s_.order[row.order + i] = group;
+    s_.place[group] = i;
+  }
 }
 
-void Engine::report_decisions() {
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+void Engine::report_decisions(Index component) const {
+  const Component& row = t_.components[component];
+  for (const Index g : t_.list(row.groups)) {
     if (s_.last.push[g].edge != nil && s_.now.push[g].edge == nil) tell(event(Event::Kind::release, g));
   }
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+  for (const Index g : t_.list(row.groups)) {
     const Push &now = s_.now.push[g], &last = s_.last.push[g];
     if (now.edge == nil || (now.edge == last.edge && now.provider == last.provider)) continue;
     Event push = event(Event::Kind::push, g);
@@ -160,7 +218,7 @@ void Engine::report_decisions() {
     push.condition = now.condition;
     tell(push);
   }
-  for (Index e = 0; e < t_.edges.size(); ++e) {
+  for (const Index e : t_.list(row.edges)) {
     const Queued &now = s_.next_queued[e], &last = s_.queued[e];
     if (now.why == Why::none || now == last) continue;
     Event queue = event(Event::Kind::queue, t_.edges[e].target);
@@ -169,7 +227,7 @@ void Engine::report_decisions() {
     queue.condition = now.condition;
     tell(queue);
   }
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+  for (const Index g : t_.list(row.groups)) {
     const Index now = s_.now.holder[g], last = s_.last.holder[g];
     if (now == last) continue;
     Event control = event(now == nil ? Event::Kind::lose : Event::Kind::grant, g);

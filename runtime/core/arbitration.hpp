@@ -1,49 +1,37 @@
 #pragma once
 // Arbitration: from requests, state values, enabled flags, pending reasons and the last assignment to a new assignment.
-// This is the pass from nothing, as semantics.md 4 words it: what is decided here does not depend on how it was decided
-// the last time, only on what.
+// This is the pass from nothing, as semantics.md 4 words it, over one component of the tables: what is decided in one
+// never depends on another.
 //
 // The pass is greedy along the order of edges: the first candidate takes what it needs, and nobody behind it can change
 // that. So one sweep decides, and only the rule that equals never take from each other can ask for a repetition.
 // Cost: candidates times providers and plans tried, each compared along its chain of holders.
+//
+// While it decides, a pass notes what its result may depend on besides requests, values and flags: on the assignment
+// before (then it has to be repeated on its own result), and on whose orders are outdated (then again when that
+// changes). Where neither is so, nothing has to be decided until an input of the component changes: most micro-steps
+// are of that kind, since a task that is asked for again changes no input of arbitration.
 
-#include "runtime/core/state.hpp"
-#include "runtime/core/tables.hpp"
+#include "runtime/core/order.hpp"
 
 namespace director {
 
-class Pass {
+class Pass : public Order {
 public:
-  /// Reads State's decision part and its `anew` marks; writes `now`, `next_order` and `queued`.
-  Pass(const Tables& tables, State& state) : t_(tables), s_(state) {}
+  /// Reads State's decision part and its `anew` marks; writes `now`, `next_order`, `next_count` and `next_queued` of
+  /// the component.
+  Pass(const Tables& tables, State& state, Index component)
+      : Order(tables, state),
+        c_(tables.components[component]),
+        component_(component) {}
   void arbitrate();
-  Index order_count() const { return order_count_; }
+
+  /// The result may be another one when it is the last assignment itself.
+  bool depends_on_last() const { return depends_on_last_; }
+  /// The result may be another one when other groups are stale.
+  bool depends_on_stale() const { return depends_on_stale_; }
 
 private:
-  /// Which claims a chain is read along: those of this pass (and of the combination in hand), or the last assignment.
-  enum class Along : std::uint8_t { now, last };
-  struct Place {
-    Index edge;
-    Along along;
-  };
-  struct Chain {
-    Index length = 0;
-    Index top = nil; ///< its edge of root or limbo; nil where the chain does not reach that far
-  };
-
-  // order.cpp: section 4.1
-  bool is_limbo(Index edge) const { return edge >= t_.edges.size(); }
-  Index target(Index edge) const;
-  Index requester(Index edge) const;
-  bool requested(Index edge) const { return !is_limbo(edge) && s_.request[edge] != nil; }
-  Index above(Place place) const;
-  Chain chain(Place place) const;
-  bool in_chain(Index edge, Place of) const;
-  int compare(Place a, Place b, bool in_order) const;
-  bool before(Place a, Place b) const { return compare(a, b, false) < 0; }
-  bool optional(Index edge) const;
-  Index urgency(Index edge) const;
-
   // choose.cpp: sections 4.2 and 4.3
   bool alive(Index edge) const;
   bool available(Index group, Index edge, bool record);
@@ -68,7 +56,9 @@ private:
   void clear();
   void sweep();
   bool denied_in_vain();
-  void become_candidates(Range edges);
+  void become_candidate(Index edge);
+  void become_candidates(Index group);
+  Index first_candidate();
   bool may_ask(Index group) const;
   bool alone(Index edge) const;
   bool stale(Index group) const;
@@ -91,7 +81,6 @@ private:
   Index recall_plan(Index group);
   void finish();
   bool asked_for(Index group) const;
-  void sort_order();
 
   // push.cpp: the pushes of a unit
   bool in_unit(Index edge, Index count) const;
@@ -107,9 +96,10 @@ private:
   bool can_be_pushed(Index provider, Index member) const;
   bool goes_before(Index member, Index edge) const;
 
-  const Tables& t_;
-  State& s_;
-  Index candidates_ = 0, denied_ = 0, order_count_ = 0, stale_granted_ = 0;
+  const Component& c_;
+  Index component_;
+  Index candidates_ = 0, denied_ = 0, stale_granted_ = 0;
+  mutable bool depends_on_last_ = false, depends_on_stale_ = false;
 };
 
 } // namespace director

@@ -30,6 +30,7 @@ bool Pass::available(Index group, Index edge, bool record) {
       (s_.group_marks[group] & mark::forgotten) != 0 || !alive(holder) ||
       compare({edge, Along::now}, {holder, Along::last}, false) != 0)
     return true;
+  depends_on_last_ = depends_on_stale_ = true;
   if (record && (s_.group_marks[group] & mark::denied) == 0) {
     s_.group_marks[group] |= mark::denied;
     s_.denied[denied_++] = group;
@@ -65,8 +66,9 @@ bool Pass::holds(Index condition) const { return director::holds(t_, s_, conditi
 /// count.
 bool Pass::stays(Index provider) const {
   const Provider& row = t_.providers[provider];
-  if (row.stay.empty() || s_.last.active[row.group] != provider || (s_.last.flags[row.group] & flag::granted) == 0)
-    return false;
+  if (row.stay.empty()) return false;
+  depends_on_last_ = true;
+  if (s_.last.active[row.group] != provider || (s_.last.flags[row.group] & flag::granted) == 0) return false;
   for (const Index condition : t_.list(row.stay)) {
     if (!holds(condition)) return false;
   }

@@ -37,11 +37,12 @@ void Engine::reset() {
   for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = nil;
   for (Index i = 0; i < t_.most_edges; ++i) s_.staged_level[i] = nil;
   for (Index g = 0; g < t_.groups.size(); ++g) {
+    s_.now.holder[g] = s_.now.active[g] = s_.now.planned[g] = nil;
     s_.wait[g] = s_.every[g] = never;
     s_.last.holder[g] = s_.last.active[g] = s_.last.planned[g] = nil;
     s_.promised_edge[g] = s_.promised_provider[g] = s_.data_from[g] = s_.trial[g] = nil;
   }
-  starting_ = nil;
+  starting_ = ran_ = nil;
   anew_ = {};
   inside_ = faulted_ = false;
 }
@@ -82,6 +83,14 @@ void Engine::tell(const Event& event) const {
   if (observed()) observer_.tell(observer_.self, event);
 }
 
+void Engine::report_set(Index state) const {
+  if (!observed()) return;
+  Event set = event(Event::Kind::set);
+  set.state = state;
+  set.value = s_.values[state];
+  tell(set);
+}
+
 // What a body sees and asks for.
 
 Time Run::now() const { return engine_.now(); }
@@ -89,8 +98,13 @@ RunState Run::state(Index edge) const { return engine_.state(edge); }
 bool Run::done(Index edge) const { return engine_.done(edge); }
 bool Run::failed(Index edge) const { return engine_.failed(edge); }
 DataPlace Run::data() const { return engine_.data_of(group_); }
-void Run::set(Index state, std::int32_t value) { engine_.s_.staged_value[state] = value; }
 void Run::wait(Time duration) { wait_ = duration; }
+
+void Run::set(Index state, std::int32_t value) {
+  const State& s = engine_.s_;
+  if (s.staged_value[state] == unset) s.staged[s.counters->staged_count++] = state;
+  s.staged_value[state] = value;
+}
 
 bool Run::triggered(Index trigger) const {
   const Range listens = engine_.t_.groups[group_].listens;

@@ -60,31 +60,46 @@ private:
   void take_request(Input record);
   void take_states(Input record);
   void take_handlers_input();
-  bool take_timer();
-  bool expire(Index state);
-  bool break_promise(Index promise);
   bool fire(Index trigger);
   void run_next();
   void commit(const Run& run, Outcome::Kind kind);
   void commit_pack(Range edges);
   void answer(Index group, bool failed);
   void request(Index edge, Index level);
+  void withdraw(Index edge);
   bool set_value(Index state, std::int32_t value);
-  void report_set(Index state, std::int32_t value);
+  bool assign(Index state, std::int32_t value);
   void report_input(const Input& record) const;
+  void report_set(Index state) const;
+
+  // timers.cpp: section 3, Time
+  void arm(Time& timer, Time due);
+  bool take_timer();
+  bool serve_timer(Index row, Time when);
+  void report_timer(Index row) const;
+  bool expire(Index state);
+  bool break_promise(Index promise);
+
+  // settle.cpp: after every micro-step
   void end_micro_step();
+  void mark(Index component, std::uint8_t bits);
+  void touch(Index group);
+  void add_reason(Index group, Reason reason);
+  bool changed(Index component, bool& decision) const;
+  void forget_work();
 
   // act.cpp: section 5
-  void act(std::span<const Index> order);
+  void act(Index passes);
+  std::span<const Index> in_order(Index passes, bool before);
   void stop_group(Index group);
   void give_reasons(Index group);
-  void keep_promises();
+  void enqueue(Index group);
+  void filter_queue();
+  void keep_promises(Index group);
   void settle_data(Range edges);
-  void adopt(std::span<const Index> order);
-  void report_decisions();
-  void add_reason(Index group, Reason reason);
+  void adopt(Index component);
+  void report_decisions(Index component) const;
   void handle(Index group, Reason reason);
-  bool changed() const;
 
   Event event(Event::Kind kind, Index group = nil) const;
   void tell(const Event& event) const;
@@ -99,6 +114,7 @@ private:
   std::uint32_t budget_ = default_budget;
   std::uint32_t quota_ = 0; ///< records of the inbox that this step may still take
   Index starting_ = nil;    ///< the group whose start handler runs: its data may still be staged
+  Index ran_ = nil;         ///< the group that ran in this micro-step
   Range anew_{};            ///< the edges among which some are marked anew
   bool inside_ = false;     ///< a body or handler is running
   bool faulted_ = false;

@@ -26,15 +26,24 @@ namespace due {
 inline constexpr Index expiry = 0, wait = 1, promise = 2, every = 3, none = 4;
 } // namespace due
 
+/// Bits of State::in_queue.
+namespace place {
+inline constexpr std::uint8_t queue = 1;   ///< it is to run
+inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched
+} // namespace place
+
 /// A condition on an unset state is false.
-inline bool holds(const Tables& t, const State& s, Index condition) {
-  const Condition& row = t.conditions[condition];
-  const std::int32_t value = s.values[row.state];
+inline bool accepts(const Tables& t, const Condition& condition, std::int32_t value) {
   if (value == unset) return false;
-  for (Index i = row.accepts.begin; i != row.accepts.end; ++i) {
+  for (Index i = condition.accepts.begin; i != condition.accepts.end; ++i) {
     if (t.intervals[i].low <= value && value <= t.intervals[i].high) return true;
   }
   return false;
+}
+
+inline bool holds(const Tables& t, const State& s, Index condition) {
+  const Condition& row = t.conditions[condition];
+  return accepts(t, row, s.values[row.state]);
 }
 
 } // namespace director

@@ -1,36 +1,33 @@
-// Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// Door: runtime/core/order.hpp. Test: tests/runtime/core/arbitration_test.cpp.
 //
 // Section 4.1: the order between two edges. Along both chains from the bottom up at equal height, the pair of different
 // edges nearest to root is where they part: all below it belongs to one side only. One walk finds that pair and whether
 // something optional lies on either side. Cost: the length of the longer chain.
 
-#include "runtime/core/arbitration.hpp"
+#include "runtime/core/order.hpp"
 
 namespace director {
 
-Index Pass::target(Index edge) const {
+Index Order::target(Index edge) const {
   return is_limbo(edge) ? static_cast<Index>(edge - t_.edges.size()) : t_.edges[edge].target;
 }
 
-Index Pass::requester(Index edge) const { return is_limbo(edge) ? nil : t_.edges[edge].requester; }
+bool Order::optional(Index edge) const { return requested(edge) && t_.levels[s_.request[edge]].optional; }
 
-bool Pass::optional(Index edge) const { return requested(edge) && t_.levels[s_.request[edge]].optional; }
-
-Index Pass::urgency(Index edge) const {
+Index Order::urgency(Index edge) const {
   if (is_limbo(edge)) return 0;
   return s_.request[edge] == nil ? t_.edges[edge].need_urgency : t_.levels[s_.request[edge]].urgency;
 }
 
-/// The edge that controls the requester of this one. What is claimed goes first: a plan in hand may name a group that
-/// somebody has, even one above it, before it is found that it cannot be had.
-Index Pass::above(Place place) const {
+/// The edge that controls the requester of this one.
+Index Order::above(Place place) const {
   const Index group = requester(place.edge);
   if (group == nil) return nil;
   if (place.along == Along::last) return s_.last.holder[group];
-  return s_.now.holder[group] != nil ? s_.now.holder[group] : s_.trial[group];
+  return s_.trial[group] != nil ? s_.trial[group] : s_.now.holder[group];
 }
 
-Pass::Chain Pass::chain(Place place) const {
+Order::Chain Order::chain(Place place) const {
   Chain out;
   for (; place.edge != nil; place.edge = above(place)) {
     ++out.length;
@@ -39,7 +36,7 @@ Pass::Chain Pass::chain(Place place) const {
   return out;
 }
 
-bool Pass::in_chain(Index edge, Place of) const {
+bool Order::in_chain(Index edge, Place of) const {
   for (; of.edge != nil; of.edge = above(of)) {
     if (of.edge == edge) return true;
   }
@@ -47,7 +44,7 @@ bool Pass::in_chain(Index edge, Place of) const {
 }
 
 /// Negative: `a` goes first; 0: equal (by rules 1 to 4), or the same. `in_order`: with rule 5.
-int Pass::compare(Place a, Place b, bool in_order) const {
+int Order::compare(Place a, Place b, bool in_order) const {
   const Chain of_a = chain(a), of_b = chain(b);
   const bool limbo_a = is_limbo(of_a.top), limbo_b = is_limbo(of_b.top);
   if (limbo_a != limbo_b) return limbo_a ? 1 : -1;
@@ -76,6 +73,35 @@ int Pass::compare(Place a, Place b, bool in_order) const {
   const auto stamp = [&](Index edge) { return requested(edge) ? s_.stamp[edge] : ~std::uint64_t{0}; };
   if (stamp(sibling_a) != stamp(sibling_b)) return stamp(sibling_a) < stamp(sibling_b) ? -1 : 1; // rule 5
   return sibling_a < sibling_b ? -1 : 1;
+}
+
+void Order::sort(std::span<Index> groups, Along along) const {
+  const Assignment& holders = along == Along::now ? s_.now : s_.last;
+  const auto goes_behind = [&](Index a, Index b) {
+    return compare({holders.holder[a], along}, {holders.holder[b], along}, true) > 0;
+  };
+  const auto sink = [&](std::size_t at, std::size_t end) {
+    for (;;) {
+      std::size_t child = 2 * at + 1;
+      if (child >= end) return;
+      if (child + 1 < end && goes_behind(groups[child + 1], groups[child])) ++child;
+      if (!goes_behind(groups[child], groups[at])) return;
+      const Index moved = groups[at];
+      groups[at] = groups[child];
+      groups[child] = moved;
+      at = child;
+    }
+  };
+  bool sorted = true; // as it is, mostly
+  for (std::size_t i = 1; i < groups.size() && sorted; ++i) sorted = !goes_behind(groups[i - 1], groups[i]);
+  if (sorted) return;
+  for (std::size_t i = groups.size() / 2; i-- > 0;) sink(i, groups.size());
+  for (std::size_t end = groups.size(); end-- > 1;) {
+    const Index moved = groups[0];
+    groups[0] = groups[end];
+    groups[end] = moved;
+    sink(0, end);
+  }
 }
 
 } // namespace director

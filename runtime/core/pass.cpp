@@ -8,7 +8,7 @@
 namespace director {
 
 void Pass::arbitrate() {
-  for (Index g = 0; g < t_.groups.size(); ++g) s_.group_marks[g] = 0;
+  for (const Index g : t_.list(c_.groups)) s_.group_marks[g] = 0;
   do {
     clear();
     sweep();
@@ -18,20 +18,25 @@ void Pass::arbitrate() {
 }
 
 void Pass::clear() {
-  candidates_ = denied_ = order_count_ = stale_granted_ = 0;
-  for (Index g = 0; g < t_.groups.size(); ++g) {
-    s_.now.holder[g] = s_.now.active[g] = s_.now.planned[g] = s_.trial[g] = nil;
+  candidates_ = denied_ = stale_granted_ = 0;
+  for (const Index g : t_.list(c_.groups)) {
+    s_.now.holder[g] = s_.now.active[g] = s_.now.planned[g] = nil;
     s_.now.flags[g] = 0;
     s_.now.push[g] = Push{};
     s_.now.serves[g] = Service{};
     s_.group_marks[g] &= mark::forgotten;
+    const Range slots = t_.groups[g].slots;
+    for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
+    depends_on_last_ = depends_on_last_ || s_.last.push[g].edge != nil;
   }
-  for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.now.plan[slot] = nil;
-  for (Index e = 0; e < t_.edges.size(); ++e) {
+  for (const Index e : t_.list(c_.edges)) {
     s_.edge_marks[e] = 0;
     s_.next_queued[e] = Queued{};
   }
-  become_candidates({0, t_.root_edges});
+  for (const Index e : t_.list(c_.edges)) {
+    if (t_.edges[e].requester != nil) break; // edges of root come first
+    become_candidate(e);
+  }
 }
 
 /// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.
@@ -45,12 +50,40 @@ bool Pass::denied_in_vain() {
   return false;
 }
 
-void Pass::become_candidates(Range edges) {
-  for (Index e = edges.begin; e != edges.end; ++e) {
-    if (!requested(e) || (s_.edge_marks[e] & (mark::candidate | mark::tried)) != 0) continue;
-    s_.edge_marks[e] |= mark::candidate;
-    s_.candidate[candidates_++] = e;
+void Pass::become_candidate(Index edge) {
+  if (!requested(edge) || (s_.edge_marks[edge] & (mark::candidate | mark::tried)) != 0) return;
+  s_.edge_marks[edge] |= mark::candidate;
+  Index at = candidates_++;
+  while (at > 0) {
+    const Index parent = (at - 1) / 2;
+    if (compare({edge, Along::now}, {s_.candidate[parent], Along::now}, true) > 0) break;
+    s_.candidate[at] = s_.candidate[parent];
+    at = parent;
   }
+  s_.candidate[at] = edge;
+}
+
+void Pass::become_candidates(Index group) {
+  const Range edges = t_.groups[group].edges;
+  for (Index e = edges.begin; e != edges.end; ++e) become_candidate(e);
+}
+
+/// Takes the first in order off the heap.
+Index Pass::first_candidate() {
+  const Index first = s_.candidate[0], moved = s_.candidate[--candidates_];
+  Index at = 0;
+  for (;;) {
+    auto child = static_cast<Index>(2 * at + 1);
+    if (child >= candidates_) break;
+    const auto other = static_cast<Index>(child + 1);
+    if (other < candidates_ && compare({s_.candidate[other], Along::now}, {s_.candidate[child], Along::now}, true) < 0)
+      child = other;
+    if (compare({moved, Along::now}, {s_.candidate[child], Along::now}, true) < 0) break;
+    s_.candidate[at] = s_.candidate[child];
+    at = child;
+  }
+  if (candidates_ != 0) s_.candidate[at] = moved;
+  return first;
 }
 
 /// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
@@ -65,30 +98,27 @@ bool Pass::alone(Index edge) const {
 
 /// Tries candidates, the first in order first, until none is left.
 void Pass::sweep() {
-  const auto take = [&](Index i) {
-    s_.edge_marks[s_.candidate[i]] &= static_cast<std::uint8_t>(~mark::candidate);
-    s_.candidate[i] = s_.candidate[--candidates_];
-  };
-  for (;;) {
-    for (Index i = candidates_; i-- > 0;) {
-      if (!may_ask(requester(s_.candidate[i]))) take(i);
-    }
-    if (candidates_ == 0) return;
-    Index first = s_.candidate[0];
-    for (Index i = 1; i < candidates_; ++i) {
-      if (compare({s_.candidate[i], Along::now}, {first, Along::now}, true) < 0) first = s_.candidate[i];
+  while (candidates_ != 0) {
+    const Index first = first_candidate();
+    if ((s_.edge_marks[first] & mark::candidate) == 0) continue; // it was tried as a member of a unit
+    if (!may_ask(requester(first))) {
+      s_.edge_marks[first] &= static_cast<std::uint8_t>(~mark::candidate);
+      continue;
     }
     Index count = 0;
-    const bool is_alone = alone(first);
-    for (Index i = candidates_; i-- > 0;) {
-      const Index edge = s_.candidate[i];
-      if (edge != first && (is_alone || requester(edge) != requester(first) || alone(edge))) continue;
-      take(i);
-      s_.edge_marks[edge] |= mark::tried;
+    const auto join = [&](Index edge) {
+      s_.edge_marks[edge] = static_cast<std::uint8_t>((s_.edge_marks[edge] & ~mark::candidate) | mark::tried);
       Index at = count++; // members in order
       for (; at > 0 && compare({edge, Along::now}, {s_.unit[at - 1], Along::now}, true) < 0; --at)
         s_.unit[at] = s_.unit[at - 1];
       s_.unit[at] = edge;
+    };
+    join(first);
+    if (!alone(first)) {
+      const Range siblings = t_.groups[requester(first)].edges;
+      for (Index e = siblings.begin; e != siblings.end; ++e) {
+        if ((s_.edge_marks[e] & mark::candidate) != 0 && !alone(e)) join(e);
+      }
     }
     try_unit(count);
   }
@@ -131,7 +161,9 @@ bool Pass::outdated_order(Index count) const {
 }
 
 void Pass::try_unit(Index count) {
-  if (count > 1 && stale_requester(s_.unit[0])) {
+  const bool outdated = stale_requester(s_.unit[0]);
+  depends_on_stale_ = depends_on_stale_ || outdated;
+  if (count > 1 && outdated) {
     for (Index i = 0; i < count; ++i) { // each member for itself
       s_.member[0] = s_.unit[i];
       try_members(1);
@@ -145,8 +177,9 @@ void Pass::try_unit(Index count) {
 void Pass::try_members(Index count) {
   if (outdated_order(count) || !combine(count, true)) return refuse(count);
   if (!premature(count)) return grant(count);
+  depends_on_stale_ = true;
   leave_combination(count);
-  defer(count);
+  defer(count); // of a stale requester nothing gets here: the members in hand are those of the unit
 }
 
 /// What was granted before stays, the others wait for the runs to come.
@@ -185,7 +218,7 @@ bool Pass::reached_from_stale(Index found, Index edge) {
     const Index holder = s_.now.holder[group];
     return edge == nil || (!in_chain(holder, {edge, Along::now}) && before({holder, Along::now}, {edge, Along::now}));
   };
-  for (Index g = 0; g < t_.groups.size(); ++g) s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::reached);
+  for (const Index g : t_.list(c_.groups)) s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::reached);
   const Index claims = found;
   bool yes = false;
   for (Index i = 0; i < found && !yes; ++i) {
@@ -215,7 +248,7 @@ void Pass::grant(Index count) {
   for (Index at = 0; at < count; ++at) {
     const Index group = target(s_.member[at]);
     if (stale(group)) ++stale_granted_;
-    become_candidates(t_.groups[group].edges);
+    become_candidates(group);
     waken(entries_begin(at), s_.member_entries[at]);
   }
   keep_serving_pushes(count);
@@ -250,7 +283,7 @@ void Pass::claim_plan(Index begin, Index end) {
 void Pass::waken(Index begin, Index end) {
   for (Index i = begin; i < end; ++i) {
     const Index group = s_.entry_group[i];
-    if (s_.last.active[group] != nil && stale(group)) become_candidates(t_.groups[group].edges);
+    if (s_.last.active[group] != nil && stale(group)) become_candidates(group);
   }
 }
 
@@ -261,8 +294,10 @@ void Pass::refuse(Index count) {
     return explain(count, Why::outdated);
   }
   if (!combine(count, false)) return explain(count, Why::blocked);
+  depends_on_last_ = true;
   const Index unmet = collect_unmet(count);
   const bool early = stale_requester(s_.member[0]) || premature(count);
+  depends_on_stale_ = depends_on_stale_ || early;
   leave_combination(count);
   explain(count, Why::waiting, s_.unmet[0]);
   if (early) return keep_pushes(count);
@@ -278,8 +313,8 @@ void Pass::explain(Index count, Why why, Index condition) {
 
 /// Live groups that nobody claims are kept for an heir that is about to run.
 void Pass::hand_over() {
-  for (Index i = 0; i < s_.counters->order_count; ++i) {
-    const Index group = s_.order[i];
+  for (Index i = 0; i < s_.order_count[component_]; ++i) {
+    const Index group = s_.order[c_.order + i];
     if (s_.last.active[group] == nil || s_.now.holder[group] != nil || stale_granted_ == 0) continue;
     s_.reach[0] = group;
     if (reached_from_stale(1, nil)) hand_over(group);
@@ -291,12 +326,13 @@ void Pass::hand_over(Index group) {
   for (Index i = 0; i < end; ++i) {
     if (s_.now.holder[s_.entry_group[i]] != nil) return;
   }
+  depends_on_last_ = depends_on_stale_ = true;
   s_.now.holder[group] = static_cast<Index>(t_.edges.size() + group);
   s_.now.active[group] = s_.last.active[group];
   if (s_.last.planned[group] != nil) plan_for(group, s_.last.planned[group], 0, end);
   for (Index i = 0; i < end; ++i) s_.now.holder[s_.entry_group[i]] = s_.entry_need[i];
   claim_plan(0, end);
-  become_candidates(t_.groups[group].edges);
+  become_candidates(group);
   waken(0, end);
   sweep();
 }
@@ -329,14 +365,19 @@ Index Pass::recall_plan(Index group) {
 
 /// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
 void Pass::finish() {
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+  Index count = 0;
+  for (const Index g : t_.list(c_.groups)) {
     if (s_.now.holder[g] == nil) continue;
-    s_.next_order[order_count_++] = g;
-    if (s_.now.active[g] == nil && s_.last.active[g] != nil && stale(g)) s_.now.active[g] = s_.last.active[g];
+    s_.next_order[c_.order + count++] = g;
+    if (s_.now.active[g] != nil || s_.last.active[g] == nil) continue;
+    depends_on_last_ = depends_on_stale_ = true;
+    if (stale(g)) s_.now.active[g] = s_.last.active[g];
   }
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+  s_.next_count[component_] = count;
+  for (const Index g : t_.list(c_.groups)) {
     Push& push = s_.now.push[g];
     if (push.edge == nil) continue;
+    depends_on_last_ = true;
     if (s_.now.holder[g] == nil) {
       if (!asked_for(g)) push = Push{};
       continue;
@@ -348,7 +389,7 @@ void Pass::finish() {
     s_.now.flags[g] |= flag::in_force;
     if (!holds(push.condition)) s_.now.serves[g] = {push.provider, push.condition};
   }
-  sort_order();
+  sort({s_.next_order + c_.order, count}, Along::now);
 }
 
 /// By root or a live group.
@@ -358,33 +399,6 @@ bool Pass::asked_for(Index group) const {
     if (requested(edge) && (from == nil || s_.now.active[from] != nil)) return true;
   }
   return false;
-}
-
-/// Sorts next_order by section 4.1: a heap in place.
-void Pass::sort_order() {
-  const auto goes_behind = [&](Index a, Index b) {
-    return compare({s_.now.holder[a], Along::now}, {s_.now.holder[b], Along::now}, true) > 0;
-  };
-  const auto sink = [&](Index at, Index end) {
-    for (;;) {
-      auto child = static_cast<Index>(2 * at + 1);
-      if (child >= end) return;
-      if (child + 1U < end && goes_behind(s_.next_order[child + 1], s_.next_order[child])) ++child;
-      if (!goes_behind(s_.next_order[child], s_.next_order[at])) return;
-      const Index moved = s_.next_order[at];
-      s_.next_order[at] = s_.next_order[child];
-      s_.next_order[child] = moved;
-      at = child;
-    }
-  };
-  for (Index i = order_count_ / 2; i-- > 0;) sink(i, order_count_);
-  for (Index end = order_count_; end > 1;) {
-    --end;
-    const Index moved = s_.next_order[0];
-    s_.next_order[0] = s_.next_order[end];
-    s_.next_order[end] = moved;
-    sink(0, end);
-  }
 }
 
 } // namespace director

@@ -54,7 +54,7 @@ bool Pass::somebody_satisfies(Index condition) const {
 
 /// The pushes that the unit made before stay.
 void Pass::keep_pushes(Index count) {
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+  for (const Index g : t_.list(c_.groups)) {
     const Push& push = s_.last.push[g];
     if (push.edge != nil && s_.now.push[g].edge == nil && in_unit(push.edge, count)) s_.now.push[g] = push;
   }
@@ -67,12 +67,12 @@ void Pass::want(Range conditions) {
 /// The unit is granted: of its pushes those stay that serve the choices in hand, or a push that does.
 void Pass::keep_serving_pushes(Index count) {
   bool any = false;
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+  for (const Index g : t_.list(c_.groups)) {
     s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
     any = any || (s_.last.push[g].edge != nil && in_unit(s_.last.push[g].edge, count));
   }
   if (!any) return;
-  for (Index c = 0; c < t_.conditions.size(); ++c) s_.condition_marks[c] = 0;
+  for (const Index c : t_.list(c_.conditions)) s_.condition_marks[c] = 0;
   const auto want_provider = [&](Index provider) {
     want(t_.providers[provider].when);
     want(t_.providers[provider].stay);
@@ -89,7 +89,7 @@ void Pass::keep_serving_pushes(Index count) {
   };
   for (bool more = true; more;) {
     more = false;
-    for (Index g = 0; g < t_.groups.size(); ++g) {
+    for (const Index g : t_.list(c_.groups)) {
       const Push& push = s_.last.push[g];
       if (push.edge == nil || (s_.group_marks[g] & mark::busy) != 0 || !in_unit(push.edge, count) ||
           !serves(push.provider))
@@ -105,7 +105,7 @@ void Pass::keep_serving_pushes(Index count) {
 /// Pushes made before stay; new ones are made only if every condition is served.
 void Pass::push_for(Index count, Index unmet) {
   const auto theirs = [&](Index g) -> const Push& { return s_.now.push[g]; }; // made by units before this one
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+  for (const Index g : t_.list(c_.groups)) {
     const Push& push = s_.last.push[g];
     const bool ours =
         push.edge != nil && in_unit(push.edge, count) && (theirs(g).edge == nil || theirs(g).provider == push.provider);
@@ -116,7 +116,7 @@ void Pass::push_for(Index count, Index unmet) {
   bool all_served = true;
   for (Index i = 0; i < unmet; ++i) {
     bool served = false;
-    for (Index g = 0; g < t_.groups.size(); ++g) {
+    for (const Index g : t_.list(c_.groups)) {
       if (s_.own[g].edge == nil || !satisfies(s_.own[g].provider, s_.unmet[i])) continue;
       s_.group_marks[g] |= mark::busy;
       served = true;
@@ -130,7 +130,7 @@ void Pass::push_for(Index count, Index unmet) {
     Push& first = s_.first[t_.providers[push.provider].group];
     if (first.edge == nil) first = push; // one group serves one condition after the other
   }
-  for (Index g = 0; g < t_.groups.size(); ++g) {
+  for (const Index g : t_.list(c_.groups)) {
     const bool free = (s_.group_marks[g] & mark::busy) == 0 && theirs(g).edge == nil;
     if (all_served && s_.first[g].edge != nil && free && s_.own[g].provider != s_.first[g].provider)
       s_.own[g] = s_.first[g];
@@ -140,10 +140,10 @@ void Pass::push_for(Index count, Index unmet) {
 
 /// The first push of the shortest chain that makes a condition of `member` true.
 bool Pass::find_chain(Index condition, Index member, Push& out) {
-  for (Index c = 0; c < t_.conditions.size(); ++c) s_.cost[c] = endless;
+  for (const Index c : t_.list(c_.conditions)) s_.cost[c] = endless;
   for (bool changed = true; changed;) {
     changed = false;
-    for (const Index provider : t_.causing_providers) {
+    for (const Index provider : t_.list(c_.causing)) {
       if (can_be_pushed(provider, member)) changed = relax(provider) || changed;
     }
   }

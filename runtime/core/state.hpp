@@ -14,12 +14,12 @@ namespace director {
 /// How many rows of everything; what the size of the memory depends on.
 struct Shape {
   std::size_t groups = 0, providers = 0, edges = 0, conditions = 0, states = 0, promises = 0;
-  std::size_t plan_slots = 0, listen_slots = 0, most_edges = 0;
+  std::size_t plan_slots = 0, listen_slots = 0, most_edges = 0, components = 0;
   std::size_t lacking = 0; ///< the most conditions that one combination of choices can lack
 
   static constexpr Shape of(const Tables& t) {
     Shape n{t.groups.size(),   t.providers.size(),   t.edges.size(),    t.conditions.size(), t.states.size(),
-            t.promises.size(), t.plan_groups.size(), t.listened.size(), t.most_edges};
+            t.promises.size(), t.plan_groups.size(), t.listened.size(), t.most_edges,        t.components.size()};
     for (const Group& group : t.groups) {
       Index most = 0;
       for (Index p = group.providers.begin; p != group.providers.end; ++p) {
@@ -37,6 +37,15 @@ inline constexpr std::uint8_t granted = 1;  ///< a unit got it as its target in 
 inline constexpr std::uint8_t needed = 2;   ///< its holder claimed it for a plan
 inline constexpr std::uint8_t in_force = 4; ///< its active provider runs because of the push on it
 } // namespace flag
+
+/// Bits of State::component: what the next arbitration has to know about it.
+namespace work {
+inline constexpr std::uint8_t changed = 1;       ///< a request, value or flag that it depends on is another one
+inline constexpr std::uint8_t unsettled = 2;     ///< the last pass may decide differently on its own result
+inline constexpr std::uint8_t stale_counts = 4;  ///< whose orders are outdated made a difference in the last pass
+inline constexpr std::uint8_t stale_changed = 8; ///< and may be another since
+inline constexpr std::uint8_t listed = 16;       ///< it stands in State::work
+} // namespace work
 
 /// Bits of State::done.
 namespace result {
@@ -77,15 +86,19 @@ struct Assignment {
 struct Counters {
   Time now = 0;                  ///< the engine's time: that of the input or timer being served
   Time until = 0;                ///< the time that `step` was given last
+  Time earliest = never;         ///< nothing is due before
   std::uint64_t micro_step = 0;  ///< how many were taken
-  Index order_count = 0;         ///< rows of State::order in use
-  Index queue_count = 0;         ///< rows of State::queue in use
-  Index due_phase = 0;           ///< which kind of timer is being served; 4: nil
+  Index queue_begin = 0;         ///< the oldest row of State::queue
+  Index queue_count = 0;         ///< how many are in use from there on, the first row following the last
+  Index work_count = 0;          ///< rows of State::work in use
+  Index due_phase = 0;           ///< which kind of timer is being served; due::none
   Index due_at = 0;              ///< the next row of that kind to look at
+  Index touched_count = 0;       ///< rows of State::touched in use; 0 between micro-steps
+  Index staged_count = 0;        ///< rows of State::staged in use; 0 between micro-steps
   std::uint8_t begun = 0;        ///< the first step was taken
   std::uint8_t unsettled = 0;    ///< the last arbitration changed something
   std::uint8_t handlers_set = 0; ///< State::handler_values holds an input
-  std::uint8_t padding = 0;
+  std::uint8_t unused = 0;
 };
 
 struct State {
@@ -100,11 +113,15 @@ struct State {
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
   Index* request = nullptr;               ///< edge: level (of Tables::levels) at which it is requested; nil
   Assignment last;                        ///< what the last pass decided
-  Index* order = nullptr;                 ///< the groups that are held, in order; Counters::order_count rows
-  Index* queue = nullptr;                 ///< groups that are to run, oldest first; Counters::queue_count rows
+  Index* order = nullptr;                 ///< component after component, its groups that are held, in order
+  Index* order_count = nullptr;           ///< component: how many these are
+  Index* place = nullptr;                 ///< group that is held: where it stands in that order
+  Index* queue = nullptr;                 ///< groups that are to run: a ring, from Counters::queue_begin on
+  Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
   Index* promised_edge = nullptr;         ///< group: pusher of the push for which promises were taken
   Index* promised_provider = nullptr;     ///< group: its provider; nil: no promise
   Index* data_from = nullptr;             ///< group: edge whose slot holds its data; nil: its own slot
+  std::uint8_t* component = nullptr;      ///< component: bits of `work`
   std::uint8_t* enabled = nullptr;        ///< provider
   std::uint8_t* done = nullptr;           ///< group: bits of `result`
   std::uint8_t* pending = nullptr;        ///< group: bits of Reason
@@ -113,13 +130,17 @@ struct State {
 
   // What one pass, commit or act needs and forgets.
   std::uint64_t* cost = nullptr;           ///< condition: length of the shortest chain of pushes that makes it true
-  Index* cost_at = nullptr;                ///< condition: first provider of that chain; nil: no chain
+  Index* cost_at = nullptr;                ///< condition: first provider of that chain
   Index* cost_plan = nullptr;              ///< condition: number of its plan
   Index* cost_next = nullptr;              ///< condition: the first condition that it lacks; nil: nothing
   Assignment now;                          ///< what this pass decides
   Push* own = nullptr;                     ///< group: the pushes of the unit in hand
   Push* first = nullptr;                   ///< group: new pushes of the unit in hand
-  Index* next_order = nullptr;             ///< group
+  Index* touched = nullptr;                ///< groups that gained a reason to run since the last act
+  Index* staged = nullptr;                 ///< states that the running body set
+  Index* next_order = nullptr;             ///< as `order`
+  Index* next_count = nullptr;             ///< as `order_count`
+  Index* sorted = nullptr;                 ///< groups of several components, brought in order
   Index* trial = nullptr;                  ///< group: edge that would claim it in the combination in hand
   Index* entry_group = nullptr;            ///< 2 * groups: plans of the members in hand, as stacks of entries
   Index* entry_need = nullptr;             ///< the edge by which an entry is needed
@@ -132,7 +153,7 @@ struct State {
   Index* member_choice = nullptr;          ///< provider of the member's target, as a place in the order of preference
   Index* member_provider = nullptr;        ///< that provider
   Index* member_entries = nullptr;         ///< one past the last entry of the member's plan
-  Index* candidate = nullptr;              ///< edges that are candidates
+  Index* candidate = nullptr;              ///< edges that are candidates: a heap, the first in order on top
   Index* reach = nullptr;                  ///< groups: work list of a search
   Index* denied = nullptr;                 ///< groups in the order in which they were denied for their holder's sake
   Index* staged_level = nullptr;           ///< place among the running group's edges: level asked for; nil
@@ -155,15 +176,17 @@ struct State {
     visit(s.promise_due, n.promises), visit(s.values, n.states), visit(s.handler_values, n.states);
     visit(s.request, n.edges);
     each_of(s.last, n, visit);
-    visit(s.order, n.groups), visit(s.queue, n.groups);
-    visit(s.promised_edge, n.groups), visit(s.promised_provider, n.groups), visit(s.data_from, n.groups);
-    visit(s.enabled, n.providers), visit(s.done, n.groups), visit(s.pending, n.groups), visit(s.in_queue, n.groups);
-    visit(s.fired, n.listen_slots);
+    visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups), visit(s.queue, n.groups);
+    visit(s.work, n.components), visit(s.promised_edge, n.groups), visit(s.promised_provider, n.groups);
+    visit(s.data_from, n.groups), visit(s.component, n.components), visit(s.enabled, n.providers);
+    visit(s.done, n.groups), visit(s.pending, n.groups), visit(s.in_queue, n.groups), visit(s.fired, n.listen_slots);
     scratch();
     visit(s.cost, n.conditions), visit(s.cost_at, n.conditions), visit(s.cost_plan, n.conditions);
     visit(s.cost_next, n.conditions);
     each_of(s.now, n, visit);
-    visit(s.own, n.groups), visit(s.first, n.groups), visit(s.next_order, n.groups), visit(s.trial, n.groups);
+    visit(s.own, n.groups), visit(s.first, n.groups), visit(s.touched, n.groups), visit(s.staged, n.states);
+    visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.sorted, n.groups),
+        visit(s.trial, n.groups);
     visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
     visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
     visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);

@@ -3,7 +3,6 @@
 // Section 3: micro-steps. One loop takes them in the order of choice: what handlers set, the oldest input, what is due
 // at the time being served, the oldest run, one more arbitration; then the next due time.
 
-#include "runtime/core/arbitration.hpp"
 #include "runtime/core/engine.hpp"
 #include "runtime/core/marks.hpp"
 
@@ -16,7 +15,7 @@ StepResult Engine::step(Time now) {
     c.begun = 1;
     c.until = now;
     for (Index i = 0; i < t_.states.size(); ++i) {
-      if (t_.states[i].expires != 0 && s_.values[i] != unset) s_.expiry[i] = now + t_.states[i].expires;
+      if (t_.states[i].expires != 0 && s_.values[i] != unset) arm(s_.expiry[i], now + t_.states[i].expires);
     }
   }
   if (now > c.until) c.until = now;
@@ -39,7 +38,7 @@ StepResult Engine::step(Time now) {
 bool Engine::work_left() const {
   const Counters& c = *s_.counters;
   return c.handlers_set != 0 || c.queue_count != 0 || c.unsettled != 0 || (quota_ != 0 && !inbox_.empty()) ||
-         next_due() <= c.until;
+         (c.earliest <= c.until && next_due() <= c.until);
 }
 
 /// False: nothing is left to do up to the time given to `step`.
@@ -55,13 +54,14 @@ bool Engine::micro_step() {
       end_micro_step();
       return true;
     }
-    const Time next = next_due();
-    if (next > c.until) {
+    if (c.earliest <= c.until) c.earliest = next_due(); // what was cancelled may have been the earliest
+    if (c.earliest > c.until) {
       c.now = c.until;
       return false;
     }
-    c.now = next;
-    c.due_phase = c.due_at = 0;
+    c.now = c.earliest;
+    c.due_phase = due::expiry;
+    c.due_at = 0;
   }
 }
 
@@ -81,7 +81,7 @@ bool Engine::take_input() {
   case Input::Kind::set: take_states(record); break;
   case Input::Kind::cancel:
     if (s_.request[record.thing] == nil) break;
-    s_.request[record.thing] = nil;
+    withdraw(record.thing);
     end_micro_step();
     break;
   case Input::Kind::fire:
@@ -92,6 +92,7 @@ bool Engine::take_input() {
     const std::uint8_t wanted = record.kind == Input::Kind::enable ? 1 : 0;
     if (s_.enabled[record.thing] == wanted) break;
     s_.enabled[record.thing] = wanted;
+    mark(t_.groups[t_.providers[record.thing].group].component, work::changed);
     end_micro_step();
     break;
   }
@@ -112,7 +113,6 @@ void Engine::take_request(Input record) {
   do {
     if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
     request(record.thing, record.level);
-    s_.anew[record.thing] = 1; // the same root task requested again is a new task, as in a pack
   } while (take_more(record));
   end_micro_step();
 }
@@ -134,23 +134,47 @@ void Engine::take_handlers_input() {
     const std::int32_t value = s_.handler_values[i];
     if (value == unset) continue;
     s_.handler_values[i] = unset;
-    if (s_.values[i] != value) report_set(i, value);
-    changes = set_value(i, value) || changes;
+    if (!set_value(i, value)) continue;
+    changes = true;
+    report_set(i);
   }
   if (changes) end_micro_step();
 }
 
 void Engine::request(Index edge, Index level) {
-  if (s_.request[edge] != level) s_.stamp[edge] = s_.counters->micro_step;
-  s_.request[edge] = level;
+  s_.anew[edge] = 1; // the same task requested again is a new task
+  const Index group = t_.edges[edge].target;
+  if (s_.request[edge] != level) {
+    s_.stamp[edge] = s_.counters->micro_step;
+    s_.request[edge] = level;
+    mark(t_.groups[group].component, work::changed);
+  }
+  touch(group);
+}
+
+void Engine::withdraw(Index edge) {
+  if (s_.request[edge] == nil) return;
+  s_.request[edge] = nil;
+  mark(t_.groups[t_.edges[edge].target].component, work::changed);
 }
 
 /// True if the value changes. What expires counts anew, also where it does not.
 bool Engine::set_value(Index state, std::int32_t value) {
   const Time expires = t_.states[state].expires;
-  if (expires != 0) s_.expiry[state] = s_.counters->now + expires;
-  if (s_.values[state] == value) return false;
+  if (expires != 0) arm(s_.expiry[state], s_.counters->now + expires);
+  return assign(state, value);
+}
+
+/// The components in which a condition flips have to decide again.
+bool Engine::assign(Index state, std::int32_t value) {
+  const std::int32_t before = s_.values[state];
+  if (before == value) return false;
   s_.values[state] = value;
+  for (const Index condition : t_.list(t_.states[state].conditions)) {
+    const Condition& row = t_.conditions[condition];
+    if (accepts(t_, row, before) == accepts(t_, row, value)) continue;
+    for (const Index component : t_.list(row.components)) mark(component, work::changed);
+  }
   return true;
 }
 
@@ -170,104 +194,19 @@ bool Engine::fire(Index trigger) {
   return heard;
 }
 
-// Time
-
-Time Engine::next_due() const {
-  Time next = never;
-  const auto least = [&](const Time* times, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) next = times[i] < next ? times[i] : next;
-  };
-  least(s_.expiry, t_.states.size());
-  least(s_.wait, t_.groups.size());
-  least(s_.promise_due, t_.promises.size());
-  least(s_.every, t_.groups.size());
-  return next;
-}
-
-/// What is due at the time being served: states that expire, waits, promises, `every`, each in order of declaration.
-/// Each is an input of its own. What one of them cancels is not due any more when its turn comes.
-bool Engine::take_timer() {
-  Counters& c = *s_.counters;
-  const auto take = [&](Time* times, Index at) {
-    ++c.micro_step;
-    times[at] = never;
-    if (!observed()) return;
-    constexpr Event::Input kinds[] = {Event::Input::expire, Event::Input::wait, Event::Input::within,
-                                      Event::Input::every};
-    Event input = event(Event::Kind::input, c.due_phase == due::expiry ? nil : at);
-    input.input = kinds[c.due_phase];
-    if (c.due_phase == due::expiry) input.state = at;
-    if (c.due_phase == due::promise) {
-      input.provider = t_.promises[at].provider;
-      input.group = t_.providers[input.provider].group;
-    }
-    tell(input);
-  };
-  for (; c.due_phase != due::none; ++c.due_phase, c.due_at = 0) {
-    Time* const times = c.due_phase == due::expiry    ? s_.expiry
-                        : c.due_phase == due::wait    ? s_.wait
-                        : c.due_phase == due::promise ? s_.promise_due
-                                                      : s_.every;
-    const std::size_t count = c.due_phase == due::expiry    ? t_.states.size()
-                              : c.due_phase == due::promise ? t_.promises.size()
-                                                            : t_.groups.size();
-    while (c.due_at < count) {
-      const Index at = c.due_at++;
-      const Time when = times[at];
-      if (when > c.now) continue;
-      take(times, at);
-      bool changes = true;
-      switch (c.due_phase) {
-      case due::expiry: changes = expire(at); break;
-      case due::promise: changes = break_promise(at); break;
-      case due::wait: add_reason(at, Reason::wait); break;
-      default: {
-        const Time period = t_.providers[s_.last.active[at]].every;
-        Time next = when + period; // one that is late runs once
-        if (next <= c.until) next += ((c.until - next) / period + 1) * period;
-        s_.every[at] = next;
-        add_reason(at, Reason::trigger);
-        break;
-      }
-      }
-      if (changes) end_micro_step();
-      return true;
-    }
-  }
-  return false;
-}
-
-bool Engine::expire(Index state) {
-  const std::int32_t to = t_.states[state].expires_to;
-  if (s_.values[state] == to) return false;
-  s_.values[state] = to;
-  report_set(state, to);
-  return true;
-}
-
-/// Once for a push: the other promises of this run of it are over too. True if somebody listens.
-bool Engine::break_promise(Index promise) {
-  const Index provider = t_.promises[promise].provider;
-  const Range all = t_.providers[provider].promises;
-  for (Index i = all.begin; i != all.end; ++i) s_.promise_due[i] = never;
-  Event broken = event(Event::Kind::broken, t_.providers[provider].group);
-  broken.provider = provider;
-  tell(broken);
-  const Index trigger = t_.promises[promise].trigger;
-  return trigger != nil && fire(trigger);
-}
-
 // A run
 
 void Engine::run_next() {
   Counters& c = *s_.counters;
   ++c.micro_step;
-  const Index group = s_.queue[0];
+  const Index group = s_.queue[c.queue_begin];
+  if (++c.queue_begin == t_.groups.size()) c.queue_begin = 0;
   --c.queue_count;
-  for (Index i = 0; i < c.queue_count; ++i) s_.queue[i] = s_.queue[i + 1];
   s_.in_queue[group] = 0;
   std::uint8_t reasons = s_.pending[group];
   s_.pending[group] = 0;
+  const Index component = t_.groups[group].component;
+  if ((s_.component[component] & work::stale_counts) != 0) mark(component, work::stale_changed);
   if (!in_force(group)) reasons &= static_cast<std::uint8_t>(~static_cast<std::uint8_t>(Reason::pushed));
   if (reasons == 0) return end_micro_step(); // nobody pushes it any more
 
@@ -276,7 +215,7 @@ void Engine::run_next() {
     s_.promised_edge[group] = s_.last.push[group].edge;
     s_.promised_provider[group] = provider;
     const Range promises = t_.providers[provider].promises;
-    for (Index i = promises.begin; i != promises.end; ++i) s_.promise_due[i] = c.now + t_.promises[i].within;
+    for (Index i = promises.begin; i != promises.end; ++i) arm(s_.promise_due[i], c.now + t_.promises[i].within);
   }
   Run run(*this, group, provider, Reasons{reasons});
   if (observed()) {
@@ -289,7 +228,9 @@ void Engine::run_next() {
   const Outcome outcome = bodies_.run[provider](bodies_.self, run);
   inside_ = false;
   commit(run, outcome.kind());
+  ran_ = group;
   end_micro_step();
+  ran_ = nil;
 }
 
 /// Everything that a run asked for, together.
@@ -298,15 +239,13 @@ void Engine::commit(const Run& run, Outcome::Kind kind) {
   const Range listens = t_.groups[group].listens, edges = t_.groups[group].edges;
   for (Index slot = listens.begin; slot != listens.end; ++slot) s_.fired[slot] = 0;
   const bool fault = kind == Outcome::Kind::fault;
-  for (Index i = 0; i < t_.states.size(); ++i) {
-    const std::int32_t value = s_.staged_value[i];
-    if (value == unset) continue;
-    s_.staged_value[i] = unset;
-    if (fault) continue;
-    const bool changes = s_.values[i] != value;
-    set_value(i, value);
-    if (changes) report_set(i, value);
+  for (Index i = 0; i < s_.counters->staged_count; ++i) {
+    const Index state = s_.staged[i];
+    const std::int32_t value = s_.staged_value[state];
+    s_.staged_value[state] = unset;
+    if (!fault && set_value(state, value)) report_set(state);
   }
+  s_.counters->staged_count = 0;
   if (kind == Outcome::Kind::pack) {
     commit_pack(edges);
     s_.done[group] = 0;
@@ -320,7 +259,7 @@ void Engine::commit(const Run& run, Outcome::Kind kind) {
     tell(fault_event);
     faulted_ = true;
   } else if (run.wait_ > 0) {
-    s_.wait[group] = s_.counters->now + run.wait_;
+    arm(s_.wait[group], s_.counters->now + run.wait_);
   } else if (kind == Outcome::Kind::pack) {
     s_.wait[group] = never;
   }
@@ -331,10 +270,9 @@ void Engine::commit_pack(Range edges) {
   for (Index e = edges.begin; e != edges.end; ++e) {
     const auto at = static_cast<Index>(e - edges.begin);
     if (s_.staged_level[at] == nil) {
-      s_.request[e] = nil;
+      withdraw(e);
     } else if (s_.staged_keep[at] == 0) {
       request(e, s_.staged_level[at]);
-      s_.anew[e] = 1;
     }
   }
 }
@@ -344,24 +282,10 @@ void Engine::answer(Index group, bool failed) {
   tell(event(failed ? Event::Kind::failed : Event::Kind::done, group));
   const Index holder = s_.last.holder[group], requester = t_.edges[holder].requester;
   if (requester == nil) {
-    s_.request[holder] = nil;
+    withdraw(holder);
   } else {
     add_reason(requester, Reason::subtask_done);
   }
-}
-
-void Engine::end_micro_step() {
-  Pass pass(t_, s_);
-  pass.arbitrate();
-  act({s_.next_order, pass.order_count()});
-}
-
-void Engine::report_set(Index state, std::int32_t value) {
-  if (!observed()) return;
-  Event set = event(Event::Kind::set);
-  set.state = state;
-  set.value = value;
-  tell(set);
 }
 
 void Engine::report_input(const Input& record) const {

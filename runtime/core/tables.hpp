@@ -61,7 +61,7 @@ struct Provider {
   Range causing{};  ///< lists: states that its `causing` is about
   Range aims{}; ///< lists: conditions in `when` or `stay` of it and of every provider in one of its plans; if it causes
   Range promises{}; ///< of Tables::promises
-  Time every = 0;   ///< 0: nil
+  Time every = 0;   ///< 0: it does not ask for that
 };
 
 struct Group {
@@ -73,6 +73,18 @@ struct Group {
   Range owned{};   ///< lists: states that belong to it
   bool start = false; ///< has such a handler
   bool stop = false;
+  Index component = 0; ///< of Tables::components
+};
+
+/// Groups that can have to do with each other: what happens in one component never changes a decision in another. Two
+/// groups are in one if one requests or needs the other, or if a provider of one may be pushed for a condition of the
+/// other.
+struct Component {
+  Range groups{};     ///< lists: ascending
+  Range edges{};      ///< lists: that lead to its groups, ascending; those of root come first
+  Range conditions{}; ///< lists: in `when` and `stay` of its providers, ascending
+  Range causing{};    ///< lists: its providers with `causing`, ascending
+  Index order = 0;    ///< where its rows of State::order begin; there are as many as it has groups
 };
 
 /// Values that satisfy: any of these closed intervals.
@@ -82,8 +94,9 @@ struct Interval {
 
 struct Condition {
   Index state = 0;
-  Range accepts{}; ///< of Tables::intervals
-  Range causers{}; ///< lists: providers whose `causing` satisfies it, ascending
+  Range accepts{};    ///< of Tables::intervals
+  Range causers{};    ///< lists: providers whose `causing` satisfies it, ascending
+  Range components{}; ///< lists: components in which it counts, in `when`, `stay` or a promise, ascending
 };
 
 struct StateVariable {
@@ -92,6 +105,7 @@ struct StateVariable {
   std::int32_t expires_to = unset;
   Index owner = nil; ///< the group that it belongs to
   bool external = false;
+  Range conditions{}; ///< lists: conditions on it, ascending
 };
 
 /// A `causing` with `within`.
@@ -117,7 +131,7 @@ struct Tables {
   std::span<const Trigger> triggers;
   std::span<const Promise> promises;
   std::span<const Index> lists;
-  std::span<const Index> causing_providers; ///< those with `causing`, ascending
+  std::span<const Component> components;
   std::span<const Index> plan_groups; ///< group after group, the groups with more than one provider among all that it
                                       ///< needs, transitively
   std::span<const Index> listened;    ///< group after group, the triggers that any of its providers listens to
