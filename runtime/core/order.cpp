@@ -19,12 +19,13 @@ Index Order::urgency(Index edge) const {
   return s_.request[edge] == nil ? t_.edges[edge].need_urgency : t_.levels[s_.request[edge]].urgency;
 }
 
-/// The edge that controls the requester of this one.
+/// The edge that controls the requester of this one. A claim counts before a trial: a plan in hand may name a group
+/// that is claimed already, even one above it; it cannot be chosen, but it must not bend the chains.
 Index Order::above(Place place) const {
   const Index group = requester(place.edge);
   if (group == nil) return nil;
   if (place.along == Along::last) return s_.last.holder[group];
-  return s_.trial[group] != nil ? s_.trial[group] : s_.now.holder[group];
+  return s_.now.holder[group] != nil ? s_.now.holder[group] : s_.trial[group];
 }
 
 Order::Chain Order::chain(Place place) const {
