@@ -58,17 +58,18 @@ Outcome Planning::provide(KickTo::Default& run) {
   const Point ball = seen_from(robot_.pose(), picture.ball);
   const sim::Angle off = sim::wrapped(sim::bearing(run.task().place - picture.ball) - robot_.pose().heading);
   const bool lies_right = std::abs(ball.x - foot) < 60 && std::abs(ball.y) < 80 && std::abs(off) < 12 * degree;
+  const Kick order{{ball.y > 0 ? soccer::Side::left : soccer::Side::right}};
   const LookAt eyes_on_ball{{bearing(ball)}};
 
   // The kick is over; or it runs, or waits for the robot to stand: then it stays as it was ordered.
   if (run.reasons().has(Reason::subtask_done) && kick.done()) return run.done();
-  if (kick.state() == RunState::running && !kick.done()) return run.kick(keep(Kick{}), eyes_on_ball);
-  if (kick.state() == RunState::queued && lies_right) return run.kick(keep(Kick{}), eyes_on_ball);
+  if (kick.state() == RunState::running && !kick.done()) return run.kick(keep(order), eyes_on_ball);
+  if (kick.state() == RunState::queued && lies_right) return run.kick(keep(order), eyes_on_ball);
   // Steps that have begun are finished first.
   if (walk.state() == RunState::running && !walk.done()) return run.keep();
   // Nothing goes on, or the steps are done: look where the ball is now.
   if (!picture.seen || length(ball) > too_far || std::abs(off) > 60 * degree) return run.stand_by();
-  if (lies_right) return run.kick(Kick{{ball.y > 0 ? soccer::Side::left : soccer::Side::right}}, eyes_on_ball);
+  if (lies_right) return run.kick(order, eyes_on_ball);
   const Point way = ball - sim::turned({foot, 0}, off);
   return run.line_up(Walk{{.stride = stride_towards(way, off, 30), .steps = 1}});
 }
