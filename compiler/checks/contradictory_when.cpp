@@ -1,0 +1,68 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/contradictory_when.md.
+#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+namespace director::checks {
+
+namespace {
+
+/// The condition with which nothing is left, and the earlier ones that it clashes with.
+struct Clash {
+  ConditionUse last{};
+  std::vector<ConditionUse> others;
+};
+
+Clash find_clash(const Model& model, const Impossible& fault) {
+  const auto accepted = [&](const ConditionUse& use) { return model.conditions[use.id].accepts; };
+  ValueSet left = model.states[fault.state].domain();
+  Clash clash;
+  for (const ConditionUse& use : fault.uses) {
+    clash.last = use;
+    left = left.intersected(accepted(use));
+    if (left.empty()) break;
+    clash.others.push_back(use);
+  }
+  // One that clashes with the last alone is reason enough.
+  for (const ConditionUse& use : clash.others) {
+    if (accepted(use).intersected(accepted(clash.last)).empty()) {
+      clash.others = {use};
+      break;
+    }
+  }
+  if (accepted(clash.last).empty()) clash.others.clear();
+  return clash;
+}
+
+} // namespace
+
+void contradictory_when(const Input& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const Impossible& fault : input.facts.impossible) {
+    if (fault.why != Impossible::Why::contradictory) continue;
+    const Clash clash = find_clash(model, fault);
+    const std::string last = name_of(model, clash.last.id);
+    const std::string word = fault.stay ? "stay" : "when";
+    if (clash.others.empty()) {
+      findings.add(clash.last.span, fmt::format("no value of {} satisfies {}", name_of(model, fault.state), last));
+      continue;
+    }
+    std::vector<std::string> others;
+    for (const ConditionUse& use : clash.others) others.push_back(name_of(model, use.id));
+    dsl::Diagnostic& finding =
+        findings.add(clash.last.span, fmt::format("{} and {} never hold together, so the `{}` of {} never does",
+                                                  list_of(others, "and"), last, word, name_of(model, fault.provider)));
+    for (const ConditionUse& use : clash.others)
+      finding.notes.push_back({use.span, fmt::format("{} is here", name_of(model, use.id))});
+    finding.help = clash.others.size() == 1 && model.conditions[clash.last.id].op == Condition::Op::equal &&
+                           model.conditions[clash.others[0].id].op == Condition::Op::equal
+                       ? fmt::format("for one or the other, write alternatives: `{}|{}`",
+                                     model.conditions[clash.others[0].id].text,
+                                     model.states[fault.state].value_text(model.conditions[clash.last.id].operands[0]))
+                       : "";
+  }
+}
+
+} // namespace director::checks

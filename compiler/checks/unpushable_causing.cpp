@@ -1,0 +1,105 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/unpushable_causing.md.
+#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/meetings.hpp"
+#include "compiler/checks/analysis/promises.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::checks {
+
+namespace {
+
+using dsl::Diagnostic;
+
+/// What keeps one task from going before another, where they meet.
+struct Obstacle {
+  Meeting meeting;
+  bool one_unit = false;
+};
+
+/// The meetings of a waiting task and a group, the first at each pair of entries. None: one is always below the other.
+std::vector<Obstacle> find_obstacles(const Chains& chains, GroupId waiter, GroupId other) {
+  std::vector<Obstacle> out;
+  chains.visit(waiter, {other}, [&](const Meeting& meeting, GroupId) {
+    const bool known = std::any_of(out.begin(), out.end(), [&](const Obstacle& obstacle) {
+      return obstacle.meeting.first == meeting.first && obstacle.meeting.second == meeting.second;
+    });
+    if (!known) out.push_back({meeting, meeting.one_unit() && meeting.second->target == other});
+  });
+  return out;
+}
+
+std::string rank(const Level& level, bool optional) {
+  return fmt::format("{}priority {}", optional ? "optional, " : "", level.priority);
+}
+
+void explain(const Model& model, const Obstacle& obstacle, GroupId waiter, GroupId other, Diagnostic& finding) {
+  const Meeting& meeting = obstacle.meeting;
+  const std::string first = name_of(model, meeting.first->target), second = name_of(model, meeting.second->target);
+  if (obstacle.one_unit) {
+    finding.notes.push_back(
+        {meeting.second->span,
+         fmt::format("{} is granted together with {}, before anything below them is tried", second, first)});
+    finding.notes.push_back({meeting.first->span, meeting.first->target == waiter
+                                                      ? fmt::format("{} waits here", first)
+                                                      : fmt::format("{} is below {}", name_of(model, waiter), first)});
+    return;
+  }
+  const auto side = [&](GroupId entry, GroupId meant, const std::string& text) {
+    return entry == meant ? text : fmt::format("{}, which leads to {}", text, name_of(model, meant));
+  };
+  finding.notes.push_back(
+      {meeting.second->span, fmt::format("here {} has {}", side(meeting.second->target, other, second),
+                                         rank(meeting.second_level, meeting.second_optional))});
+  finding.notes.push_back({meeting.first->span, fmt::format("and {} has {}", side(meeting.first->target, waiter, first),
+                                                            rank(meeting.first_level, meeting.first_optional))});
+}
+
+std::string propose(const Model& model, const std::vector<Obstacle>& obstacles) {
+  if (obstacles.empty()) return "request the two side by side: a task pushes nothing below itself, and nothing above";
+  const Obstacle& obstacle = obstacles.front();
+  const std::string first = name_of(model, obstacle.meeting.first->target);
+  const std::string second = name_of(model, obstacle.meeting.second->target);
+  if (obstacle.one_unit)
+    return fmt::format("make {} `apart`, or ask for it one level lower",
+                       obstacle.meeting.first_goes_before() ? second : first);
+  if (obstacle.meeting.first_optional != obstacle.meeting.second_optional)
+    return fmt::format("an optional task goes after all others: make {} mandatory, or {} optional too", first, second);
+  return fmt::format("give {} a higher priority than {}", first, second);
+}
+
+void report(const Input& input, const Chains& chains, const NeverKept& promise, Findings& findings) {
+  const Model& model = input.model;
+  const GroupId group = model.providers[promise.causer].group;
+  Diagnostic& finding = findings.add(promise.promise.span,
+                                     fmt::format("{} could cause {}, but nothing that waits for it can ever push {}",
+                                                 name_of(model, promise.causer), name_of(model, promise.promise.id),
+                                                 name_of(model, group)));
+  std::vector<Obstacle> all;
+  for (const NeverKept::Waiting& waiting : promise.waiting) {
+    finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
+                                                                 name_of(model, waiting.condition.id))});
+    if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
+    const GroupId waiter = model.providers[waiting.provider].group;
+    for (const Obstacle& obstacle : find_obstacles(chains, waiter, group)) {
+      explain(model, obstacle, waiter, group, finding);
+      all.push_back(obstacle);
+    }
+  }
+  finding.help = propose(model, all);
+}
+
+} // namespace
+
+void unpushable_causing(const Input& input, Findings& findings) {
+  const Chains chains(input.model, [&](ProviderId id) { return input.facts.active.contains(id); });
+  for (const NeverKept& promise : find_promises(input).never_kept) {
+    if (!promise.pushable) report(input, chains, promise, findings);
+  }
+}
+
+} // namespace director::checks

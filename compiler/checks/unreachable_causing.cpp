@@ -1,0 +1,27 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/unreachable_causing.md.
+#include "compiler/checks/analysis/promises.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+namespace director::checks {
+
+void unreachable_causing(const Input& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const NeverKept& promise : find_promises(input).never_kept) {
+    if (!promise.pushable) continue;
+    dsl::Diagnostic& finding = findings.add(
+        promise.promise.span, fmt::format("{} can never run, so nothing ever causes {}", name_of(model, promise.causer),
+                                          name_of(model, promise.promise.id)));
+    for (const NeverKept::Waiting& waiting : promise.waiting)
+      finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
+                                                                   name_of(model, waiting.condition.id))});
+    for (dsl::Note& note : explain_idle(input, promise.causer)) finding.notes.push_back(std::move(note));
+    if (input.model.groups[model.providers[promise.causer].group].requesters.empty())
+      finding.help = fmt::format("request {} wherever the state is waited for: a push never starts a group",
+                                 name_of(model, model.providers[promise.causer].group));
+  }
+}
+
+} // namespace director::checks
