@@ -84,8 +84,11 @@ public:
     for (const dsl::YamlPair& module : roots.pairs) {
       if (known.contains(module.key.value)) continue;
       for (const YamlNode& reaction : module.value.items) {
-        for (const std::string& state : words(reaction, "emits_state"))
-          outside_.insert(state.substr(0, state.find('=')));
+        for (const std::string& text : words(reaction, "emits_state")) {
+          const std::size_t sign = text.find('=');
+          outside_.push_back(
+              {module.key.value, text.substr(0, sign), text.substr(sign + 1), word(reaction, "trigger") == "Startup"});
+        }
         if (const YamlNode* tasks = reaction.find("tasks"))
           for (const YamlNode& task : tasks->items) {
             const std::string& priority = task.items.at(1).text;
@@ -102,9 +105,9 @@ public:
       std::string folder = "modules/";
       for (const char letter : role.name)
         if (letter == '/') folder.insert(0, "../");
-      for (const std::string& module : words(entry.value)) {
+      roles_.push_back(words(entry.value));
+      for (const std::string& module : roles_.back()) {
         role.imports.push_back(folder + file_name(module) + ".yaml");
-        loaded_.insert(module);
         for (const Ask& root : roots_[module])
           for (const std::int32_t priority : root.priorities) add_root(role.roots, root.group, priority);
       }
@@ -114,19 +117,26 @@ public:
               [](const Role& a, const Role& b) { return a.name < b.name; });
   }
 
-  // After the roots: what they emit comes from outside of every provider.
+  // After the roles. What a module emits outside of its providers is an initial value if every role begins with it;
+  // else it comes from outside.
   void add_states(const YamlNode& states) {
     for (const dsl::YamlPair& entry : states.pairs) {
-      State state{entry.key.value, word(entry.value, "cpp"), words(entry.value, "values"), {}, false};
+      State state{entry.key.value, word(entry.value, "cpp"), words(entry.value, "values"), {}, {}, false};
       if (word(entry.value, "ordered") == "false") state.unordered = state.values;
-      state.external = word(entry.value, "source").starts_with("external") || outside_.contains(state.name);
+      std::vector<Emission> emissions;
+      std::copy_if(outside_.begin(), outside_.end(), std::back_inserter(emissions),
+                   [&](const Emission& emission) { return emission.state == state.name; });
+      const bool initial = !emissions.empty() && every_role_begins_with(emissions);
+      if (initial) state.initial = emissions.front().value;
+      state.external = word(entry.value, "source").starts_with("external") || (!emissions.empty() && !initial);
       facts.graph.states.push_back(state);
     }
   }
 
   // At the end: one module for each that provides a group or requests a root task.
   void finish() {
-    for (const std::string& module : loaded_) modules_[module];
+    for (const std::vector<std::string>& role : roles_)
+      for (const std::string& module : role) modules_[module];
     for (const auto& [module, asks] : roots_) modules_[module];
     std::set<std::string> triggers;
     for (auto& [name, groups] : modules_) {
@@ -154,8 +164,23 @@ public:
 private:
   std::map<std::string, std::vector<Group>> modules_;
   std::map<std::string, std::vector<Ask>> roots_; // of each module
-  std::set<std::string> outside_;                 // states that a module emits outside of its providers
-  std::set<std::string> loaded_;
+  struct Emission {
+    std::string module, state, value;
+    bool at_start;
+  };
+  std::vector<Emission> outside_; // what a module emits outside of its providers
+  std::vector<std::vector<std::string>> roles_;
+
+  bool every_role_begins_with(const std::vector<Emission>& emissions) const {
+    const auto begins = [&](const std::vector<std::string>& role) {
+      return role.empty() || std::any_of(emissions.begin(), emissions.end(), [&](const Emission& emission) {
+               return std::find(role.begin(), role.end(), emission.module) != role.end();
+             });
+    };
+    return std::all_of(emissions.begin(), emissions.end(),
+                       [](const Emission& emission) { return emission.at_start; }) &&
+           std::all_of(roles_.begin(), roles_.end(), begins);
+  }
 
   Group& group_of(const std::string& module, const std::string& name) {
     std::vector<Group>& groups = modules_[module];

@@ -59,7 +59,8 @@ std::vector<Lines::size_type> tail_lengths(const Lines& a, const Lines& b) {
 } // namespace
 
 std::vector<std::string> lines(const State& state) {
-  return {"state " + state.name + " " + state.type + (state.external ? " external" : ""),
+  return {"state " + state.name + " " + state.type + (state.external ? " external" : "") +
+              (state.initial.empty() ? "" : " initial " + state.initial),
           "  values " + joined(state.values), "  unordered " + joined(state.unordered)};
 }
 

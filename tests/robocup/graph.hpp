@@ -44,6 +44,7 @@ struct Role {
 struct State {
   std::string name, type;
   std::vector<std::string> values, unordered;
+  std::string initial; ///< empty: none
   bool external = false;
 };
 

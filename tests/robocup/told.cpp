@@ -83,9 +83,12 @@ Group group_of(const dsl::GroupSpec& spec) {
 }
 
 State state_of(const dsl::StateSpec& spec) {
-  CHECK_FALSE(spec.initial);
-  return {spec.name.value, spec.type.value_or(dsl::Word{}).value, texts(spec.values.value_or(std::vector<dsl::Word>{})),
-          texts(spec.unordered), spec.external.value};
+  return {spec.name.value,
+          spec.type.value_or(dsl::Word{}).value,
+          texts(spec.values.value_or(std::vector<dsl::Word>{})),
+          texts(spec.unordered),
+          spec.initial.value_or(dsl::Word{}).value,
+          spec.external.value};
 }
 
 // The file itself, without what it imports.
