@@ -24,10 +24,16 @@ function(director_add_behaviour target file)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/director/${target}/${behaviour})
   set(outputs ${folder}/${behaviour}.hpp ${folder}/${behaviour}.cpp ${folder}/manifest.json)
   set(depfile ${folder}/${behaviour}.d)
+  # directorc leaves a file alone that says the same already. Ninja remembers that it looked; Make only knows what is newer.
+  set(renew "")
+  if(NOT CMAKE_GENERATOR MATCHES Ninja)
+    set(renew COMMAND ${CMAKE_COMMAND} -E touch_nocreate ${outputs})
+  endif()
   add_custom_command(
     OUTPUT ${outputs}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
     COMMAND Director::directorc generate ${file} -o ${folder} --depfile ${depfile}
+    ${renew}
     DEPENDS ${file} $<TARGET_FILE:Director::directorc>
     DEPFILE ${depfile}
     COMMENT "Generating the behaviour ${behaviour}"
