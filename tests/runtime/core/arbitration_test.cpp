@@ -1,0 +1,86 @@
+// What a pass decides, told by its decisions. The whole of section 4 is held by the scenarios of tests/conformance and
+// by the oracle; here stand the reasons that people ask for.
+
+#include "tests/runtime/core/machine.hpp"
+
+namespace director::tests {
+namespace {
+
+const std::string walker = R"(
+behaviour: walker
+language: 1
+states: {Pose: {values: [moving, standing]}}
+roots: {Walk: {priority: 10}, Kick: {priority: 20}}
+groups:
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
+  Kick: {when: [Pose == standing], needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
+
+TEST_CASE("a stronger task that waits pushes, and takes over when what it waits for has come true") {
+  Machine machine(walker);
+  machine.decisions = true;
+  bool still = false;
+  machine.body("Walk.halting", [&](Run& run) {
+    if (still) run.set(0, 1);
+    return machine.everything(run);
+  });
+  machine.request("Walk");
+  CHECK(machine.step() == Lines{"grant root>Walk after nobody", "grant Walk>Legs after nobody",
+                                "run Walk.walking new_task", "run Legs new_task"});
+  machine.request("Kick");
+  CHECK(machine.step() == Lines{"push Walk.halting for root>Kick", "queue root>Kick waiting", "run Walk.halting pushed",
+                                "run Legs new_task"});
+  still = true;
+  machine.request("Walk");
+  CHECK(machine.step() == Lines{"run Walk.halting new_task", "set Pose standing", "queue root>Walk blocked",
+                                "lose root>Walk", "grant root>Kick after nobody", "grant Kick>Legs after Walk>Legs",
+                                "run Kick new_task", "run Legs new_task"});
+  machine.cancel("Kick");
+  CHECK(machine.step() == Lines{"release Walk", "grant root>Walk after nobody", "lose root>Kick",
+                                "grant Walk>Legs after Kick>Legs", "run Walk.walking new_task", "run Legs new_task"});
+}
+
+TEST_CASE("a group whose orders are outdated gets nothing new before it has run") {
+  Machine machine(R"(
+behaviour: orders
+language: 1
+states: {Hand: {values: [open, shut], initial: shut, external: true}}
+roots: [Plan]
+groups:
+  Plan: {tasks: [Hold]}
+  Hold: {when: [Hand == open]}
+)");
+  machine.decisions = true;
+  machine.request("Plan");
+  CHECK(machine.step() == Lines{"grant root>Plan after nobody", "run Plan new_task", "queue Plan>Hold waiting"});
+  machine.request("Plan");
+  machine.set("Hand", "open"); // both before Plan runs: it may not want Hold any more
+  machine.body("Plan", [](Run& run) { return run.pack(); });
+  CHECK(machine.step() == Lines{"queue Plan>Hold outdated", "run Plan new_task"});
+}
+
+TEST_CASE("a weaker task waits while a stronger planner is about to decide") {
+  Machine machine(R"(
+behaviour: gap
+language: 1
+roots: {Plan: {priority: 20}, Idle: {priority: 10}}
+groups:
+  Plan: {tasks: [Legs]}
+  Idle: {tasks: [Legs]}
+  Legs: {start: true}
+)");
+  machine.decisions = true;
+  machine.request("Idle");
+  machine.step();
+  machine.request("Plan");
+  machine.body("Plan", [&](Run& run) { return machine.everything(run); });
+  CHECK(machine.step() == Lines{"grant root>Plan after nobody", "run Plan new_task", "queue Idle>Legs blocked",
+                                "grant Plan>Legs after Idle>Legs", "run Legs new_task"});
+}
+
+} // namespace
+} // namespace director::tests

@@ -1,0 +1,257 @@
+// What the engine promises to those who call `step`: time, inputs, budget, faults, several engines, task data.
+
+#include "tests/runtime/core/machine.hpp"
+
+#include <cstring>
+
+namespace director::tests {
+namespace {
+
+constexpr auto ms = [](Time count) { return count * 1000; };
+
+const std::string timed = R"(
+behaviour: timed
+language: 1
+states:
+  Ball: {values: [far, near], external: true, initial: near, expires: 100 ms}
+triggers: [Picture]
+roots: [Clock, Look]
+groups:
+  Clock: {every: 10 ms}
+  Look: {when: [Ball == near], triggers: [Picture]}
+)";
+
+TEST_CASE("an initial value expires, counted from the first step") {
+  Machine machine(timed);
+  machine.request("Look");
+  CHECK(machine.step(ms(1000)) == Lines{"run Look new_task"});
+  CHECK(machine.engine().next_due() == ms(1100));
+  CHECK(machine.step(ms(1099)).empty());
+  CHECK(machine.step(ms(1100)) == Lines{"set Ball -"});
+}
+
+TEST_CASE("an input that came before the step is taken before what is due in it") {
+  Machine machine(timed);
+  machine.request("Look");
+  machine.step(0);
+  machine.set("Ball", "near"); // the same value: it expires later
+  CHECK(machine.step(ms(100)).empty());
+  CHECK(machine.engine().next_due() == ms(200));
+}
+
+TEST_CASE("an earlier time counts as the last one") {
+  Machine machine(timed);
+  machine.request("Clock");
+  machine.step(ms(50));
+  CHECK(machine.step(ms(10)).empty());
+  CHECK(machine.engine().now() == ms(50));
+  CHECK(machine.engine().next_due() == ms(60));
+}
+
+TEST_CASE("a period that is late runs once and is next due at the first multiple behind now") {
+  Machine machine(timed);
+  machine.request("Clock");
+  machine.step(0);
+  CHECK(machine.step(ms(35)) == Lines{"run Clock trigger"});
+  CHECK(machine.engine().next_due() == ms(40));
+}
+
+TEST_CASE("what is due runs at its own time") {
+  Machine machine(R"(
+behaviour: waits
+language: 1
+roots: [A, B]
+groups:
+  A: {}
+  B: {}
+)");
+  std::vector<Time> times;
+  const auto waits = [&](Time first) {
+    return [&times, first](Run& run) {
+      times.push_back(run.now());
+      if (run.reasons().has(Reason::new_task)) run.wait(first);
+      return run.pack();
+    };
+  };
+  machine.body("A", waits(ms(30))).body("B", waits(ms(20)));
+  machine.request("A");
+  machine.request("B");
+  machine.step(0);
+  CHECK(machine.step(ms(100)) == Lines{"run B wait", "run A wait"});
+  CHECK(times == std::vector<Time>{0, 0, ms(20), ms(30)});
+  CHECK(machine.engine().now() == ms(100));
+}
+
+TEST_CASE("what a body posts is taken by the next step") {
+  Machine machine(timed);
+  machine.body("Look", [&](Run& run) {
+    machine.request("Clock");
+    return run.pack();
+  });
+  machine.request("Look");
+  CHECK(machine.step(0) == Lines{"run Look new_task"});
+  CHECK(machine.step(0) == Lines{"run Clock new_task"});
+}
+
+TEST_CASE("a trigger runs who listens and is seen by name") {
+  Machine machine(timed);
+  bool seen = false;
+  machine.body("Look", [&](Run& run) {
+    seen = run.triggered(0);
+    return run.keep();
+  });
+  machine.request("Look");
+  machine.request("Clock");
+  machine.step(0);
+  CHECK_FALSE(seen);
+  machine.fire("Picture");
+  CHECK(machine.step(0) == Lines{"run Look trigger"});
+  CHECK(seen);
+}
+
+TEST_CASE("two that answer each other for ever exhaust the budget, and go on when called again") {
+  Machine machine(R"(
+behaviour: chatter
+language: 1
+roots: [Talk]
+groups:
+  Talk: {tasks: [Echo]}
+  Echo: {}
+)");
+  machine.body("Echo", [](Run& run) { return run.done(); });
+  machine.engine().set_budget(5);
+  machine.request("Talk");
+  CHECK(machine.step() == Lines{"run Talk new_task", "run Echo new_task", "done Echo", "run Talk subtask_done",
+                                "run Echo new_task", "done Echo", "exhausted"});
+  CHECK(machine.result() == StepResult::budget_exhausted);
+  CHECK(machine.step().size() == 8);
+  CHECK(machine.result() == StepResult::budget_exhausted);
+  machine.cancel("Talk");
+  machine.step();
+  CHECK(machine.result() == StepResult::quiescent);
+}
+
+const std::string pair = R"(
+behaviour: pair
+language: 1
+states: {Pose: {values: [low, high], initial: low}}
+roots: [Lead]
+groups:
+  Lead: {sets: [Pose], tasks: [Follow]}
+  Follow: {start: true, stop: {sets: [Pose == low]}, data: int}
+)";
+
+TEST_CASE("a body that faults keeps what it had, sets nothing, and the step can go on") {
+  Machine machine(pair);
+  bool faulty = false;
+  machine.body("Lead", [&](Run& run) {
+    if (faulty) {
+      run.set(0, 1);
+      return run.fault();
+    }
+    run.request(machine.edge("Lead>Follow"), machine.level(machine.edge("Lead>Follow")));
+    return run.pack();
+  });
+  machine.request("Lead");
+  CHECK(machine.step() == Lines{"run Lead new_task", "start Follow", "run Follow new_task"});
+  faulty = true;
+  machine.request("Lead");
+  CHECK(machine.step() == Lines{"run Lead new_task", "fault Lead"});
+  CHECK(machine.result() == StepResult::fault);
+  CHECK(machine.engine().value(0) == 0);
+  CHECK(machine.engine().state(machine.edge("Lead>Follow")) == RunState::running);
+  CHECK(machine.step().empty());
+  CHECK(machine.result() == StepResult::quiescent);
+}
+
+TEST_CASE("a handler that faults stops no other action of its act") {
+  Machine machine(pair);
+  machine.handler("Follow.start", [](Handling& handling) { handling.fault(); });
+  machine.request("Lead");
+  CHECK(machine.step() == Lines{"run Lead new_task", "start Follow", "fault Follow"});
+  CHECK(machine.result() == StepResult::fault);
+  CHECK(machine.step() == Lines{"run Follow new_task"});
+}
+
+TEST_CASE("a body cannot step the engine") {
+  Machine machine(pair);
+  StepResult inner = StepResult::quiescent;
+  machine.body("Follow", [&](Run& run) {
+    inner = machine.engine().step(0);
+    return run.pack();
+  });
+  machine.request("Lead");
+  machine.step();
+  CHECK(inner == StepResult::refused);
+}
+
+TEST_CASE("what a stop handler sets is an input of its own, before every other") {
+  Machine machine(pair);
+  machine.handler("Follow.stop", [&](Handling& handling) { handling.set(0, 0); });
+  machine.body("Lead", [&](Run& run) {
+    run.set(0, 1);
+    run.request(machine.edge("Lead>Follow"), machine.level(machine.edge("Lead>Follow")));
+    return run.pack();
+  });
+  machine.request("Lead");
+  machine.step();
+  machine.cancel("Lead");
+  CHECK(machine.step() == Lines{"stop Follow", "set Pose low"});
+}
+
+TEST_CASE("data wait in the staging slot until the act is over, and stay with a group that lives on them") {
+  Machine machine(pair);
+  std::vector<DataPlace::Slot> slots;
+  machine.handler("Follow.start", [&](Handling& handling) { slots.push_back(handling.data().slot); });
+  machine.body("Follow", [&](Run& run) {
+    slots.push_back(run.data().slot);
+    return run.pack();
+  });
+  machine.request("Lead");
+  machine.step();
+  CHECK(slots == std::vector{DataPlace::Slot::staging, DataPlace::Slot::edge});
+  CHECK(machine.data_moves == Lines{"accept root>Lead", "settle root>Lead", "settle Lead>Follow"});
+}
+
+TEST_CASE("two engines on one set of tables know nothing of each other") {
+  Machine machine(pair);
+  std::vector<std::uint64_t> memory(machine.memory().size());
+  std::vector<Inbox::Cell> cells(4);
+  Inbox inbox(cells);
+  std::vector<Outcome (*)(void*, Run&)> run(machine.tables().providers.size(),
+                                            [](void*, Run& context) { return context.pack(); });
+  std::vector<void (*)(void*, Handling&)> handlers(machine.tables().groups.size(), [](void*, Handling&) {});
+  Bodies bodies;
+  bodies.run = run.data();
+  bodies.start = bodies.stop = handlers.data();
+  Engine other(machine.tables(), reinterpret_cast<std::byte*>(memory.data()), bodies, inbox);
+  machine.request("Lead");
+  machine.step();
+  CHECK(other.step(0) == StepResult::quiescent);
+  CHECK(other.state(machine.edge("root>Lead")) == RunState::none);
+  CHECK(machine.engine().state(machine.edge("root>Lead")) == RunState::running);
+}
+
+TEST_CASE("engines with equal decision bytes go on alike") {
+  Machine first(pair), second(pair);
+  first.request("Lead");
+  first.step();
+  const std::size_t bytes = State::decision_bytes(Shape::of(first.tables()));
+  std::memcpy(second.memory().data(), first.memory().data(), bytes);
+  for (Machine* machine : {&first, &second}) machine->cancel("Lead");
+  CHECK(first.step() == second.step());
+  CHECK(std::memcmp(first.memory().data(), second.memory().data(), bytes) == 0);
+}
+
+TEST_CASE("after a reset all is as at the start") {
+  Machine machine(pair);
+  machine.request("Lead");
+  const Lines first = machine.step();
+  machine.engine().reset();
+  CHECK(machine.engine().state(machine.edge("root>Lead")) == RunState::none);
+  machine.request("Lead");
+  CHECK(machine.step() == first);
+}
+
+} // namespace
+} // namespace director::tests

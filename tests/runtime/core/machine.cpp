@@ -1,0 +1,182 @@
+// Door: tests/runtime/core/machine.hpp. Test: every test of this folder.
+
+#include "tests/runtime/core/machine.hpp"
+
+namespace director::tests {
+
+Machine::Machine(const std::string& behaviour, std::size_t inbox)
+    : compiled_(compile(behaviour)),
+      lowered_(compiler::lower(compiled_.model)),
+      tables_(lowered_.view()),
+      memory_(State::bytes(Shape::of(tables_)) / sizeof(std::uint64_t)),
+      cells_(inbox),
+      inbox_(cells_) {
+  run_.assign(tables_.providers.size(), [](void* self, Run& run) {
+    Machine& machine = *static_cast<Machine*>(self);
+    const auto body = machine.bodies_.find(run.provider());
+    return body == machine.bodies_.end() ? machine.everything(run) : body->second(run);
+  });
+  const auto handle = [](const char* which) {
+    return which[2] == 'a' ? [](void* self, Handling& handling) {
+      Machine& machine = *static_cast<Machine*>(self);
+      const auto found = machine.handlers_.find(machine.model().groups[compiler::GroupId{handling.group()}].name.value + ".start");
+      if (found != machine.handlers_.end()) found->second(handling);
+    } : [](void* self, Handling& handling) {
+      Machine& machine = *static_cast<Machine*>(self);
+      const auto found = machine.handlers_.find(machine.model().groups[compiler::GroupId{handling.group()}].name.value + ".stop");
+      if (found != machine.handlers_.end()) found->second(handling);
+    };
+  };
+  start_.assign(tables_.groups.size(), handle("start"));
+  stop_.assign(tables_.groups.size(), handle("stop"));
+  Bodies bodies;
+  bodies.self = this;
+  bodies.run = run_.data();
+  bodies.start = start_.data();
+  bodies.stop = stop_.data();
+  bodies.data = [](void* self, Bodies::Data what, Index edge, Index) {
+    constexpr std::array names{"accept", "settle", "retain"};
+    Machine& machine = *static_cast<Machine*>(self);
+    machine.data_moves.push_back(std::string(names[static_cast<std::size_t>(what)]) + " " + machine.edge_name(edge));
+  };
+  const Observer observer{[](void* self, const Event& event) { static_cast<Machine*>(self)->tell(event); }, this};
+  engine_ = std::make_unique<Engine>(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies, inbox_, observer);
+}
+
+Machine& Machine::body(const std::string& provider, Body body) {
+  bodies_[static_cast<Index>(compiled_.provider(provider).value)] = std::move(body);
+  return *this;
+}
+
+Machine& Machine::handler(const std::string& group, Handler handler) {
+  handlers_[group] = std::move(handler);
+  return *this;
+}
+
+Outcome Machine::everything(Run& run) const {
+  const compiler::Provider& provider = model().providers[compiler::ProviderId{run.provider()}];
+  if (!provider.packs.empty()) {
+    for (const compiler::Task& task : provider.packs[0].tasks) {
+      const auto edge_row = static_cast<Index>(task.edge.value);
+      run.request(edge_row, level(edge_row, task.levels[0].level));
+    }
+  }
+  return run.pack();
+}
+
+bool Machine::request(const std::string& group, const std::string& level_name) {
+  Input input;
+  input.kind = Input::Kind::request;
+  input.thing = edge("root>" + group);
+  input.level = level(input.thing);
+  for (const compiler::Task& root : model().roots) {
+    for (const auto& named : root.levels) {
+      if (root.edge.value == input.thing && named.name == level_name) input.level = level(input.thing, named.level);
+    }
+  }
+  return inbox_.post({&input, 1});
+}
+
+bool Machine::cancel(const std::string& group) {
+  Input input;
+  input.kind = Input::Kind::cancel;
+  input.thing = edge("root>" + group);
+  return inbox_.post({&input, 1});
+}
+
+bool Machine::set(const std::string& state_name, const std::string& value_name) {
+  Input input;
+  input.kind = Input::Kind::set;
+  input.thing = state(state_name);
+  input.value = value(state_name, value_name);
+  return inbox_.post({&input, 1});
+}
+
+bool Machine::fire(const std::string& trigger) {
+  Input input;
+  input.kind = Input::Kind::fire;
+  for (const compiler::TriggerId id : model().triggers.ids()) {
+    if (model().triggers[id].name == trigger) input.thing = static_cast<Index>(id.value);
+  }
+  return inbox_.post({&input, 1});
+}
+
+bool Machine::enable(const std::string& provider, bool on) {
+  Input input;
+  input.kind = on ? Input::Kind::enable : Input::Kind::disable;
+  input.thing = static_cast<Index>(compiled_.provider(provider).value);
+  return inbox_.post({&input, 1});
+}
+
+std::int32_t Machine::value(const std::string& state_name, const std::string& value) const {
+  const compiler::State& row = model().states[*model().find_state(state_name)];
+  if (row.is_range) return static_cast<std::int32_t>(std::stoi(value));
+  for (std::size_t i = 0; i < row.values.size(); ++i) {
+    if (row.values[i] == value) return static_cast<std::int32_t>(i);
+  }
+  FAIL("no value " << value);
+  return unset;
+}
+
+Lines Machine::step(Time now) {
+  lines_.clear();
+  result_ = engine_->step(now);
+  return lines_;
+}
+
+std::string Machine::provider_name(Index provider) const { return model().full_name(compiler::ProviderId{provider}); }
+
+std::string Machine::edge_name(Index edge) const {
+  if (edge == nil) return "nobody";
+  if (edge >= tables_.edges.size()) return "limbo";
+  return model().edge_name(compiler::EdgeId{edge});
+}
+
+void Machine::tell(const Event& event) {
+  const auto group_name = [&] { return model().groups[compiler::GroupId{event.group}].name.value; };
+  const auto value_text = [&] {
+    const compiler::State& row = model().states[compiler::StateId{event.state}];
+    return row.name.value + (event.value == unset ? " -" : " " + row.value_text(event.value));
+  };
+  switch (event.kind) {
+  case Event::Kind::run: {
+    std::string line = "run " + provider_name(event.provider);
+    constexpr std::array names{"new_task", "pushed", "subtask_done", "wait", "trigger"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if ((event.reasons.bits() >> i & 1) != 0) line += std::string(" ") + names[i];
+    }
+    lines_.push_back(line);
+    break;
+  }
+  case Event::Kind::start: lines_.push_back("start " + group_name()); break;
+  case Event::Kind::stop: lines_.push_back("stop " + group_name()); break;
+  case Event::Kind::done: lines_.push_back("done " + group_name()); break;
+  case Event::Kind::failed: lines_.push_back("failed " + group_name()); break;
+  case Event::Kind::broken: lines_.push_back("broken " + provider_name(event.provider)); break;
+  case Event::Kind::fault: lines_.push_back("fault " + group_name()); break;
+  case Event::Kind::refused: lines_.push_back("refused " + value_text()); break;
+  case Event::Kind::exhausted: lines_.push_back("exhausted"); break;
+  case Event::Kind::set: lines_.push_back("set " + value_text()); break;
+  case Event::Kind::input: break;
+  default: break;
+  }
+  if (!decisions) return;
+  switch (event.kind) {
+  case Event::Kind::queue: {
+    constexpr std::array why{"none", "blocked", "waiting", "outdated", "deferred"};
+    lines_.push_back("queue " + edge_name(event.edge) + " " + why[static_cast<std::size_t>(event.why)]);
+    break;
+  }
+  case Event::Kind::push:
+    lines_.push_back("push " + provider_name(event.provider) + " for " + edge_name(event.edge));
+    break;
+  case Event::Kind::release: lines_.push_back("release " + group_name()); break;
+  case Event::Kind::grant:
+    lines_.push_back("grant " + edge_name(event.edge) + " after " + edge_name(event.other));
+    break;
+  case Event::Kind::lose: lines_.push_back("lose " + edge_name(event.other)); break;
+  default: break;
+  }
+}
+
+} // namespace director::tests
