@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <map>
+#include <set>
 #include <string>
 
 using namespace director;
@@ -25,18 +26,46 @@ private:
   dsl::DiskFiles disk_;
 };
 
-std::string report(const std::string& path) {
+struct Report {
+  std::string text;
+  std::set<std::string> errors; // their ids
+};
+
+Report report(const std::string& path) {
   SourceTree files;
   dsl::Sources sources;
-  return dsl::render(compiler::check(path, files, sources).findings, sources);
+  const compiler::Checked checked = compiler::check(path, files, sources);
+  Report report{dsl::render(checked.findings, sources), {}};
+  for (const dsl::Diagnostic& finding : checked.findings)
+    if (finding.level == dsl::Level::error) report.errors.insert(finding.id);
+  return report;
+}
+
+// By role, the older ones as `older/directorrobocup`.
+std::map<std::string, Report> reports() {
+  std::map<std::string, Report> reports;
+  for (const std::string folder : {"", "older/"})
+    for (const Role& role : read_told(source_dir() / "behaviours/robocup" / folder).roles)
+      reports[folder + role.name] = report("behaviours/robocup/" + folder + role.name + ".yaml");
+  return reports;
 }
 
 } // namespace
 
 TEST_CASE("the checks say of each of the team's roles what its golden says", "[golden]") {
-  std::map<std::string, std::string> reports;
-  for (const std::string folder : {"", "older/"})
-    for (const Role& role : read_told(source_dir() / "behaviours/robocup" / folder).roles)
-      reports[folder + role.name + ".txt"] = report("behaviours/robocup/" + folder + role.name + ".yaml");
-  check_golden_folder("tests/robocup/golden", reports);
+  std::map<std::string, std::string> texts;
+  for (const auto& [role, report] : reports()) texts[role + ".txt"] = report.text;
+  check_golden_folder("tests/robocup/golden", texts);
+}
+
+TEST_CASE("the roles with errors are those that the README names, and each lacks a provider") {
+  std::map<std::string, std::set<std::string>> errors;
+  for (const auto& [role, report] : reports())
+    if (!report.errors.empty()) errors[role] = report.errors;
+  const std::set<std::string> lacking{"unprovided_task"};
+  CHECK(errors == std::map<std::string, std::set<std::string>>{{"keyboardwalk", lacking},
+                                                               {"older/directorrobocup", lacking},
+                                                               {"older/webots/directorrobocup", lacking},
+                                                               {"test/speak", lacking},
+                                                               {"webots/behaviour", lacking}});
 }
