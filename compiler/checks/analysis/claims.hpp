@@ -1,0 +1,57 @@
+#pragma once
+// What a task may come to hold: its group, what that needs, what it requests, and so on down. For each group the states
+// under which that can happen, as far as one state at a time tells.
+
+#include "compiler/checks/analysis/region.hpp"
+#include "compiler/model/model.hpp"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace director::checks {
+
+/// How a group is reached from the task.
+enum class Reach {
+  own,       ///< the task's group, or by needs alone: held from the moment the task is granted
+  mandatory, ///< by a request, and none on the way is optional
+  optional   ///< some request on the way is
+};
+inline constexpr Reach all_reaches[] = {Reach::own, Reach::mandatory, Reach::optional};
+
+struct Claim {
+  Region region; ///< under which it may happen
+  std::vector<GroupId>
+      from; ///< the groups that hold it for themselves, each once, the one found first in front; empty: the task
+  bool by_need = false;          ///< the one in front needs it; else requests it
+  Span span{};                   ///< where it does
+  Reach reach_from = Reach::own; ///< how the one in front is reached
+  std::size_t steps = 0;         ///< on a shortest way
+};
+
+/// One step down: a group that needs or requests the next.
+struct ClaimStep {
+  GroupId from{}, to{};
+  bool by_need = false;
+  Span span{};
+};
+
+class Claims {
+public:
+  /// Only by providers that count, and through no group of `without`.
+  Claims(const Model& model, GroupId task, const std::function<bool(ProviderId)>& counts,
+         const std::vector<GroupId>& without = {});
+
+  /// Nothing: never.
+  const Claim* find(GroupId group, Reach reach) const {
+    const std::optional<Claim>& claim = claims_[static_cast<std::size_t>(reach)][group];
+    return claim ? &*claim : nullptr;
+  }
+  /// A shortest way to the group; empty for the task's own.
+  std::vector<ClaimStep> path(GroupId group, Reach reach) const;
+
+private:
+  IdTable<GroupId, std::optional<Claim>> claims_[3];
+};
+
+} // namespace director::checks

@@ -1,0 +1,153 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
+#include "compiler/checks/analysis/claims.hpp"
+#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/meetings.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::checks {
+
+namespace {
+
+using dsl::Diagnostic;
+
+/// A group that two tasks may want at the same time, at equal rank, and how each comes to it.
+struct Contest {
+  GroupId group{};
+  Reach first = Reach::own, second = Reach::own;
+  std::size_t steps = 0;
+  std::vector<ClaimStep> first_path, second_path;
+};
+
+/// So many groups are looked at closely for one pair of tasks; those with the shortest chains come first.
+constexpr std::size_t most_candidates = 50;
+
+class ContestSearch {
+public:
+  ContestSearch(const Model& model, const Facts& facts)
+      : model_(model),
+        counts_([&facts](ProviderId id) { return facts.active.contains(id); }),
+        claims_(model.groups.size()) {}
+
+  /// The one with the shortest chains for which these two levels of two entries are equal.
+  std::optional<Contest> find(const Meeting& meeting) {
+    if (meeting.first_level.priority != meeting.second_level.priority) return std::nullopt;
+    std::vector<Contest> candidates = find_candidates(meeting);
+    if (candidates.size() > most_candidates) candidates.resize(most_candidates);
+    for (Contest& contest : candidates) {
+      if (find_paths(meeting, contest)) return contest;
+    }
+    return std::nullopt;
+  }
+
+private:
+  const Claims& claims_of(GroupId task) {
+    std::optional<Claims>& claims = claims_[task];
+    if (!claims) claims.emplace(model_, task, counts_);
+    return *claims;
+  }
+
+  static bool match(const Meeting& meeting, const Claim* a, Reach how_a, const Claim* b, Reach how_b) {
+    if (a == nullptr || b == nullptr) return false;
+    const bool first_optional = meeting.first_level.optional || how_a == Reach::optional;
+    const bool second_optional = meeting.second_level.optional || how_b == Reach::optional;
+    // What a unit holds from the beginning is not decided by rank: nothing below it is tried before.
+    const bool granted_before = meeting.one_unit() && (how_a == Reach::own || how_b == Reach::own);
+    return first_optional == second_optional && !granted_before && compatible(a->region, b->region);
+  }
+
+  std::vector<Contest> find_candidates(const Meeting& meeting) {
+    std::vector<Contest> out;
+    const Claims& first = claims_of(meeting.first->target);
+    const Claims& second = claims_of(meeting.second->target);
+    for (const GroupId group : model_.groups.ids()) {
+      for (const Reach a : all_reaches) {
+        for (const Reach b : all_reaches) {
+          const Claim* x = first.find(group, a);
+          const Claim* y = second.find(group, b);
+          if (match(meeting, x, a, y, b)) out.push_back({group, a, b, x->steps + y->steps, {}, {}});
+        }
+      }
+    }
+    std::stable_sort(out.begin(), out.end(), [](const Contest& x, const Contest& y) { return x.steps < y.steps; });
+    return out;
+  }
+
+  /// Two chains that have no group in common above the contested one: a group is held once, so else they would meet
+  /// there.
+  bool find_paths(const Meeting& meeting, Contest& contest) {
+    contest.first_path = claims_of(meeting.first->target).path(contest.group, contest.first);
+    std::vector<GroupId> above;
+    for (const ClaimStep& step : contest.first_path) above.push_back(step.from);
+    if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return false;
+    const Claims second(model_, meeting.second->target, counts_, above);
+    const Claim* ours = claims_of(meeting.first->target).find(contest.group, contest.first);
+    const Claim* theirs = second.find(contest.group, contest.second);
+    if (!match(meeting, ours, contest.first, theirs, contest.second)) return false;
+    contest.second_path = second.path(contest.group, contest.second);
+    return true;
+  }
+
+  const Model& model_;
+  std::function<bool(ProviderId)> counts_;
+  IdTable<GroupId, std::optional<Claims>> claims_;
+};
+
+void add_path(const Model& model, const std::vector<ClaimStep>& path, Diagnostic& finding) {
+  for (const ClaimStep& step : path)
+    finding.notes.push_back({step.span, fmt::format("{} {} {}", name_of(model, step.from),
+                                                    step.by_need ? "needs" : "requests", name_of(model, step.to))});
+}
+
+void report(const Model& model, const Meeting& meeting, const Contest& contest, Findings& findings) {
+  const std::string first = name_of(model, meeting.first->target), second = name_of(model, meeting.second->target);
+  Diagnostic& finding = findings.add(
+      meeting.second->span,
+      fmt::format(
+          "{} and {} have equal rank and may both want {}: who asks first keeps it, and if both ask at once {} does",
+          first, second, name_of(model, contest.group), first));
+  finding.notes.push_back({meeting.first->span, fmt::format("{} is requested here, with the same priority {}", first,
+                                                            meeting.first_level.priority)});
+  add_path(model, contest.first_path, finding);
+  add_path(model, contest.second_path, finding);
+  finding.help = "give one of them a higher priority";
+}
+
+/// One finding for a pair, whatever its levels.
+void look_at(const Model& model, const Together& together, const Task& first, const Task& second, ContestSearch& search,
+             Findings& findings) {
+  for (const Task::NamedLevel& a : first.levels) {
+    for (const Task::NamedLevel& b : second.levels) {
+      const Meeting meeting{&together, &first, &second, model.edges[first.edge].levels[a.level],
+                            model.edges[second.edge].levels[b.level]};
+      if (const auto contest = search.find(meeting)) {
+        report(model, meeting, *contest, findings);
+        return;
+      }
+    }
+  }
+}
+
+} // namespace
+
+void equal_priority(const Input& input, Findings& findings) {
+  const Model& model = input.model;
+  ContestSearch search(model, input.facts);
+  for (const Together& together :
+       find_together(model, [&](ProviderId id) { return input.facts.active.contains(id); })) {
+    const std::vector<Task>& tasks = *together.tasks;
+    for (std::size_t j = 1; j < tasks.size(); ++j) {
+      for (std::size_t i = 0; i < j; ++i) {
+        // Asked at once, the edge that is declared first wins.
+        const bool swapped = tasks[j].edge < tasks[i].edge;
+        look_at(model, together, tasks[swapped ? j : i], tasks[swapped ? i : j], search, findings);
+      }
+    }
+  }
+}
+
+} // namespace director::checks
