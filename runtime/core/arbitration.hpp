@@ -99,6 +99,7 @@ private:
   const Component& c_;
   Index component_;
   Index candidates_ = 0, denied_ = 0, stale_granted_ = 0;
+  bool pushed_ = false; ///< there were pushes in the last assignment
   mutable bool depends_on_last_ = false, depends_on_stale_ = false;
 };
 

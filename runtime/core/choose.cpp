@@ -223,6 +223,7 @@ bool Pass::next_choice(Index at, bool fresh, bool with_conditions, bool record) 
 /// is in hand (member_*, entry_*, trial) until leave_combination. Which holders stood in the way counts over all
 /// choices of each member, also those that are never needed: so each member's are looked at once, and then combined.
 bool Pass::combine(Index count, bool with_conditions) {
+  if (count == 1 && t_.groups[target(s_.member[0])].single_choice()) return next_choice(0, true, with_conditions, true);
   for (Index at = 0; at < count; ++at) {
     // Alone on the stack: entries_begin() of a later member is where the earlier one ends.
     if (at > 0) s_.member_entries[at - 1] = 0;

@@ -46,6 +46,10 @@ bool Order::in_chain(Index edge, Place of) const {
 
 /// Negative: `a` goes first; 0: equal (by rules 1 to 4), or the same. `in_order`: with rule 5.
 int Order::compare(Place a, Place b, bool in_order) const {
+  if (a.along == b.along && requester(a.edge) == requester(b.edge) && !is_limbo(a.edge) && !is_limbo(b.edge)) {
+    if (a.edge == b.edge) return 0;
+    return compare_siblings({a.edge, optional(a.edge)}, {b.edge, optional(b.edge)}, in_order);
+  }
   const Chain of_a = chain(a), of_b = chain(b);
   const bool limbo_a = is_limbo(of_a.top), limbo_b = is_limbo(of_b.top);
   if (limbo_a != limbo_b) return limbo_a ? 1 : -1;
@@ -67,13 +71,18 @@ int Order::compare(Place a, Place b, bool in_order) const {
     if (at_a != at_b) sibling_a = at_a, sibling_b = at_b, below_a = optional_a, below_b = optional_b;
   }
   if (sibling_a == nil) return of_a.length < of_b.length ? -1 : of_a.length > of_b.length ? 1 : 0; // rule 1
-  if (below_a != below_b) return below_a ? 1 : -1;                                                 // rule 3
-  const Index urgency_a = urgency(sibling_a), urgency_b = urgency(sibling_b);
+  return compare_siblings({sibling_a, below_a}, {sibling_b, below_b}, in_order);
+}
+
+/// Rules 3 to 5 for two edges of one requester and what lies below them.
+int Order::compare_siblings(Side a, Side b, bool in_order) const {
+  if (a.optional != b.optional) return a.optional ? 1 : -1; // rule 3
+  const Index urgency_a = urgency(a.edge), urgency_b = urgency(b.edge);
   if (urgency_a != urgency_b) return urgency_a < urgency_b ? -1 : 1; // rule 4
   if (!in_order) return 0;
   const auto stamp = [&](Index edge) { return requested(edge) ? s_.stamp[edge] : ~std::uint64_t{0}; };
-  if (stamp(sibling_a) != stamp(sibling_b)) return stamp(sibling_a) < stamp(sibling_b) ? -1 : 1; // rule 5
-  return sibling_a < sibling_b ? -1 : 1;
+  if (stamp(a.edge) != stamp(b.edge)) return stamp(a.edge) < stamp(b.edge) ? -1 : 1; // rule 5
+  return a.edge < b.edge ? -1 : 1;
 }
 
 void Order::sort(std::span<Index> groups, Along along) const {

@@ -32,6 +32,11 @@ protected:
     Index top = nil; ///< its edge of root or limbo; nil where the chain does not reach that far
   };
   bool is_limbo(Index edge) const { return edge >= t_.edges.size(); }
+  struct Side {
+    Index edge;
+    bool optional; ///< it, or something below it
+  };
+  int compare_siblings(Side a, Side b, bool in_order) const;
   Index target(Index edge) const;
   Index requester(Index edge) const { return is_limbo(edge) ? nil : t_.edges[edge].requester; }
   bool requested(Index edge) const { return !is_limbo(edge) && s_.request[edge] != nil; }

@@ -27,8 +27,9 @@ void Pass::clear() {
     s_.group_marks[g] &= mark::forgotten;
     const Range slots = t_.groups[g].slots;
     for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
-    depends_on_last_ = depends_on_last_ || s_.last.push[g].edge != nil;
+    pushed_ = pushed_ || s_.last.push[g].edge != nil;
   }
+  depends_on_last_ = depends_on_last_ || pushed_;
   for (const Index e : t_.list(c_.edges)) {
     s_.edge_marks[e] = 0;
     s_.next_queued[e] = Queued{};
@@ -251,7 +252,7 @@ void Pass::grant(Index count) {
     become_candidates(group);
     waken(entries_begin(at), s_.member_entries[at]);
   }
-  keep_serving_pushes(count);
+  if (pushed_) keep_serving_pushes(count);
   leave_combination(count);
 }
 

@@ -54,6 +54,7 @@ bool Pass::somebody_satisfies(Index condition) const {
 
 /// The pushes that the unit made before stay.
 void Pass::keep_pushes(Index count) {
+  if (!pushed_) return;
   for (const Index g : t_.list(c_.groups)) {
     const Push& push = s_.last.push[g];
     if (push.edge != nil && s_.now.push[g].edge == nil && in_unit(push.edge, count)) s_.now.push[g] = push;

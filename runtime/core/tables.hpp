@@ -74,6 +74,9 @@ struct Group {
   bool start = false; ///< has such a handler
   bool stop = false;
   Index component = 0; ///< of Tables::components
+
+  /// It and all that it needs, transitively, have one provider each.
+  constexpr bool single_choice() const { return providers.size() == 1 && slots.empty(); }
 };
 
 /// Groups that can have to do with each other: what happens in one component never changes a decision in another. Two
