@@ -86,8 +86,6 @@ constexpr Words better_words[] = {
      "a list begins in a line of its own, or is written [a, b]"},
     {"end of map not found", "expected another key, or the end of this mapping", indented},
     {"end of sequence not found", "expected another `- `, or the end of this list", indented},
-    {"end of map flow not found", "expected `,` or `}` here", ""},
-    {"end of sequence flow not found", "expected `,` or `]` here", ""},
     {"illegal flow end", "a closing bracket that nothing opened", ""},
     {"unknown token", "no word begins with this character", "put the text in quotes"},
     {"the referenced anchor is not defined", "aliases are not part of the language", "write the value itself"},
@@ -114,8 +112,9 @@ void report_exception(TreeBuilder& builder, std::string_view text, const YAML::E
     if (exception.msg == words.theirs) message = words.message, help = words.help;
   std::vector<Note> notes;
   const auto bracket = builder.open_bracket();
-  if (bracket && exception.msg.find(" flow not found") != std::string::npos) {
+  if (bracket && exception.msg.find(" flow ") != std::string::npos) { // it does not end, or `}` stands where `]` should
     builder.forget_last_key();
+    message = text[*bracket] == '[' ? "expected `,` or `]` here" : "expected `,` or `}` here";
     notes.push_back({builder.span(*bracket, *bracket + 1), "opened here"});
   }
   builder.report("yaml_syntax", at, at + 1, std::move(message), std::move(help), std::move(notes));

@@ -166,6 +166,9 @@ TEST_CASE("Where the text is no YAML the place and the likely reason are said") 
            Case{"a: - b\n",
                 "1:4 `-` yaml_syntax: a `- ` that may not stand here (a list begins in a line of its own, or is "
                 "written [a, b])\n"},
+           Case{"a: [b}\n",
+                "1:6 `}` yaml_syntax: expected `,` or `]` here\n"
+                "  1:4 `[` opened here\n"},
            Case{"a: ]\n", "1:4 `]` yaml_syntax: a closing bracket that nothing opened\n"},
            Case{"a: @x\n", "1:4 `@` yaml_syntax: no word begins with this character (put the text in quotes)\n"},
            Case{"a: *\n", "1:5 `` yaml_syntax: aliases are not part of the language (a text that begins with `*` needs "
