@@ -27,9 +27,10 @@ Keys with(Keys keys, std::initializer_list<std::string> more) {
   return keys;
 }
 
-/// Exactly one of `words` is what the mapping is about; nothing, and reported, if there is none.
-std::optional<std::size_t> only_word(Reader& reader, const YamlNode& mapping, std::string_view thing,
-                                     const Keys& words) {
+/// Exactly one of `words` is what the mapping is about; nothing, and reported, if there is none. Silent about a mapping
+/// with a key that is none of `keys`: that was reported, and is probably the one.
+std::optional<std::size_t> only_word(Reader& reader, const YamlNode& mapping, std::string_view thing, const Keys& words,
+                                     const Keys& keys) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!mapping.find(words[i])) continue;
@@ -38,10 +39,10 @@ std::optional<std::size_t> only_word(Reader& reader, const YamlNode& mapping, st
     else
       found = i;
   }
-  const bool misspelt = std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-    return !mapping.find(word) && !reader.lacks(mapping, word);
+  const bool all_known = std::all_of(mapping.pairs.begin(), mapping.pairs.end(), [&](const YamlPair& pair) {
+    return std::find(keys.begin(), keys.end(), pair.key.value) != keys.end();
   });
-  if (!found && !misspelt)
+  if (!found && all_known)
     reader.error("missing_key", mapping.pairs.empty() ? mapping.span : mapping.pairs.front().key.span,
                  fmt::format("{} needs one of {}", thing, fmt::join(words, ", ")));
   return found;
@@ -93,7 +94,7 @@ std::vector<InputSpec> read_inputs(Reader& reader, const YamlNode* node) {
   for (const YamlNode& item : node->items) {
     if (!reader.is_mapping(&item, "inputs", "a mapping such as {request: Walk}")) continue;
     reader.know_keys(item, "an input", input_words());
-    if (const auto word = only_word(reader, item, "an input", input_words()))
+    if (const auto word = only_word(reader, item, "an input", input_words(), input_words()))
       out.push_back(read_input(reader, item, *word));
   }
   return out;
@@ -112,7 +113,7 @@ StepSpec read_step(Reader& reader, const YamlNode& mapping) {
   StepSpec step;
   step.span = mapping.span;
   reader.know_keys(mapping, "a step", keys);
-  if (const auto word = only_word(reader, mapping, "a step", words)) {
+  if (const auto word = only_word(reader, mapping, "a step", words, keys)) {
     if (words[*word] == "advance")
       step.advance = reader.duration(mapping.find("advance"), "advance", 0);
     else if (words[*word] == "inputs")

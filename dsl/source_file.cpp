@@ -20,8 +20,9 @@ Place SourceFile::place(std::uint32_t offset) const {
 
 std::string_view SourceFile::line_text(std::uint32_t line) const {
   if (line == 0 || line > line_starts_.size()) return {};
-  const std::string_view rest = std::string_view(text_).substr(line_starts_[line - 1]);
-  std::string_view content = rest.substr(0, rest.find('\n'));
+  const std::size_t begin = line_starts_[line - 1];
+  const std::size_t end = line < line_starts_.size() ? line_starts_[line] - 1U : text_.size();
+  std::string_view content = std::string_view(text_).substr(begin, end - begin);
   if (content.ends_with('\r')) content.remove_suffix(1);
   return content;
 }

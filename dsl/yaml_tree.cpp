@@ -5,19 +5,24 @@
 //   - the document `,` is read for ever when documents are asked for one after another;
 //   - text behind the end of the first document is ignored until the next document is asked for;
 //   - a quote that is never closed ends the text without a word, unless `...` follows;
-//   - duplicate keys, invalid UTF-8 and null keys are taken as they come, tabs often.
+//   - duplicate keys, invalid UTF-8 and null keys are taken as they come, tabs often;
+//   - what begins with a bracket may be a key, so it is read to its end, at some 200 bytes a token, before the first
+//   event.
 #include "dsl/yaml_tree.hpp"
 
 #include "dsl/tree_builder.hpp"
 #include "dsl/yaml_scan.hpp"
 
+#include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <cstring>
+#include <istream>
 #include <optional>
-#include <sstream>
+#include <streambuf>
 #include <utility>
 
 namespace director::dsl {
@@ -28,30 +33,63 @@ using YAML::anchor_t;
 using YAML::Mark;
 using Style = YAML::EmitterStyle::value;
 
+/// Brackets, commas, quotes and the like that yaml-cpp may read before it says what they are: 200 MB of its tokens.
+constexpr std::size_t most_pending = 1'000'000;
+struct TooFarAhead {};
+
 std::size_t offset(const Mark& mark) { return static_cast<std::size_t>(std::max(mark.pos, 0)); }
+
+/// Gives the text to yaml-cpp and stops it where it reads ahead too far.
+class Feed final : public std::streambuf {
+public:
+  explicit Feed(std::string_view text) : text_(std::string(text) + "\n...\n") {
+    setg(text_.data(), text_.data(), text_.data() + text_.size());
+  }
+  /// Something was understood: what is read from here on is ahead of it.
+  void understood() { pending_ = 0; }
+
+private:
+  std::streamsize xsgetn(char* to, std::streamsize size) override {
+    size = std::min<std::streamsize>(size, egptr() - gptr());
+    for (std::streamsize i = 0; i < size; ++i)
+      if (std::strchr("[]{},?:&*!\"'", gptr()[i]) != nullptr) ++pending_;
+    if (pending_ > most_pending) throw TooFarAhead{};
+    std::copy_n(gptr(), size, to);
+    setg(eback(), gptr() + size, egptr());
+    return size;
+  }
+
+  std::string text_;
+  std::size_t pending_ = 0; ///< indicators, of which each token has one
+};
 
 class Events final : public YAML::EventHandler {
 public:
-  explicit Events(TreeBuilder& builder) : builder_(builder) {}
+  Events(TreeBuilder& builder, Feed& feed) : builder_(builder), feed_(feed) {}
 
 private:
+  TreeBuilder& builder() {
+    feed_.understood();
+    return builder_;
+  }
   void OnDocumentStart(const Mark&) override {}
   void OnDocumentEnd() override {}
-  void OnNull(const Mark& mark, anchor_t) override { builder_.null(offset(mark)); }
-  void OnAlias(const Mark& mark, anchor_t) override { builder_.alias(offset(mark)); }
+  void OnNull(const Mark& mark, anchor_t) override { builder().null(offset(mark)); }
+  void OnAlias(const Mark& mark, anchor_t) override { builder().alias(offset(mark)); }
   void OnScalar(const Mark& mark, const std::string& tag, anchor_t, const std::string& value) override {
-    builder_.scalar(offset(mark), value, tag == "?");
+    builder().scalar(offset(mark), value, tag == "?");
   }
   void OnSequenceStart(const Mark& mark, const std::string&, anchor_t, Style style) override {
-    builder_.start(YamlNode::Kind::list, offset(mark), style == YAML::EmitterStyle::Flow);
+    builder().start(YamlNode::Kind::list, offset(mark), style == YAML::EmitterStyle::Flow);
   }
-  void OnSequenceEnd() override { builder_.finish(); }
+  void OnSequenceEnd() override { builder().finish(); }
   void OnMapStart(const Mark& mark, const std::string&, anchor_t, Style style) override {
-    builder_.start(YamlNode::Kind::mapping, offset(mark), style == YAML::EmitterStyle::Flow);
+    builder().start(YamlNode::Kind::mapping, offset(mark), style == YAML::EmitterStyle::Flow);
   }
-  void OnMapEnd() override { builder_.finish(); }
+  void OnMapEnd() override { builder().finish(); }
 
   TreeBuilder& builder_;
+  Feed& feed_;
 };
 
 /// Asks for a second document, and leaves at its first event.
@@ -153,9 +191,10 @@ YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& 
     return {};
   }
   try {
-    std::istringstream stream(std::string(text) + "\n...\n");
+    Feed feed(text);
+    std::istream stream(&feed);
     YAML::Parser parser(stream);
-    Events events(builder);
+    Events events(builder, feed);
     parser.HandleNextDocument(events);
     NothingMore nothing_more;
     parser.HandleNextDocument(nothing_more);
@@ -163,6 +202,10 @@ YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& 
     refuse_tabs(builder, text, root);
     return root;
   } catch (const TreeBuilder::Stop&) {
+  } catch (const TooFarAhead&) {
+    const std::size_t at = yaml_scan::skip_blanks(text, builder.cursor());
+    builder.report("input_limit", at, at + 1,
+                   fmt::format("a piece of text with more than {} brackets, commas and quotes", most_pending));
   } catch (const NothingMore::More& more) {
     report_more(builder, text, more.at);
   } catch (const YAML::Exception& exception) { report_exception(builder, text, exception); }

@@ -166,9 +166,8 @@ TEST_CASE("Where the text is no YAML the place and the likely reason are said") 
            Case{"a: - b\n",
                 "1:4 `-` yaml_syntax: a `- ` that may not stand here (a list begins in a line of its own, or is "
                 "written [a, b])\n"},
-           Case{"a: [b}\n",
-                "1:6 `}` yaml_syntax: expected `,` or `]` here\n"
-                "  1:4 `[` opened here\n"},
+           Case{"a: [b}\n", "1:6 `}` yaml_syntax: expected `,` or `]` here\n"
+                            "  1:4 `[` opened here\n"},
            Case{"a: ]\n", "1:4 `]` yaml_syntax: a closing bracket that nothing opened\n"},
            Case{"a: @x\n", "1:4 `@` yaml_syntax: no word begins with this character (put the text in quotes)\n"},
            Case{"a: *\n", "1:5 `` yaml_syntax: aliases are not part of the language (a text that begins with `*` needs "
@@ -196,12 +195,12 @@ TEST_CASE("64 levels are read, and one more is refused") {
   const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
   CHECK(Tree(nested(deepest_nesting)).findings() == "");
   CHECK(Tree(nested(deepest_nesting + 1)).findings() == "1:65 `[` input_limit: nested deeper than 64 levels\n");
-  CHECK(Tree(nested(1'000'000)).findings() == "1:65 `[` input_limit: nested deeper than 64 levels\n");
+  CHECK(Tree(nested(400'000)).findings() == "1:65 `[` input_limit: nested deeper than 64 levels\n");
 }
 
 TEST_CASE("A file of more values than anybody writes is refused") {
-  std::string text = "[a";
+  std::string text = "k: [a";
   while (text.size() < 2 * most_values) text += ",a";
   Tree tree(text + "]");
-  CHECK(tree.findings() == "1:4000000 `a` input_limit: the file has more than 2000000 keys and values\n");
+  CHECK(tree.findings() == "1:3999999 `a` input_limit: the file has more than 2000000 keys and values\n");
 }
