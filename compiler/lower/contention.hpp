@@ -36,8 +36,8 @@ struct Contention {
 };
 
 /// Pairs of chains that are looked at for one group, and steps upwards along the chains of one edge. A servo of a real
-/// team's robot has some hundred; what has more than this nobody reads.
-inline constexpr std::size_t most_chain_pairs = 20'000;
+/// team's robot has less than a thousand; what has more than this nobody reads.
+inline constexpr std::size_t most_chain_pairs = 4'000;
 
 /// All pairs of edges to the group, in order.
 std::vector<Contention> contentions(const Model& model, GroupId group, std::size_t most_pairs = most_chain_pairs);

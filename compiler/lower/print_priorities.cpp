@@ -11,6 +11,9 @@ namespace director::compiler {
 
 namespace {
 
+/// Of one pair of edges. Many levels and many ways down give many, and all of them in the same few places.
+constexpr std::size_t most_decisions_shown = 30;
+
 /// A level of one edge as it stands in its requester's ranking.
 struct Ranked {
   EdgeId edge{};
@@ -72,7 +75,11 @@ private:
       fmt::format_to(std::back_inserter(out_), "    {} and {}{}\n", model_.edge_name(contention.first),
                      model_.edge_name(contention.second),
                      contention.decisions.empty() && contention.complete ? ": never both" : "");
-      for (const Decision& decision : contention.decisions) print_decision(contention, decision);
+      const std::size_t shown = std::min(contention.decisions.size(), most_decisions_shown);
+      for (std::size_t i = 0; i < shown; ++i) print_decision(contention, contention.decisions[i]);
+      if (shown < contention.decisions.size()) {
+        fmt::format_to(std::back_inserter(out_), "      and {} more\n", contention.decisions.size() - shown);
+      }
     }
     if (!complete) {
       fmt::format_to(std::back_inserter(out_), "    cut after {} pairs of chains: there may be more\n",
