@@ -25,7 +25,36 @@ void Engine::act(Index passes) {
   for (Index i = 0; i < passes; ++i) {
     for (const Index group : t_.list(t_.components[s_.work[i]].groups)) keep_promises(group);
   }
+  finish_act();
+}
+
+/// Nothing was arbitrated, so nothing starts, stops or changes hands.
+void Engine::act_on_touched() {
+  Counters& c = *s_.counters;
+  if (c.touched_count == 1) {
+    give_touched(s_.touched[0]);
+  } else {
+    for (const Index group : in_order(0, false)) give_touched(group);
+    for (Index i = 0; i < c.touched_count; ++i)
+      s_.in_queue[s_.touched[i]] &= static_cast<std::uint8_t>(~place::touched);
+  }
+  c.touched_count = 0;
+  finish_act();
+}
+
+void Engine::give_touched(Index group) {
+  if (granted(group)) {
+    const Index holder = s_.last.holder[group];
+    s_.data_from[group] = holder;
+    if (s_.anew[holder] != 0) add_reason(group, Reason::new_task);
+    enqueue(group);
+  }
+  s_.in_queue[group] &= static_cast<std::uint8_t>(~place::touched);
+}
+
+void Engine::finish_act() {
   if (ran_ != nil) keep_promises(ran_);
+  if (anew_.empty()) return;
   settle_data(anew_);
   for (Index e = anew_.begin; e != anew_.end; ++e) s_.anew[e] = 0;
   anew_ = {};
@@ -121,7 +150,7 @@ void Engine::stop_group(Index group) {
 void Engine::handle(Index group, Reason reason) {
   const bool starts = reason == Reason::started;
   if (starts ? !t_.groups[group].start : !t_.groups[group].stop) return;
-  tell(event(starts ? Event::Kind::start : Event::Kind::stop, group));
+  if (observed()) tell(event(starts ? Event::Kind::start : Event::Kind::stop, group));
   Handling handling(*this, group, Reasons{static_cast<std::uint8_t>(reason)});
   inside_ = true;
   (starts ? bodies_.start : bodies_.stop)[group](bodies_.self, handling);

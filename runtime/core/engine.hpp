@@ -90,6 +90,9 @@ private:
 
   // act.cpp: section 5
   void act(Index passes);
+  void act_on_touched();
+  void give_touched(Index group);
+  void finish_act();
   std::span<const Index> in_order(Index passes, bool before);
   void stop_group(Index group);
   void give_reasons(Index group);

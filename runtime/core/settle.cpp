@@ -46,6 +46,7 @@ void Engine::add_reason(Index group, Reason reason) {
 void Engine::end_micro_step() {
   Counters& c = *s_.counters;
   c.unsettled = 0;
+  if (c.work_count == 0) return act_on_touched();
   forget_work();
   const Index passes = c.work_count;
   for (Index i = 0; i < passes; ++i) {
