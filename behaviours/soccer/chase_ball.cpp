@@ -59,6 +59,7 @@ int main() {
     behaviour.fire<chase_ball::Picture>();
     behaviour.step(now);
     yard.pass_100_ms();
+    if (now % 500ms != 0ms) continue;
     std::printf("%4.1f s  cart at (%5d, %5d) mm, ball %4d mm away %s\n", static_cast<double>(now.count()) / 1000,
                 yard.cart.x, yard.cart.y, length(yard.ball - yard.cart), yard.sees_ball() ? "ahead" : "out of sight");
   }

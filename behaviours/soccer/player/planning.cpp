@@ -67,7 +67,8 @@ Outcome Planning::provide(KickTo::Default& run) {
   if (kick.state() == RunState::queued && lies_right) return run.kick(keep(order), eyes_on_ball);
   // Steps that have begun are finished first.
   if (walk.state() == RunState::running && !walk.done()) return run.keep();
-  // Nothing goes on, or the steps are done: look where the ball is now.
+  // Nothing goes on, or the steps are done: look where the ball is. Under a new order, wait for a new picture of it.
+  if (run.reasons().has(Reason::new_task)) return run.stand_by();
   if (!picture.seen || length(ball) > too_far || std::abs(off) > 60 * degree) return run.stand_by();
   if (lies_right) return run.kick(order, eyes_on_ball);
   const Point way = ball - sim::turned({foot, 0}, off);

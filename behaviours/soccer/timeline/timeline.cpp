@@ -93,6 +93,7 @@ void Timeline::run(const Event& event) {
   ++runs_;
   Row& row = rows_[event.group];
   ++row.runs;
+  if (event.reasons.has(director::Reason::new_task)) row.done = false;
   const bool pushed = event.reasons.has(director::Reason::pushed);
   if (row.resource || (row.provider == event.provider && !row.new_holder && !pushed)) return;
   std::string words = with_provider(event.provider);
@@ -106,7 +107,7 @@ void Timeline::run(const Event& event) {
   line(event.time, "runs", group(event.group), words);
 }
 
-/// Only once for each time that it is granted: whoever says Done with every step has said it.
+/// Only once for each task: a Done that is said again changes nothing.
 void Timeline::done(const Event& event) {
   Row& row = rows_[event.group];
   if (row.resource || std::exchange(row.done, true)) return;
@@ -121,7 +122,6 @@ void Timeline::grant(const Event& event) {
   if (now == nil) return; // limbo: it waits for an heir
   told_waiting_[event.edge] = 0;
   row.new_holder = true;
-  row.done = false;
   if (row.before == now) row.before = nil;
   if (row.before == nil) return;
   if (!row.resource) {
@@ -203,6 +203,9 @@ void Timeline::flush() {
 
 void Timeline::line(director::Time time, std::string_view what, std::string_view who, std::string_view words) {
   flush();
+  std::string text = std::string(what) + " " + std::string(who) + " " + std::string(words);
+  if (text == last_text_) return; // step after step, done after done
+  last_text_ = std::move(text);
   if (time - last_line_ >= long_pause) runs_so_far();
   last_line_ = time;
   page_.line(time, what, who, words);

@@ -45,7 +45,7 @@ private:
     Index before = director::nil;   ///< who held it before, if that is news
     Index provider = director::nil; ///< told last
     bool new_holder = false;        ///< not told yet
-    bool done = false;              ///< told since it was granted
+    bool done = false;              ///< told for this task
     std::uint64_t displaced = 0;    ///< the micro-step in which its request had to give way
     int runs = 0;                   ///< since the last aside
   };
@@ -93,5 +93,6 @@ private:
   Event last_run_;                 ///< who sets a state is who ran last
   Index expiring_ = director::nil; ///< state
   director::Time last_line_ = 0;
+  std::string last_text_;
   int runs_ = 0; ///< since the last aside
 };
