@@ -1,4 +1,4 @@
-// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_groups_test.cpp.
+// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_test.cpp.
 #include "compiler/model/resolver.hpp"
 #include "dsl/suggest.hpp"
 
@@ -68,12 +68,12 @@ void declare_extern(Resolver& r, const dsl::BehaviourSpec& file, const Word& nam
     GroupSource source;
     source.file = &file;
     add_group(r, name, std::move(source));
-    if (r.model.deployment) {
-      r.error("unprovided_task", name.span, fmt::format("nothing provides `{}`", name.value)).help =
-          fmt::format("import a file that declares a group `{}`", name.value);
-    }
   }
-  r.model.externs.push_back({r.groups.find(name.value)->second, name.span});
+  const GroupId group = r.groups.find(name.value)->second;
+  r.model.externs.push_back({group, name.span});
+  if (!r.model.deployment || r.group_sources[group].spec) return;
+  r.error("unprovided_task", name.span, fmt::format("nothing provides `{}`", name.value)).help =
+      fmt::format("import a file that declares a group `{}`", name.value);
 }
 
 void extend(Resolver& r, const dsl::ExtendSpec& spec) {

@@ -36,18 +36,29 @@ void add_words(std::string_view text, std::set<std::string, std::less<>>& words)
   }
 }
 
-/// Every word of the lines that an error covers, and of the lines below that are indented deeper: what was lost is
-/// there.
-void add_lost_words(const dsl::SourceFile& file, const Diagnostic& error, std::set<std::string, std::less<>>& words) {
-  const std::uint32_t first = file.place(error.span.begin).line;
-  const std::uint32_t last = file.place(error.span.end).line;
-  const std::size_t indent = indent_of(file.line_text(first));
-  for (std::uint32_t line = first; line <= file.line_count(); ++line) {
-    const std::string_view text = file.line_text(line);
-    const bool blank = indent_of(text) == text.size();
-    if (line > last && !blank && indent_of(text) <= indent) break;
-    add_words(text, words);
+/// Where what begins at an error ends: in a flow collection at the next comma or bracket, else before the next line
+/// that is not indented deeper.
+std::size_t end_of_lost(std::string_view text, std::size_t begin, std::size_t indent) {
+  int depth = 0;
+  for (std::size_t at = begin; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '[' || c == '{') ++depth;
+    if ((c == ']' || c == '}') && --depth < 0) return at;
+    if (c == ',' && depth == 0) return at;
+    if (c != '\n' || depth > 0) continue;
+    const std::string_view line = text.substr(at + 1, std::min(text.find('\n', at + 1), text.size()) - at - 1);
+    const bool blank = indent_of(line) == line.size();
+    if (!blank && indent_of(line) <= indent) return at;
   }
+  return text.size();
+}
+
+/// Every word of what the reader could make nothing of.
+void add_lost_words(const dsl::SourceFile& file, const Diagnostic& error, std::set<std::string, std::less<>>& words) {
+  const std::string_view text = file.text();
+  const std::size_t indent = indent_of(file.line_text(file.place(error.span.begin).line));
+  const std::size_t end = std::max<std::size_t>(end_of_lost(text, error.span.begin, indent), error.span.end);
+  add_words(text.substr(error.span.begin, end - error.span.begin), words);
 }
 
 /// The word that a finding is about, where it may be one that was lost.

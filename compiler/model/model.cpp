@@ -1,4 +1,4 @@
-// Door: compiler/model/model.hpp. Test: tests/compiler/model/model_test.cpp.
+// Door: compiler/model/model.hpp. Test: tests/compiler/model/print_model_test.cpp.
 #include "compiler/model/model.hpp"
 
 #include <algorithm>

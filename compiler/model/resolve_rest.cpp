@@ -1,4 +1,4 @@
-// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_rest_test.cpp.
+// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_test.cpp.
 #include "compiler/model/resolver.hpp"
 #include "dsl/suggest.hpp"
 

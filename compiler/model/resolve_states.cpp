@@ -1,4 +1,4 @@
-// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_states_test.cpp.
+// Door: compiler/model/resolver.hpp. Test: compiler/checks/value_outside_domain.md.
 #include "compiler/model/resolver.hpp"
 #include "dsl/suggest.hpp"
 

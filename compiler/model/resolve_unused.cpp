@@ -1,4 +1,4 @@
-// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_unused_test.cpp.
+// Door: compiler/model/resolver.hpp. Test: compiler/checks/unused_declaration.md.
 #include "compiler/model/resolver.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Door: compiler/checks/analysis/choice.hpp. Test: tests/compiler/checks/choice_test.cpp.
+// Door: compiler/checks/analysis/choice.hpp. Test: tests/checks/analysis/choice_test.cpp.
 #include "compiler/checks/analysis/choice.hpp"
 
 #include "compiler/checks/analysis/plans.hpp"

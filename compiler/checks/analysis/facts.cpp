@@ -1,4 +1,4 @@
-// Door: compiler/checks/analysis/facts.hpp. Test: tests/compiler/checks/facts_test.cpp.
+// Door: compiler/checks/analysis/facts.hpp. Test: tests/checks/analysis/facts_test.cpp.
 #include "compiler/checks/analysis/facts.hpp"
 
 #include "compiler/checks/analysis/choice.hpp"

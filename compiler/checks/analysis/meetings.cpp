@@ -1,4 +1,4 @@
-// Door: compiler/checks/analysis/meetings.hpp. Test: tests/compiler/checks/meetings_test.cpp.
+// Door: compiler/checks/analysis/meetings.hpp. Test: tests/checks/analysis/meetings_test.cpp.
 #include "compiler/checks/analysis/meetings.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Door: compiler/checks/analysis/needs.hpp. Test: tests/compiler/checks/needs_test.cpp.
+// Door: compiler/checks/analysis/needs.hpp. Test: tests/checks/analysis/needs_test.cpp.
 #include "compiler/checks/analysis/needs.hpp"
 
 #include "compiler/graph/algorithms.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/analysis/plans.hpp. Test: tests/compiler/checks/plans_test.cpp.
+// Door: compiler/checks/analysis/plans.hpp. Test: tests/checks/analysis/plans_test.cpp.
 #include "compiler/checks/analysis/plans.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Door: compiler/checks/analysis/promises.hpp. Test: compiler/checks/unreachable_causing.md and unpushable_causing.md.
+// Door: compiler/checks/analysis/promises.hpp. Test: compiler/checks/unreachable_causing.md.
 #include "compiler/checks/analysis/promises.hpp"
 
 #include "compiler/checks/analysis/facts.hpp"

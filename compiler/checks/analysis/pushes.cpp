@@ -1,4 +1,4 @@
-// Door: compiler/checks/analysis/pushes.hpp. Test: tests/compiler/checks/facts_test.cpp.
+// Door: compiler/checks/analysis/pushes.hpp. Test: tests/checks/analysis/facts_test.cpp.
 #include "compiler/checks/analysis/pushes.hpp"
 
 #include <algorithm>

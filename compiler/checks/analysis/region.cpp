@@ -1,4 +1,4 @@
-// Door: compiler/checks/analysis/region.hpp. Test: tests/compiler/checks/region_test.cpp.
+// Door: compiler/checks/analysis/region.hpp. Test: tests/checks/analysis/region_test.cpp.
 #include "compiler/checks/analysis/region.hpp"
 
 #include <algorithm>

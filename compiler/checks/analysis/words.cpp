@@ -1,4 +1,4 @@
-// Door: compiler/checks/analysis/words.hpp. Test: tests/compiler/checks/words_test.cpp.
+// Door: compiler/checks/analysis/words.hpp. Test: tests/checks/analysis/words_test.cpp.
 #include "compiler/checks/analysis/words.hpp"
 
 #include <fmt/format.h>

@@ -1,0 +1,12 @@
+#pragma once
+// A Model as text, for people (`directorc dump --stage=model`) and tests: one line for each thing, in the order of ids.
+
+#include "compiler/model/model.hpp"
+
+#include <string>
+
+namespace director::compiler {
+
+std::string print_model(const Model& model);
+
+} // namespace director::compiler

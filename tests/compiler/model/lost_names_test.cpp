@@ -1,0 +1,30 @@
+#include "tests/compiler/support/checked.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+
+TEST_CASE("names that were lost in reading are not called undefined") {
+  CHECK(tests::check_text("roots: [Walk]\ngroups:\n  Walk: {tasks: [Legs, Arms]}\nskills:\n  Legs: {}\n").findings() ==
+        "main.yaml:5: there is no group called `Arms` [undefined_name]\n"
+        "main.yaml:6: a behaviour file has no key `skills` [unknown_key]\n");
+}
+
+TEST_CASE("behind a file that cannot be read nothing is said about names") {
+  CHECK(
+      tests::check_text("imports: [legs.yaml]\nroots: [Walk]\ngroups:\n  Walk: {tasks: [Legs, Arms], needs: [class]}\n")
+          .findings() == "main.yaml:3: cannot read `legs.yaml`: No such file or directory [import_not_found]\n");
+}
+
+TEST_CASE("mistakes of reading and of names are reported in one run") {
+  CHECK(tests::check_text("roots: [Walk]\ngroups:\n  Walk: {taks: {}, needs: [Legs]}\n  walk: {when: [Pose = a]}\n")
+            .findings() ==
+        "main.yaml:5: group `Walk` has no key `taks` [unknown_key]\n"
+        "main.yaml:5: there is no group called `Legs` [undefined_name]\n"
+        "main.yaml:6: the group `walk` and the group `Walk` become one name in C++, `Walk` [redefined_name]\n"
+        "main.yaml:6: expected one of ==, !=, <, <=, >, >= behind `Pose`, found `=` [bad_condition]\n");
+}
+
+} // namespace

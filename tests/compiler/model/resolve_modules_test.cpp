@@ -1,0 +1,49 @@
+#include "tests/compiler/support/checked.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+
+std::string head(const std::string& name) { return "behaviour: " + name + "\nlanguage: 1\n"; }
+
+/// The modules of a deployment that imports one file of this name.
+std::string modules(const std::string& file, const std::string& text) {
+  const auto checked = tests::check_files(
+      {{"main.yaml", head("main") + "imports: [\"" + file + "\"]\nroots: [Walk]\n"}, {file, head("other") + text}});
+  INFO(dsl::render(checked.checked.findings, checked.sources));
+  CHECK(checked.checked.resolved);
+  std::string out;
+  for (const compiler::Module& module : checked.checked.model.modules) out += module.name + " ";
+  return out;
+}
+
+TEST_CASE("a module is called after its file") {
+  CHECK(modules("locomotion.yaml", "groups: {Walk: {}}") == "locomotion ");
+  CHECK(modules("deep/legs.v2.yaml", "groups: {Walk: {}}") == "legs_v2 ");
+  CHECK(modules("2legs.yaml", "groups: {Walk: {}}") == "_2legs ");
+  CHECK(modules("f\xC3\xBC\xC3\x9F"
+                "e.yaml",
+                "groups: {Walk: {}}") == "f__e ");
+}
+
+TEST_CASE("a file's name that is taken or reserved gets a tail") {
+  CHECK(modules("walk.yaml", "groups: {Walk: {}}") == "walk_module ");
+  CHECK(modules("class.yaml", "groups: {Walk: {}}") == "class_module ");
+  CHECK(modules("stop.yaml", "groups: {Walk: {}}") == "stop_module ");
+  CHECK(modules("behaviour.yaml", "groups: {Walk: {}}") == "behaviour_module ");
+  CHECK(modules("sensors.yaml", "triggers: [Sensors]\ngroups: {Walk: {triggers: [Sensors]}}") == "sensors_module ");
+}
+
+TEST_CASE("groups of several files share a module by its name") {
+  CHECK(modules("a.yaml", "groups: {Walk: {module: legs}, Run: {}, Jump: {module: legs}}") == "legs a ");
+}
+
+TEST_CASE("a module cannot be called like a group") {
+  const auto text = tests::check_text("roots: [Walk]\ngroups: {Walk: {module: kick}, Kick: {}}\n");
+  CHECK(text.findings() ==
+        "main.yaml:4: the module `kick` and the group `Kick` become one name in C++, `Kick` [redefined_name]\n");
+}
+
+} // namespace

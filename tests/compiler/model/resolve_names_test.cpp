@@ -1,0 +1,54 @@
+#include "tests/compiler/support/checked.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+
+std::string findings(const std::string& text) { return tests::check_text(text).findings(); }
+
+TEST_CASE("faults in what is declared twice are found all the same") {
+  CHECK(findings("roots: [Walk]\ngroups:\n  Walk: {providers: [{name: a}, {name: a, needs: [Lgs]}]}\n  Legs: {}\n") ==
+        "main.yaml:5: the provider `a` of `Walk` is declared twice [redefined_name]\n"
+        "main.yaml:5: there is no group called `Lgs` [undefined_name]\n");
+}
+
+TEST_CASE("a task that is listed twice") {
+  CHECK(findings("roots: [Walk]\ngroups:\n  Walk: {tasks: [Legs, Legs]}\n  Legs: {}\n") ==
+        "main.yaml:5: `Legs` is listed twice [redefined_name]\n");
+}
+
+TEST_CASE("roots of an imported file must mean something too") {
+  const auto text = tests::check_files({{"main.yaml", "behaviour: main\nlanguage: 1\nimports: [a.yaml]\nroots: [A]\n"},
+                                        {"a.yaml", "behaviour: a\nlanguage: 1\nroots: [B]\ngroups: {A: {}}\n"}});
+  CHECK(text.findings() == "a.yaml:3: there is no group called `B` [undefined_name]\n");
+}
+
+TEST_CASE("levels of one name in several requests are no fault") {
+  CHECK(findings("roots: {Walk: {priority: {calm: 1, brisk: 2}}, Run: {priority: 3}}\n"
+                 "groups:\n  Walk: {}\n  Run: {tasks: {Legs: {priority: {calm: 1, brisk: 2}}}}\n  Legs: {}\n")
+            .empty());
+}
+
+TEST_CASE("a level cannot be called like the group that it asks for") {
+  CHECK(findings("roots: {Walk: {priority: {Walk: 1}}}\ngroups: {Walk: {}}\n") ==
+        "main.yaml:3: the level `Walk` is called like the group that it asks for [redefined_name]\n");
+}
+
+TEST_CASE("an extern that two files name is reported in both") {
+  const auto text =
+      tests::check_files({{"main.yaml", "behaviour: main\nlanguage: 1\nimports: [a.yaml]\nextern: [Say]\nroots: [A]\n"},
+                          {"a.yaml", "behaviour: a\nlanguage: 1\nextern: [Say]\ngroups: {A: {tasks: [Say]}}\n"}});
+  CHECK(text.findings() == "main.yaml:4: nothing provides `Say` [unprovided_task]\n"
+                           "a.yaml:3: nothing provides `Say` [unprovided_task]\n");
+}
+
+TEST_CASE("a promise of a provider called default") {
+  CHECK(findings(
+            "states: {P: {values: [a, b], initial: a, external: true}}\nroots: {W: {priority: 1}, K: {priority: 2}}\n"
+            "groups:\n  W: {causing: [P == b within 1 s], triggers: [W.default.broken]}\n  K: {when: [P == b]}\n")
+            .empty());
+}
+
+} // namespace
