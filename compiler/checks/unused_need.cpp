@@ -1,0 +1,25 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/unused_need.md.
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+namespace director::checks {
+
+void unused_need(const Input& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const Provider& provider : model.providers) {
+    for (const Use<GroupId>& need : provider.needs) {
+      bool requested = false;
+      for (const EdgeId id : model.groups[provider.group].edges)
+        requested = requested || (model.edges[id].target == need.id && !model.edges[id].levels.empty());
+      if (requested) continue;
+      findings
+          .add(need.span, fmt::format("{} needs {} and never requests it", name_of(model, provider.group),
+                                      name_of(model, need.id)))
+          .help = "a need keeps others away; what should run for it has to be requested too";
+    }
+  }
+}
+
+} // namespace director::checks
