@@ -118,10 +118,11 @@ extend:
 TEST_CASE("the same condition is one row, wherever it is written") {
   const auto text = check_text(R"(
 states: {Pose: {values: [a, b, c], initial: a, external: true}}
-roots: {A: {priority: 1}, B: {priority: 2}}
+roots: {A: {priority: 1}, B: {priority: 2}, C: {priority: 3}}
 groups:
   A: {when: [Pose==a|b, "Pose  !=  c"]}
-  B: {when: [Pose == a|b], stay: [Pose == b|a]}
+  B: {when: [Pose == a|b]}
+  C: {when: [Pose == b|a]}
 )");
   CHECK(text.findings().empty());
   CHECK(text.checked.model.conditions.size() == 3);
