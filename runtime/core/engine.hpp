@@ -45,6 +45,7 @@ public:
   bool in_force(Index group) const { return (s_.last.flags[group] & flag::in_force) != 0; }
   Queued queued(Index edge) const { return s_.queued[edge]; }
   Time now() const { return s_.counters->now; }
+  bool inside() const { return inside_; } ///< a body or handler is running; for the thread that calls step()
   const Tables& tables() const { return t_; }
   const State& memory() const { return s_; }
 

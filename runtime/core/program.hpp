@@ -1,0 +1,214 @@
+#pragma once
+// What a program sees of a behaviour from outside: the base of every generated Behaviour, which holds all its memory,
+// and the words by which the outside acts on it. `Facts` is the generated struct that says what the specification
+// declares:
+//   shape, tables()   sizes, known while compiling, and the tables
+//   inbox_cells       how many records of inputs can wait
+//   Data, places      the slots of task data; edge -> its place among those that lead to its task
+//   States            Table of the state types; value -> Setting; the Domain of each state
+//   Roots             Pack of `roots`
+//   Triggers          Table of the declared triggers
+//   Providers         Table of the contexts of all providers
+
+#include "runtime/core/body.hpp"
+#include "runtime/core/engine.hpp"
+
+#include <array>
+#include <type_traits>
+
+namespace director {
+
+/// The way in. Any thread and any interrupt may use one, at any time, from anywhere. Each call is one input, taken by
+/// the next step(). False: too much is waiting already, or a value is outside its state's domain, and nothing was
+/// posted.
+template <class Facts>
+class Post {
+  using States = typename Facts::States;
+  using Roots = typename Facts::Roots;
+
+public:
+  Post(Inbox& inbox, typename Facts::Data& data) : inbox_(&inbox), data_(&data) {}
+
+  /// Root tasks, with their data; several come together. `request(soccer::Kick{command})`
+  template <class Task, class... More>
+  bool request(Task task, More... more) const {
+    static_assert(Roots::template takes<Task, More...>,
+                  "only tasks that stand in `roots` can be requested from outside");
+    std::array records{record(task), record(more)...};
+    bool ready = true;
+    for (const Input& input : records) ready = ready && input.level != nil;
+    if (ready && post(records)) return true;
+    const Input* input = records.data();
+    free<Task>(*input);
+    (free<More>(*++input), ...);
+    return false;
+  }
+
+  /// Root tasks without data, at their first level. `request<soccer::Striker>()`
+  template <class Task, class... More>
+  bool request() const {
+    return request(Task{}, More{}...);
+  }
+
+  /// The program does not want this root task any more.
+  template <class Task>
+  bool cancel() const {
+    static_assert(Roots::template has<Task>, "only tasks that stand in `roots` can be cancelled from outside");
+    const Input input{.kind = Input::Kind::cancel, .thing = Roots::template For<Task>::edge};
+    return inbox_->post({&input, 1});
+  }
+
+  /// Values of external states, all at once. `set(soccer::Stability::fallen, soccer::Charge{80})`
+  template <class Value, class... More>
+  bool set(Value value, More... more) const {
+    static_assert((external<Value>() && ... && external<More>()),
+                  "only states that are `external` can be set from outside");
+    std::array records{record(States::setting(value)), record(States::setting(more))...};
+    bool inside = true;
+    for (const Input& input : records) inside = inside && States::domains[input.thing].has(input.value);
+    return inside && post(records);
+  }
+
+  template <class Trigger>
+  bool fire() const {
+    static_assert(Facts::Triggers::template has<Trigger>, "this is not a trigger of the behaviour");
+    const Input input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>};
+    return inbox_->post({&input, 1});
+  }
+
+  /// A provider that is not enabled does not run. `enable<soccer::Walk::Halting>(false)`
+  template <class Provider>
+  bool enable(bool enabled) const {
+    static_assert(Facts::Providers::template has<Provider>, "this is not a provider of the behaviour");
+    const Input input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
+                      .thing = Facts::Providers::template row<Provider>};
+    return inbox_->post({&input, 1});
+  }
+
+private:
+  /// The records as one input.
+  template <std::size_t count>
+  bool post(std::array<Input, count>& records) const {
+    for (std::size_t i = 0; i + 1 < count; ++i) records[i].more = true;
+    return inbox_->post(records);
+  }
+
+  template <class Value>
+  static consteval bool external() {
+    if constexpr (States::template has<Value>) return States::domains[States::template row<Value>].external;
+    return false;
+  }
+
+  static Input record(Setting setting) {
+    return {.kind = Input::Kind::set, .thing = setting.state, .value = setting.value};
+  }
+
+  /// Without a level (nil) if the task has not the one that was named, or no slot is free for its data.
+  template <class Task>
+  Input record(Task& task) const {
+    using Root = typename Roots::template For<Task>;
+    TaskBase<Task>& base = task;
+    Input input{.kind = Input::Kind::request, .thing = Root::edge, .level = Root::row(base.level)};
+    if constexpr (has_data<Task>) {
+      if (input.level == nil) return input;
+      input.handle = data_->template waiting<Task>().put(std::move(base.data));
+      if (input.handle == nil) input.level = nil;
+    }
+    return input;
+  }
+
+  template <class Task>
+  void free([[maybe_unused]] const Input& input) const {
+    if constexpr (has_data<Task>) {
+      if (input.handle != nil) data_->template waiting<Task>().free(input.handle);
+    }
+  }
+
+  Inbox* inbox_;
+  typename Facts::Data* data_;
+};
+
+template <class Facts>
+class Program {
+public:
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  // The words of Post, for the thread that calls step(). Refused (false) from inside a body or handler.
+  template <class Task, class... More>
+  bool request(Task task, More... more) {
+    return !engine_.inside() && post().request(std::move(task), std::move(more)...);
+  }
+  template <class Task, class... More>
+  bool request() {
+    return !engine_.inside() && post().template request<Task, More...>();
+  }
+  template <class Task>
+  bool cancel() {
+    return !engine_.inside() && post().template cancel<Task>();
+  }
+  template <class Value, class... More>
+  bool set(Value value, More... more) {
+    return !engine_.inside() && post().set(value, more...);
+  }
+  template <class Trigger>
+  bool fire() {
+    return !engine_.inside() && post().template fire<Trigger>();
+  }
+  template <class Provider>
+  bool enable(bool enabled) {
+    return !engine_.inside() && post().template enable<Provider>(enabled);
+  }
+
+  /// The same words for other threads and interrupts, and for bodies. As long as the behaviour lives, a copy may be
+  /// kept.
+  Post<Facts> post() { return {inbox_, data_}; }
+
+  /// Of the program's own request for this root task: running, queued or none.
+  template <class Task>
+  RunState state() const {
+    static_assert(Facts::Roots::template has<Task>, "only tasks that stand in `roots` are requested from outside");
+    return engine_.state(Facts::Roots::template For<Task>::edge);
+  }
+
+  /// Micro-steps that one step() may take before it answers budget_exhausted.
+  void set_budget(std::uint32_t micro_steps) { engine_.set_budget(micro_steps); }
+
+  /// For whoever looks deeper: what holds between steps, by number (the generated `names` tell what a number is
+  /// called).
+  const Engine& engine() const { return engine_; }
+
+protected:
+  Program(const Bodies& bodies, Observer observer)
+      : inbox_(cells_),
+        engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer) {}
+  ~Program() = default;
+
+  StepResult step_to(Time now) { return engine_.step(now); }
+  typename Facts::Data& data() { return data_; }
+
+private:
+  typename Facts::Data data_;
+  std::array<Inbox::Cell, Facts::inbox_cells> cells_;
+  alignas(8) std::array<std::byte, State::bytes(Facts::shape)> memory_;
+  Inbox inbox_;
+  Engine engine_;
+};
+
+/// What the generated code's Bodies::data does for one group's task. Slots::of and waiting of `Data` are its bases.
+template <class Task, bool root>
+void move_data(auto& data, Bodies::Data what, Index place, Index handle) noexcept {
+  auto& slots = data.template of<Task>();
+  switch (what) {
+  case Bodies::Data::settle: return slots.settle(place);
+  case Bodies::Data::retain: return slots.retain(place);
+  case Bodies::Data::accept: break;
+  }
+  if constexpr (root) {
+    auto& waiting = data.template waiting<Task>();
+    slots.stage(place, std::move(waiting.value(handle)));
+    waiting.free(handle);
+  }
+}
+
+} // namespace director

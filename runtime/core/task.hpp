@@ -1,0 +1,113 @@
+#pragma once
+// What a request is in C++: a task type that generated code derives from Task, with its data and its level. Generated
+// types may be called what the specification calls them, so everything here is found through Task itself, never by name
+// in the derived type.
+
+#include "runtime/core/tables.hpp"
+
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+namespace director {
+
+/// One of the named levels at which a task is requested. Made without a number it is the first that the requester has.
+template <class Task>
+struct LevelOf {
+  static constexpr std::uint8_t first = 255;
+  std::uint8_t number = first;
+};
+
+/// What task data must be: they move between slots inside the Behaviour, where nothing may throw.
+template <class Data>
+concept MovableData = std::is_object_v<Data> && !std::is_const_v<Data> && !std::is_array_v<Data> &&
+                      std::is_nothrow_move_constructible_v<Data> && std::is_nothrow_destructible_v<Data>;
+
+/// Base of a task type with data: `soccer::Walk{command}`, `soccer::Kick{command, soccer::Kick::urgent}`.
+template <class Self, class Data = void>
+struct Task {
+  using Type = Data;
+  explicit Task(Data given, LevelOf<Self> at = {}) : data(std::move(given)), level(at) {}
+  Data data;
+  LevelOf<Self> level;
+};
+
+/// Base of a task type without data: `soccer::Look{}`, `soccer::Look{soccer::Look::urgent}`.
+template <class Self>
+struct Task<Self, void> {
+  using Type = void;
+  constexpr Task() = default;
+  constexpr explicit Task(LevelOf<Self> at) : level(at) {}
+  LevelOf<Self> level{};
+};
+
+/// A request that leaves one of the same level as it is; made by keep().
+template <class T>
+struct Kept {
+  T task;
+};
+
+namespace detail {
+
+template <class Self, class Data>
+Task<Self, Data> base_of(const Task<Self, Data>&);
+
+template <class T>
+struct Given {
+  using Task = T;
+  static constexpr bool kept = false;
+  static T& task(T& given) { return given; }
+};
+
+template <class T>
+struct Given<Kept<T>> {
+  using Task = T;
+  static constexpr bool kept = true;
+  static T& task(Kept<T>& given) { return given.task; }
+};
+
+} // namespace detail
+
+template <class T>
+concept TaskType = requires(const T& task) {
+  detail::base_of(task);
+};
+
+/// Task<Self, Data> of a task type.
+template <TaskType T>
+using TaskBase = decltype(detail::base_of(std::declval<const T&>()));
+
+template <TaskType T>
+inline constexpr bool has_data = !std::is_void_v<typename TaskBase<T>::Type>;
+
+/// The task type of what a body hands to a request: `T`, or `Kept<T>`.
+template <class Given>
+using TaskOf = typename detail::Given<Given>::Task;
+
+/// In a request: if the task is requested already, at the same level, it stays as it is and is no new task.
+template <TaskType T>
+Kept<T> keep(T task) {
+  return {std::move(task)};
+}
+
+/// A type and the row that it stands for.
+template <class T, Index at>
+struct Row {};
+
+/// Types and their rows: `Table<Row<Walk, 3>, Row<Kick, 4>>`.
+template <class... Rows>
+struct Table : Rows... {
+private:
+  template <class T, Index at>
+  static std::integral_constant<Index, at> find(const Row<T, at>&);
+
+public:
+  template <class T>
+  static constexpr bool has = requires(const Table& table) {
+    find<T>(table);
+  };
+  template <class T>
+  static constexpr Index row = decltype(find<T>(std::declval<const Table&>()))::value;
+};
+
+} // namespace director
