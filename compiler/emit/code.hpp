@@ -1,0 +1,59 @@
+#pragma once
+// Code to be written, as a value: lines with their indent, wrapped to the width of a page as they come in. Nobody glues
+// line breaks into strings. A line may say which place of the specification it comes from; the manifest lists these.
+
+#include "dsl/span.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::compiler {
+
+class Code {
+public:
+  static constexpr std::size_t width = 120;
+
+  struct Line {
+    std::uint32_t indent = 0; ///< levels of two blanks
+    std::string text;         ///< without indent and line break; empty: a blank line
+    std::optional<dsl::Span> from;
+    bool operator==(const Line&) const = default;
+  };
+
+  void line(std::string_view text);
+  void line(std::string_view text, const dsl::Span& from);
+  /// One blank line, never two and none behind an opening brace.
+  void blank();
+  /// `text` and what follows one level deeper, until close().
+  void open(std::string_view text);
+  void open(std::string_view text, const dsl::Span& from);
+  void close(std::string_view text);
+  /// `// ` or `/// ` before each line of `text`, broken between words.
+  void comment(std::string_view text, std::string_view mark = "///");
+  /// A line at the indent of the enclosing block: `public:`, `case`.
+  void outdented(std::string_view text);
+  /// `head item, item, item tail` on one line where it fits, else broken between items, one level deeper.
+  void list(std::string_view head, const std::vector<std::string>& items, std::string_view tail,
+            const std::optional<dsl::Span>& from = {});
+  /// The same, and what follows one level deeper, until close().
+  void open_list(std::string_view head, const std::vector<std::string>& items, std::string_view tail);
+  /// Lines as they stand, each two blanks at the beginning of one a level deeper.
+  void block(std::string_view text);
+  /// What another piece of code says, at this indent.
+  void append(const Code& other);
+
+  const std::vector<Line>& lines() const { return lines_; }
+  std::string text() const;
+
+private:
+  void list_below(const std::vector<std::string>& items, std::string_view tail);
+  std::size_t room() const { return width - 2 * indent_; }
+
+  std::vector<Line> lines_;
+  std::uint32_t indent_ = 0;
+};
+
+} // namespace director::compiler

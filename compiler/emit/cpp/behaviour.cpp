@@ -1,0 +1,75 @@
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/header_test.cpp.
+//
+// The class that a program makes one of. Its words from outside are in runtime/core/program.hpp.
+#include "compiler/emit/cpp/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+bool uses_time(const Model& model) {
+  const auto timed_state = [](const State& state) { return state.expires.has_value(); };
+  const auto timed_provider = [](const Provider& provider) {
+    return provider.every || std::any_of(provider.causing.begin(), provider.causing.end(),
+                                         [](const ConditionUse& use) { return use.within.has_value(); });
+  };
+  return std::any_of(model.states.begin(), model.states.end(), timed_state) ||
+         std::any_of(model.providers.begin(), model.providers.end(), timed_provider);
+}
+
+void define_steps(Code& code, const CppEmission& e) {
+  code.comment(
+      "Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an "
+      "earlier one counts as the last), until nothing is left to do. What a body or handler threw is thrown on, "
+      "after its micro-step; call again to go on.");
+  code.line("template <director::Duration Now>");
+  code.open("director::StepResult step(Now now) {");
+  code.line("return hand_on(step_to(director::microseconds_begun(now)));");
+  code.close("}");
+  if (uses_time(e.model)) return;
+  code.blank();
+  code.comment("The same, where no body waits: nothing in the specification uses time.");
+  code.open("director::StepResult step() {");
+  code.line("return hand_on(step_to(engine().now()));");
+  code.close("}");
+}
+
+} // namespace
+
+Code behaviour_part(const CppEmission& e) {
+  Code code;
+  code.line("namespace detail {");
+  code.line("struct Bodies;");
+  code.line("} // namespace detail");
+  code.blank();
+  document(code, e, e.model.doc, e.model.name_span);
+  code.comment("Holds all memory of its own. The modules must live as long as it does. All that includes this header "
+               "must be compiled either with exceptions or without.");
+  code.open("class Behaviour final : public director::Program<detail::Whole> {");
+  code.outdented("public:");
+  std::vector<std::string> parameters;
+  for (const ModuleId id : e.model.modules.ids())
+    parameters.push_back(fmt::format("{}& {}", module_type(e.model, id), module_word(e.model, id)));
+  parameters.push_back("director::Observer observer = {}");
+  code.list(parameters.size() <= 2 ? "explicit Behaviour(" : "Behaviour(", parameters, ");");
+  code.blank();
+  define_steps(code, e);
+  code.blank();
+  code.outdented("private:");
+  code.line("friend struct detail::Bodies;");
+  code.line("director::StepResult hand_on(director::StepResult result);");
+  code.blank();
+  for (const ModuleId id : e.model.modules.ids())
+    code.line(fmt::format("{}* {}_;", module_type(e.model, id), module_word(e.model, id)));
+  code.line("#ifdef __cpp_exceptions");
+  code.line("std::exception_ptr thrown_; ///< the first that a body threw since the last step");
+  code.line("#endif");
+  code.close("};");
+  return code;
+}
+
+} // namespace director::compiler

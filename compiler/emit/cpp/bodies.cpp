@@ -1,0 +1,154 @@
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/source_test.cpp.
+//
+// What the engine calls: functions without a type that find the module and the context, and keep what is thrown.
+#include "compiler/emit/cpp/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+/// The same in every behaviour.
+constexpr std::string_view common =
+    R"(/// What the user's code throws waits in the behaviour until the micro-step is over.
+template <class Call, class Fault>
+static auto guarded([[maybe_unused]] Behaviour& behaviour, Call call, [[maybe_unused]] Fault fault) {
+#ifdef __cpp_exceptions
+  try {
+    return call();
+  } catch (...) {
+    if (!behaviour.thrown_) behaviour.thrown_ = std::current_exception();
+    return fault();
+  }
+#else
+  return call();
+#endif
+}
+
+template <class Context, auto module>
+static director::Outcome provide(void* self, director::Run& run) {
+  Behaviour& behaviour = *static_cast<Behaviour*>(self);
+  Context context{run, behaviour.data()};
+  return guarded(
+      behaviour, [&] { return (behaviour.*module)->provide(context); }, [&] { return run.fault(); });
+}
+)";
+
+constexpr std::string_view handler = R"(
+template <class Context, auto module>
+static void {0}(void* self, director::Handling& handling) {{
+  Behaviour& behaviour = *static_cast<Behaviour*>(self);
+  Context context{{handling, behaviour.data()}};
+  guarded(
+      behaviour, [&] {{ (behaviour.*module)->{0}(context); }}, [&] {{ handling.fault(); }});
+}}
+)";
+
+constexpr std::string_view hand_on = R"(director::StepResult Behaviour::hand_on(director::StepResult result) {
+#ifdef __cpp_exceptions
+  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+#endif
+  return result;
+}
+)";
+
+bool any_handler(const Model& model, std::optional<Handler> Group::*which) {
+  return std::any_of(model.groups.begin(), model.groups.end(), [&](const Group& group) { return !!(group.*which); });
+}
+
+bool any_data(const Model& model) {
+  return std::any_of(model.groups.begin(), model.groups.end(), [](const Group& group) { return !group.data.empty(); });
+}
+
+void data_function(Code& code, const CppEmission& e) {
+  code.blank();
+  code.open(
+      "static void data(void* self, director::Bodies::Data what, director::Index edge, director::Index handle) {");
+  code.line("Data& all = static_cast<Behaviour*>(self)->data();");
+  code.line("const director::Index place = Whole::places[edge];");
+  code.line("switch (edges[edge].target) {");
+  for (const GroupId id : e.model.groups.ids()) {
+    if (e.model.groups[id].data.empty()) continue;
+    const bool root =
+        std::any_of(e.model.roots.begin(), e.model.roots.end(), [&](const Task& task) { return task.target == id; });
+    code.line(fmt::format("case {}: return director::move_data<{}, {}>(all, what, place, handle);", id.value,
+                          group_name(e.model, id), root));
+  }
+  code.line("}");
+  code.close("}");
+}
+
+void handlers(Code& code, const CppEmission& e, std::string_view word, std::optional<Handler> Group::*which) {
+  if (!any_handler(e.model, which)) return;
+  code.open(fmt::format("static constexpr std::array<void (*)(void*, director::Handling&), {}> {}s{{",
+                        e.model.groups.size(), word));
+  for (const GroupId id : e.model.groups.ids()) {
+    const Group& group = e.model.groups[id];
+    const std::string name = group_name(e.model, id);
+    if (group.*which) {
+      code.line(fmt::format("&{}<{}::{}, &Behaviour::{}_>,", word, name, type_name(word),
+                            module_word(e.model, group.module)));
+    } else {
+      code.line(fmt::format("nullptr, // {}", name));
+    }
+  }
+  code.close("};");
+}
+
+void table_of_bodies(Code& code, const CppEmission& e) {
+  code.blank();
+  code.open("static director::Bodies of(Behaviour& behaviour) {");
+  code.open(fmt::format("static constexpr std::array<director::Outcome (*)(void*, director::Run&), {}> providers{{",
+                        e.model.providers.size()));
+  for (const ProviderId id : e.model.providers.ids()) {
+    code.line(fmt::format("&provide<{}, &Behaviour::{}_>,", provider_name(e.model, id),
+                          module_word(e.model, e.model.group_of(id).module)));
+  }
+  code.close("};");
+  handlers(code, e, "start", &Group::start);
+  handlers(code, e, "stop", &Group::stop);
+  std::vector<std::string> members{".self = &behaviour", ".run = providers.data()"};
+  if (any_handler(e.model, &Group::start)) members.push_back(".start = starts.data()");
+  if (any_handler(e.model, &Group::stop)) members.push_back(".stop = stops.data()");
+  if (any_data(e.model)) members.push_back(".data = &data");
+  code.list("return {", members, "};");
+  code.close("}");
+}
+
+} // namespace
+
+Code bodies_part(const CppEmission& e) {
+  Code code;
+  code.line("namespace detail {");
+  code.blank();
+  code.line("const director::Tables& Whole::tables() { return rows; }");
+  code.blank();
+  code.comment("What the engine calls.");
+  code.open("struct Bodies {");
+  code.block(common);
+  if (any_handler(e.model, &Group::start)) code.block(fmt::format(fmt::runtime(handler), "start"));
+  if (any_handler(e.model, &Group::stop)) code.block(fmt::format(fmt::runtime(handler), "stop"));
+  if (any_data(e.model)) data_function(code, e);
+  table_of_bodies(code, e);
+  code.close("};");
+  code.blank();
+  code.line("} // namespace detail");
+  code.blank();
+  std::vector<std::string> parameters, members{"Program(detail::Bodies::of(*this), observer)"};
+  for (const ModuleId id : e.model.modules.ids()) {
+    const std::string word = module_word(e.model, id);
+    parameters.push_back(fmt::format("{}& {}", module_type(e.model, id), word));
+    members.push_back(fmt::format("{}_(&{})", word, word));
+  }
+  parameters.push_back("director::Observer observer");
+  code.list("Behaviour::Behaviour(", parameters, ")");
+  code.list("    : ", members, " {}");
+  code.blank();
+  code.block(hand_on);
+  return code;
+}
+
+} // namespace director::compiler

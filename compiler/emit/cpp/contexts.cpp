@@ -1,0 +1,132 @@
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/header_test.cpp.
+//
+// The contexts that bodies and handlers get: what all have in common is in runtime/core/body.hpp, here are the packs.
+#include "compiler/emit/cpp/parts.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler {
+
+namespace {
+
+std::string conditions_text(const Model& model, const std::vector<ConditionUse>& uses) {
+  std::string out;
+  for (const ConditionUse& use : uses) {
+    if (!out.empty()) out += ", ";
+    out += model.conditions[use.id].text;
+    if (use.within) out += fmt::format(" within {} us", *use.within);
+  }
+  return out;
+}
+
+std::string groups_text(const Model& model, const std::vector<Use<GroupId>>& uses) {
+  std::string out;
+  for (const Use<GroupId>& use : uses) out += (out.empty() ? "" : ", ") + group_name(model, use.id);
+  return out;
+}
+
+std::string triggers_text(const Model& model, const Provider& provider) {
+  std::string out;
+  for (const Use<TriggerId>& use : provider.triggers) out += (out.empty() ? "" : ", ") + model.triggers[use.id].name;
+  if (provider.every) out += fmt::format("{}every {} us", out.empty() ? "" : ", ", *provider.every);
+  return out;
+}
+
+/// What the specification says of it, a line for each word.
+void describe(Code& code, const Model& model, const Provider& provider) {
+  const auto say = [&](std::string_view word, const std::string& text) {
+    if (!text.empty()) code.comment(fmt::format("- {}: {}", word, text));
+  };
+  say("when", conditions_text(model, provider.when));
+  say("stay", conditions_text(model, provider.stay));
+  say("needs", groups_text(model, provider.needs));
+  say("causing", conditions_text(model, provider.causing));
+  say("sets", conditions_text(model, provider.sets));
+  say("uses", groups_text(model, provider.uses));
+  say("triggers", triggers_text(model, provider));
+  if (!provider.has_packs && !provider.packs.empty()) say("tasks", tasks_text(model, provider.packs.front().tasks));
+}
+
+std::string and_list(const CppEmission& e, const std::vector<Task>& tasks) {
+  std::string out;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (i > 0) out += i + 1 == tasks.size() ? " and " : ", ";
+    out += group_name(e.model, tasks[i].target);
+  }
+  return out;
+}
+
+void define_pack(Code& code, const CppEmission& e, const Pack& pack) {
+  const std::string asked = pack.tasks.empty() ? "Asks for nothing." : tasks_text(e.model, pack.tasks) + ".";
+  code.blank();
+  document(code, e, pack.doc.empty() ? asked : asked + " " + pack.doc, pack.span);
+  if (pack.tasks.empty()) {
+    code.open(fmt::format("director::Outcome {}() {{", pack.name), pack.span);
+    code.line("return Body::ask<director::Pack<>>();");
+    return code.close("}");
+  }
+  code.line("template <class... Given>");
+  code.open(fmt::format("director::Outcome {}(Given... tasks) {{", pack.name), pack.span);
+  std::vector<std::string> members;
+  for (const Task& task : pack.tasks) members.push_back(member_text(e, task));
+  code.list("using Pack = director::Pack<", members, ">;");
+  code.line(fmt::format("static_assert(Pack::takes<Given...>, \"{} asks for {} only\");", pack.name,
+                        and_list(e, pack.tasks)));
+  code.line(fmt::format("static_assert(Pack::once<Given...>, \"{} is given a task twice\");", pack.name));
+  for (const Task& task : pack.tasks) {
+    if (may_be_omitted(e.model, task)) continue;
+    const std::string name = group_name(e.model, task.target);
+    code.line(fmt::format("static_assert(director::given<{}, Given...>, \"{} must be given its task {}\");", name,
+                          pack.name, name));
+  }
+  code.line("return Body::ask<Pack>(tasks...);");
+  code.close("}");
+}
+
+void define_context(Code& code, const CppEmission& e, ProviderId id) {
+  const Provider& provider = e.model.providers[id];
+  const std::string name = provider_name(e.model, id);
+  document(code, e, provider.direct ? std::string{} : provider.doc, provider.span);
+  describe(code, e.model, provider);
+  const std::string base = fmt::format("director::Body<detail::Facts<{}>>", name);
+  code.open(fmt::format("class {} final : public {} {{", name, base), provider.span);
+  code.outdented("public:");
+  code.line(fmt::format("using {}::Body;", base));
+  if (provider.has_packs) {
+    for (const Pack& pack : provider.packs) define_pack(code, e, pack);
+  }
+  code.close("};");
+  code.blank();
+}
+
+void define_handler(Code& code, const CppEmission& e, GroupId group, const std::optional<Handler>& handler,
+                    std::string_view context) {
+  if (!handler) return;
+  const std::string name = fmt::format("{}::{}", group_name(e.model, group), context);
+  document(code, e, {}, handler->span);
+  const std::string sets = conditions_text(e.model, handler->sets);
+  if (!sets.empty()) code.comment("- sets: " + sets);
+  const std::string base = fmt::format("director::Handler<detail::Facts<{}>>", name);
+  code.open(fmt::format("class {} final : public {} {{", name, base), handler->span);
+  code.outdented("public:");
+  code.line(fmt::format("using {}::Handler;", base));
+  code.close("};");
+  code.blank();
+}
+
+} // namespace
+
+Code contexts_part(const CppEmission& e) {
+  Code code;
+  code.comment("What the bodies of providers, and start and stop handlers, get", "//");
+  code.blank();
+  for (const GroupId id : e.model.groups.ids()) {
+    const Group& group = e.model.groups[id];
+    define_handler(code, e, id, group.start, "Start");
+    define_handler(code, e, id, group.stop, "Stop");
+    for (const ProviderId provider : group.providers) define_context(code, e, provider);
+  }
+  return code;
+}
+
+} // namespace director::compiler

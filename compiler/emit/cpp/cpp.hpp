@@ -1,0 +1,15 @@
+#pragma once
+// The generated C++: a header with the types that bodies and programs use, a source with the tables and what the engine
+// calls.
+
+#include "compiler/emit/code.hpp"
+#include "compiler/emit/deployment.hpp"
+
+namespace director::compiler {
+
+/// `soccer.hpp`
+Code header(const Deployment& deployment);
+/// `soccer.cpp`
+Code source(const Deployment& deployment);
+
+} // namespace director::compiler

@@ -1,0 +1,44 @@
+// Door: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/header_test.cpp.
+#include "compiler/emit/cpp/cpp.hpp"
+#include "compiler/emit/cpp/parts.hpp"
+#include "compiler/version.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler {
+
+Code header(const Deployment& deployment) {
+  const CppEmission e{deployment};
+  const Model& model = e.model;
+  Code code;
+  code.line("#pragma once");
+  code.comment(fmt::format("Written by directorc {} from {}. Whoever changes it here changes it in vain.", version(),
+                           portable_path(deployment, model.name_span.file)),
+               "//");
+  code.comment("", "//");
+  code.comment(
+      "In this order: states, triggers and tasks; what the C++ compiler must know of the specification (detail); "
+      "what the body of each provider gets; the modules that a program implements; the behaviour itself.",
+      "//");
+  code.blank();
+  for (const std::string& include : model.headers)
+    code.line(include.starts_with('<') ? fmt::format("#include {}", include) : fmt::format("#include \"{}\"", include));
+  code.line("#include \"runtime/core/behaviour.hpp\"");
+  code.blank();
+  code.line("#ifdef __cpp_exceptions");
+  code.line("#include <exception>");
+  code.line("#endif");
+  code.blank();
+  code.line(fmt::format("namespace {} {{", model.name_space));
+  code.blank();
+  for (const Code& part : {states_part(e), triggers_part(e), tasks_part(e), facts_part(e), contexts_part(e),
+                           modules_part(e), behaviour_part(e)})
+    code.append(part);
+  code.blank();
+  code.append(name_declarations(e));
+  code.blank();
+  code.line(fmt::format("}} // namespace {}", model.name_space));
+  return code;
+}
+
+} // namespace director::compiler

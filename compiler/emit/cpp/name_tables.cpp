@@ -1,0 +1,88 @@
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/source_test.cpp.
+//
+// What the numbers in an observer's events are called.
+#include "compiler/emit/cpp/parts.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler {
+
+namespace {
+
+void table(Code& code, std::string_view word, const std::vector<std::string>& names) {
+  std::vector<std::string> quoted;
+  for (const std::string& name : names) quoted.push_back(fmt::format("\"{}\"", name));
+  code.blank();
+  code.open(fmt::format("const char* {}(director::Index row) {{", word));
+  code.list(fmt::format("static constexpr std::array<const char*, {}> all{{", quoted.size()), quoted, "};");
+  code.line("return name_at(all, row);");
+  code.close("}");
+}
+
+void values(Code& code, const Model& model) {
+  code.blank();
+  code.open("const char* value(director::Index state, std::int32_t number) {");
+  code.line("if (number == director::unset) return \"unset\";");
+  code.line("switch (state) {");
+  for (const StateId id : model.states.ids()) {
+    const State& state = model.states[id];
+    if (state.is_range) continue;
+    code.open(fmt::format("case {}: {{", id.value));
+    std::vector<std::string> quoted;
+    for (const std::string& value : state.values) quoted.push_back(fmt::format("\"{}\"", value));
+    code.list(fmt::format("static constexpr std::array<const char*, {}> all{{", quoted.size()), quoted, "};");
+    code.line("return name_at(all, static_cast<std::size_t>(number));");
+    code.close("}");
+  }
+  code.line("default: return \"\";");
+  code.line("}");
+  code.close("}");
+}
+
+} // namespace
+
+Code name_declarations(const CppEmission&) {
+  Code code;
+  code.block(R"(/// What the rows are called that a director::Event names; empty where there is no such row.
+namespace names {
+const char* group(director::Index row);
+const char* provider(director::Index row);  ///< `halting`; `default` where its group writes its words directly
+const char* edge(director::Index row);      ///< `root>Walk`
+const char* state(director::Index row);
+const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
+const char* trigger(director::Index row);
+const char* condition(director::Index row); ///< `Stability == standing`
+} // namespace names
+)");
+  return code;
+}
+
+Code name_definitions(const CppEmission& e) {
+  std::vector<std::string> groups, providers, edges, states, triggers, conditions;
+  for (const Group& group : e.model.groups) groups.push_back(group.name.value);
+  for (const Provider& provider : e.model.providers) providers.push_back(provider.name);
+  for (const EdgeId edge : e.model.edges.ids()) edges.push_back(e.model.edge_name(edge));
+  for (const State& state : e.model.states) states.push_back(state.name.value);
+  for (const Trigger& trigger : e.model.triggers) triggers.push_back(trigger.name);
+  for (const ConditionId id : e.from.lowered.condition_ids) conditions.push_back(e.model.conditions[id].text);
+  Code code;
+  code.line("namespace names {");
+  code.line("namespace {");
+  code.line("template <std::size_t count>");
+  code.open("const char* name_at(const std::array<const char*, count>& all, std::size_t row) {");
+  code.line("return row < count ? all[row] : \"\";");
+  code.close("}");
+  code.line("} // namespace");
+  table(code, "group", groups);
+  table(code, "provider", providers);
+  table(code, "edge", edges);
+  table(code, "state", states);
+  values(code, e.model);
+  table(code, "trigger", triggers);
+  table(code, "condition", conditions);
+  code.blank();
+  code.line("} // namespace names");
+  return code;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,84 @@
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/header_test.cpp.
+#include "dsl/names.hpp"
+
+#include "compiler/emit/cpp/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+std::string type_name(std::string_view name) { return dsl::capitalised(name); }
+
+std::string context_name(const Provider& provider) { return type_name(provider.name); }
+
+std::string group_name(const Model& model, GroupId group) { return type_name(model.groups[group].name.value); }
+
+std::string provider_name(const Model& model, ProviderId provider) {
+  const Provider& row = model.providers[provider];
+  return fmt::format("{}::{}", group_name(model, row.group), context_name(row));
+}
+
+std::string module_type(const Model& model, ModuleId module) { return type_name(model.modules[module].name); }
+
+std::string module_word(const Model& model, ModuleId module) {
+  std::string word = model.modules[module].name;
+  if (word[0] >= 'A' && word[0] <= 'Z') word[0] = static_cast<char>(word[0] - 'A' + 'a');
+  if (dsl::is_cpp_keyword(word) || word == "observer") word += "_module";
+  return word;
+}
+
+std::string trigger_type(const Model& model, TriggerId trigger) {
+  const Trigger& row = model.triggers[trigger];
+  if (row.promise) return fmt::format("director::Broken<{}>", provider_name(model, *row.promise));
+  return type_name(row.name);
+}
+
+std::string state_type(const Model& model, StateId state) { return type_name(model.states[state].name.value); }
+
+void document(Code& code, const CppEmission& e, std::string_view doc, const dsl::Span& span) {
+  while (doc.ends_with('\n')) doc.remove_suffix(1);
+  const std::string place = fmt::format("({})", place_text(e.from, span));
+  code.comment(doc.empty() ? place : fmt::format("{} {}", doc, place));
+}
+
+bool may_be_omitted(const Model& model, const Task& task) {
+  const std::vector<Level>& levels = model.edges[task.edge].levels;
+  return std::any_of(task.levels.begin(), task.levels.end(),
+                     [&](const Task::NamedLevel& named) { return levels[named.level].optional; });
+}
+
+std::string member_text(const CppEmission& e, const Task& task) {
+  const Index first_row = e.tables.edges[task.edge.value].levels.begin;
+  const auto row = [&](const Task::NamedLevel& level) { return std::to_string(first_row + level.level); };
+  std::string rows = row(task.levels.front());
+  std::size_t skipped = 0;
+  for (const std::string& name : e.levels[task.target]) {
+    const auto* found = static_cast<const Task::NamedLevel*>(nullptr);
+    for (const Task::NamedLevel& level : task.levels) {
+      if (level.name == name) found = &level;
+    }
+    if (found == nullptr) {
+      ++skipped; // none behind the last one that there is
+      continue;
+    }
+    for (; skipped > 0; --skipped) rows += ", director::nil";
+    rows += ", " + row(*found);
+  }
+  return fmt::format("director::{}<{}, {}, {}, {}>", may_be_omitted(e.model, task) ? "May" : "Must",
+                     group_name(e.model, task.target), task.edge.value, data_place(e.model, task.edge), rows);
+}
+
+std::string tasks_text(const Model& model, const std::vector<Task>& tasks) {
+  std::string out;
+  for (const Task& task : tasks) {
+    if (!out.empty()) out += ", ";
+    out += group_name(model, task.target);
+    if (may_be_omitted(model, task)) out += " (optional)";
+    if (model.edges[task.edge].levels[task.levels.front().level].apart) out += " (apart)";
+  }
+  return out;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,53 @@
+#pragma once
+// The parts of the generated C++, one file each. Only compiler/emit/cpp includes this; header.cpp and source.cpp put
+// the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp, body.hpp, program.hpp.
+
+#include "compiler/emit/code.hpp"
+#include "compiler/emit/deployment.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace director::compiler {
+
+struct CppEmission {
+  const Deployment& from;
+  const Model& model = from.model;
+  Tables tables = from.lowered.view();
+  IdTable<GroupId, std::vector<std::string>> levels = level_names(model);
+};
+
+// names.cpp
+std::string type_name(std::string_view name);                       ///< `walk` -> `Walk`
+std::string context_name(const Provider& provider);                 ///< `Halting`
+std::string group_name(const Model& model, GroupId group);          ///< `Walk`
+std::string provider_name(const Model& model, ProviderId provider); ///< `Walk::Halting`
+std::string module_type(const Model& model, ModuleId module);       ///< `Locomotion`
+std::string module_word(const Model& model, ModuleId module);       ///< `locomotion`, as a parameter is called
+std::string trigger_type(const Model& model, TriggerId trigger);    ///< `Sensors`, `director::Broken<Walk::Halting>`
+std::string state_type(const Model& model, StateId state);          ///< `Stability`
+/// `doc`, then the place in brackets, as a comment.
+void document(Code& code, const CppEmission& e, std::string_view doc, const dsl::Span& span);
+/// Whether a pack is whole without it: it has a level that is optional.
+bool may_be_omitted(const Model& model, const Task& task);
+/// `director::Must<Walk, 4, 0, 7>`
+std::string member_text(const CppEmission& e, const Task& task);
+/// Words for a comment: "LeftLeg, LeftArm (optional)".
+std::string tasks_text(const Model& model, const std::vector<Task>& tasks);
+
+// What the header consists of.
+Code states_part(const CppEmission& e);
+Code triggers_part(const CppEmission& e);
+Code tasks_part(const CppEmission& e);
+Code facts_part(const CppEmission& e);
+Code contexts_part(const CppEmission& e);
+Code modules_part(const CppEmission& e);
+Code behaviour_part(const CppEmission& e);
+Code name_declarations(const CppEmission& e);
+
+// What the source consists of.
+Code tables_part(const CppEmission& e);
+Code bodies_part(const CppEmission& e);
+Code name_definitions(const CppEmission& e);
+
+} // namespace director::compiler

@@ -1,0 +1,249 @@
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/source_test.cpp.
+//
+// The tables of runtime/core/tables.hpp as constants. A row names the columns that say something; its comment says what
+// the row is.
+#include "compiler/emit/cpp/parts.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler {
+
+namespace {
+
+/// The columns of one row that differ from their initial values.
+class Row {
+public:
+  void range(std::string_view name, Range value) {
+    if (!value.empty()) add(name, fmt::format("{{{}, {}}}", value.begin, value.end));
+  }
+  void number(std::string_view name, std::int64_t value, std::int64_t usual) {
+    if (value != usual) add(name, std::to_string(value));
+  }
+  /// A value of a state, or unset.
+  void value(std::string_view name, std::int32_t value) {
+    if (value != unset) add(name, std::to_string(value));
+  }
+  void index(std::string_view name, Index value, Index usual) {
+    if (value != usual) add(name, value == nil ? "director::nil" : std::to_string(value));
+  }
+  void flag(std::string_view name, bool value) {
+    if (value) add(name, "true");
+  }
+  std::string text() const { return "{" + columns_ + "}"; }
+
+private:
+  void add(std::string_view name, const std::string& text) {
+    columns_ += fmt::format("{}.{} = {}", columns_.empty() ? "" : ", ", name, text);
+  }
+  std::string columns_;
+};
+
+/// `name` of `count` rows; row(i) is the text of one, comment(i) what it is.
+template <class RowText, class Comment>
+void table(Code& code, std::string_view type, std::string_view name, std::size_t count, RowText row, Comment comment) {
+  if (count == 0) {
+    code.line(fmt::format("constexpr std::array<director::{}, 0> {}{{}};", type, name));
+    return;
+  }
+  code.open(fmt::format("constexpr std::array<director::{}, {}> {}{{{{", type, count, name));
+  for (std::size_t i = 0; i < count; ++i) code.line(fmt::format("{}, // {}", row(i).text(), comment(i)));
+  code.close("}};");
+}
+
+void list(Code& code, std::string_view name, std::span<const Index> rows) {
+  std::vector<std::string> numbers;
+  for (const Index row : rows) numbers.push_back(std::to_string(row));
+  code.list(fmt::format("constexpr std::array<director::Index, {}> {}{{", numbers.size(), name), numbers, "};");
+}
+
+// Each takes its row apart, so that a column which is new there is an error here until it is written too.
+
+Row group_row(const director::Group& all) {
+  const auto& [providers, edges, requesters, slots, listens, owned, start, stop, component] = all;
+  Row row;
+  row.range("providers", providers);
+  row.range("edges", edges);
+  row.range("requesters", requesters);
+  row.range("slots", slots);
+  row.range("listens", listens);
+  row.range("owned", owned);
+  row.flag("start", start);
+  row.flag("stop", stop);
+  row.index("component", component, 0);
+  return row;
+}
+
+Row component_row(const director::Component& all) {
+  const auto& [groups, edges, conditions, causing, order] = all;
+  Row row;
+  row.range("groups", groups);
+  row.range("edges", edges);
+  row.range("conditions", conditions);
+  row.range("causing", causing);
+  row.index("order", order, 0);
+  return row;
+}
+
+Row provider_row(const director::Provider& all) {
+  const auto& [group, when, stay, needs, triggers, effects, causing, aims, promises, every] = all;
+  Row row;
+  row.index("group", group, 0);
+  row.range("when", when);
+  row.range("stay", stay);
+  row.range("needs", needs);
+  row.range("triggers", triggers);
+  row.range("effects", effects);
+  row.range("causing", causing);
+  row.range("aims", aims);
+  row.range("promises", promises);
+  row.number("every", every, 0);
+  return row;
+}
+
+Row edge_row(const director::Edge& all) {
+  const auto& [requester, target, levels, need_urgency] = all;
+  Row row;
+  row.index("requester", requester, nil);
+  row.index("target", target, 0);
+  row.range("levels", levels);
+  row.index("need_urgency", need_urgency, 0);
+  return row;
+}
+
+Row level_row(const director::Level& all) {
+  const auto& [priority, rank, urgency, optional, apart] = all;
+  Row row;
+  row.number("priority", priority, 0);
+  row.index("rank", rank, 0);
+  row.index("urgency", urgency, 0);
+  row.flag("optional", optional);
+  row.flag("apart", apart);
+  return row;
+}
+
+Row condition_row(const director::Condition& all) {
+  const auto& [state, accepts, causers, components] = all;
+  Row row;
+  row.index("state", state, 0);
+  row.range("accepts", accepts);
+  row.range("causers", causers);
+  row.range("components", components);
+  return row;
+}
+
+Row interval_row(const director::Interval& all) {
+  const auto& [low, high] = all;
+  Row row;
+  row.number("low", low, 0);
+  row.number("high", high, 0);
+  return row;
+}
+
+Row state_row(const director::StateVariable& all) {
+  const auto& [initial, expires, expires_to, owner, external, conditions] = all;
+  Row row;
+  row.value("initial", initial);
+  row.number("expires", expires, 0);
+  row.value("expires_to", expires_to);
+  row.index("owner", owner, nil);
+  row.flag("external", external);
+  row.range("conditions", conditions);
+  return row;
+}
+
+Row promise_row(const director::Promise& all) {
+  const auto& [provider, condition, within, trigger] = all;
+  Row row;
+  row.index("provider", provider, 0);
+  row.index("condition", condition, 0);
+  row.number("within", within, 0);
+  row.index("trigger", trigger, nil);
+  return row;
+}
+
+Row trigger_row(const director::Trigger& all) {
+  const auto& [listeners] = all;
+  Row row;
+  row.range("listeners", listeners);
+  return row;
+}
+
+} // namespace
+
+Code tables_part(const CppEmission& e) {
+  const Tables& t = e.tables;
+  const Model& m = e.model;
+  const auto id = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
+  const auto edge_of_level = [&](std::size_t level) {
+    std::size_t edge = 0;
+    while (!(t.edges[edge].levels.begin <= level && level < t.edges[edge].levels.end)) ++edge;
+    return m.edge_name(EdgeId{id(edge)});
+  };
+  const auto condition = [&](std::size_t i) { return m.conditions[e.from.lowered.condition_ids[i]].text; };
+  const auto condition_of_interval = [&](std::size_t interval) {
+    std::size_t row = 0;
+    while (!(t.conditions[row].accepts.begin <= interval && interval < t.conditions[row].accepts.end)) ++row;
+    return condition(row);
+  };
+  const auto groups_of_component = [&](std::size_t i) {
+    std::string names;
+    for (const Index group : t.list(t.components[i].groups)) {
+      if (names.size() > 60) return names + ", ...";
+      names += (names.empty() ? "" : ", ") + m.groups[GroupId{group}].name.value;
+    }
+    return names;
+  };
+  Code code;
+  code.comment("The tables; see runtime/core/tables.hpp. A column that is not named has its initial value.", "//");
+  code.line("namespace {");
+  code.blank();
+  table(
+      code, "Group", "groups", t.groups.size(), [&](std::size_t i) { return group_row(t.groups[i]); },
+      [&](std::size_t i) { return m.groups[GroupId{id(i)}].name.value; });
+  table(
+      code, "Provider", "providers", t.providers.size(), [&](std::size_t i) { return provider_row(t.providers[i]); },
+      [&](std::size_t i) { return m.full_name(ProviderId{id(i)}); });
+  table(
+      code, "Edge", "edges", t.edges.size(), [&](std::size_t i) { return edge_row(t.edges[i]); },
+      [&](std::size_t i) { return m.edge_name(EdgeId{id(i)}); });
+  table(
+      code, "Level", "levels", t.levels.size(), [&](std::size_t i) { return level_row(t.levels[i]); }, edge_of_level);
+  table(
+      code, "Condition", "conditions", t.conditions.size(),
+      [&](std::size_t i) { return condition_row(t.conditions[i]); }, condition);
+  table(
+      code, "Interval", "intervals", t.intervals.size(), [&](std::size_t i) { return interval_row(t.intervals[i]); },
+      condition_of_interval);
+  table(
+      code, "StateVariable", "states", t.states.size(), [&](std::size_t i) { return state_row(t.states[i]); },
+      [&](std::size_t i) { return m.states[StateId{id(i)}].name.value; });
+  table(
+      code, "Trigger", "triggers", t.triggers.size(), [&](std::size_t i) { return trigger_row(t.triggers[i]); },
+      [&](std::size_t i) { return m.triggers[TriggerId{id(i)}].name; });
+  table(
+      code, "Promise", "promises", t.promises.size(), [&](std::size_t i) { return promise_row(t.promises[i]); },
+      [&](std::size_t i) { return m.full_name(ProviderId{t.promises[i].provider}); });
+  list(code, "lists", t.lists);
+  table(
+      code, "Component", "components", t.components.size(),
+      [&](std::size_t i) { return component_row(t.components[i]); }, groups_of_component);
+  list(code, "plan_groups", t.plan_groups);
+  list(code, "listened", t.listened);
+  code.blank();
+  [[maybe_unused]] const auto& [groups, providers, edges, levels, conditions, intervals, states, triggers, promises,
+                                lists, components, plan_groups, listened, root_edges, most_edges] = t; // likewise
+  code.open("constexpr director::Tables rows{");
+  for (const char* name : {"groups", "providers", "edges", "levels", "conditions", "intervals", "states", "triggers",
+                           "promises", "lists", "components", "plan_groups", "listened"})
+    code.line(fmt::format(".{} = {},", name, name));
+  code.line(fmt::format(".root_edges = {},", t.root_edges));
+  code.line(fmt::format(".most_edges = {},", t.most_edges));
+  code.close("};");
+  code.line("static_assert(director::State::bytes(director::Shape::of(rows)) == "
+            "director::State::bytes(detail::Whole::shape));");
+  code.blank();
+  code.line("} // namespace");
+  return code;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,29 @@
+// Door: compiler/emit/depfile.hpp. Test: tests/compiler/emit/depfile_test.cpp.
+#include "compiler/emit/depfile.hpp"
+
+namespace director::compiler {
+
+namespace {
+
+std::string escaped(const std::string& path) {
+  std::string out;
+  for (const char letter : path) {
+    if (letter == ' ' || letter == '#' || letter == '\\') out += '\\';
+    if (letter == '$') out += '$';
+    out += letter;
+  }
+  return out;
+}
+
+} // namespace
+
+std::string depfile(const std::vector<std::string>& outputs, const dsl::Sources& sources) {
+  std::string out;
+  for (const std::string& path : outputs) out += (out.empty() ? "" : " ") + escaped(path);
+  out += ":";
+  for (const dsl::SourceFile& file : sources) out += " \\\n  " + escaped(file.path());
+  out += "\n";
+  return out;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "dsl/source_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+/// What Make and Ninja read: the outputs depend on every file that was read. Blanks and what else has a meaning there
+/// are written so that it has none.
+std::string depfile(const std::vector<std::string>& outputs, const dsl::Sources& sources);
+
+} // namespace director::compiler

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "compiler/emit/artefact.hpp"
+#include "compiler/emit/deployment.hpp"
+
+#include <vector>
+
+namespace director::compiler {
+
+/// Everything that `directorc generate` writes: header, source, manifest. Equal input, equal bytes.
+std::vector<Artefact> emit(const Deployment& deployment);
+
+} // namespace director::compiler

@@ -1,0 +1,44 @@
+// Door: compiler/emit/findings_json.hpp. Test: tests/compiler/emit/findings_json_test.cpp.
+#include "compiler/emit/findings_json.hpp"
+
+namespace director::compiler {
+
+namespace {
+
+void add_place(Json& to, const dsl::Span& span, const dsl::Sources& sources) {
+  const dsl::SourceFile& file = sources[span.file];
+  const dsl::Place begin = file.place(span.begin), end = file.place(span.end);
+  to.add("file", Json::text(file.path()));
+  to.add("line", Json::number(begin.line));
+  to.add("column", Json::number(begin.column));
+  to.add("end_line", Json::number(end.line));
+  to.add("end_column", Json::number(end.column));
+}
+
+Json finding_json(const dsl::Diagnostic& finding, const dsl::Sources& sources) {
+  Json out = Json::object({});
+  out.add("id", Json::text(finding.id));
+  out.add("level", Json::text(dsl::name_of(finding.level)));
+  add_place(out, finding.span, sources);
+  out.add("message", Json::text(finding.message));
+  Json notes = Json::list({});
+  for (const dsl::Note& note : finding.notes) {
+    Json row = Json::object({});
+    add_place(row, note.span, sources);
+    row.add("message", Json::text(note.message));
+    notes.add(std::move(row));
+  }
+  out.add("notes", std::move(notes));
+  if (!finding.help.empty()) out.add("help", Json::text(finding.help));
+  return out;
+}
+
+} // namespace
+
+Json findings_json(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources) {
+  Json list = Json::list({});
+  for (const dsl::Diagnostic& finding : findings) list.add(finding_json(finding, sources));
+  return Json::object({{"findings", std::move(list)}});
+}
+
+} // namespace director::compiler

@@ -1,0 +1,15 @@
+#pragma once
+// Findings as other programs read them: lines and columns from 1, columns in UTF-8 bytes, ends exclusive.
+
+#include "compiler/emit/json.hpp"
+#include "dsl/diagnostic.hpp"
+#include "dsl/source_file.hpp"
+
+#include <vector>
+
+namespace director::compiler {
+
+/// `{"findings": [...]}`
+Json findings_json(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources);
+
+} // namespace director::compiler

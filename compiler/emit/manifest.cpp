@@ -1,0 +1,80 @@
+// Door: compiler/emit/manifest.hpp. Test: tests/compiler/emit/manifest_test.cpp.
+#include "compiler/emit/manifest.hpp"
+
+#include "compiler/emit/json.hpp"
+#include "compiler/emit/sha256.hpp"
+#include "compiler/version.hpp"
+#include "runtime/core/state.hpp"
+
+namespace director::compiler {
+
+namespace {
+
+Json number(std::size_t value) { return Json::number(static_cast<std::int64_t>(value)); }
+
+Json file_row(const std::string& path, const std::string& text) {
+  return Json::object({{"path", Json::text(path)}, {"sha256", Json::text(sha256(text))}});
+}
+
+Json inputs(const Deployment& from) {
+  Json list = Json::list({});
+  for (std::uint32_t i = 0; i < from.sources.size(); ++i) {
+    const dsl::FileId id{i};
+    list.add(file_row(portable_path(from, id), from.sources[id].text()));
+  }
+  return list;
+}
+
+/// Bytes; the same on every machine, since the tables' numbers have fixed sizes.
+Json memory(const Shape& shape) {
+  return Json::object({{"decision_state", number(director::State::decision_bytes(shape))},
+                       {"engine", number(director::State::bytes(shape))}});
+}
+
+Json bounds(const Deployment& from, const Shape& shape) {
+  return Json::object({{"runs_waiting", number(shape.groups)},
+                       {"edges_tried_in_a_pass", number(shape.edges)},
+                       {"combinations_tried_for_a_unit", Json::number(from.model.trials)}});
+}
+
+/// For each output: number of a line in it -> place in the specification.
+Json places(const Deployment& from, const std::vector<Written>& written) {
+  Json files = Json::object({});
+  for (const Written& file : written) {
+    Json lines = Json::object({});
+    std::size_t at = 0;
+    for (const Code::Line& line : file.code.lines()) {
+      ++at;
+      if (line.from) lines.add(std::to_string(at), Json::text(place_text(from, *line.from)));
+    }
+    files.add(file.path, std::move(lines));
+  }
+  return files;
+}
+
+} // namespace
+
+std::string manifest(const Deployment& deployment, const std::vector<Written>& written) {
+  const Tables tables = deployment.lowered.view();
+  const Shape shape = Shape::of(tables);
+  Json outputs = Json::list({});
+  for (const Written& file : written) outputs.add(file_row(file.path, file.code.text()));
+  Json out = Json::object({});
+  out.add("behaviour", Json::text(deployment.model.name));
+  out.add("namespace", Json::text(deployment.model.name_space));
+  out.add("language", Json::number(1));
+  out.add("director", Json::text(version()));
+  out.add("inputs", inputs(deployment));
+  out.add("outputs", std::move(outputs));
+  out.add("size", Json::object({{"groups", number(shape.groups)},
+                                {"providers", number(shape.providers)},
+                                {"edges", number(shape.edges)},
+                                {"states", number(shape.states)},
+                                {"conditions", number(shape.conditions)}}));
+  out.add("bytes", memory(shape));
+  out.add("bounds", bounds(deployment, shape));
+  out.add("places", places(deployment, written));
+  return to_lines(out);
+}
+
+} // namespace director::compiler

@@ -1,0 +1,21 @@
+#pragma once
+// What was made from what: for tools that need to know whether the generated code is up to date, where a line of it comes
+// from, and what memory a behaviour takes.
+
+#include "compiler/emit/code.hpp"
+#include "compiler/emit/deployment.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+struct Written {
+  std::string path;
+  Code code;
+};
+
+/// The text of manifest.json.
+std::string manifest(const Deployment& deployment, const std::vector<Written>& written);
+
+} // namespace director::compiler
