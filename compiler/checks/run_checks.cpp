@@ -98,6 +98,7 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
 
 std::vector<Diagnostic> apply_selection(const Selection& selection, std::vector<Diagnostic> findings) {
   const auto is_unwanted = [&](const Diagnostic& finding) {
+    if (finding.level != Level::error && selection.allowed.count(finding.id) != 0) return true;
     return finding.level == Level::lint && !selection.every_lint && selection.lints.count(finding.id) == 0;
   };
   findings.erase(std::remove_if(findings.begin(), findings.end(), is_unwanted), findings.end());

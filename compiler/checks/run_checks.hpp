@@ -13,6 +13,7 @@ struct Selection {
   std::set<std::string, std::less<>> lints;              ///< `--lint=<id>`
   bool every_warning_is_error = false;                   ///< `--werror`
   std::set<std::string, std::less<>> warnings_as_errors; ///< `--werror=<id>`
+  std::set<std::string, std::less<>> allowed;            ///< `--allow=<id>`: not reported, unless it is an error
 };
 
 /// Everything that the checks find, lints too, sorted by place; nothing suppressed.
@@ -23,7 +24,7 @@ std::vector<dsl::Diagnostic> run_checks(const Input& input);
 std::vector<dsl::Diagnostic> apply_allowances(const Model& model, std::vector<dsl::Diagnostic> findings,
                                               bool all_checks_ran);
 
-/// Drops lints that were not asked for, and makes warnings errors as asked.
+/// Drops what is allowed and lints that were not asked for, then makes warnings errors as asked.
 std::vector<dsl::Diagnostic> apply_selection(const Selection& selection, std::vector<dsl::Diagnostic> findings);
 
 } // namespace director::checks

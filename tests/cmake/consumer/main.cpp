@@ -13,7 +13,7 @@ class Keeper final : public lantern::Keeper {
 class Bulb final : public lantern::Bulb {
   Outcome provide(lantern::Lamp::Burning& run) override {
     std::cout << "the lamp shines\n";
-    return run.done();
+    return run.keep();
   }
 };
 
@@ -22,7 +22,7 @@ class Bulb final : public lantern::Bulb {
 int main() {
   Keeper keeper;
   Bulb bulb;
-  lantern::Behaviour behaviour{keeper, bulb};
+  lantern::Behaviour behaviour{bulb, keeper};
   behaviour.request<lantern::Shine>();
   behaviour.step();
 }

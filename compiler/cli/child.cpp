@@ -1,0 +1,99 @@
+// Door: compiler/cli/console.hpp. Test: tests/cli/child_test.cpp.
+//
+// A child process with a pipe to it and a pipe from it. Both are served in turn by poll, so that neither side can fill
+// a pipe and wait for the other for ever.
+#include "compiler/cli/console.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+
+extern char** environ;
+
+namespace director::compiler::cli {
+
+namespace {
+
+class Descriptor {
+public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+  void close() {
+    if (number_ >= 0) ::close(number_);
+    number_ = -1;
+  }
+  int number() const { return number_; }
+  bool open() const { return number_ >= 0; }
+
+private:
+  int number_;
+};
+
+void send_some(Descriptor& to, const std::string& input, std::size_t& sent) {
+  const ssize_t count = sent < input.size() ? ::write(to.number(), input.data() + sent, input.size() - sent) : 0;
+  if (count > 0) sent += static_cast<std::size_t>(count);
+  if (count < 0 || sent == input.size()) to.close();
+}
+
+void receive_some(Descriptor& from, std::string& output) {
+  std::array<char, 65536> buffer{};
+  const ssize_t count = ::read(from.number(), buffer.data(), buffer.size());
+  if (count > 0) output.append(buffer.data(), static_cast<std::size_t>(count));
+  if (count <= 0) from.close();
+}
+
+void talk(Descriptor& to, Descriptor& from, const std::string& input, std::string& output) {
+  std::size_t sent = 0;
+  while (from.open()) {
+    std::array<pollfd, 2> wanted{{{from.number(), POLLIN, 0}, {to.number(), POLLOUT, 0}}};
+    if (::poll(wanted.data(), wanted.size(), -1) < 0) break;
+    if (wanted[1].revents != 0) send_some(to, input, sent);
+    if (wanted[0].revents != 0) receive_some(from, output);
+  }
+}
+
+} // namespace
+
+Answer ChildPrograms::run(const std::vector<std::string>& command, const std::string& input) {
+  std::array<int, 2> in{}, out{};
+  if (::pipe2(in.data(), O_CLOEXEC) != 0) return {};
+  if (::pipe2(out.data(), O_CLOEXEC) != 0) {
+    ::close(in[0]);
+    ::close(in[1]);
+    return {};
+  }
+  Descriptor child_in(in[0]), to(in[1]), from(out[0]), child_out(out[1]);
+
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, child_in.number(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, child_out.number(), STDOUT_FILENO);
+  pid_t child = 0;
+  const int failed = ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) return {};
+
+  child_in.close();
+  child_out.close();
+  Answer answer{.started = true, .status = 0, .output = {}};
+  auto* const before = std::signal(SIGPIPE, SIG_IGN); // a child that does not read its input is no reason to die
+  talk(to, from, input, answer.output);
+  std::signal(SIGPIPE, before);
+  to.close();
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  answer.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+  return answer;
+}
+
+} // namespace director::compiler::cli

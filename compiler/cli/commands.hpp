@@ -1,0 +1,67 @@
+#pragma once
+// The subcommands: what each is asked for, and what it does. One file each; compiler/cli/parse.cpp makes the requests
+// from the command line. Exit statuses: 0 clean; 1 findings of level error, or a scenario that does not hold; 2 wrong
+// usage, or a file named on the command line that cannot be read or written.
+
+#include "compiler/checks/run_checks.hpp"
+#include "compiler/cli/console.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::compiler::cli {
+
+enum class Format { text, json, dot, svg, mermaid };
+
+inline constexpr int clean = 0, found = 1, misused = 2;
+
+struct Check {
+  std::string file;
+  Format format = Format::text;
+  checks::Selection selection;
+};
+
+struct Generate {
+  std::string file;
+  std::string folder;
+  std::string depfile; ///< empty: none
+  checks::Selection selection;
+};
+
+struct DrawGraph {
+  std::string file;
+  Format format = Format::dot;
+  std::string output; ///< empty: to the terminal
+};
+
+struct Explain {
+  std::string id;
+};
+
+struct ListChecks {};
+
+struct Simulate {
+  std::string file;
+  Format format = Format::text;
+  bool decisions = false;
+};
+
+struct Test {
+  std::vector<std::string> files;
+};
+
+struct Dump {
+  std::string file;
+  std::string stage;
+};
+
+int run(const Check& request, Console& console);
+int run(const Generate& request, Console& console);
+int run(const DrawGraph& request, Console& console);
+int run(const Explain& request, Console& console);
+int run(const ListChecks& request, Console& console);
+int run(const Simulate& request, Console& console);
+int run(const Test& request, Console& console);
+int run(const Dump& request, Console& console);
+
+} // namespace director::compiler::cli

@@ -1,0 +1,72 @@
+#pragma once
+// The world as a subcommand sees it: two streams, files to read, files to write. Behind it the terminal and the disk
+// for main, strings and maps for tests.
+
+#include "dsl/file_access.hpp"
+
+#include <map>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace director::compiler::cli {
+
+class Outputs {
+public:
+  /// Makes the folders that are missing. A file that has this text already is not touched. What the system says where
+  /// it cannot be written.
+  virtual std::optional<std::string> write(const std::string& path, const std::string& text) = 0;
+  /// Likewise, and the file is newer than everything afterwards, whatever text it had.
+  virtual std::optional<std::string> renew(const std::string& path, const std::string& text) = 0;
+
+protected:
+  ~Outputs() = default;
+};
+
+/// What another program answered.
+struct Answer {
+  bool started = false; ///< false: there is no such program
+  int status = 0;
+  std::string output;
+};
+
+class Programs {
+public:
+  /// Runs a program from the search path with `input` on its standard input; its errors go to ours.
+  virtual Answer run(const std::vector<std::string>& command, const std::string& input) = 0;
+
+protected:
+  ~Programs() = default;
+};
+
+struct Console {
+  std::ostream& out;
+  std::ostream& err;
+  bool out_colours = false; ///< it is a terminal, and nobody asked for no colours
+  bool err_colours = false;
+  dsl::FileAccess& files;
+  Outputs& outputs;
+  Programs& programs;
+};
+
+class DiskOutputs final : public Outputs {
+public:
+  std::optional<std::string> write(const std::string& path, const std::string& text) override;
+  std::optional<std::string> renew(const std::string& path, const std::string& text) override;
+};
+
+class MemoryOutputs final : public Outputs {
+public:
+  std::optional<std::string> write(const std::string& path, const std::string& text) override;
+  std::optional<std::string> renew(const std::string& path, const std::string& text) override;
+  std::map<std::string, std::string> files;
+  std::vector<std::string> written; ///< paths in order, each time that a file changed
+};
+
+class ChildPrograms final : public Programs {
+public:
+  Answer run(const std::vector<std::string>& command, const std::string& input) override;
+};
+
+} // namespace director::compiler::cli

@@ -1,0 +1,38 @@
+// Door: compiler/cli/commands.hpp. Test: tests/cli/dump_test.cpp.
+#include "compiler/cli/load.hpp"
+#include "compiler/lower/lower.hpp"
+#include "compiler/lower/print_tables.hpp"
+#include "compiler/model/print_model.hpp"
+#include "dsl/print_spec.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler::cli {
+
+int run(const Dump& request, Console& console) {
+  dsl::Sources sources;
+  const std::optional<Checked> checked = load(request.file, {}, sources, console);
+  if (!checked) return misused;
+  const bool spec = request.stage == "spec", tables = request.stage == "tables";
+  // The spec is there whatever was wrong in it; what comes later only when it can be made.
+  const bool possible = spec || (tables ? checked->lowerable : checked->resolved);
+  const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
+  if (spec || !possible) print_findings(errors, sources, console.err, console.err_colours);
+  if (spec) {
+    console.out << dsl::print_spec(checked->spec, sources);
+  } else if (!possible) {
+    if (errors.empty())
+      console.err << fmt::format("directorc: `{}` has no `roots`: a module alone has no tables\n",
+                                 shown_path(request.file));
+    return errors.empty() ? misused : found;
+  } else if (request.stage == "model") {
+    console.out << print_model(checked->model);
+  } else if (request.stage == "graph") {
+    console.out << print_graph(checked->model, checked->graph);
+  } else {
+    console.out << print_tables(checked->model, lower(checked->model));
+  }
+  return clean;
+}
+
+} // namespace director::compiler::cli

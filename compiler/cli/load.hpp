@@ -1,0 +1,27 @@
+#pragma once
+// What several subcommands do first: check the behaviour that the command line names, and show what was found.
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/pipeline.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace director::compiler::cli {
+
+/// A path as it is shown to people: one inside the working directory from there, any other as it was written.
+std::string shown_path(const std::string& path);
+
+/// Says so and gives nothing where the file itself cannot be read.
+std::optional<Checked> load(const std::string& file, const CheckOptions& options, dsl::Sources& sources,
+                            Console& console);
+
+/// To the stream, or nothing where there is no finding.
+void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, std::ostream& out,
+                    bool colours);
+
+/// Only the errors among them.
+std::vector<dsl::Diagnostic> errors_of(const std::vector<dsl::Diagnostic>& findings);
+
+} // namespace director::compiler::cli

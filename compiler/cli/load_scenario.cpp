@@ -1,0 +1,66 @@
+// Door: compiler/cli/load_scenario.hpp. Test: tests/cli/simulate_test.cpp.
+#include "compiler/cli/load_scenario.hpp"
+
+#include "compiler/lower/lower.hpp"
+#include "compiler/play/resolve_scenario.hpp"
+#include "dsl/read_scenario.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler::cli {
+
+namespace {
+
+using Findings = std::vector<dsl::Diagnostic>;
+
+/// What keeps the behaviour from being played; empty if nothing does. Other errors do not matter here.
+Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
+  if (!checked.spec.files.empty() && checked.lowerable) return {};
+  if (checked.spec.files.empty() && checked.findings.size() == 1) {
+    dsl::Diagnostic finding = checked.findings.front(); // the file cannot be read: it is named in the scenario
+    finding.span = behaviour.span;
+    return {finding};
+  }
+  Findings errors = errors_of(checked.findings);
+  if (errors.empty()) {
+    errors.push_back(
+        {"missing_key",
+         dsl::Level::error,
+         behaviour.span,
+         fmt::format("`{}` has no `roots`: it is a module, and nothing can be requested of it", behaviour.value),
+         {},
+         {}});
+  }
+  return errors;
+}
+
+} // namespace
+
+LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console) {
+  LoadedScenario out;
+  const auto stop = [&](int status, const Findings& findings) {
+    print_findings(findings, sources, console.err, console.err_colours);
+    out.status = status;
+  };
+  const std::string path = shown_path(file);
+  const dsl::ReadScenarioResult read = dsl::read_scenario(path, console.files, sources);
+  if (!read.diagnostics.empty() && read.diagnostics.front().id == "import_not_found") {
+    console.err << fmt::format("directorc: {}\n", read.diagnostics.front().message);
+    out.status = misused;
+    return out;
+  }
+  if (dsl::has_errors(read.diagnostics)) return stop(found, read.diagnostics), out;
+
+  Checked checked = check(read.scenario.behaviour_path, console.files, sources);
+  if (const Findings why = obstacles(checked, read.scenario.behaviour); !why.empty()) return stop(found, why), out;
+
+  out.model = std::move(checked.model);
+  ResolvedScenario resolved = resolve_scenario(read.scenario, out.model);
+  if (dsl::has_errors(resolved.findings)) return stop(found, resolved.findings), out;
+  print_findings(resolved.findings, sources, console.err, console.err_colours);
+  out.lowered = lower(out.model);
+  out.scenario = std::move(resolved.scenario);
+  return out;
+}
+
+} // namespace director::compiler::cli

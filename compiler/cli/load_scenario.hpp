@@ -1,0 +1,19 @@
+#pragma once
+// A scenario and the behaviour that it is about, ready to be played.
+
+#include "compiler/cli/load.hpp"
+#include "compiler/lower/lowered.hpp"
+#include "compiler/play/scenario.hpp"
+
+namespace director::compiler::cli {
+
+struct LoadedScenario {
+  int status = clean; ///< not clean: it has been said why, and nothing else is good
+  Model model;
+  Lowered lowered;
+  Scenario scenario;
+};
+
+LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console);
+
+} // namespace director::compiler::cli

@@ -1,0 +1,56 @@
+// Door: the command line. Test: tests/cli/CMakeLists.txt.
+#include "compiler/cli/parse.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace director;
+using namespace director::compiler::cli;
+
+bool wants_colours(int stream) {
+  const char* const no_colour = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  if (no_colour != nullptr && *no_colour != '\0') return false;
+  return ::isatty(stream) == 1 && terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
+}
+
+int act(const Say& say, Console& console) {
+  (say.wrong ? console.err : console.out) << say.text;
+  return say.wrong ? misused : clean;
+}
+
+template <class Command>
+int act(const Command& command, Console& console) {
+  return run(command, console);
+}
+
+} // namespace
+
+int main(int count, char** words) {
+  try {
+    dsl::DiskFiles files;
+    DiskOutputs outputs;
+    ChildPrograms programs;
+    Console console{std::cout, std::cerr, wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO), files,
+                    outputs,   programs};
+    const Request request = parse({words + (count > 0 ? 1 : 0), words + count});
+    const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
+    std::cout.flush();
+    if (!std::cout) {
+      std::cerr << "directorc: the output cannot be written\n";
+      return misused;
+    }
+    return status;
+  } catch (const std::exception& error) {
+    std::cerr << "directorc: internal error: " << error.what() << "\n";
+    return 70;
+  }
+}

@@ -1,0 +1,235 @@
+// Door: compiler/cli/parse.hpp. Test: tests/cli/parse_test.cpp.
+//
+// The only place with CLI11. A row of the table is a subcommand: its name, its line in the help, and a function that
+// adds its options and says how they become a request.
+#include "compiler/cli/parse.hpp"
+
+#include "compiler/version.hpp"
+#include "dsl/suggest.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+
+namespace director::compiler::cli {
+
+namespace {
+
+using Make = std::function<Request()>;
+
+/// A flag that may carry a value is written `--werror[=ID]`.
+class Help : public CLI::Formatter {
+public:
+  std::string make_option_name(const CLI::Option* option, bool positional) const override {
+    std::string name = CLI::Formatter::make_option_name(option, positional);
+    const std::size_t at = name.find("{*}");
+    if (at != std::string::npos) name.replace(at, 3, name == "--allow{*}" ? "=ID" : "[=ID]");
+    return name;
+  }
+};
+
+struct Subcommand {
+  std::string name;
+  std::string summary;
+  Make (*options)(CLI::App& app);
+};
+
+const std::map<std::string, Format> formats{{"text", Format::text},
+                                            {"json", Format::json},
+                                            {"dot", Format::dot},
+                                            {"svg", Format::svg},
+                                            {"mermaid", Format::mermaid}};
+
+/// `--format` with some of the formats.
+void add_format(CLI::App& app, Format& format, const std::vector<std::string>& names) {
+  app.add_option_function<std::string>(
+         "--format", [&format](const std::string& name) { format = formats.at(name); },
+         fmt::format("one of {}; without it {}", fmt::join(names, ", "), names.front()))
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names));
+}
+
+struct SelectionWords {
+  std::vector<std::string> werror, lint, allow;
+};
+
+/// `--werror` is for all, `--werror=<id>` for one: flags that may carry a value, so that none of them takes the next
+/// word.
+void add_selection(CLI::App& app, SelectionWords& words) {
+  app.add_flag("--werror{*}", words.werror, "warnings are errors, or those of one check");
+  app.add_flag("--lint{*}", words.lint, "report lints too, or those of one check");
+  app.add_flag("--allow{*}", words.allow, "do not report what this check finds; an error is reported all the same");
+}
+
+checks::Selection selection_of(const SelectionWords& words) {
+  checks::Selection out;
+  for (const std::string& id : words.werror) {
+    if (id == "*") out.every_warning_is_error = true;
+    if (id != "*") out.warnings_as_errors.insert(id);
+  }
+  for (const std::string& id : words.lint) {
+    if (id == "*") out.every_lint = true;
+    if (id != "*") out.lints.insert(id);
+  }
+  out.allowed.insert(words.allow.begin(), words.allow.end());
+  return out;
+}
+
+/// The first id that no check has, with what was probably meant.
+std::optional<Say> unknown_id(const SelectionWords& words) {
+  std::vector<std::string> known;
+  for (const checks::Registered& check : checks::registered()) known.emplace_back(check.id);
+  for (const auto* list : {&words.werror, &words.lint, &words.allow}) {
+    for (const std::string& id : *list) {
+      const bool every = id == "*" && list != &words.allow;
+      if (every || checks::find_registered(id) != nullptr) continue;
+      if (id == "*") return Say{"directorc: --allow needs the id of a check, --allow=<id>\n", true};
+      const std::optional<std::string> near = dsl::suggest(id, known);
+      return Say{fmt::format("directorc: there is no check `{}`{}\n", id,
+                             near ? fmt::format("; did you mean `{}`?", *near) : std::string{}),
+                 true};
+    }
+  }
+  return {};
+}
+
+Make check_options(CLI::App& app) {
+  auto request = std::make_shared<Check>();
+  auto words = std::make_shared<SelectionWords>();
+  app.add_option("FILE", request->file, "the behaviour")->required();
+  add_format(app, request->format, {"text", "json"});
+  add_selection(app, *words);
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
+    request->selection = selection_of(*words);
+    return *request;
+  };
+}
+
+Make generate_options(CLI::App& app) {
+  auto request = std::make_shared<Generate>();
+  auto words = std::make_shared<SelectionWords>();
+  app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
+  app.add_option("-o,--output", request->folder, "folder for what is generated")->type_name("FOLDER")->required();
+  app.add_option("--depfile", request->depfile, "also write what was read, for Make and Ninja")->type_name("FILE");
+  add_selection(app, *words);
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
+    request->selection = selection_of(*words);
+    return *request;
+  };
+}
+
+Make graph_options(CLI::App& app) {
+  auto request = std::make_shared<DrawGraph>();
+  app.add_option("FILE", request->file, "the behaviour")->required();
+  add_format(app, request->format, {"dot", "svg", "json", "mermaid"});
+  app.add_option("-o,--output", request->output, "file to write; without it, to the terminal")->type_name("FILE");
+  return [=]() -> Request { return *request; };
+}
+
+Make explain_options(CLI::App& app) {
+  auto request = std::make_shared<Explain>();
+  app.add_option("ID", request->id, "what stands in brackets behind a finding")->required();
+  return [=]() -> Request { return *request; };
+}
+
+Make checks_options(CLI::App&) {
+  return []() -> Request { return ListChecks{}; };
+}
+
+Make simulate_options(CLI::App& app) {
+  auto request = std::make_shared<Simulate>();
+  app.add_option("FILE", request->file, "the scenario")->required();
+  add_format(app, request->format, {"text", "json"});
+  app.add_flag("--decisions", request->decisions, "also print what is queued, pushed, released and set");
+  return [=]() -> Request { return *request; };
+}
+
+Make test_options(CLI::App& app) {
+  auto request = std::make_shared<Test>();
+  app.add_option("FILE", request->files, "scenarios")->required();
+  return [=]() -> Request { return *request; };
+}
+
+Make dump_options(CLI::App& app) {
+  auto request = std::make_shared<Dump>();
+  app.add_option("FILE", request->file, "the behaviour")->required();
+  app.add_option("--stage", request->stage,
+                 "spec: as it was read; model: every name resolved; graph: who leads to whom; "
+                 "tables: what the engine runs on")
+      ->required()
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"spec", "model", "graph", "tables"}));
+  return [=]() -> Request { return *request; };
+}
+
+const std::array<Subcommand, 8> subcommands{{
+    {"check", "Look for mistakes in a behaviour", check_options},
+    {"generate", "Write the C++ of a behaviour", generate_options},
+    {"graph", "Draw a behaviour", graph_options},
+    {"explain", "Print the page of a check", explain_options},
+    {"checks", "List all checks", checks_options},
+    {"simulate", "Play a scenario and print what happens", simulate_options},
+    {"test", "Play scenarios and compare with what they expect", test_options},
+    {"dump", "Print what a stage of the compiler makes of a behaviour", dump_options},
+}};
+
+/// A word that is no subcommand, before CLI11 says something less helpful.
+std::optional<Say> unknown_subcommand(const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with('-')) return {};
+  std::vector<std::string> names;
+  for (const Subcommand& subcommand : subcommands) names.push_back(subcommand.name);
+  const std::string& word = arguments.front();
+  if (std::find(names.begin(), names.end(), word) != names.end()) return {};
+  const std::optional<std::string> near = dsl::suggest(word, names);
+  return Say{fmt::format("directorc: there is no subcommand `{}`{}\n", word,
+                         near ? fmt::format("; did you mean `{}`?", *near)
+                              : fmt::format("; there are {}", fmt::join(names, ", "))),
+             true};
+}
+
+} // namespace
+
+Request parse(const std::vector<std::string>& arguments) {
+  if (const std::optional<Say> wrong = unknown_subcommand(arguments)) return *wrong;
+  CLI::App app{"directorc checks behaviours of robots and writes their C++.", "directorc"};
+  app.set_version_flag("--version", fmt::format("directorc {}", version()), "Print the version");
+  app.set_help_flag("--help,-h", "Print this help");
+  app.require_subcommand(1);
+  app.formatter(std::make_shared<Help>());
+  app.footer(
+      "Exit status: 0 clean; 1 errors were found, or a scenario does not hold; 2 wrong usage, or a file named on "
+      "the\ncommand line cannot be read or written. `directorc SUBCOMMAND --help` tells more.");
+  std::array<Make, subcommands.size()> make;
+  std::array<CLI::App*, subcommands.size()> apps{};
+  for (std::size_t i = 0; i < subcommands.size(); ++i) {
+    apps[i] = app.add_subcommand(subcommands[i].name, subcommands[i].summary);
+    make[i] = subcommands[i].options(*apps[i]);
+  }
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 wants the last word first
+  } catch (const CLI::CallForHelp&) {
+    for (const CLI::App* subcommand : apps) {
+      if (subcommand->parsed()) return Say{subcommand->help("directorc"), false};
+    }
+    return Say{app.help(), false};
+  } catch (const CLI::CallForVersion&) {
+    return Say{fmt::format("directorc {}\n", version()), false};
+  } catch (const CLI::ParseError& error) {
+    std::string with = "directorc";
+    for (const CLI::App* subcommand : apps) {
+      if (subcommand->parsed()) with += " " + subcommand->get_name();
+    }
+    return Say{fmt::format("{}: {}\nTry `{} --help`.\n", with, error.what(), with), true};
+  }
+  for (std::size_t i = 0; i < apps.size(); ++i) {
+    if (apps[i]->parsed()) return make[i]();
+  }
+  return Say{app.help(), true};
+}
+
+} // namespace director::compiler::cli

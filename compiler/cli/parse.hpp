@@ -1,0 +1,23 @@
+#pragma once
+// The command line as a request.
+
+#include "compiler/cli/commands.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace director::compiler::cli {
+
+/// There is nothing to do but to say something: help, the version, or what is wrong with the command line.
+struct Say {
+  std::string text;
+  bool wrong = false;
+};
+
+using Request = std::variant<Say, Check, Generate, DrawGraph, Explain, ListChecks, Simulate, Test, Dump>;
+
+/// `arguments`: without the program's name.
+Request parse(const std::vector<std::string>& arguments);
+
+} // namespace director::compiler::cli
