@@ -146,6 +146,7 @@ std::vector<Word> Reader::words(const YamlNode* node, std::string_view subject, 
 }
 
 Word Reader::name(const YamlPair& pair) {
+  if (pair.key.value.empty()) error("wrong_node_kind", pair.key.span, "a name is a word, found the text ``");
   warn_of_trap(pair.key, pair.key_style != YamlNode::Style::plain);
   return pair.key;
 }

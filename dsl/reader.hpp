@@ -55,7 +55,7 @@ public:
   /// A name or a value: any scalar. Warns of words that YAML 1.1 takes for booleans.
   std::optional<Word> word(const YamlNode* node, std::string_view subject, std::string_view expected);
   std::vector<Word> words(const YamlNode* node, std::string_view subject, std::string_view expected);
-  /// A key that is a name.
+  /// A key that is a name. Empty ones are reported: later stages take an empty name for one that is missing.
   Word name(const YamlPair& pair);
   /// Text for people.
   std::optional<Word> text(const YamlNode* node, std::string_view subject);

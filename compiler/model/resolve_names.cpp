@@ -18,6 +18,7 @@ bool lives_beside_the_behaviour(std::string_view kind) {
 
 bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole_rule) {
   const std::string& text = name.value;
+  if (text.empty()) return false; // the reader has said that it is missing
   if (!dsl::is_identifier(text)) {
     r.error("reserved_name", name.span, fmt::format("`{}` is no name for a {}", text, kind)).help =
         "a name has letters, digits and `_`, and does not begin with a digit";

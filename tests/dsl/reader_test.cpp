@@ -70,3 +70,9 @@ TEST_CASE("A long or folded text is quoted by its beginning") {
   CHECK(f.messages() == "`a`: expected true or false, found `xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxäöüäö…`\n"
                         "`b`: expected true or false, found the text `one…`\n");
 }
+
+TEST_CASE("An empty key is no name") {
+  Fixture f("{\"\": {}}");
+  CHECK(f.reader.name(f.root.pairs.at(0)).value == "");
+  CHECK(f.messages() == "a name is a word, found the text ``\n");
+}
