@@ -1,0 +1,106 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/sibling_starvation.md.
+#include "compiler/checks/analysis/claims.hpp"
+#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/plans.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace director::checks {
+
+namespace {
+
+/// The priority of a member of the unit at its first level; nothing: it is none.
+std::optional<std::int32_t> rank_in_unit(const Model& model, const Task& task) {
+  const Level& level = model.edges[task.edge].levels[task.levels[0].level];
+  if (level.optional || level.apart) return std::nullopt;
+  return level.priority;
+}
+
+class Starvation {
+public:
+  Starvation(const Input& input, Findings& findings)
+      : input_(input),
+        findings_(findings),
+        indispensable_(indispensable_groups(input.model)) {}
+
+  void look_at(GroupId requester, const Pack& pack) {
+    for (const Task& taker : pack.tasks) {
+      for (const Task& sibling : pack.tasks) {
+        const auto low = rank_in_unit(input_.model, taker), high = rank_in_unit(input_.model, sibling);
+        if (&taker == &sibling || !low || !high || *high < *low) continue;
+        report(requester, taker, sibling);
+      }
+    }
+  }
+
+private:
+  /// What a task may claim while its requester runs: nothing goes through that again.
+  const Claims& claims_of(GroupId task, GroupId requester) {
+    const auto at = claims_.find({task, requester});
+    if (at != claims_.end()) return at->second;
+    const auto counts = [&](ProviderId id) { return input_.facts.active.contains(id); };
+    return claims_.emplace(std::pair{task, requester}, Claims(input_.model, task, counts, {requester})).first->second;
+  }
+
+  void report(GroupId requester, const Task& taker, const Task& sibling) {
+    const Model& model = input_.model;
+    const Claims& below = claims_of(sibling.target, requester);
+    const Claims& own = claims_of(taker.target, requester);
+    const Claim* nearest = nullptr;
+    GroupId group{};
+    for (const GroupId id : model.groups.ids()) {
+      const Claim* wanted = below.find(id, Reach::mandatory);
+      const Claim* held = own.find(id, Reach::own);
+      if (wanted == nullptr || held == nullptr || !indispensable_[taker.target].contains(id)) continue;
+      if (!compatible(wanted->region, held->region) || (nearest != nullptr && nearest->steps <= wanted->steps))
+        continue;
+      nearest = wanted;
+      group = id;
+    }
+    if (nearest == nullptr) return;
+    const std::string name = name_of(model, taker.target);
+    const std::string other = name_of(model, sibling.target);
+    dsl::Diagnostic& finding = findings_.add(
+        taker.span,
+        group == taker.target
+            ? fmt::format("{} is granted before anything below {} is tried, which wants it too", name, other)
+            : fmt::format("{} takes {} before anything below {} is tried, which wants it too", name,
+                          name_of(model, group), other));
+    finding.notes.push_back(
+        {sibling.span, fmt::format("{} is granted together with {}", name_of(model, sibling.target), name)});
+    add_path(own.path(group, Reach::own), finding);
+    add_path(below.path(group, Reach::mandatory), finding);
+    finding.help = fmt::format("make {} `apart` or `optional`, or ask for it one level lower", name);
+  }
+
+  void add_path(const std::vector<ClaimStep>& path, dsl::Diagnostic& finding) const {
+    for (const ClaimStep& step : path)
+      finding.notes.push_back(
+          {step.span, fmt::format("{} {} {}", name_of(input_.model, step.from), step.by_need ? "needs" : "requests",
+                                  name_of(input_.model, step.to))});
+  }
+
+  const Input& input_;
+  Findings& findings_;
+  IdTable<GroupId, IdSet<GroupId>> indispensable_;
+  std::map<std::pair<GroupId, GroupId>, Claims> claims_;
+};
+
+} // namespace
+
+void sibling_starvation(const Input& input, Findings& findings) {
+  Starvation starvation(input, findings);
+  for (const ProviderId id : input.model.providers.ids()) {
+    const Provider& provider = input.model.providers[id];
+    if (!provider.has_packs || !input.facts.active.contains(id)) continue;
+    for (const Pack& pack : provider.packs) starvation.look_at(provider.group, pack);
+  }
+}
+
+} // namespace director::checks
