@@ -1,0 +1,31 @@
+#pragma once
+// Counts what is asked of the heap, by malloc and its like and by operator new, while a trap is armed. One thread.
+
+#include <cstddef>
+
+namespace director::tests {
+
+/// Asked for since the program began, while armed.
+std::size_t heap_uses();
+
+/// While one lives, the heap is watched; within it an Amnesty lets somebody else use it.
+class HeapTrap {
+public:
+  HeapTrap();
+  ~HeapTrap();
+  HeapTrap(const HeapTrap&) = delete;
+  HeapTrap& operator=(const HeapTrap&) = delete;
+};
+
+class Amnesty {
+public:
+  Amnesty();
+  ~Amnesty();
+  Amnesty(const Amnesty&) = delete;
+  Amnesty& operator=(const Amnesty&) = delete;
+
+private:
+  int depth_;
+};
+
+} // namespace director::tests

@@ -1,0 +1,36 @@
+// A whole game of the soccer player, bodies included, uses no heap once it has begun.
+
+#include "behaviours/soccer/player/player.hpp"
+#include "behaviours/soccer/player/servos.hpp"
+#include "behaviours/soccer/world/world.hpp"
+#include "tests/no_heap/heap_trap.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace director::tests {
+namespace {
+
+struct Count {
+  int runs = 0;
+};
+
+TEST_CASE("a game of soccer uses no heap") {
+  sim::World world{1};
+  Count count;
+  const Observer observer{[](void* self, const Event& event) {
+                            if (event.kind == Event::Kind::run) ++static_cast<Count*>(self)->runs;
+                          },
+                          &count};
+  player::Player<player::Servos> player{world, observer};
+  const std::size_t before = heap_uses();
+  while (world.now() < 60'000) {
+    world.step();
+    const HeapTrap trap;
+    player.step();
+  }
+  CHECK(heap_uses() == before);
+  CHECK(count.runs > 5000);
+}
+
+} // namespace
+} // namespace director::tests
