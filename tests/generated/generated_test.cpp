@@ -1,5 +1,5 @@
-// generated/ holds what directorc writes, for review: soccer and chase_ball whole, of robocup the manifest and a text form
-// of its tables. It is written anew here and compared byte for byte; ./bless rewrites it.
+// generated/ holds what directorc writes, for review: soccer and chase_ball whole, of robocup the manifest and a text
+// form of its tables. It is written anew here and compared byte for byte; ./bless rewrites it.
 
 #include "compiler/emit/emit.hpp"
 #include "compiler/lower/lower.hpp"
@@ -50,8 +50,9 @@ TEST_CASE("what is generated of the smallest behaviour stands in generated/chase
 TEST_CASE("of the real team's robocup the manifest and the tables stand in generated/robocup", "[golden]") {
   const Compiled robocup = compile("behaviours/robocup/robocup.yaml");
   const std::map<std::string, std::string> files = generated(robocup);
-  check_golden_folder("generated/robocup", {{"manifest.json", files.at("manifest.json")},
-                                            {"tables.txt", compiler::print_tables(robocup.checked.model, robocup.lowered)}});
+  check_golden_folder("generated/robocup",
+                      {{"manifest.json", files.at("manifest.json")},
+                       {"tables.txt", compiler::print_tables(robocup.checked.model, robocup.lowered)}});
 }
 
 TEST_CASE("generating twice gives equal bytes") {
