@@ -1,0 +1,86 @@
+// The pages themselves.
+#include "tests/docs/command.hpp"
+#include "tests/docs/comment.hpp"
+#include "tests/docs/names.hpp"
+#include "tests/docs/told.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace director::tests;
+
+namespace {
+
+std::vector<std::string> pages_in(const std::string& folder) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_dir() / folder))
+    if (entry.path().extension() == ".md")
+      paths.push_back(entry.path().lexically_relative(source_dir()).generic_string());
+  std::ranges::sort(paths);
+  return paths;
+}
+
+std::vector<std::string> documentation() {
+  std::vector<std::string> paths = pages_in("docs");
+  paths.insert(paths.begin(), "README.md");
+  return paths;
+}
+
+Markdown read(const std::string& path) { return read_markdown(read_file(source_dir() / path)); }
+
+/// The version that wrote a picture, which says it in a comment; another one may draw it otherwise.
+std::string renderer(const std::string& svg) {
+  const std::size_t at = svg.find("graphviz version");
+  return at == std::string::npos ? "" : svg.substr(at, svg.find('\n', at) - at);
+}
+
+} // namespace
+
+TEST_CASE("each block of a page says what it is said to come from", "[golden]") {
+  for (const std::string& path : documentation()) {
+    const Told page = told(path, read(path));
+    for (const std::string& fault : page.faults) FAIL_CHECK(fault);
+    check_golden(path, page.text);
+  }
+}
+
+TEST_CASE("code stands between fences, where a comment can tell where it comes from") {
+  for (const std::string& path : documentation())
+    for (const Inline& line : read(path).indented)
+      FAIL_CHECK(path << ":" << line.line + 1 << ": code by its indentation alone");
+  SUCCEED();
+}
+
+TEST_CASE("a picture is what its command draws", "[golden]") {
+  for (const std::string& path : documentation())
+    for (const Picture& picture : read(path).pictures) {
+      const Comment comment = read_comment(picture.comment);
+      CAPTURE(path, picture.line + 1);
+      REQUIRE(comment.word == "run");
+      if (run_command("dot -V", source_dir()).status != 0) continue;
+      const Ran ran = run_command(comment.argument, source_dir());
+      CHECK(ran.status == 0);
+      const std::filesystem::path file =
+          (std::filesystem::path(path).parent_path() / picture.target).lexically_normal();
+      const bool known = std::filesystem::exists(source_dir() / file);
+      if (known && renderer(read_file(source_dir() / file)) != renderer(ran.output)) continue;
+      check_golden(file.generic_string(), ran.output);
+    }
+}
+
+TEST_CASE("links lead somewhere") {
+  std::vector<std::string> paths = documentation();
+  for (const char* folder : {"behaviours", "compiler", "tests"})
+    for (std::string& path : pages_in(folder)) paths.push_back(std::move(path));
+  for (const std::string& path : paths)
+    for (const std::string& fault : link_faults(path, read(path))) FAIL_CHECK(fault);
+  SUCCEED();
+}
+
+TEST_CASE("files and commands that the pages name exist") {
+  for (const std::string& path : documentation())
+    for (const std::string& fault : name_faults(path, read(path))) FAIL_CHECK(fault);
+  SUCCEED();
+}
