@@ -1,0 +1,12 @@
+// Door: runtime/core/behaviour.hpp. Test: itself.
+// Message: constant expression
+#include "porter.hpp"
+
+director::Outcome body(porter::Open::Default& run, porter::Door door) {
+#ifdef MISTAKE
+  run.set(door);
+#else
+  if (!run.try_set(door)) return run.fail();
+#endif
+  return run.done();
+}

@@ -1,0 +1,11 @@
+// Door: runtime/core/behaviour.hpp. Test: itself.
+// Message: bring is given a task twice
+#include "porter.hpp"
+
+director::Outcome body(porter::Carry::Default& run) {
+#ifdef MISTAKE
+  return run.bring(porter::Drive{porter_test::Cargo{}}, porter::Grip{}, director::keep(porter::Grip{}));
+#else
+  return run.bring(porter::Drive{porter_test::Cargo{}}, director::keep(porter::Grip{}));
+#endif
+}

@@ -1,0 +1,12 @@
+// Door: runtime/core/behaviour.hpp. Test: itself.
+// Message: override
+#include "porter.hpp"
+
+class Porter : public porter::Porter {
+  director::Outcome provide(porter::Carry::Default& run) override { return run.keep(); }
+#ifdef MISTAKE
+  void start(porter::Grip::Stop&) override {}
+#else
+  void stop(porter::Grip::Stop&) override {}
+#endif
+};
