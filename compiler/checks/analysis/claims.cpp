@@ -96,7 +96,8 @@ Claims::Claims(const Model& model, GroupId task, const std::function<bool(Provid
 
 std::vector<ClaimStep> Claims::path(GroupId group, Reach reach) const {
   std::vector<ClaimStep> out;
-  for (const Claim* claim = find(group, reach); claim != nullptr && !claim->from.empty();) {
+  // Ends at the task itself, also where needs lead back to it.
+  for (const Claim* claim = find(group, reach); claim != nullptr && claim->steps > 0;) {
     const GroupId from = claim->from.front();
     out.push_back({from, group, claim->by_need, claim->span});
     group = from;
