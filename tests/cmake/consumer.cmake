@@ -34,6 +34,8 @@ function(build_after what expected_result expected_generation)
     message(FATAL_ERROR "after ${what} the build ${generation}, which is wrong:\n${output}")
   endif()
   set(output "${output}" PARENT_SCOPE)
+  # A file system's clock ticks every few milliseconds: a file that is written in the tick of the build before is not newer.
+  execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 0.1)
 endfunction()
 
 build_after("nothing yet" builds generates)
