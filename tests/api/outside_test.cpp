@@ -1,0 +1,122 @@
+#include "tests/api/office.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <thread>
+
+namespace {
+
+using namespace director;
+using namespace director::tests;
+using namespace std::chrono_literals;
+using courier::Battery, courier::Deliver, courier::Rest, courier::Walk;
+using Lines = std::vector<std::string>;
+
+TEST_CASE("several states are set at once, or none of them where a value is outside") {
+  Office office;
+  const auto value = [&](Index state) { return office.behaviour.engine().value(state); };
+  CHECK(office.behaviour.set(post::Mood::hurried, Battery{100}));
+  office.behaviour.step(0s);
+  CHECK(value(0) == 1);
+  CHECK(value(2) == 100);
+  CHECK(!office.behaviour.set(post::Mood::calm, Battery{101}));
+  CHECK(!office.behaviour.set(Battery{-11}));
+  CHECK(!office.behaviour.set(static_cast<post::Mood>(99), Battery{1}));
+  office.behaviour.step(0s);
+  CHECK(value(0) == 1);
+  CHECK(value(2) == 100);
+}
+
+TEST_CASE("root tasks come together, at the level that is named") {
+  Office office;
+  CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(1)}, Deliver::urgent}, Rest{}));
+  CHECK(office.behaviour.state<Deliver>() == RunState::none);
+  office.behaviour.step(0s);
+  CHECK(office.behaviour.state<Deliver>() == RunState::running);
+  CHECK(office.behaviour.state<Rest>() == RunState::running);
+  CHECK(office.record.take() == Lines{"run Deliver.default", "run Rest.default"});
+}
+
+TEST_CASE("a provider that is not enabled does not run") {
+  Office office;
+  office.behaviour.enable<Rest::Default>(false);
+  office.behaviour.request<Rest>();
+  office.behaviour.step(0s);
+  CHECK(office.behaviour.state<Rest>() == RunState::queued);
+  office.behaviour.enable<Rest::Default>(true);
+  office.behaviour.step(0s);
+  CHECK(office.behaviour.state<Rest>() == RunState::running);
+}
+
+TEST_CASE("requests with data that wait for a step are bounded, and a refused one takes nothing with it") {
+  Office office;
+  int weight = 0;
+  office.plans.deliver = [&](Deliver::Default& run) {
+    weight = *run.task().weight;
+    return run.keep();
+  };
+  int accepted = 0;
+  for (int i = 1; i <= 6; ++i)
+    accepted += office.behaviour.request(Deliver{{std::make_unique<int>(i)}}, Rest{}) ? 1 : 0;
+  CHECK(accepted == static_cast<int>(waiting_requests));
+  office.behaviour.step(0s);
+  CHECK(weight == accepted);
+  CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(9)}}));
+  office.behaviour.step(0s);
+  CHECK(weight == 9);
+}
+
+TEST_CASE("a full inbox refuses, and gives back the slot of what it refused") {
+  Office office;
+  while (office.behaviour.fire<courier::Bell>()) {}
+  for (std::size_t i = 0; i < 3 * waiting_requests; ++i)
+    CHECK(!office.behaviour.request(Deliver{{std::make_unique<int>(1)}}));
+  office.behaviour.step(0s);
+  CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(1)}}));
+}
+
+TEST_CASE("other threads post, and nothing that was accepted is lost") {
+  Office office;
+  const auto post = office.behaviour.post();
+  int accepted[2] = {0, 0};
+  const auto work = [&](int& count) {
+    for (int i = 0; i < 20'000; ++i) count += post.request(Deliver{{std::make_unique<int>(1)}}) ? 1 : 0;
+  };
+  int run = 0;
+  office.plans.deliver = [&](Deliver::Default& context) {
+    run += *context.task().weight;
+    return context.keep();
+  };
+  std::thread first(work, std::ref(accepted[0])), second(work, std::ref(accepted[1]));
+  for (int i = 0; i < 2'000; ++i) office.behaviour.step(0s);
+  first.join();
+  second.join();
+  office.behaviour.step(0s);
+  CHECK(run > 0);
+  CHECK(run <= accepted[0] + accepted[1]); // requests that come in one step are one new task
+  CHECK(office.behaviour.engine().memory().counters->micro_step >=
+        static_cast<std::uint64_t>(accepted[0] + accepted[1]));
+}
+
+TEST_CASE("two behaviours of one kind know nothing of each other") {
+  Office one, two;
+  one.behaviour.request<Rest>();
+  one.behaviour.step(0s);
+  two.behaviour.step(0s);
+  CHECK(one.record.take() == Lines{"run Rest.default"});
+  CHECK(two.record.take().empty());
+}
+
+TEST_CASE("rows have names, and what is no row has an empty one") {
+  namespace names = courier::names;
+  CHECK(std::string(names::edge(0)) == "root>Deliver");
+  CHECK(std::string(names::condition(0)) == "Door == open");
+  CHECK(std::string(names::trigger(1)) == "Open.unlocking.broken");
+  CHECK(std::string(names::value(0, 1)) == "hurried");
+  CHECK(std::string(names::value(2, unset)) == "unset");
+  CHECK(std::string(names::value(2, 50)).empty());
+  CHECK(std::string(names::group(director::nil)).empty());
+}
+
+} // namespace
