@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 
 extern char** environ;
@@ -39,21 +40,25 @@ private:
 void send_some(Descriptor& to, const std::string& input, std::size_t& sent) {
   const ssize_t count = sent < input.size() ? ::write(to.number(), input.data() + sent, input.size() - sent) : 0;
   if (count > 0) sent += static_cast<std::size_t>(count);
-  if (count < 0 || sent == input.size()) to.close();
+  const bool later = count < 0 && (errno == EAGAIN || errno == EINTR);
+  if ((count < 0 && !later) || sent == input.size()) to.close();
 }
 
 void receive_some(Descriptor& from, std::string& output) {
   std::array<char, 65536> buffer{};
   const ssize_t count = ::read(from.number(), buffer.data(), buffer.size());
   if (count > 0) output.append(buffer.data(), static_cast<std::size_t>(count));
-  if (count <= 0) from.close();
+  if (count == 0 || (count < 0 && errno != EINTR)) from.close();
 }
 
 void talk(Descriptor& to, Descriptor& from, const std::string& input, std::string& output) {
   std::size_t sent = 0;
   while (from.open()) {
     std::array<pollfd, 2> wanted{{{from.number(), POLLIN, 0}, {to.number(), POLLOUT, 0}}};
-    if (::poll(wanted.data(), wanted.size(), -1) < 0) break;
+    if (::poll(wanted.data(), wanted.size(), -1) < 0) {
+      if (errno == EINTR) continue;
+      break;
+    }
     if (wanted[1].revents != 0) send_some(to, input, sent);
     if (wanted[0].revents != 0) receive_some(from, output);
   }
@@ -70,6 +75,7 @@ Answer ChildPrograms::run(const std::vector<std::string>& command, const std::st
     return {};
   }
   Descriptor child_in(in[0]), to(in[1]), from(out[0]), child_out(out[1]);
+  ::fcntl(to.number(), F_SETFL, O_NONBLOCK);
 
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));

@@ -1,0 +1,70 @@
+#include "tests/cli/world.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::World;
+
+const std::string misspelt = "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n  Lamp: {nedes: []}\n";
+
+TEST_CASE("findings are told with their place, and errors make the exit status") {
+  World world;
+  world.files.add("lamp.yaml", misspelt);
+  CHECK(world.directorc({"check", "lamp.yaml"}) == 1);
+  CHECK(world.out.substr(0, 23) == "lamp.yaml:5:10: error: ");
+  CHECK(world.out.find("[unknown_key]") != std::string::npos);
+  CHECK(world.err.empty());
+}
+
+TEST_CASE("a file that is not there is no finding") {
+  World world;
+  CHECK(world.directorc({"check", "lamp.yaml"}) == 2);
+  CHECK(world.out.empty());
+  CHECK(world.err == "directorc: cannot read `lamp.yaml`: No such file or directory\n");
+}
+
+TEST_CASE("an import that is not there is a finding") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nimports: [bulb.yaml]\nroots: []\n");
+  CHECK(world.directorc({"check", "lamp.yaml"}) == 1);
+  CHECK(world.out.find("[import_not_found]") != std::string::npos);
+}
+
+TEST_CASE("findings as JSON have lines and columns from 1 and exclusive ends") {
+  World world;
+  world.files.add("lamp.yaml", misspelt);
+  CHECK(world.directorc({"check", "--format=json", "lamp.yaml"}) == 1);
+  const std::string begin = "{\n  \"findings\": [\n    {\n      \"id\": \"unknown_key\",\n      \"level\": \"error\",\n"
+                            "      \"file\": \"lamp.yaml\",\n      \"line\": 5,\n      \"column\": 10,\n"
+                            "      \"end_line\": 5,\n      \"end_column\": 15,\n      \"message\": ";
+  CHECK(world.out.substr(0, begin.size()) == begin);
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: []\n");
+  CHECK(world.directorc({"check", "--format=json", "lamp.yaml"}) == 0);
+  CHECK(world.out == "{\n  \"findings\": []\n}\n");
+}
+
+TEST_CASE("warnings become errors where asked, are silent where allowed, and lints show where wanted") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ntriggers: [Bell]\ngroups:\n"
+                               "  Lamp: {allow: [useless_use], because: to try it}\n");
+  CHECK(world.directorc({"check", "lamp.yaml"}) == 0);
+  CHECK(world.out.find("warning: ") != std::string::npos);
+  CHECK(world.out.find("[unused_allow]") != std::string::npos);
+  CHECK(world.out.find("[unused_declaration]") == std::string::npos);
+  CHECK(world.directorc({"check", "lamp.yaml", "--werror"}) == 1);
+  CHECK(world.directorc({"check", "lamp.yaml", "--werror=unused_allow"}) == 1);
+  CHECK(world.directorc({"check", "lamp.yaml", "--werror=needs_cycle"}) == 0);
+  CHECK(world.directorc({"check", "lamp.yaml", "--werror", "--allow=unused_allow"}) == 0);
+  CHECK(world.out.empty());
+  CHECK(world.directorc({"check", "lamp.yaml", "--lint=unused_declaration"}) == 0);
+  CHECK(world.out.find("[unused_declaration]") != std::string::npos);
+}
+
+TEST_CASE("--allow silences no error") {
+  World world;
+  world.files.add("lamp.yaml", misspelt);
+  CHECK(world.directorc({"check", "lamp.yaml", "--allow=unknown_key"}) == 1);
+}
+
+} // namespace

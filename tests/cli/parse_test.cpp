@@ -1,0 +1,44 @@
+#include "tests/cli/world.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::World;
+
+TEST_CASE("a wrong command line is told, with what was probably meant") {
+  World world;
+  CHECK(world.directorc({"chek", "x.yaml"}) == 2);
+  CHECK(world.err == "directorc: there is no subcommand `chek`; did you mean `check`?\n");
+  CHECK(world.directorc({"xyzzy"}) == 2);
+  CHECK(world.err == "directorc: there is no subcommand `xyzzy`; there are check, generate, graph, explain, checks, "
+                     "simulate, test, dump\n");
+  CHECK(world.directorc({"check"}) == 2);
+  CHECK(world.err == "directorc check: FILE is required\nTry `directorc check --help`.\n");
+  CHECK(world.directorc({"check", "x.yaml", "--werror=needs_cycel"}) == 2);
+  CHECK(world.err == "directorc: there is no check `needs_cycel`; did you mean `needs_cycle`?\n");
+  CHECK(world.directorc({"check", "x.yaml", "--allow"}) == 2);
+  CHECK(world.err == "directorc: --allow needs the id of a check, --allow=<id>\n");
+  CHECK(world.directorc({}) == 2);
+  CHECK(world.out.empty());
+}
+
+TEST_CASE("help and version go to the output and are no mistake") {
+  World world;
+  CHECK(world.directorc({"--version"}) == 0);
+  CHECK(world.out.substr(0, 10) == "directorc ");
+  for (const std::string word : {"check", "generate", "graph", "explain", "checks", "simulate", "test", "dump"}) {
+    CHECK(world.directorc({word, "--help"}) == 0);
+    CHECK(world.out.find("Usage: directorc " + word) != std::string::npos);
+    CHECK(world.err.empty());
+  }
+}
+
+TEST_CASE("a flag without a value does not take the next word") {
+  World world;
+  world.files.add("x.yaml", "behaviour: x\nlanguage: 1\nroots: []\n");
+  CHECK(world.directorc({"check", "--werror", "--lint", "x.yaml"}) == 0);
+  CHECK(world.err.empty());
+}
+
+} // namespace

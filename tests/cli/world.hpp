@@ -1,0 +1,51 @@
+#pragma once
+// A world in memory for the command line: files to read, files that were written, what was said.
+
+#include "compiler/cli/parse.hpp"
+
+#include <sstream>
+
+namespace director::tests {
+
+/// A child that answers what it is told to, and remembers what it was asked.
+class FakePrograms final : public compiler::cli::Programs {
+public:
+  compiler::cli::Answer run(const std::vector<std::string>& words, const std::string& text) override {
+    command = words;
+    input = text;
+    return answer;
+  }
+  compiler::cli::Answer answer{true, 0, "<svg/>"};
+  std::vector<std::string> command;
+  std::string input;
+};
+
+struct World {
+  dsl::MemoryFiles files;
+  compiler::cli::MemoryOutputs outputs;
+  FakePrograms programs;
+  std::string out, err;
+
+  /// As main does it; gives the exit status.
+  int directorc(const std::vector<std::string>& words) {
+    std::ostringstream said, complained;
+    compiler::cli::Console console{said, complained, false, false, files, outputs, programs};
+    const compiler::cli::Request request = compiler::cli::parse(words);
+    const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
+    out = said.str();
+    err = complained.str();
+    return status;
+  }
+
+private:
+  static int act(const compiler::cli::Say& say, compiler::cli::Console& console) {
+    (say.wrong ? console.err : console.out) << say.text;
+    return say.wrong ? compiler::cli::misused : compiler::cli::clean;
+  }
+  template <class Command>
+  static int act(const Command& command, compiler::cli::Console& console) {
+    return run(command, console);
+  }
+};
+
+} // namespace director::tests
