@@ -1,4 +1,4 @@
-// Door: compiler/cli/console.hpp. Test: tests/cli/child_test.cpp.
+// Door: compiler/cli/console.hpp. Test: tests/cli/disk_test.cpp.
 //
 // A child process with a pipe to it and a pipe from it. Both are served in turn by poll, so that neither side can fill
 // a pipe and wait for the other for ever.

@@ -1,4 +1,4 @@
-// Door: compiler/cli/console.hpp. Test: tests/cli/console_test.cpp.
+// Door: compiler/cli/console.hpp. Test: tests/cli/disk_test.cpp.
 #include "compiler/cli/console.hpp"
 
 #include <cerrno>

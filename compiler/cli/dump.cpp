@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/cli/dump_test.cpp.
+// Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp.
 #include "compiler/cli/load.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/print_tables.hpp"

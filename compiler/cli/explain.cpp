@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/cli/explain_test.cpp.
+// Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp.
 #include "compiler/cli/commands.hpp"
 #include "dsl/suggest.hpp"
 

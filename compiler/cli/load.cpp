@@ -1,4 +1,4 @@
-// Door: compiler/cli/load.hpp. Test: tests/cli/load_test.cpp.
+// Door: compiler/cli/load.hpp. Test: tests/cli/check_test.cpp.
 #include "compiler/cli/load.hpp"
 
 #include "dsl/render.hpp"

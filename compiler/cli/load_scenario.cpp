@@ -1,4 +1,4 @@
-// Door: compiler/cli/load_scenario.hpp. Test: tests/cli/simulate_test.cpp.
+// Door: compiler/cli/load_scenario.hpp. Test: tests/cli/scenario_test.cpp.
 #include "compiler/cli/load_scenario.hpp"
 
 #include "compiler/lower/lower.hpp"

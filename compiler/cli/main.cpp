@@ -1,4 +1,4 @@
-// Door: the command line. Test: tests/cli/CMakeLists.txt.
+// Door: the command line. Test: tests/cli/parse_test.cpp.
 #include "compiler/cli/parse.hpp"
 
 #include <unistd.h>

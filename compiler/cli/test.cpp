@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/cli/test_test.cpp.
+// Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp.
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/play/test_scenario.hpp"
 

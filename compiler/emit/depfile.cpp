@@ -1,4 +1,4 @@
-// Door: compiler/emit/depfile.hpp. Test: tests/compiler/emit/depfile_test.cpp.
+// Door: compiler/emit/depfile.hpp. Test: tests/compiler/emit/emit_test.cpp.
 #include "compiler/emit/depfile.hpp"
 
 namespace director::compiler {

@@ -1,4 +1,4 @@
-// Door: compiler/emit/deployment.hpp. Test: tests/compiler/emit/deployment_test.cpp.
+// Door: compiler/emit/deployment.hpp. Test: tests/compiler/emit/emit_test.cpp.
 #include "compiler/emit/deployment.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Door: compiler/emit/findings_json.hpp. Test: tests/compiler/emit/findings_json_test.cpp.
+// Door: compiler/emit/findings_json.hpp. Test: tests/cli/check_test.cpp.
 #include "compiler/emit/findings_json.hpp"
 
 namespace director::compiler {

@@ -1,4 +1,4 @@
-// Door: compiler/emit/manifest.hpp. Test: tests/compiler/emit/manifest_test.cpp.
+// Door: compiler/emit/manifest.hpp. Test: tests/compiler/emit/emit_test.cpp.
 #include "compiler/emit/manifest.hpp"
 
 #include "compiler/emit/json.hpp"

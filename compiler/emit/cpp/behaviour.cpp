@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/header_test.cpp.
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 //
 // The class that a program makes one of. Its words from outside are in runtime/core/program.hpp.
 #include "compiler/emit/cpp/parts.hpp"

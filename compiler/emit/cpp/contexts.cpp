@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/header_test.cpp.
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 //
 // The contexts that bodies and handlers get: what all have in common is in runtime/core/body.hpp, here are the packs.
 #include "compiler/emit/cpp/parts.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/header_test.cpp.
+// Door: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "compiler/version.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/header_test.cpp.
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 //
 // The interfaces that a program implements, one for each module.
 #include "compiler/emit/cpp/parts.hpp"

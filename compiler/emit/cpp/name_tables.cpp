@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/source_test.cpp.
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 //
 // What the numbers in an observer's events are called.
 #include "compiler/emit/cpp/parts.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/header_test.cpp.
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 #include "dsl/names.hpp"
 
 #include "compiler/emit/cpp/parts.hpp"

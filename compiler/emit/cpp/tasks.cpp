@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/header_test.cpp.
+// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 //
 // The task types: what is requested, and the name space of a group's contexts and levels.
 #include "compiler/emit/cpp/parts.hpp"

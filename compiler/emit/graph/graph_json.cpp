@@ -1,4 +1,4 @@
-// Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/emit/graph/graph_json_test.cpp.
+// Door: compiler/emit/graph/formats.hpp. Test: tests/cli/graph_test.cpp.
 #include "compiler/emit/graph/formats.hpp"
 
 namespace director::compiler {

@@ -1,4 +1,4 @@
-// Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/emit/graph/mermaid_test.cpp.
+// Door: compiler/emit/graph/formats.hpp. Test: tests/cli/graph_test.cpp.
 #include "compiler/emit/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
 

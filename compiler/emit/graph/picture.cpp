@@ -1,4 +1,4 @@
-// Door: compiler/emit/graph/picture.hpp. Test: tests/compiler/emit/graph/picture_test.cpp.
+// Door: compiler/emit/graph/picture.hpp. Test: tests/cli/graph_test.cpp.
 #include "compiler/emit/graph/picture.hpp"
 
 #include <algorithm>

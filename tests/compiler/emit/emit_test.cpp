@@ -1,0 +1,101 @@
+#include "compiler/emit/depfile.hpp"
+#include "compiler/emit/emit.hpp"
+#include "compiler/emit/sha256.hpp"
+#include "compiler/lower/lower.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+#include <algorithm>
+
+namespace {
+
+using namespace director;
+using namespace director::compiler;
+
+struct Emitted {
+  tests::Compiled from;
+  Lowered lowered;
+  std::string header, source, manifest;
+};
+
+Emitted emitted(const std::string& text) {
+  Emitted out;
+  out.from = tests::compile("behaviour: lamp\nlanguage: 1\n" + text);
+  out.lowered = lower(out.from.model);
+  const std::vector<Artefact> files = emit({out.from.sources, out.from.model, out.lowered});
+  REQUIRE(files.size() == 3);
+  CHECK(files[0].path == "lamp.hpp");
+  CHECK(files[1].path == "lamp.cpp");
+  CHECK(files[2].path == "manifest.json");
+  out.header = files[0].text;
+  out.source = files[1].text;
+  out.manifest = files[2].text;
+  return out;
+}
+
+bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+TEST_CASE("states become an enum, a number or the user's own type, with their docs and places") {
+  const Emitted out = emitted(R"(roots: []
+states:
+  Colour: {values: [off, red, green], unordered: [off], doc: What shines.}
+  Charge: {range: [-5, 100], external: true}
+  Mode: {type: ns::Mode, values: [day, night]}
+)");
+  CHECK(has(out.header, "/// What shines. (test.yaml:5)\n/// off has no place in the order.\n"
+                        "enum class Colour : std::int32_t { off, red, green };\n"));
+  CHECK(has(out.header, "/// -5 to 100.\nstruct Charge {\n  std::int32_t value = 0;\n};\n"));
+  CHECK(has(out.header, "using Mode = ns::Mode;\n"));
+  CHECK(has(out.header, "    case Mode::night: return {2, 1};\n"));
+  CHECK(has(out.header, "#pragma GCC diagnostic error \"-Wswitch\"\n"));
+  CHECK(has(out.header, "{.low = -5, .high = 100, .external = true}, // Charge\n"));
+}
+
+TEST_CASE("a state that has the name of its type already gets no other") {
+  const Emitted out = emitted("cpp: {namespace: a::b}\nroots: []\nstates: {Mode: {type: 'a::b::Mode', values: [x]}}\n");
+  CHECK(!has(out.header, "using Mode"));
+}
+
+TEST_CASE("levels are numbered over all who request the group, and each entry names the rows that it has") {
+  const Emitted out = emitted(R"(roots: {Bulb: {priority: {low: 1, high: 2}}}
+groups:
+  Lamp: {tasks: {Bulb: {priority: {high: 7}}}}
+  Bulb: {data: int}
+)");
+  CHECK(has(out.header, "static constexpr director::LevelOf<Bulb> low{0};\n"
+                        "  static constexpr director::LevelOf<Bulb> high{1};\n"));
+  CHECK(has(out.header, "using Roots = director::Pack<director::Must<Bulb, 0, 0, 0, 0, 1>>;\n"));
+  CHECK(has(out.header, "using Tasks = director::Pack<director::Must<Bulb, 1, 1, 2, director::nil, 2>>;\n"));
+  CHECK(has(out.header, "using Slots = director::Slots<Bulb, 2>;\n"));
+  CHECK(has(out.header, "director::Waiting<Bulb>"));
+}
+
+TEST_CASE("a step without a time is there only where nothing uses time") {
+  CHECK(has(emitted("roots: []\n").header, "director::StepResult step() {"));
+  CHECK(!has(emitted("roots: []\ngroups: {A: {every: 5 ms}}\n").header, "director::StepResult step() {"));
+  CHECK(!has(emitted("roots: []\nstates: {S: {values: [a], expires: 1 s}}\n").header, "director::StepResult step() {"));
+}
+
+TEST_CASE("a column that says nothing is left out of a row") {
+  const Emitted out = emitted("roots: [Lamp]\ngroups: {Lamp: {stop: true, tasks: [Bulb]}, Bulb: {}}\n");
+  CHECK(has(out.source, "  {.requester = 0, .target = 1, .levels = {1, 2}}, // Lamp>Bulb\n"));
+  CHECK(has(out.source, "    &stop<Lamp::Stop, &Behaviour::test_>,\n      nullptr, // Bulb\n"));
+}
+
+TEST_CASE("the manifest says what was read, and where a generated line comes from") {
+  const std::string text = "roots: [Lamp]\ngroups:\n  Lamp: {}\n";
+  const Emitted out = emitted(text);
+  CHECK(has(out.manifest,
+            "\"path\": \"test.yaml\",\n      \"sha256\": \"" + sha256("behaviour: lamp\nlanguage: 1\n" + text) + "\""));
+  CHECK(has(out.manifest, "\"path\": \"lamp.hpp\",\n      \"sha256\": \"" + sha256(out.header) + "\""));
+  const std::string before = out.header.substr(0, out.header.find("struct Lamp final"));
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  CHECK(has(out.manifest, "\"" + std::to_string(line) + "\": \"test.yaml:5\""));
+}
+
+TEST_CASE("a depfile gives nothing in a path a meaning of its own") {
+  dsl::Sources sources;
+  sources.add("a b/$c#.yaml", "");
+  CHECK(depfile({"out/x.hpp", "out/y z.cpp"}, sources) == "out/x.hpp out/y\\ z.cpp: \\\n  a\\ b/$$c\\#.yaml\n");
+}
+
+} // namespace
