@@ -253,6 +253,8 @@ void Pass::grant(Index count) {
     waken(entries_begin(at), s_.member_entries[at]);
   }
   if (pushed_) keep_serving_pushes(count);
+  // What serves one member of a unit serves all; below a stale group each member has only its own.
+  depends_on_stale_ = depends_on_stale_ || (pushed_ && count > 1);
   leave_combination(count);
 }
 

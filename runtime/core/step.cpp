@@ -18,12 +18,18 @@ StepResult Engine::step(Time now) {
       if (t_.states[i].expires != 0 && s_.values[i] != unset) arm(s_.expiry[i], now + t_.states[i].expires);
     }
   }
+  // Called again for the same time because the budget ran out: what was begun goes on at its own time.
+  const bool again = now <= c.until && (c.handlers_set != 0 || c.queue_count != 0 || c.unsettled != 0);
   if (now > c.until) c.until = now;
-  if (c.due_phase == due::none) c.now = c.until;
+  if (c.due_phase == due::none && !again) c.now = c.until;
   quota_ = inbox_.waiting();
   for (std::uint32_t taken = 0;; ++taken) {
     const bool more = taken < budget_;
-    if (more ? !micro_step() : !work_left()) return StepResult::quiescent;
+    if (more ? !micro_step() : !work_left()) {
+      c.due_phase = due::none; // the budget may end together with what is due
+      c.now = c.until;
+      return StepResult::quiescent;
+    }
     if (!more) {
       tell(event(Event::Kind::exhausted));
       return StepResult::budget_exhausted;
@@ -55,10 +61,7 @@ bool Engine::micro_step() {
       return true;
     }
     if (c.earliest <= c.until) c.earliest = next_due(); // what was cancelled may have been the earliest
-    if (c.earliest > c.until) {
-      c.now = c.until;
-      return false;
-    }
+    if (c.earliest > c.until) return false;
     c.now = c.earliest;
     c.due_phase = due::expiry;
     c.due_at = 0;
@@ -149,6 +152,8 @@ void Engine::request(Index edge, Index level) {
     s_.request[edge] = level;
     mark(t_.groups[group].component, work::changed);
   }
+  const Index component = t_.groups[group].component;
+  if ((s_.component[component] & work::stale_counts) != 0) mark(component, work::stale_changed);
   touch(group);
 }
 

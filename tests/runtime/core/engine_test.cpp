@@ -77,7 +77,14 @@ groups:
   machine.request("A");
   machine.request("B");
   machine.step(0);
-  CHECK(machine.step(ms(100)) == Lines{"run B wait", "run A wait"});
+  SECTION("in one step") {
+    CHECK(machine.step(ms(100)) == Lines{"run B wait", "run A wait"});
+  }
+  SECTION("though the budget ends before it, or together with it") {
+    machine.engine().set_budget(1);
+    for (int step = 0; step < 10; ++step) machine.step(ms(100));
+    CHECK(machine.result() == StepResult::quiescent);
+  }
   CHECK(times == std::vector<Time>{0, 0, ms(20), ms(30)});
   CHECK(machine.engine().now() == ms(100));
 }
