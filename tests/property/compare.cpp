@@ -1,0 +1,171 @@
+// Door: tests/property/compare.hpp. Test: tests/property/property_test.cpp.
+#include "tests/property/compare.hpp"
+
+#include "compiler/play/play.hpp"
+#include "tests/oracle/scripted.hpp"
+#include "tests/property/engine_run.hpp"
+#include "tests/property/invariants.hpp"
+
+#include <algorithm>
+
+namespace director::property {
+
+namespace {
+
+constexpr std::size_t most_micro_steps = 10'000; ///< of one scenario step: far above what bounded bodies take
+
+/// Different snapshots in a row: inputs without effect need not be micro-steps of both.
+using Course = std::vector<Snapshot>;
+
+void add(Course& course, Snapshot snapshot) {
+  if (course.empty() || !(course.back() == snapshot)) course.push_back(std::move(snapshot));
+}
+
+class Comparing {
+public:
+  Comparing(const Compiled& compiled, bool leap)
+      : c_(compiled),
+        oracle_(compiled.model, compiled.spec, leap),
+        engine_(compiled, leap) {
+    last_ = snapshot_of(oracle_.behaviour());
+  }
+
+  Verdict run() {
+    for (std::size_t i = 0; i < c_.spec.steps.size() && out_.difference.empty(); ++i) {
+      step(i);
+      if (!out_.difference.empty()) out_.difference = "step " + std::to_string(i + 1) + ": " + out_.difference;
+    }
+    const oracle::Notes& notes = oracle_.behaviour().notes();
+    show(Show::ladder, notes.ladders > 0);
+    show(Show::denial_by_an_equal, notes.denials > 0);
+    show(Show::repeated_pass, notes.repetitions > 0);
+    show(Show::limbo, notes.limbo > 0);
+    show(Show::alternative_plan, notes.later_plans > 0);
+    show(Show::deferral, notes.deferrals > 0);
+    out_.settling = static_cast<std::size_t>(notes.settling);
+    if (out_.settling > c_.model.groups.size()) fail("it takes more passes to settle than there are groups");
+    return out_;
+  }
+
+private:
+  void show(Show what, bool shown) {
+    bool& flag = out_.shown[static_cast<std::size_t>(what)];
+    flag = flag || shown;
+  }
+
+  void step(std::size_t index) {
+    Course expected{snapshot_of(oracle_.behaviour())}, course{engine_.snapshot()};
+    oracle_.begin_step(c_.spec.steps[index]);
+    while (oracle_.micro_step()) {
+      Snapshot now = snapshot_of(oracle_.behaviour());
+      ++out_.micro_steps;
+      look(now);
+      add(expected, std::move(now));
+    }
+    if (oracle_.exhausted()) return fail("the oracle does not come to rest");
+    engine_.begin_step(c_.scenario.steps[index]);
+    std::size_t count = 0;
+    while (engine_.micro_step()) {
+      if (++count > most_micro_steps) return fail("the engine does not come to rest");
+      add(course, engine_.snapshot());
+      if (!obeys(course.back(), false)) return;
+      const std::size_t at = course.size() - 1;
+      if (at >= expected.size() || !(course[at] == expected[at])) return differs(expected, course, at);
+    }
+    add(course, engine_.snapshot());
+    if (!obeys(course.back(), true)) return;
+    const std::size_t at = course.size() - 1;
+    if (course.size() != expected.size() || !(course[at] == expected[at]))
+      return differs(expected, course, course.size() < expected.size() ? course.size() : at);
+    compare_traces();
+  }
+
+  bool obeys(const Snapshot& now, bool at_rest) {
+    const std::string wrong = broken_invariant(now, oracle_.behaviour().parts(), at_rest);
+    if (!wrong.empty()) fail("an invariant is broken: " + wrong + "\n" + to_text(now, c_.model));
+    return wrong.empty();
+  }
+
+  void compare_traces() {
+    const std::vector<std::string>& expected = oracle_.behaviour().trace();
+    const std::vector<std::string>& happened = engine_.trace();
+    const auto [a, b] = std::mismatch(expected.begin(), expected.end(), happened.begin(), happened.end());
+    if (a == expected.end() && b == happened.end()) return;
+    fail("the traces differ: oracle `" + (a == expected.end() ? "" : *a) + "`, engine `" +
+         (b == happened.end() ? "" : *b) + "`");
+  }
+
+  void differs(const Course& expected, const Course& course, std::size_t at) {
+    const auto lines = [](const std::vector<std::string>& trace, std::size_t from, std::size_t to) {
+      std::string out;
+      for (std::size_t i = from; i < std::min(to, trace.size()); ++i) out += "  " + trace[i] + "\n";
+      return out;
+    };
+    const auto state = [&](const Course& of, const std::vector<std::string>& trace) {
+      if (at >= of.size()) return std::string("  it rests\n");
+      const std::size_t from = at == 0 ? of[at].lines : std::min(of[at - 1].lines, of[at].lines);
+      return lines(trace, from, of[at].lines) + to_text(of[at], c_.model);
+    };
+    fail("after " + std::to_string(at) + " micro-steps\nboth before\n" +
+         (at == 0 ? std::string() : to_text(expected[std::min(at, expected.size()) - 1], c_.model)) + "oracle\n" +
+         state(expected, oracle_.behaviour().trace()) + "engine\n" + state(course, engine_.trace()));
+  }
+
+  void fail(std::string why) {
+    if (out_.difference.empty()) out_.difference = std::move(why);
+  }
+
+  /// What the scenario shows from one micro-step to the next.
+  void look(const Snapshot& now) {
+    for (std::size_t g = 0; g < now.groups.size(); ++g) {
+      const auto& before = last_.groups[g].push;
+      const auto& push = now.groups[g].push;
+      show(Show::push, push.has_value());
+      if (before && !push) {
+        const compiler::Condition& unmet = c_.model.conditions[before->unmet];
+        const auto& value = now.values[unmet.state.value];
+        show(Show::dropped_push, !value || !unmet.accepts.contains(*value));
+      }
+    }
+    for (std::size_t e = 0; e < now.requests.size(); ++e) {
+      show(Show::level_change, last_.requests[e] && now.requests[e] && last_.requests[e] != now.requests[e]);
+    }
+    for (std::size_t i = last_.lines; i < now.lines; ++i) {
+      show(Show::broken_promise, oracle_.behaviour().trace()[i].starts_with("broken"));
+    }
+    last_ = now;
+  }
+
+  const Compiled& c_;
+  oracle::Player oracle_;
+  EngineRun engine_;
+  Snapshot last_;
+  Verdict out_;
+};
+
+/// What `directorc simulate` prints, against the oracle's trace.
+std::string compare_simulated(const Compiled& compiled) {
+  std::vector<std::string> expected, happened;
+  oracle::Player oracle(compiled.model, compiled.spec, false);
+  for (const dsl::StepSpec& step : compiled.spec.steps) {
+    for (const dsl::InputSpec& input : step.inputs) expected.push_back("> " + input.shown);
+    if (step.advance) expected.push_back("> advance " + dsl::to_text(step.advance->value));
+    for (std::string& line : oracle.play(step)) expected.push_back(std::move(line));
+  }
+  compiler::play(compiled.scenario, compiled.model, compiled.lowered, {},
+                 [&](const compiler::Happening& each) { happened.push_back(to_text(each)); });
+  const auto [a, b] = std::mismatch(expected.begin(), expected.end(), happened.begin(), happened.end());
+  if (a == expected.end() && b == happened.end()) return "";
+  return "simulated, line " + std::to_string(a - expected.begin() + 1) + ": oracle `" +
+         (a == expected.end() ? "" : *a) + "`, directorc `" + (b == happened.end() ? "" : *b) + "`";
+}
+
+} // namespace
+
+Verdict compare(const Compiled& compiled, bool leap) {
+  Verdict verdict = Comparing(compiled, leap).run();
+  if (verdict.difference.empty() && !leap) verdict.difference = compare_simulated(compiled);
+  return verdict;
+}
+
+} // namespace director::property

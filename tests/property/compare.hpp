@@ -1,0 +1,41 @@
+#pragma once
+// One scenario on the engine and on the oracle: traces, what holds after every micro-step, and what the scenario
+// showed.
+
+#include "tests/property/compiled.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace director::property {
+
+enum class Show {
+  push,
+  ladder,
+  denial_by_an_equal,
+  repeated_pass,
+  limbo,
+  alternative_plan,
+  level_change,
+  dropped_push,
+  deferral,
+  broken_promise,
+  count
+};
+inline constexpr std::array<std::string_view, static_cast<std::size_t>(Show::count)> show_names{
+    "a push",         "a ladder",       "a denial by an equal", "a repeated pass", "limbo", "an alternative plan",
+    "a level change", "a dropped push", "a deferral",           "a broken promise"};
+
+struct Verdict {
+  std::string difference; ///< empty: engine and oracle agree
+  std::array<bool, static_cast<std::size_t>(Show::count)> shown{};
+  std::size_t micro_steps = 0;
+  std::size_t settling = 0; ///< the most micro-steps in a row that only arbitrated once more
+};
+
+/// `leap`: time is given to the engine in leaps, so that timers are late; else each due time has a step to itself, as
+/// in `directorc simulate`, which must then tell the same.
+Verdict compare(const Compiled& compiled, bool leap);
+
+} // namespace director::property

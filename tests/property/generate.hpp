@@ -1,0 +1,33 @@
+#pragma once
+// Random behaviours and scenarios for them, dense with what makes arbitration hard: few states that many wait for and
+// several cause, shared resources, equal priorities, alternatives of needs, ladders. Everything follows from the seed.
+// Every scenario comes to rest by itself: from its fourth run on a scripted provider only continues, and from its
+// fourth call on a handler sets nothing.
+
+#include "tests/property/draft.hpp"
+#include "tests/property/random.hpp"
+
+namespace director::property {
+
+/// What one random behaviour is like as a whole.
+struct Flavour {
+  double when = 0.4, causing = 0.4, needs = 0.45, optional = 0.3, apart = 0.12;
+  double levels = 0.1;     ///< tasks that can be asked for in several ways
+  double favourite = 0.35; ///< how often the few shared groups are wanted
+  double diligence = 0.5;  ///< how often a body sets what its provider causes
+  std::vector<int> priorities;
+};
+
+Flavour random_flavour(Random& random);
+BehaviourDraft random_behaviour(Random& random, const Flavour& flavour, std::size_t groups);
+/// The scenario names `behaviour.yaml`.
+Node random_scenario(Random& random, const Flavour& flavour, const BehaviourDraft& behaviour);
+
+struct Documents {
+  Node behaviour, scenario;
+};
+
+/// 3 to 15 groups; one in forty has 30.
+Documents generate(std::uint64_t seed);
+
+} // namespace director::property

@@ -1,0 +1,118 @@
+// The engine's main property: on random behaviours and scenarios it does what the oracle does, micro-step by
+// micro-step.
+//
+//   DIRECTOR_SEED   first seed, instead of 1
+//   DIRECTOR_CASES  how many, instead of as many as take a minute or two
+//
+// A case that fails is shrunk and written to <build>/tests/property, ready for `directorc simulate`.
+#include "tests/property/compare.hpp"
+#include "tests/property/shrink.hpp"
+#include "tests/property/watch.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <string>
+
+namespace {
+
+using namespace director::property;
+
+#ifdef NDEBUG
+constexpr std::uint64_t usual_cases = 8'000;
+#else
+constexpr std::uint64_t usual_cases = 600; // not optimised, or under a sanitizer
+#endif
+constexpr int parts = 4; // of the cases: ctest runs them side by side
+
+std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
+  const char* text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::stoull(text);
+}
+
+/// Every fourth case gets its time in leaps.
+bool leaps(std::uint64_t seed) { return seed % 4 == 3; }
+
+Verdict verdict_of(const Documents& documents, bool leap) {
+  const CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
+  if (!result.compiled) {
+    Verdict refused;
+    refused.difference = "the documents are not valid: " + result.why;
+    return refused;
+  }
+  return compare(*result.compiled, leap);
+}
+
+/// The smallest case that still differs: its text, and where it was written.
+std::string minimal(const Documents& documents, std::uint64_t seed) {
+  const bool leap = leaps(seed);
+  const Documents small = shrink(documents, [&](const Documents& candidate) {
+    const CompileResult result = compile(to_yaml(candidate.behaviour), to_yaml(candidate.scenario));
+    return result.compiled && !compare(*result.compiled, leap).difference.empty();
+  });
+  const auto folder = director::tests::binary_dir() / "tests" / "property" / ("seed_" + std::to_string(seed));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "behaviour.yaml") << to_yaml(small.behaviour);
+  std::ofstream(folder / "random.scenario.yaml") << to_yaml(small.scenario);
+  return "minimal case, in " + folder.string() + (leap ? " (with time in leaps)" : "") + "\n" +
+         to_yaml(small.behaviour) + "---\n" + to_yaml(small.scenario) + "---\n" + verdict_of(small, leap).difference;
+}
+
+struct Shares {
+  std::array<std::uint64_t, static_cast<std::size_t>(Show::count)> shown{};
+  std::uint64_t cases = 0, micro_steps = 0;
+  std::size_t settling = 0;
+
+  void add(const Verdict& verdict) {
+    ++cases;
+    micro_steps += verdict.micro_steps;
+    settling = std::max(settling, verdict.settling);
+    for (std::size_t i = 0; i < shown.size(); ++i) shown[i] += verdict.shown[i] ? 1 : 0;
+  }
+  double percent(Show what) const {
+    return 100.0 * static_cast<double>(shown[static_cast<std::size_t>(what)]) / static_cast<double>(cases);
+  }
+  void print(std::uint64_t first) const {
+    std::cout << cases << " cases from seed " << first << ", " << micro_steps << " micro-steps, at most " << settling
+              << " in a row that only settle. Scenarios with\n"
+              << std::fixed << std::setprecision(1);
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      std::cout << std::setw(7) << percent(static_cast<Show>(i)) << " %  " << show_names[i] << "\n";
+  }
+};
+
+void run_part(int part) {
+  const std::uint64_t all = number_from("DIRECTOR_CASES", usual_cases);
+  const std::uint64_t share = (all + parts - 1) / parts;
+  const std::uint64_t first = number_from("DIRECTOR_SEED", 1) + static_cast<std::uint64_t>(part) * share;
+  Shares shares;
+  for (std::uint64_t seed = first; seed < first + share; ++seed) {
+    watch(seed);
+    const Documents documents = generate(seed);
+    const Verdict verdict = verdict_of(documents, leaps(seed));
+    stop_watching();
+    if (!verdict.difference.empty())
+      FAIL("DIRECTOR_SEED=" << seed << " differs, " << verdict.difference << "\n" << minimal(documents, seed));
+    shares.add(verdict);
+  }
+  shares.print(first);
+  if (share < 100) return; // too few to say anything
+  // What the cases must show, so that agreement means something.
+  CHECK(shares.percent(Show::push) >= 20);
+  for (const Show what : {Show::ladder, Show::denial_by_an_equal, Show::limbo, Show::alternative_plan,
+                          Show::level_change, Show::dropped_push}) {
+    INFO(show_names[static_cast<std::size_t>(what)]);
+    CHECK(shares.percent(what) >= 5);
+  }
+}
+
+TEST_CASE("the engine does what the oracle does, in the first part of the random cases") { run_part(0); }
+TEST_CASE("the engine does what the oracle does, in the second part of the random cases") { run_part(1); }
+TEST_CASE("the engine does what the oracle does, in the third part of the random cases") { run_part(2); }
+TEST_CASE("the engine does what the oracle does, in the last part of the random cases") { run_part(3); }
+
+} // namespace

@@ -1,0 +1,35 @@
+#pragma once
+// What engine and oracle must agree on after every micro-step.
+
+#include "tests/oracle/assignment.hpp"
+#include "tests/oracle/behaviour.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::property {
+
+struct Snapshot {
+  struct Group {
+    std::optional<oracle::EdgeId> holder;
+    std::optional<oracle::ProviderId> active;
+    bool granted = false, needed = false;
+    std::optional<oracle::Push> push;
+    bool in_force = false;
+    std::set<oracle::Reason> pending;
+    bool operator==(const Group&) const = default;
+  };
+  std::size_t lines = 0; ///< of the trace so far
+  std::vector<Group> groups;
+  std::vector<std::optional<std::uint32_t>> requests; ///< edge: level
+  std::vector<std::optional<std::int64_t>> values;    ///< state
+  std::vector<oracle::GroupId> queue;
+  bool operator==(const Snapshot&) const = default;
+};
+
+Snapshot snapshot_of(const oracle::Behaviour& behaviour);
+
+/// For people: one line a group that is held or pushed.
+std::string to_text(const Snapshot& snapshot, const compiler::Model& model);
+
+} // namespace director::property
