@@ -31,21 +31,23 @@ std::size_t watched_steps = 0;
 
 } // namespace
 
-// Below stand the names that the compilers give to Engine::step(Time), ScriptedBodies::table() and
-// Recorder::observer().
-extern "C" {
-StepResult __real__ZN8director6Engine4stepEl(Engine* engine, Time now);
-Bodies __real__ZN8director8compiler14ScriptedBodies5tableEv(compiler::ScriptedBodies* self);
-Observer __real__ZN8director8compiler8Recorder8observerEv(compiler::Recorder* self);
+// Behind the asm labels stand the names that the compilers give to Engine::step(Time), ScriptedBodies::table() and
+// Recorder::observer(), as the linker's --wrap calls the original and what stands before it.
+StepResult real_step(Engine* engine, Time now) __asm__("__real__ZN8director6Engine4stepEl");
+Bodies real_table(compiler::ScriptedBodies* self) __asm__("__real__ZN8director8compiler14ScriptedBodies5tableEv");
+Observer real_observer(compiler::Recorder* self) __asm__("__real__ZN8director8compiler8Recorder8observerEv");
+StepResult watched_step(Engine* engine, Time now) __asm__("__wrap__ZN8director6Engine4stepEl");
+Bodies watched_table(compiler::ScriptedBodies* self) __asm__("__wrap__ZN8director8compiler14ScriptedBodies5tableEv");
+Observer watched_observer(compiler::Recorder* self) __asm__("__wrap__ZN8director8compiler8Recorder8observerEv");
 
-StepResult __wrap__ZN8director6Engine4stepEl(Engine* engine, Time now) {
+StepResult watched_step(Engine* engine, Time now) {
   ++watched_steps;
   const tests::HeapTrap trap;
-  return __real__ZN8director6Engine4stepEl(engine, now);
+  return real_step(engine, now);
 }
 
-Bodies __wrap__ZN8director8compiler14ScriptedBodies5tableEv(compiler::ScriptedBodies* self) {
-  scripted = __real__ZN8director8compiler14ScriptedBodies5tableEv(self);
+Bodies watched_table(compiler::ScriptedBodies* self) {
+  scripted = real_table(self);
   Bodies watched = scripted;
   static Outcome (*const run)(void*, Run&) = [](void* bodies, Run& context) {
     const tests::Amnesty amnesty;
@@ -72,14 +74,13 @@ Bodies __wrap__ZN8director8compiler14ScriptedBodies5tableEv(compiler::ScriptedBo
   return watched;
 }
 
-Observer __wrap__ZN8director8compiler8Recorder8observerEv(compiler::Recorder* self) {
-  observer = __real__ZN8director8compiler8Recorder8observerEv(self);
+Observer watched_observer(compiler::Recorder* self) {
+  observer = real_observer(self);
   return {[](void* recorder, const Event& event) {
             const tests::Amnesty amnesty;
             observer.tell(recorder, event);
           },
           observer.self};
-}
 }
 
 namespace director::tests {
