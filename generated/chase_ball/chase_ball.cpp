@@ -85,12 +85,14 @@ struct Bodies {
 #endif
   }
 
-  template <class Context, auto module>
+  // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
+  template <class Context, class Module, Module* Behaviour::*module>
   static director::Outcome provide(void* self, director::Run& run) {
+    constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
     Behaviour& behaviour = *static_cast<Behaviour*>(self);
     Context context{run, behaviour.data()};
     return guarded(
-        behaviour, [&] { return (behaviour.*module)->provide(context); }, [&] { return run.fault(); });
+        behaviour, [&] { return ((behaviour.*module)->*body)(context); }, [&] { return run.fault(); });
   }
 
   static void data(void* self, director::Bodies::Data what, director::Index edge, director::Index handle) {
@@ -103,9 +105,9 @@ struct Bodies {
 
   static director::Bodies of(Behaviour& behaviour) {
     static constexpr std::array<director::Outcome (*)(void*, director::Run&), 3> providers{
-      &provide<ChaseBall::Driving, &Behaviour::cart_>,
-      &provide<ChaseBall::Turning, &Behaviour::cart_>,
-      &provide<Wheels::Default, &Behaviour::cart_>,
+      &provide<ChaseBall::Driving, Cart, &Behaviour::cart_>,
+      &provide<ChaseBall::Turning, Cart, &Behaviour::cart_>,
+      &provide<Wheels::Default, Cart, &Behaviour::cart_>,
     };
     return {.self = &behaviour, .run = providers.data(), .data = &data};
   }

@@ -245,28 +245,32 @@ struct Bodies {
 #endif
   }
 
-  template <class Context, auto module>
+  // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
+  template <class Context, class Module, Module* Behaviour::*module>
   static director::Outcome provide(void* self, director::Run& run) {
+    constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
     Behaviour& behaviour = *static_cast<Behaviour*>(self);
     Context context{run, behaviour.data()};
     return guarded(
-        behaviour, [&] { return (behaviour.*module)->provide(context); }, [&] { return run.fault(); });
+        behaviour, [&] { return ((behaviour.*module)->*body)(context); }, [&] { return run.fault(); });
   }
 
-  template <class Context, auto module>
+  template <class Context, class Module, Module* Behaviour::*module>
   static void start(void* self, director::Handling& handling) {
+    constexpr void (Module::*body)(Context&) = &Module::start;
     Behaviour& behaviour = *static_cast<Behaviour*>(self);
     Context context{handling, behaviour.data()};
     guarded(
-        behaviour, [&] { (behaviour.*module)->start(context); }, [&] { handling.fault(); });
+        behaviour, [&] { ((behaviour.*module)->*body)(context); }, [&] { handling.fault(); });
   }
 
-  template <class Context, auto module>
+  template <class Context, class Module, Module* Behaviour::*module>
   static void stop(void* self, director::Handling& handling) {
+    constexpr void (Module::*body)(Context&) = &Module::stop;
     Behaviour& behaviour = *static_cast<Behaviour*>(self);
     Context context{handling, behaviour.data()};
     guarded(
-        behaviour, [&] { (behaviour.*module)->stop(context); }, [&] { handling.fault(); });
+        behaviour, [&] { ((behaviour.*module)->*body)(context); }, [&] { handling.fault(); });
   }
 
   static void data(void* self, director::Bodies::Data what, director::Index edge, director::Index handle) {
@@ -294,46 +298,46 @@ struct Bodies {
 
   static director::Bodies of(Behaviour& behaviour) {
     static constexpr std::array<director::Outcome (*)(void*, director::Run&), 34> providers{
-      &provide<Brace::Default, &Behaviour::recovery_>,
-      &provide<GetUp::Tucking, &Behaviour::recovery_>,
-      &provide<GetUp::Pushing, &Behaviour::recovery_>,
-      &provide<GetUp::Rising, &Behaviour::recovery_>,
-      &provide<FallRecovery::Recovering, &Behaviour::safety_>,
-      &provide<FallRecovery::Protecting, &Behaviour::safety_>,
-      &provide<FallRecovery::Watching, &Behaviour::safety_>,
-      &provide<Walk::Walking, &Behaviour::locomotion_>,
-      &provide<Walk::Halting, &Behaviour::locomotion_>,
-      &provide<Kick::Default, &Behaviour::kicking_>,
-      &provide<LookAt::Default, &Behaviour::looking_>,
-      &provide<WalkTo::Default, &Behaviour::planning_>,
-      &provide<KickTo::Default, &Behaviour::planning_>,
-      &provide<Striker::Playing, &Behaviour::strategy_>,
-      &provide<Striker::Ready, &Behaviour::strategy_>,
-      &provide<Striker::Waiting, &Behaviour::strategy_>,
-      &provide<KickToGoal::Default, &Behaviour::strategy_>,
-      &provide<WalkToBall::Creeping, &Behaviour::strategy_>,
-      &provide<WalkToBall::Striding, &Behaviour::strategy_>,
-      &provide<WalkToBall::Searching, &Behaviour::strategy_>,
-      &provide<WalkToReady::Default, &Behaviour::strategy_>,
-      &provide<Look::Tracking, &Behaviour::strategy_>,
-      &provide<Look::Sweeping, &Behaviour::strategy_>,
-      &provide<LeftArm::Default, &Behaviour::limbs_>,
-      &provide<RightArm::Default, &Behaviour::limbs_>,
-      &provide<Head::Default, &Behaviour::limbs_>,
-      &provide<LeftLeg::Default, &Behaviour::servos_>,
-      &provide<RightLeg::Default, &Behaviour::servos_>,
-      &provide<LeftHipYaw::Default, &Behaviour::servos_>,
-      &provide<LeftKnee::Default, &Behaviour::servos_>,
-      &provide<LeftAnkle::Default, &Behaviour::servos_>,
-      &provide<RightHipYaw::Default, &Behaviour::servos_>,
-      &provide<RightKnee::Default, &Behaviour::servos_>,
-      &provide<RightAnkle::Default, &Behaviour::servos_>,
+      &provide<Brace::Default, Recovery, &Behaviour::recovery_>,
+      &provide<GetUp::Tucking, Recovery, &Behaviour::recovery_>,
+      &provide<GetUp::Pushing, Recovery, &Behaviour::recovery_>,
+      &provide<GetUp::Rising, Recovery, &Behaviour::recovery_>,
+      &provide<FallRecovery::Recovering, Safety, &Behaviour::safety_>,
+      &provide<FallRecovery::Protecting, Safety, &Behaviour::safety_>,
+      &provide<FallRecovery::Watching, Safety, &Behaviour::safety_>,
+      &provide<Walk::Walking, Locomotion, &Behaviour::locomotion_>,
+      &provide<Walk::Halting, Locomotion, &Behaviour::locomotion_>,
+      &provide<Kick::Default, Kicking, &Behaviour::kicking_>,
+      &provide<LookAt::Default, Looking, &Behaviour::looking_>,
+      &provide<WalkTo::Default, Planning, &Behaviour::planning_>,
+      &provide<KickTo::Default, Planning, &Behaviour::planning_>,
+      &provide<Striker::Playing, Strategy, &Behaviour::strategy_>,
+      &provide<Striker::Ready, Strategy, &Behaviour::strategy_>,
+      &provide<Striker::Waiting, Strategy, &Behaviour::strategy_>,
+      &provide<KickToGoal::Default, Strategy, &Behaviour::strategy_>,
+      &provide<WalkToBall::Creeping, Strategy, &Behaviour::strategy_>,
+      &provide<WalkToBall::Striding, Strategy, &Behaviour::strategy_>,
+      &provide<WalkToBall::Searching, Strategy, &Behaviour::strategy_>,
+      &provide<WalkToReady::Default, Strategy, &Behaviour::strategy_>,
+      &provide<Look::Tracking, Strategy, &Behaviour::strategy_>,
+      &provide<Look::Sweeping, Strategy, &Behaviour::strategy_>,
+      &provide<LeftArm::Default, Limbs, &Behaviour::limbs_>,
+      &provide<RightArm::Default, Limbs, &Behaviour::limbs_>,
+      &provide<Head::Default, Limbs, &Behaviour::limbs_>,
+      &provide<LeftLeg::Default, Servos, &Behaviour::servos_>,
+      &provide<RightLeg::Default, Servos, &Behaviour::servos_>,
+      &provide<LeftHipYaw::Default, Servos, &Behaviour::servos_>,
+      &provide<LeftKnee::Default, Servos, &Behaviour::servos_>,
+      &provide<LeftAnkle::Default, Servos, &Behaviour::servos_>,
+      &provide<RightHipYaw::Default, Servos, &Behaviour::servos_>,
+      &provide<RightKnee::Default, Servos, &Behaviour::servos_>,
+      &provide<RightAnkle::Default, Servos, &Behaviour::servos_>,
     };
     static constexpr std::array<void (*)(void*, director::Handling&), 24> starts{
       nullptr, // Brace
       nullptr, // GetUp
       nullptr, // FallRecovery
-      &start<Walk::Start, &Behaviour::locomotion_>,
+      &start<Walk::Start, Locomotion, &Behaviour::locomotion_>,
       nullptr, // Kick
       nullptr, // LookAt
       nullptr, // WalkTo
@@ -359,7 +363,7 @@ struct Bodies {
       nullptr, // Brace
       nullptr, // GetUp
       nullptr, // FallRecovery
-      &stop<Walk::Stop, &Behaviour::locomotion_>,
+      &stop<Walk::Stop, Locomotion, &Behaviour::locomotion_>,
       nullptr, // Kick
       nullptr, // LookAt
       nullptr, // WalkTo

@@ -28,22 +28,25 @@ static auto guarded([[maybe_unused]] Behaviour& behaviour, Call call, [[maybe_un
 #endif
 }
 
-template <class Context, auto module>
+// The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
+template <class Context, class Module, Module* Behaviour::*module>
 static director::Outcome provide(void* self, director::Run& run) {
+  constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
   Behaviour& behaviour = *static_cast<Behaviour*>(self);
   Context context{run, behaviour.data()};
   return guarded(
-      behaviour, [&] { return (behaviour.*module)->provide(context); }, [&] { return run.fault(); });
+      behaviour, [&] { return ((behaviour.*module)->*body)(context); }, [&] { return run.fault(); });
 }
 )";
 
 constexpr std::string_view handler = R"(
-template <class Context, auto module>
+template <class Context, class Module, Module* Behaviour::*module>
 static void {0}(void* self, director::Handling& handling) {{
+  constexpr void (Module::*body)(Context&) = &Module::{0};
   Behaviour& behaviour = *static_cast<Behaviour*>(self);
   Context context{{handling, behaviour.data()}};
   guarded(
-      behaviour, [&] {{ (behaviour.*module)->{0}(context); }}, [&] {{ handling.fault(); }});
+      behaviour, [&] {{ ((behaviour.*module)->*body)(context); }}, [&] {{ handling.fault(); }});
 }}
 )";
 
@@ -61,6 +64,11 @@ bool any_handler(const Model& model, std::optional<Handler> Group::*which) {
 
 bool any_data(const Model& model) {
   return std::any_of(model.groups.begin(), model.groups.end(), [](const Group& group) { return !group.data.empty(); });
+}
+
+/// A module's interface, and where the behaviour has it.
+std::string module_text(const Model& model, ModuleId module) {
+  return fmt::format("{}, &Behaviour::{}_", module_type(model, module), module_word(model, module));
 }
 
 void data_function(Code& code, const CppEmission& e) {
@@ -89,8 +97,7 @@ void handlers(Code& code, const CppEmission& e, std::string_view word, std::opti
     const Group& group = e.model.groups[id];
     const std::string name = group_name(e.model, id);
     if (group.*which) {
-      code.line(fmt::format("&{}<{}::{}, &Behaviour::{}_>,", word, name, type_name(word),
-                            module_word(e.model, group.module)));
+      code.line(fmt::format("&{}<{}::{}, {}>,", word, name, type_name(word), module_text(e.model, group.module)));
     } else {
       code.line(fmt::format("nullptr, // {}", name));
     }
@@ -104,8 +111,8 @@ void table_of_bodies(Code& code, const CppEmission& e) {
   code.open(fmt::format("static constexpr std::array<director::Outcome (*)(void*, director::Run&), {}> providers{{",
                         e.model.providers.size()));
   for (const ProviderId id : e.model.providers.ids()) {
-    code.line(fmt::format("&provide<{}, &Behaviour::{}_>,", provider_name(e.model, id),
-                          module_word(e.model, e.model.group_of(id).module)));
+    code.line(fmt::format("&provide<{}, {}>,", provider_name(e.model, id),
+                          module_text(e.model, e.model.group_of(id).module)));
   }
   code.close("};");
   handlers(code, e, "start", &Group::start);

@@ -78,7 +78,7 @@ TEST_CASE("a step without a time is there only where nothing uses time") {
 TEST_CASE("a column that says nothing is left out of a row") {
   const Emitted out = emitted("roots: [Lamp]\ngroups: {Lamp: {stop: true, tasks: [Bulb]}, Bulb: {}}\n");
   CHECK(has(out.source, "  {.requester = 0, .target = 1, .levels = {1, 2}}, // Lamp>Bulb\n"));
-  CHECK(has(out.source, "    &stop<Lamp::Stop, &Behaviour::test_>,\n      nullptr, // Bulb\n"));
+  CHECK(has(out.source, "    &stop<Lamp::Stop, Test, &Behaviour::test_>,\n      nullptr, // Bulb\n"));
 }
 
 TEST_CASE("the manifest says what was read, and where a generated line comes from") {
