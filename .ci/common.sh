@@ -20,7 +20,7 @@ fail() {
 packages_main=(g++:g++ cmake:cmake ninja:ninja-build dot:graphviz
                libyaml-cpp-dev libfmt-dev libcli11-dev nlohmann-json3-dev libboost1.74-dev)
 packages_test=(catch2 librapidcheck-dev nm:binutils make:make ccache:ccache)
-packages_clang=(clang++-19:clang-19)
+packages_asan=(clang++-19:clang-19 libclang-rt-19-dev)
 
 # missing_packages <package>...: those that are not installed, one a line. Without dpkg nobody can tell, so nothing is missing: CMake will say.
 missing_packages() {
