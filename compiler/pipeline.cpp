@@ -57,7 +57,7 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   if (out.resolved) out.graph = make_graph(out.model);
   if (checkable) {
     const checks::Facts facts = checks::find_facts(out.model, out.graph);
-    append(out.findings, checks::run_checks({out.model, out.graph, facts}));
+    append(out.findings, checks::run_checks(out.model, out.graph, facts));
   }
   out.lowerable = checkable && !stops_lowering(out.model, out.findings);
 

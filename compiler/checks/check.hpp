@@ -18,12 +18,14 @@ namespace director::checks {
 using namespace director::compiler; // a check speaks of nothing but groups, providers, states
 
 struct Facts;
+class Shared;
 
-/// What every check sees. The facts are computed once for all of them.
+/// What every check sees. The facts are computed once for all of them, and so is what is shared, if somebody asks.
 struct Input {
   const Model& model;
   const Graph& graph;
   const Facts& facts;
+  const Shared& shared;
 };
 
 /// Takes what one check finds.

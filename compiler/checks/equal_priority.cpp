@@ -1,13 +1,12 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
-#include "compiler/checks/analysis/claims.hpp"
-#include "compiler/checks/analysis/facts.hpp"
-#include "compiler/checks/analysis/meetings.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace director::checks {
 
@@ -26,12 +25,15 @@ struct Contest {
 /// So many groups are looked at closely for one pair of tasks; those with the shortest chains come first.
 constexpr std::size_t most_candidates = 50;
 
+std::vector<GroupId> in_common(const std::vector<GroupId>& a, const std::vector<GroupId>& b) {
+  std::vector<GroupId> out;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
 class ContestSearch {
 public:
-  ContestSearch(const Model& model, const Facts& facts)
-      : model_(model),
-        counts_([&facts](ProviderId id) { return facts.active.contains(id); }),
-        claims_(model.groups.size()) {}
+  explicit ContestSearch(const Shared& shared) : shared_(shared) {}
 
   /// The one with the shortest chains for which these two levels of two entries are equal.
   std::optional<Contest> find(const Meeting& meeting) {
@@ -45,12 +47,6 @@ public:
   }
 
 private:
-  const Claims& claims_of(GroupId task) {
-    std::optional<Claims>& claims = claims_[task];
-    if (!claims) claims.emplace(model_, task, counts_);
-    return *claims;
-  }
-
   static bool match(const Meeting& meeting, const Claim* a, Reach how_a, const Claim* b, Reach how_b) {
     if (a == nullptr || b == nullptr) return false;
     const bool first_optional = meeting.first_level.optional || how_a == Reach::optional;
@@ -62,9 +58,9 @@ private:
 
   std::vector<Contest> find_candidates(const Meeting& meeting) {
     std::vector<Contest> out;
-    const Claims& first = claims_of(meeting.first->target);
-    const Claims& second = claims_of(meeting.second->target);
-    for (const GroupId group : model_.groups.ids()) {
+    const Claims& first = shared_.claims(meeting.first->target);
+    const Claims& second = shared_.claims(meeting.second->target);
+    for (const GroupId group : in_common(first.groups(), second.groups())) {
       for (const Reach a : all_reaches) {
         for (const Reach b : all_reaches) {
           const Claim* x = first.find(group, a);
@@ -80,21 +76,19 @@ private:
   /// Two chains that have no group in common above the contested one: a group is held once, so else they would meet
   /// there.
   bool find_paths(const Meeting& meeting, Contest& contest) {
-    contest.first_path = claims_of(meeting.first->target).path(contest.group, contest.first);
+    contest.first_path = shared_.claims(meeting.first->target).path(contest.group, contest.first);
     std::vector<GroupId> above;
     for (const ClaimStep& step : contest.first_path) above.push_back(step.from);
     if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return false;
-    const Claims second(model_, meeting.second->target, counts_, above);
-    const Claim* ours = claims_of(meeting.first->target).find(contest.group, contest.first);
+    const Claims second(shared_.branches(), meeting.second->target, above);
+    const Claim* ours = shared_.claims(meeting.first->target).find(contest.group, contest.first);
     const Claim* theirs = second.find(contest.group, contest.second);
     if (!match(meeting, ours, contest.first, theirs, contest.second)) return false;
     contest.second_path = second.path(contest.group, contest.second);
     return true;
   }
 
-  const Model& model_;
-  std::function<bool(ProviderId)> counts_;
-  IdTable<GroupId, std::optional<Claims>> claims_;
+  const Shared& shared_;
 };
 
 void add_path(const Model& model, const std::vector<ClaimStep>& path, Diagnostic& finding) {
@@ -136,9 +130,8 @@ void look_at(const Model& model, const Together& together, const Task& first, co
 
 void equal_priority(const Input& input, Findings& findings) {
   const Model& model = input.model;
-  ContestSearch search(model, input.facts);
-  for (const Together& together :
-       find_together(model, [&](ProviderId id) { return input.facts.active.contains(id); })) {
+  ContestSearch search(input.shared);
+  for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
     for (std::size_t j = 1; j < tasks.size(); ++j) {
       for (std::size_t i = 0; i < j; ++i) {

@@ -11,22 +11,31 @@ namespace director::checks {
 
 namespace {
 
-bool is_served(const Graph& graph, ProviderId waiter, const ConditionUse& condition) {
-  return std::any_of(graph.causing.begin(), graph.causing.end(), [&](const Graph::Causing& arrow) {
-    return arrow.waiter == waiter && arrow.condition.id == condition.id;
-  });
+/// Providers with a promise about each state, in order.
+IdTable<StateId, std::vector<ProviderId>> find_promisers(const Model& model) {
+  IdTable<StateId, std::vector<ProviderId>> out(model.states.size());
+  for (const ProviderId id : model.providers.ids()) {
+    for (const ConditionUse& promise : model.providers[id].causing) {
+      std::vector<ProviderId>& row = out[model.conditions[promise.id].state];
+      if (row.empty() || row.back() != id) row.push_back(id);
+    }
+  }
+  return out;
 }
 
 } // namespace
 
 void imprecise_causing(const Input& input, Findings& findings) {
   const Model& model = input.model;
+  const auto promisers = find_promisers(model);
   for (const ProviderId waiter : model.providers.ids()) {
     if (!input.facts.requested.contains(model.providers[waiter].group)) continue;
     for (const ConditionUse& condition : model.providers[waiter].when) {
       const Condition& wanted = model.conditions[condition.id];
-      if (is_served(input.graph, waiter, condition)) continue;
-      for (const ProviderId causer : model.providers.ids()) {
+      const std::vector<ProviderId>& causers = promisers[wanted.state];
+      if (std::any_of(causers.begin(), causers.end(), [&](ProviderId id) { return model.causes(id, condition.id); }))
+        continue;
+      for (const ProviderId causer : causers) {
         if (model.providers[causer].group == model.providers[waiter].group) continue;
         for (const ConditionUse& use : model.providers[causer].causing) {
           const Condition& promise = model.conditions[use.id];

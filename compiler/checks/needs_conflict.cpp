@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/needs_conflict.md.
 #include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -22,16 +23,16 @@ struct Clash {
 };
 
 /// The one with the shortest chains, of these the first.
-std::optional<Clash> find_clash(const Model& model, const Provider& provider,
-                                const IdTable<GroupId, IdSet<GroupId>>& indispensable) {
+std::optional<Clash> find_clash(const Model& model, const Provider& provider, const Indispensable& indispensable) {
   std::optional<Clash> best;
   std::size_t length = 0;
   for (std::size_t j = 1; j < provider.needs.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
       const Use<GroupId>& a = provider.needs[i];
       const Use<GroupId>& b = provider.needs[j];
-      for (const GroupId group : model.groups.ids()) {
-        if (!indispensable[a.id].contains(group) || !indispensable[b.id].contains(group)) continue;
+      if (!indispensable.of(a.id) || !indispensable.of(b.id)) continue; // a cycle, reported as one
+      for (const GroupId group : *indispensable.of(a.id)) {
+        if (!indispensable.contains(b.id, group)) continue;
         Clash clash{&a, &b, group, need_path(model, a.id, group), need_path(model, b.id, group)};
         const std::size_t steps = clash.from_first.size() + clash.from_second.size();
         if (best && steps >= length) continue;
@@ -93,9 +94,8 @@ void needs_conflict(const Input& input, Findings& findings) {
   const Model& model = input.model;
   const std::vector<ProviderId> conflicts = find_need_conflicts(model, input.facts);
   if (conflicts.empty()) return;
-  const auto indispensable = indispensable_groups(model);
   for (const ProviderId id : conflicts) {
-    if (const auto clash = find_clash(model, model.providers[id], indispensable)) {
+    if (const auto clash = find_clash(model, model.providers[id], input.shared.indispensable())) {
       report_clash(model, id, *clash, findings);
     } else if (input.facts.plans[id] == PlanVerdict::none) {
       report_crowd(model, id, findings);

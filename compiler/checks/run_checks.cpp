@@ -1,6 +1,8 @@
 // Door: compiler/checks/run_checks.hpp. Test: tests/checks/run_checks_test.cpp.
 #include "compiler/checks/run_checks.hpp"
 
+#include "compiler/checks/analysis/shared.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -64,7 +66,9 @@ Level level_of(const Registered& check) {
   throw std::logic_error(fmt::format("{}.md says no level", check.id));
 }
 
-std::vector<Diagnostic> run_checks(const Input& input) {
+std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts) {
+  const Shared shared(model, graph, facts);
+  const Input input{model, graph, facts, shared};
   std::vector<Diagnostic> all;
   for (const Registered& check : registered()) {
     if (check.run == nullptr) continue;

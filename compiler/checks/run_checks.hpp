@@ -17,7 +17,7 @@ struct Selection {
 };
 
 /// Everything that the checks find, lints too, sorted by place; nothing suppressed.
-std::vector<dsl::Diagnostic> run_checks(const Input& input);
+std::vector<dsl::Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts);
 
 /// Drops what an `allow` covers. With `all_checks_ran`, an `allow` that covered nothing is a finding of its own;
 /// without, it may be meant for a check that did not come to its turn.

@@ -1,13 +1,9 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/self_conflict.md.
-#include "compiler/checks/analysis/claims.hpp"
-#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
-
-#include <map>
-#include <utility>
 
 namespace director::checks {
 
@@ -28,16 +24,8 @@ public:
   }
 
 private:
-  /// What a task may claim while its requester runs: nothing goes through that again.
-  const Claims& claims_of(GroupId task, GroupId requester) {
-    const auto at = claims_.find({task, requester});
-    if (at != claims_.end()) return at->second;
-    const auto counts = [&](ProviderId id) { return input_.facts.active.contains(id); };
-    return claims_.emplace(std::pair{task, requester}, Claims(input_.model, task, counts, {requester})).first->second;
-  }
-
   bool report(const Provider& provider, const Task& task, const Use<GroupId>& need) {
-    const Claims& claims = claims_of(task.target, provider.group);
+    const Claims& claims = input_.shared.claims(task.target, provider.group);
     for (const Reach reach : {Reach::own, Reach::mandatory}) {
       const Claim* claim = claims.find(need.id, reach);
       if (claim == nullptr || !compatible(claim->region, active_region(input_.model, provider))) continue;
@@ -59,7 +47,6 @@ private:
 
   const Input& input_;
   Findings& findings_;
-  std::map<std::pair<GroupId, GroupId>, Claims> claims_;
 };
 
 } // namespace

@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
 #include "compiler/checks/analysis/choice.hpp"
 #include "compiler/checks/analysis/facts.hpp"
-#include "compiler/checks/analysis/promises.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -24,8 +24,8 @@ std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const s
 void shadowed_provider(const Input& input, Findings& findings) {
   const Model& model = input.model;
   const Facts& facts = input.facts;
-  const Rivals rivals(model, input.graph);
-  const Promises promises = find_promises(input);
+  const Rivals& rivals = input.shared.rivals();
+  const Promises& promises = input.shared.promises();
   for (const ProviderId id : model.providers.ids()) {
     const Provider& provider = model.providers[id];
     if (!facts.requested.contains(provider.group) || !facts.capable.contains(id) || facts.active.contains(id)) continue;

@@ -1,15 +1,11 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/sibling_starvation.md.
-#include "compiler/checks/analysis/claims.hpp"
-#include "compiler/checks/analysis/facts.hpp"
-#include "compiler/checks/analysis/plans.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 namespace director::checks {
 
@@ -24,10 +20,7 @@ std::optional<std::int32_t> rank_in_unit(const Model& model, const Task& task) {
 
 class Starvation {
 public:
-  Starvation(const Input& input, Findings& findings)
-      : input_(input),
-        findings_(findings),
-        indispensable_(indispensable_groups(input.model)) {}
+  Starvation(const Input& input, Findings& findings) : input_(input), findings_(findings) {}
 
   void look_at(GroupId requester, const Pack& pack) {
     for (const Task& taker : pack.tasks) {
@@ -40,24 +33,16 @@ public:
   }
 
 private:
-  /// What a task may claim while its requester runs: nothing goes through that again.
-  const Claims& claims_of(GroupId task, GroupId requester) {
-    const auto at = claims_.find({task, requester});
-    if (at != claims_.end()) return at->second;
-    const auto counts = [&](ProviderId id) { return input_.facts.active.contains(id); };
-    return claims_.emplace(std::pair{task, requester}, Claims(input_.model, task, counts, {requester})).first->second;
-  }
-
   void report(GroupId requester, const Task& taker, const Task& sibling) {
     const Model& model = input_.model;
-    const Claims& below = claims_of(sibling.target, requester);
-    const Claims& own = claims_of(taker.target, requester);
+    const Claims& below = input_.shared.claims(sibling.target, requester);
+    const Claims& own = input_.shared.claims(taker.target, requester);
     const Claim* nearest = nullptr;
     GroupId group{};
-    for (const GroupId id : model.groups.ids()) {
+    for (const GroupId id : own.groups()) {
       const Claim* wanted = below.find(id, Reach::mandatory);
       const Claim* held = own.find(id, Reach::own);
-      if (wanted == nullptr || held == nullptr || !indispensable_[taker.target].contains(id)) continue;
+      if (wanted == nullptr || held == nullptr || !input_.shared.indispensable().contains(taker.target, id)) continue;
       if (!compatible(wanted->region, held->region) || (nearest != nullptr && nearest->steps <= wanted->steps))
         continue;
       nearest = wanted;
@@ -88,8 +73,6 @@ private:
 
   const Input& input_;
   Findings& findings_;
-  IdTable<GroupId, IdSet<GroupId>> indispensable_;
-  std::map<std::pair<GroupId, GroupId>, Claims> claims_;
 };
 
 } // namespace

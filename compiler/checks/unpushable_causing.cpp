@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unpushable_causing.md.
 #include "compiler/checks/analysis/facts.hpp"
 #include "compiler/checks/analysis/meetings.hpp"
-#include "compiler/checks/analysis/promises.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -96,9 +96,8 @@ void report(const Input& input, const Chains& chains, const NeverKept& promise, 
 } // namespace
 
 void unpushable_causing(const Input& input, Findings& findings) {
-  const Chains chains(input.model, [&](ProviderId id) { return input.facts.active.contains(id); });
-  for (const NeverKept& promise : find_promises(input).never_kept) {
-    if (!promise.pushable) report(input, chains, promise, findings);
+  for (const NeverKept& promise : input.shared.promises().never_kept) {
+    if (!promise.pushable) report(input, input.shared.chains(), promise, findings);
   }
 }
 

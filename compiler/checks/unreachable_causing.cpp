@@ -1,5 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unreachable_causing.md.
-#include "compiler/checks/analysis/promises.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -9,7 +9,7 @@ namespace director::checks {
 
 void unreachable_causing(const Input& input, Findings& findings) {
   const Model& model = input.model;
-  for (const NeverKept& promise : find_promises(input).never_kept) {
+  for (const NeverKept& promise : input.shared.promises().never_kept) {
     if (!promise.pushable) continue;
     dsl::Diagnostic& finding = findings.add(
         promise.promise.span, fmt::format("{} can never run, so nothing ever causes {}", name_of(model, promise.causer),

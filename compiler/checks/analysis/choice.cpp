@@ -31,7 +31,7 @@ IdSet<GroupId> find_claimable(const Model& model, const Graph& graph) {
 struct Availability {
   const Model& model;
   IdSet<GroupId> claimable;
-  IdTable<GroupId, IdSet<GroupId>> indispensable;
+  const Indispensable* indispensable; ///< nothing: nobody needs anything
 
   /// Somebody but `needer` may hold it.
   bool is_contended(GroupId group, GroupId needer) const {
@@ -52,7 +52,7 @@ struct Availability {
   bool can_be_had(GroupId group, GroupId needer, ProviderId provider, std::vector<GroupId>& path) const {
     const auto& needs = model.providers[provider].needs;
     if (std::any_of(needs.begin(), needs.end(),
-                    [&](const auto& need) { return indispensable[need.id].contains(group); }))
+                    [&](const auto& need) { return indispensable->contains(need.id, group); }))
       return true;
     if (is_contended(group, needer) || std::find(path.begin(), path.end(), group) != path.end()) return false;
     path.push_back(group);
@@ -114,8 +114,8 @@ private:
 Rivals::Rivals(const Model& model, const Graph& graph) : rivals_(model.providers.size()) {
   const bool any_needs = std::any_of(model.providers.begin(), model.providers.end(),
                                      [](const Provider& provider) { return !provider.needs.empty(); });
-  const Availability availability{model, find_claimable(model, graph),
-                                  any_needs ? indispensable_groups(model) : IdTable<GroupId, IdSet<GroupId>>{}};
+  const std::optional<Indispensable> indispensable = any_needs ? std::optional<Indispensable>(model) : std::nullopt;
+  const Availability availability{model, find_claimable(model, graph), indispensable ? &*indispensable : nullptr};
   for (const Group& group : model.groups) {
     // Two needs of one provider may come down to the same thing, and then a later choice has to serve.
     const bool is_needed = std::any_of(group.requesters.begin(), group.requesters.end(),

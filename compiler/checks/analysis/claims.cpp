@@ -8,15 +8,6 @@ namespace director::checks {
 
 namespace {
 
-/// One way down from a group, and the states under which it is open.
-struct Branch {
-  GroupId to{};
-  bool by_need = false;
-  bool mandatory = false, optional = false; ///< levels of a request; a need is neither
-  Span span{};
-  Region region;
-};
-
 std::vector<Branch> branches_of(const Model& model, GroupId group, const std::function<bool(ProviderId)>& counts) {
   std::vector<Branch> out;
   for (const ProviderId id : model.groups[group].providers) {
@@ -49,49 +40,63 @@ Region grantable_region(const Model& model, GroupId group, const std::function<b
 
 } // namespace
 
-Claims::Claims(const Model& model, GroupId task, const std::function<bool(ProviderId)>& counts,
-               const std::vector<GroupId>& without) {
-  for (auto& table : claims_) table = IdTable<GroupId, std::optional<Claim>>(model.groups.size());
-  IdTable<GroupId, std::optional<std::vector<Branch>>> branches(model.groups.size());
-  IdTable<GroupId, std::optional<Region>> grantable(model.groups.size());
-  const auto region_at = [&](GroupId group) -> const Region& {
-    if (!grantable[group]) grantable[group] = grantable_region(model, group, counts);
-    return *grantable[group];
-  };
+Branches::Branches(const Model& model, std::function<bool(ProviderId)> counts)
+    : model_(model),
+      counts_(std::move(counts)),
+      from_(model.groups.size()),
+      grantable_(model.groups.size()) {}
+
+const std::vector<Branch>& Branches::from(GroupId group) const {
+  if (!from_[group]) from_[group] = branches_of(model_, group, counts_);
+  return *from_[group];
+}
+
+const Region& Branches::grantable(GroupId group) const {
+  if (!grantable_[group]) grantable_[group] = grantable_region(model_, group, counts_);
+  return *grantable_[group];
+}
+
+Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without) {
   std::deque<std::pair<GroupId, Reach>> open;
 
   // First in, first out: the first way to a group is a shortest one. A group whose region grows is gone through again.
-  claims_[0][task] = Claim{region_at(task), {}, false, {}, Reach::own, 0};
+  claims_[0].emplace(task, Claim{branches.grantable(task), {}, false, {}, Reach::own, 0});
   open.emplace_back(task, Reach::own);
   while (!open.empty()) {
     const auto [group, reach] = open.front();
     open.pop_front();
-    if (!branches[group]) branches[group] = branches_of(model, group, counts);
-    const Claim here = *claims_[static_cast<std::size_t>(reach)][group];
+    const Claim here = *find(group, reach); // a copy: it may grow on the way round
     const auto go = [&](const Branch& branch, Reach next) {
       Region region = here.region;
       region.meet(branch.region);
-      region.meet(region_at(branch.to));
+      region.meet(branches.grantable(branch.to));
       if (region.empty()) return;
-      std::optional<Claim>& there = claims_[static_cast<std::size_t>(next)][branch.to];
-      if (!there) {
+      const auto [at, is_new] = claims_[static_cast<std::size_t>(next)].try_emplace(branch.to);
+      Claim& there = at->second;
+      if (is_new) {
         there = Claim{std::move(region), {group}, branch.by_need, branch.span, reach, here.steps + 1};
         open.emplace_back(branch.to, next);
         return;
       }
-      if (std::find(there->from.begin(), there->from.end(), group) == there->from.end()) there->from.push_back(group);
-      Region more = hull(there->region, region);
-      if (more.states == there->region.states) return;
-      there->region = std::move(more);
+      if (std::find(there.from.begin(), there.from.end(), group) == there.from.end()) there.from.push_back(group);
+      Region more = hull(there.region, region);
+      if (more.states == there.region.states) return;
+      there.region = std::move(more);
       open.emplace_back(branch.to, next);
     };
-    for (const Branch& branch : *branches[group]) {
+    for (const Branch& branch : branches.from(group)) {
       if (branch.to == group || std::find(without.begin(), without.end(), branch.to) != without.end()) continue;
       if (branch.by_need) go(branch, reach);
       if (branch.mandatory) go(branch, reach == Reach::optional ? Reach::optional : Reach::mandatory);
       if (branch.optional) go(branch, Reach::optional);
     }
   }
+
+  for (const auto& claims : claims_) {
+    for (const auto& [group, claim] : claims) groups_.push_back(group);
+  }
+  std::sort(groups_.begin(), groups_.end());
+  groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
 }
 
 std::vector<ClaimStep> Claims::path(GroupId group, Reach reach) const {

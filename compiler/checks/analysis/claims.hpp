@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace director::checks {
@@ -29,6 +30,30 @@ struct Claim {
   std::size_t steps = 0;         ///< on a shortest way
 };
 
+/// One way down from a group, and the states under which it is open.
+struct Branch {
+  GroupId to{};
+  bool by_need = false;
+  bool mandatory = false, optional = false; ///< levels of a request; a need is neither
+  Span span{};
+  Region region;
+};
+
+/// The ways down from each group, by providers that count. Found when they are asked for.
+class Branches {
+public:
+  Branches(const Model& model, std::function<bool(ProviderId)> counts);
+  const std::vector<Branch>& from(GroupId group) const;
+  /// Where some provider of the group that counts can be active.
+  const Region& grantable(GroupId group) const;
+
+private:
+  const Model& model_;
+  std::function<bool(ProviderId)> counts_;
+  mutable IdTable<GroupId, std::optional<std::vector<Branch>>> from_;
+  mutable IdTable<GroupId, std::optional<Region>> grantable_;
+};
+
 /// One step down: a group that needs or requests the next.
 struct ClaimStep {
   GroupId from{}, to{};
@@ -38,20 +63,23 @@ struct ClaimStep {
 
 class Claims {
 public:
-  /// Only by providers that count, and through no group of `without`.
-  Claims(const Model& model, GroupId task, const std::function<bool(ProviderId)>& counts,
-         const std::vector<GroupId>& without = {});
+  /// Through no group of `without`.
+  Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without = {});
 
   /// Nothing: never.
   const Claim* find(GroupId group, Reach reach) const {
-    const std::optional<Claim>& claim = claims_[static_cast<std::size_t>(reach)][group];
-    return claim ? &*claim : nullptr;
+    const auto& claims = claims_[static_cast<std::size_t>(reach)];
+    const auto at = claims.find(group);
+    return at == claims.end() ? nullptr : &at->second;
   }
+  /// All that there is a claim to, in order.
+  const std::vector<GroupId>& groups() const { return groups_; }
   /// A shortest way to the group; empty for the task's own.
   std::vector<ClaimStep> path(GroupId group, Reach reach) const;
 
 private:
-  IdTable<GroupId, std::optional<Claim>> claims_[3];
+  std::unordered_map<GroupId, Claim> claims_[3];
+  std::vector<GroupId> groups_;
 };
 
 } // namespace director::checks

@@ -20,6 +20,7 @@ public:
       : model_(model),
         graph_(graph),
         sources_(find_sources(model)),
+        causers_(find_causers(model)),
         rivals_(model, graph) {
     const std::size_t groups = model.groups.size(), providers = model.providers.size();
     facts_.declared = facts_.values = IdTable<StateId, ValueSet>(model.states.size());
@@ -37,8 +38,12 @@ public:
     }
     for (const Task& root : model_.roots) facts_.requested.add(root.target);
     do {
-      changed_ = false;
-      take_one_round();
+      // Who may push whom takes the longest: it is asked only where all else has settled.
+      do {
+        changed_ = false;
+        take_one_round();
+      } while (changed_);
+      find_pushed();
     } while (changed_);
     return std::move(facts_);
   }
@@ -77,7 +82,6 @@ private:
     // What is needed comes last in the graph's order, and its capability first.
     for (auto node = graph_.order.rbegin(); node != graph_.order.rend(); ++node) find_capable(GroupId{*node});
     for (const Node node : graph_.order) find_active(GroupId{node});
-    find_pushed();
   }
 
   bool acts(const Source& source) const {
@@ -124,8 +128,8 @@ private:
 
   std::vector<StateId> mended_states(ProviderId id) const {
     std::vector<StateId> out;
-    for (const Impossible& fault : facts_.impossible) {
-      if (fault.provider == id && !fault.stay) out.push_back(fault.state);
+    for (const Impossible& fault : facts_.impossible_of(id)) {
+      if (!fault.stay) out.push_back(fault.state);
     }
     return out;
   }
@@ -156,13 +160,15 @@ private:
     const Chains chains(model_, [&](ProviderId id) { return facts_.active.contains(id); });
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
-      for (const ProviderId id : find_push_goals(model_, facts_, chains, waiter).pushable) add(facts_.pushed, id);
+      for (const ProviderId id : find_push_goals(model_, facts_, chains, causers_, waiter).pushable)
+        add(facts_.pushed, id);
     }
   }
 
   const Model& model_;
   const Graph& graph_;
   IdTable<StateId, std::vector<Source>> sources_;
+  Causers causers_;
   Rivals rivals_;
   Facts facts_;
   bool changed_ = false;
@@ -170,10 +176,17 @@ private:
 
 } // namespace
 
+std::span<const Impossible> Facts::impossible_of(ProviderId provider) const {
+  const auto [first, last] =
+      std::equal_range(impossible.begin(), impossible.end(), Impossible{provider, false, {}, {}, {}},
+                       [](const Impossible& a, const Impossible& b) { return a.provider < b.provider; });
+  return {first, last};
+}
+
 bool Facts::is_impossible(ProviderId provider, StateId state) const {
-  return std::any_of(impossible.begin(), impossible.end(), [&](const Impossible& fault) {
-    return fault.provider == provider && !fault.stay && fault.state == state;
-  });
+  const std::span<const Impossible> faults = impossible_of(provider);
+  return std::any_of(faults.begin(), faults.end(),
+                     [&](const Impossible& fault) { return !fault.stay && fault.state == state; });
 }
 
 bool Facts::may_hold(const Model& model, ProviderId provider, const ConditionUse& use) const {

@@ -8,6 +8,7 @@
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 
+#include <span>
 #include <vector>
 
 namespace director::checks {
@@ -31,7 +32,7 @@ struct Impossible {
 
 struct Facts {
   IdTable<StateId, ValueSet> declared; ///< what any source names, whether or not it can ever act
-  std::vector<Impossible> impossible;
+  std::vector<Impossible> impossible;  ///< in order of provider
   IdTable<ProviderId, PlanVerdict> plans;
 
   IdTable<StateId, ValueSet> values; ///< that the state may have
@@ -42,6 +43,7 @@ struct Facts {
   IdSet<ProviderId> pushed;  ///< somebody may push it
   IdSet<ProviderId> active;  ///< its group requested, and it is chosen or pushed and capable
 
+  std::span<const Impossible> impossible_of(ProviderId provider) const;
   /// Of this provider's `when`, the conditions on this state are reported as impossible.
   bool is_impossible(ProviderId provider, StateId state) const;
   /// It may hold. True also for what is reported as impossible.

@@ -2,16 +2,11 @@
 #include "compiler/checks/analysis/meetings.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace director::checks {
 
 namespace {
-
-/// A request below which only optional edges lead on.
-struct Step {
-  GroupId group{};
-  bool optional = false;
-};
 
 bool has_mandatory(const Edge& edge) {
   return std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return !level.optional; });
@@ -37,49 +32,15 @@ Chains::Chains(const Model& model, std::function<bool(ProviderId)> counts)
     : model_(model),
       counts_(std::move(counts)),
       together_(find_together(model, counts_)),
-      entries_(model.groups.size()),
-      below_(model.groups.size()) {
+      entries_(model.groups.size()) {
   for (const Together& together : together_) {
     for (const Task& task : *together.tasks) entries_[task.target.value].emplace_back(&together, &task);
   }
 }
 
-const Chains::Below& Chains::below(GroupId group) const {
-  std::optional<Below>& out = below_[group];
-  if (out) return *out;
-  const std::size_t count = model_.groups.size();
-  out = Below{IdSet<GroupId>(count), IdSet<GroupId>(count)};
-  // A needed group leads on as well (it may still run for an older request), but it is not requested by being needed.
-  IdSet<GroupId> seen[2] = {IdSet<GroupId>(count), IdSet<GroupId>(count)};
-  std::vector<Step> open{{group, false}};
-  seen[0].add(group);
-  out->mandatory.add(group);
-  while (!open.empty()) {
-    const Step step = open.back();
-    open.pop_back();
-    const auto reach = [&](GroupId target, bool optional, bool requested) {
-      if (requested) (optional ? out->optional : out->mandatory).add(target);
-      if (seen[optional ? 1 : 0].add(target)) open.push_back({target, optional});
-    };
-    for (const ProviderId id : model_.groups[step.group].providers) {
-      if (!counts_(id)) continue;
-      const Provider& provider = model_.providers[id];
-      for (const Use<GroupId>& need : provider.needs) reach(need.id, step.optional, false);
-      for (const Pack& pack : provider.packs) {
-        for (const Task& task : pack.tasks) {
-          const Edge& edge = model_.edges[task.edge];
-          if (has_mandatory(edge)) reach(task.target, step.optional, true);
-          if (has_optional(edge)) reach(task.target, true, true);
-        }
-      }
-    }
-  }
-  return *out;
-}
-
 std::vector<Chains::Above> Chains::above(GroupId waiter) const {
   std::vector<Above> out{{waiter, false}};
-  IdSet<GroupId> seen[2] = {IdSet<GroupId>(model_.groups.size()), IdSet<GroupId>(model_.groups.size())};
+  SparseSet<GroupId> seen[2];
   seen[0].add(waiter);
   for (std::size_t next = 0; next < out.size(); ++next) {
     const Above here = out[next];
@@ -94,43 +55,88 @@ std::vector<Chains::Above> Chains::above(GroupId waiter) const {
       if (has_optional(edge)) reach(requester, true);
     }
     if (here.group == waiter) continue; // a task that waits was requested, not only needed
+    // What is needed leads on as well: it may still run for an older request.
     for (const EdgeId id : model_.groups[here.group].requesters) {
-      if (model_.edges[id].needed) reach(*model_.edges[id].requester, here.optional);
+      if (model_.edges[id].needed && is_needed_by(*model_.edges[id].requester, here.group))
+        reach(*model_.edges[id].requester, here.optional);
     }
   }
   return out;
 }
 
-/// At one level of each entry, what lies below the second one's.
-void Chains::visit_pair(Meeting& meeting, bool optional_above, const std::vector<GroupId>& others,
+bool Chains::is_needed_by(GroupId requester, GroupId group) const {
+  const std::vector<ProviderId>& providers = model_.groups[requester].providers;
+  return std::any_of(providers.begin(), providers.end(), [&](ProviderId id) {
+    const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
+    return counts_(id) &&
+           std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return need.id == group; });
+  });
+}
+
+const std::vector<Chains::Entry>& Chains::entries_above(GroupId group) const {
+  const auto [at, is_new] = entries_above_.try_emplace(group);
+  std::vector<Entry>& out = at->second;
+  if (!is_new) return out;
+  for (const Above& here : above(group)) {
+    for (const auto& [together, task] : entries_[here.group.value])
+      out.push_back({together, task, !here.optional, here.optional});
+  }
+  std::sort(out.begin(), out.end(),
+            [](const Entry& a, const Entry& b) { return std::tie(a.together, a.task) < std::tie(b.together, b.task); });
+  const auto merge = [&](Entry& kept, const Entry& next) {
+    if (kept.together != next.together || kept.task != next.task) return false;
+    kept.mandatory = kept.mandatory || next.mandatory;
+    kept.optional = kept.optional || next.optional;
+    return true;
+  };
+  std::size_t count = 0;
+  for (const Entry& entry : out) {
+    if (count == 0 || !merge(out[count - 1], entry)) out[count++] = entry;
+  }
+  out.resize(count);
+  return out;
+}
+
+/// At one level of each entry.
+void Chains::visit_pair(Meeting& meeting, bool optional_above, const Entry& second, GroupId other,
                         const std::function<void(const Meeting&, GroupId other)>& visitor) const {
-  const Below& reached = below(meeting.second->target);
   meeting.first_optional = optional_above || meeting.first_level.optional;
+  if (second.mandatory) {
+    meeting.second_optional = meeting.second_level.optional;
+    visitor(meeting, other);
+  }
+  if (second.optional) {
+    meeting.second_optional = true;
+    visitor(meeting, other);
+  }
+}
+
+std::vector<std::pair<const Chains::Entry*, GroupId>>
+Chains::siblings(const Together& together, const Task& task, GroupId waiter, const std::vector<GroupId>& others) const {
+  std::vector<std::pair<const Entry*, GroupId>> out;
   for (const GroupId other : others) {
-    if (reached.mandatory.contains(other)) {
-      meeting.second_optional = meeting.second_level.optional;
-      visitor(meeting, other);
-    }
-    if (reached.optional.contains(other)) {
-      meeting.second_optional = true;
-      visitor(meeting, other);
+    if (other == waiter) continue;
+    const std::vector<Entry>& entries = entries_above(other);
+    auto at = std::lower_bound(entries.begin(), entries.end(), &together,
+                               [](const Entry& entry, const Together* place) { return entry.together < place; });
+    for (; at != entries.end() && at->together == &together; ++at) {
+      if (at->task->target != task.target) out.emplace_back(&*at, other);
     }
   }
+  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.first->task < b.first->task; });
+  return out;
 }
 
 void Chains::visit(GroupId waiter, const std::vector<GroupId>& others,
                    const std::function<void(const Meeting&, GroupId other)>& visitor) const {
-  std::vector<GroupId> but_the_waiter = others;
-  but_the_waiter.erase(std::remove(but_the_waiter.begin(), but_the_waiter.end(), waiter), but_the_waiter.end());
   for (const Above& here : above(waiter)) {
     for (const auto& [together, first] : entries_[here.group.value]) {
-      for (const Task& second : *together->tasks) {
-        if (second.target == first->target) continue;
+      for (const auto& [second, other] : siblings(*together, *first, waiter, others)) {
         for (const Task::NamedLevel& a : first->levels) {
-          for (const Task::NamedLevel& b : second.levels) {
-            Meeting meeting{together, first, &second, model_.edges[first->edge].levels[a.level],
-                            model_.edges[second.edge].levels[b.level]};
-            visit_pair(meeting, here.optional, but_the_waiter, visitor);
+          for (const Task::NamedLevel& b : second->task->levels) {
+            Meeting meeting{together, first, second->task, model_.edges[first->edge].levels[a.level],
+                            model_.edges[second->task->edge].levels[b.level]};
+            visit_pair(meeting, here.optional, *second, other, visitor);
           }
         }
       }
@@ -138,12 +144,39 @@ void Chains::visit(GroupId waiter, const std::vector<GroupId>& others,
   }
 }
 
-IdSet<GroupId> Chains::beaten_by(GroupId waiter, const std::vector<GroupId>& others) const {
-  IdSet<GroupId> out(model_.groups.size());
-  visit(waiter, others, [&](const Meeting& meeting, GroupId other) {
-    if (other == meeting.second->target && meeting.one_unit()) return;
-    if (meeting.first_goes_before()) out.add(other);
-  });
+bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) const {
+  for (const Task::NamedLevel& a : waiting.task->levels) {
+    for (const Task::NamedLevel& b : entry.task->levels) {
+      Meeting meeting{waiting.together, waiting.task, entry.task, model_.edges[waiting.task->edge].levels[a.level],
+                      model_.edges[entry.task->edge].levels[b.level]};
+      if (other == entry.task->target && meeting.one_unit()) continue;
+      // To have no optional edge above it only helps the one, and one only helps the other.
+      meeting.first_optional = meeting.first_level.optional || !waiting.mandatory;
+      meeting.second_optional = meeting.second_level.optional || entry.optional;
+      if (meeting.first_goes_before()) return true;
+    }
+  }
+  return false;
+}
+
+bool Chains::may_beat(GroupId waiter, GroupId other) const {
+  const std::vector<Entry>& ours = entries_above(waiter);
+  const std::vector<Entry>& theirs = entries_above(other);
+  auto first = theirs.begin();
+  for (const Entry& waiting : ours) {
+    while (first != theirs.end() && first->together < waiting.together) ++first;
+    for (auto at = first; at != theirs.end() && at->together == waiting.together; ++at) {
+      if (at->task->target != waiting.task->target && beats(waiting, *at, other)) return true;
+    }
+  }
+  return false;
+}
+
+SparseSet<GroupId> Chains::beaten_by(GroupId waiter, const std::vector<GroupId>& others) const {
+  SparseSet<GroupId> out;
+  for (const GroupId other : others) {
+    if (other != waiter && may_beat(waiter, other)) out.add(other);
+  }
   return out;
 }
 

@@ -2,9 +2,12 @@
 // Who goes before whom (semantics.md, 4.1, rules 1 to 4): two tasks meet below their closest common requester, at two
 // entries of one pack, of one flat list, or of the roots, and the ranks of these two decide.
 
+#include "compiler/checks/analysis/sparse_set.hpp"
 #include "compiler/model/model.hpp"
 
 #include <functional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace director::checks {
@@ -48,37 +51,44 @@ class Chains {
 public:
   Chains(const Model& model, std::function<bool(ProviderId)> counts);
 
-  /// Groups that a chain leads to which begins at a request for this one: without an optional edge, with one, or both.
-  /// The group itself is reached without.
-  struct Below {
-    IdSet<GroupId> mandatory, optional;
-  };
-  const Below& below(GroupId group) const;
-
   /// Every way in which a task for `waiter` and a request for one of `others` meet.
   void visit(GroupId waiter, const std::vector<GroupId>& others,
              const std::function<void(const Meeting&, GroupId other)>& visitor) const;
 
   /// Those of `others` that a task for `waiter` may push: requested by an edge that it may go before, and not granted
   /// with it or with what is above it in one unit.
-  IdSet<GroupId> beaten_by(GroupId waiter, const std::vector<GroupId>& others) const;
+  SparseSet<GroupId> beaten_by(GroupId waiter, const std::vector<GroupId>& others) const;
 
   const std::vector<Together>& together() const { return together_; }
 
 private:
+  /// A group from which a chain leads to another one.
   struct Above {
     GroupId group{};
-    bool optional = false; ///< an edge between it and the waiter is
+    bool optional = false; ///< an edge between the two is
   };
-  std::vector<Above> above(GroupId waiter) const;
-  void visit_pair(Meeting& meeting, bool optional_above, const std::vector<GroupId>& others,
+  /// An entry from which a chain leads to a group: without an optional edge below it, with one, or both.
+  struct Entry {
+    const Together* together = nullptr;
+    const Task* task = nullptr;
+    bool mandatory = false, optional = false;
+  };
+  std::vector<Above> above(GroupId group) const;
+  const std::vector<Entry>& entries_above(GroupId group) const;
+  bool beats(const Entry& waiting, const Entry& entry, GroupId other) const;
+  bool may_beat(GroupId waiter, GroupId other) const;
+  bool is_needed_by(GroupId requester, GroupId group) const;
+  /// The entries beside this one that lead to one of `others`, in order of the entries.
+  std::vector<std::pair<const Entry*, GroupId>> siblings(const Together& together, const Task& task, GroupId waiter,
+                                                         const std::vector<GroupId>& others) const;
+  void visit_pair(Meeting& meeting, bool optional_above, const Entry& second, GroupId other,
                   const std::function<void(const Meeting&, GroupId other)>& visitor) const;
 
   const Model& model_;
   std::function<bool(ProviderId)> counts_;
   std::vector<Together> together_;
   std::vector<std::vector<std::pair<const Together*, const Task*>>> entries_; ///< by target
-  mutable IdTable<GroupId, std::optional<Below>> below_;
+  mutable std::unordered_map<GroupId, std::vector<Entry>> entries_above_;     ///< in order of together and task
 };
 
 } // namespace director::checks

@@ -1,7 +1,11 @@
 // Door: compiler/checks/analysis/plans.hpp. Test: tests/checks/analysis/plans_test.cpp.
 #include "compiler/checks/analysis/plans.hpp"
 
+#include "compiler/graph/algorithms.hpp"
+
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace director::checks {
 
@@ -63,14 +67,25 @@ private:
   PlanCount count_;
 };
 
+using Parts = std::optional<std::vector<GroupId>>; ///< sorted; nothing: all groups
+
 /// What is indispensable by way of one provider: whatever its needs cannot do without.
-IdSet<GroupId> by_provider(const Model& model, const Provider& provider, const IdTable<GroupId, IdSet<GroupId>>& sets) {
-  IdSet<GroupId> out(model.groups.size());
+Parts by_provider(const Provider& provider, const IdTable<GroupId, Parts>& parts) {
+  std::vector<GroupId> out;
   for (const Use<GroupId>& need : provider.needs) {
-    for (const GroupId group : model.groups.ids()) {
-      if (sets[need.id].contains(group)) out.add(group);
-    }
+    if (!parts[need.id]) return std::nullopt;
+    out.insert(out.end(), parts[need.id]->begin(), parts[need.id]->end());
   }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+Parts in_common(Parts a, Parts b) {
+  if (!a) return b;
+  if (!b) return a;
+  std::vector<GroupId> out;
+  std::set_intersection(a->begin(), a->end(), b->begin(), b->end(), std::back_inserter(out));
   return out;
 }
 
@@ -87,31 +102,33 @@ PlanVerdict find_plan(const Model& model, ProviderId provider, const IdSet<Provi
   return count.complete ? PlanVerdict::none : PlanVerdict::undecided;
 }
 
-IdTable<GroupId, IdSet<GroupId>> indispensable_groups(const Model& model) {
-  const std::size_t count = model.groups.size();
-  IdSet<GroupId> everything(count);
-  for (const GroupId group : model.groups.ids()) everything.add(group);
-  // A greatest fixed point: begin with everything and take away what some provider does without.
-  IdTable<GroupId, IdSet<GroupId>> sets(count, everything);
+Indispensable::Indispensable(const Model& model) : parts_(model.groups.size()) {
+  Arrows needs(model.groups.size());
+  for (const Edge& edge : model.edges) {
+    if (edge.needed) needs[edge.requester->value].push_back(edge.target.value);
+  }
+  const std::vector<Node> order = topological_order(needs);
+  // A greatest fixed point: begin with everything and take away what some provider does without. What is needed comes
+  // first, so one round does where there is no cycle, and a second one sees that it did.
   for (bool changed = true; changed;) {
     changed = false;
-    for (const GroupId group : model.groups.ids()) {
-      IdSet<GroupId> both = everything;
-      for (const ProviderId provider : model.groups[group].providers) {
-        const IdSet<GroupId> here = by_provider(model, model.providers[provider], sets);
-        IdSet<GroupId> common(count);
-        for (const GroupId id : model.groups.ids()) {
-          if (both.contains(id) && here.contains(id)) common.add(id);
-        }
-        both = common;
-      }
-      both.add(group);
-      if (both == sets[group]) continue;
-      sets[group] = both;
+    for (auto node = order.rbegin(); node != order.rend(); ++node) {
+      const GroupId group{*node};
+      Parts both;
+      for (const ProviderId provider : model.groups[group].providers)
+        both = in_common(std::move(both), by_provider(model.providers[provider], parts_));
+      if (both && !std::binary_search(both->begin(), both->end(), group))
+        both->insert(std::upper_bound(both->begin(), both->end(), group), group);
+      if (both == parts_[group]) continue;
+      parts_[group] = std::move(both);
       changed = true;
     }
   }
-  return sets;
+}
+
+bool Indispensable::contains(GroupId group, GroupId part) const {
+  const Parts& parts = parts_[group];
+  return !parts || std::binary_search(parts->begin(), parts->end(), part);
 }
 
 } // namespace director::checks

@@ -6,6 +6,8 @@
 #include "compiler/model/model.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace director::checks {
 
@@ -26,8 +28,18 @@ enum class PlanVerdict { found, none, undecided };
 /// `mended`: providers that are taken to need nothing.
 PlanVerdict find_plan(const Model& model, ProviderId provider, const IdSet<ProviderId>* mended = nullptr);
 
-/// Groups that are part of every way to have this group, itself included: what two needs cannot both come down to.
-/// The whole table at once. Cycles are no way to have a group.
-IdTable<GroupId, IdSet<GroupId>> indispensable_groups(const Model& model);
+/// Groups that are part of every way to have a group, itself included: what two needs cannot both come down to.
+/// Cycles are no way to have a group.
+class Indispensable {
+public:
+  explicit Indispensable(const Model& model);
+  /// `part` is of every way to have `group`. Anything is, if there is no way.
+  bool contains(GroupId group, GroupId part) const;
+  /// In order; nothing: there is no way.
+  const std::optional<std::vector<GroupId>>& of(GroupId group) const { return parts_[group]; }
+
+private:
+  IdTable<GroupId, std::optional<std::vector<GroupId>>> parts_;
+};
 
 } // namespace director::checks

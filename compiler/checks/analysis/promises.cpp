@@ -15,12 +15,13 @@ namespace {
 /// The blame: from each provider that never runs to those that might change it.
 class Blame {
 public:
-  explicit Blame(const Input& input)
-      : model_(input.model),
-        facts_(input.facts),
-        chains_(input.model, [&facts = input.facts](ProviderId id) { return facts.active.contains(id); }),
-        sources_(find_sources(input.model)),
-        arrows_(input.model.providers.size()) {
+  Blame(const Model& model, const Facts& facts, const Chains& chains)
+      : model_(model),
+        facts_(facts),
+        chains_(chains),
+        causers_(find_causers(model)),
+        sources_(find_sources(model)),
+        arrows_(model.providers.size()) {
     for (const ProviderId id : model_.providers.ids()) {
       if (!facts_.active.contains(id)) arrows_[id.value] = find_blamed(id);
     }
@@ -64,10 +65,12 @@ private:
   void find_unpushed() {
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
-      const PushGoals goals = find_push_goals(model_, facts_, chains_, waiter);
+      std::optional<PushGoals> found; // few groups wait for something that could be caused and is not
       for (const auto& [provider, use] : waited_conditions(model_, waiter)) {
-        for (const ProviderId causer : model_.providers.ids()) {
-          if (!is_idle(causer) || !facts_.capable.contains(causer) || !model_.causes(causer, use.id)) continue;
+        for (const ProviderId causer : causers_[use.id]) {
+          if (!is_idle(causer) || !facts_.capable.contains(causer)) continue;
+          if (!found) found = find_push_goals(model_, facts_, chains_, causers_, waiter);
+          const PushGoals& goals = *found;
           if (!goals.beaten.contains(model_.providers[causer].group)) continue;
           for (const ConditionUse& other : unmet(provider)) {
             if (goals.servable.contains(other.id)) continue;
@@ -115,7 +118,8 @@ private:
 
   const Model& model_;
   const Facts& facts_;
-  Chains chains_;
+  const Chains& chains_;
+  Causers causers_;
   IdTable<StateId, std::vector<Source>> sources_;
   Arrows arrows_;
 };
@@ -124,12 +128,12 @@ using Waiting = NeverKept::Waiting;
 
 class PromiseSearch {
 public:
-  explicit PromiseSearch(const Input& input)
-      : model_(input.model),
-        graph_(input.graph),
-        facts_(input.facts),
-        blame_(input),
-        candidate_(input.model.providers.size(), false) {}
+  PromiseSearch(const Model& model, const Graph& graph, const Facts& facts, const Chains& chains)
+      : model_(model),
+        graph_(graph),
+        facts_(facts),
+        blame_(model, facts, chains),
+        candidate_(model.providers.size(), false) {}
 
   Promises run() {
     find_relevant();
@@ -212,6 +216,8 @@ private:
 
 } // namespace
 
-Promises find_promises(const Input& input) { return PromiseSearch(input).run(); }
+Promises find_promises(const Model& model, const Graph& graph, const Facts& facts, const Chains& chains) {
+  return PromiseSearch(model, graph, facts, chains).run();
+}
 
 } // namespace director::checks

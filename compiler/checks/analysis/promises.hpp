@@ -2,6 +2,8 @@
 // Promises that are never kept although somebody waits for them and nothing else serves: who is to blame. A provider
 // that never runs is blamed on what it lacks, and that on what keeps it away, down to where nothing else is to blame.
 
+#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/meetings.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <vector>
@@ -25,7 +27,8 @@ struct Promises {
   IdSet<ProviderId> explained;       ///< providers that never run because of one of them, the lowest included
 };
 
-Promises find_promises(const Input& input);
+/// `chains`: over the providers that may be active.
+Promises find_promises(const Model& model, const Graph& graph, const Facts& facts, const Chains& chains);
 
 /// Why a provider never runs, to the bottom: each reason at its own place.
 std::vector<dsl::Note> explain_idle(const Input& input, ProviderId provider);

@@ -11,7 +11,7 @@ namespace {
 std::vector<ProviderId> providers_of_plans(const Model& model, GroupId waiter) {
   std::vector<ProviderId> out;
   std::vector<GroupId> open{waiter};
-  IdSet<GroupId> seen(model.groups.size());
+  SparseSet<GroupId> seen;
   seen.add(waiter);
   while (!open.empty()) {
     const GroupId group = open.back();
@@ -29,12 +29,11 @@ std::vector<ProviderId> providers_of_plans(const Model& model, GroupId waiter) {
 
 class GoalSearch {
 public:
-  GoalSearch(const Model& model, const Facts& facts, const Chains& chains, GroupId waiter)
+  GoalSearch(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers, GroupId waiter)
       : model_(model),
         facts_(facts),
+        causers_of_(causers),
         providers_(providers_of_plans(model, waiter)) {
-    goals_.beaten = IdSet<GroupId>(model.groups.size());
-    goals_.servable = IdSet<ConditionId>(model.conditions.size());
     collect_conditions();
     std::vector<GroupId> others;
     for (const ProviderId causer : causers_) others.push_back(model.providers[causer].group);
@@ -44,7 +43,8 @@ public:
 
   PushGoals run() {
     find_servable();
-    IdSet<ConditionId> wanted(model_.conditions.size());
+    if (causers_.empty()) return std::move(goals_);
+    SparseSet<ConditionId> wanted;
     std::vector<ConditionId> open;
     const auto want = [&](ProviderId provider) {
       if (!can_be_completed(provider)) return;
@@ -53,13 +53,13 @@ public:
           open.push_back(use.id);
       }
     };
-    IdSet<ProviderId> pushable(model_.providers.size());
+    SparseSet<ProviderId> pushable;
     for (const ProviderId provider : providers_) want(provider);
     while (!open.empty()) {
       const ConditionId condition = open.back();
       open.pop_back();
-      for (const ProviderId causer : causers_) {
-        if (!serves(causer, condition)) continue;
+      for (const ProviderId causer : causers_of_[condition]) {
+        if (!serves(causer)) continue;
         pushable.add(causer);
         want(causer);
       }
@@ -73,8 +73,8 @@ public:
 private:
   /// The conditions that matter, by way of causing providers and theirs; and these providers.
   void collect_conditions() {
-    IdSet<ConditionId> seen(model_.conditions.size());
-    IdSet<ProviderId> taken(model_.providers.size());
+    SparseSet<ConditionId> seen;
+    SparseSet<ProviderId> taken;
     const auto add = [&](ProviderId provider) {
       for (const ConditionUse& use : model_.providers[provider].when) {
         if (seen.add(use.id)) conditions_.push_back(use.id);
@@ -82,9 +82,8 @@ private:
     };
     for (const ProviderId provider : providers_) add(provider);
     for (std::size_t next = 0; next < conditions_.size(); ++next) {
-      for (const ProviderId causer : model_.providers.ids()) {
-        if (taken.contains(causer) || !model_.causes(causer, conditions_[next])) continue;
-        taken.add(causer);
+      for (const ProviderId causer : causers_of_[conditions_[next]]) {
+        if (!taken.add(causer)) continue;
         causers_.push_back(causer);
         add(causer);
       }
@@ -105,10 +104,10 @@ private:
     });
   }
 
-  bool serves(ProviderId causer, ConditionId condition) const {
+  /// The conditions that it causes.
+  bool serves(ProviderId causer) const {
     const GroupId group = model_.providers[causer].group;
-    return facts_.requested.contains(group) && goals_.beaten.contains(group) && model_.causes(causer, condition) &&
-           can_be_completed(causer);
+    return facts_.requested.contains(group) && goals_.beaten.contains(group) && can_be_completed(causer);
   }
 
   void find_servable() {
@@ -116,8 +115,8 @@ private:
       changed = false;
       for (const ConditionId id : conditions_) {
         if (goals_.servable.contains(id)) continue;
-        const bool now = may_hold(id) || std::any_of(causers_.begin(), causers_.end(),
-                                                     [&](ProviderId causer) { return serves(causer, id); });
+        const bool now = may_hold(id) || std::any_of(causers_of_[id].begin(), causers_of_[id].end(),
+                                                     [&](ProviderId causer) { return serves(causer); });
         if (now) changed = goals_.servable.add(id);
       }
     }
@@ -125,6 +124,7 @@ private:
 
   const Model& model_;
   const Facts& facts_;
+  const Causers& causers_of_;
   std::vector<ProviderId> providers_;
   std::vector<ConditionId> conditions_;
   std::vector<ProviderId> causers_;
@@ -133,8 +133,26 @@ private:
 
 } // namespace
 
-PushGoals find_push_goals(const Model& model, const Facts& facts, const Chains& chains, GroupId waiter) {
-  return GoalSearch(model, facts, chains, waiter).run();
+Causers find_causers(const Model& model) {
+  IdTable<StateId, std::vector<ProviderId>> by_state(model.states.size());
+  for (const ProviderId id : model.providers.ids()) {
+    for (const ConditionUse& promise : model.providers[id].causing) {
+      std::vector<ProviderId>& row = by_state[model.conditions[promise.id].state];
+      if (row.empty() || row.back() != id) row.push_back(id);
+    }
+  }
+  Causers out(model.conditions.size());
+  for (const ConditionId condition : model.conditions.ids()) {
+    for (const ProviderId causer : by_state[model.conditions[condition].state]) {
+      if (model.causes(causer, condition)) out[condition].push_back(causer);
+    }
+  }
+  return out;
+}
+
+PushGoals find_push_goals(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers,
+                          GroupId waiter) {
+  return GoalSearch(model, facts, chains, causers, waiter).run();
 }
 
 std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, GroupId waiter) {

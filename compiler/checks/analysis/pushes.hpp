@@ -3,18 +3,24 @@
 
 #include "compiler/checks/analysis/facts.hpp"
 #include "compiler/checks/analysis/meetings.hpp"
+#include "compiler/checks/analysis/sparse_set.hpp"
 
 namespace director::checks {
 
+/// For each condition the providers that cause it, in order.
+using Causers = IdTable<ConditionId, std::vector<ProviderId>>;
+Causers find_causers(const Model& model);
+
 /// The causing providers that a task for one group may push, and what keeps it from pushing.
 struct PushGoals {
-  IdSet<GroupId> beaten;            ///< groups of causing providers that it may go before
-  IdSet<ConditionId> servable;      ///< conditions that may hold, or that a chain of pushes may bring about
+  SparseSet<GroupId> beaten;        ///< groups of causing providers that it may go before
+  SparseSet<ConditionId> servable;  ///< conditions that may hold, or that a chain of pushes may bring about
   std::vector<ProviderId> pushable; ///< in order of id
 };
 
 /// `waiter` is a requested group. `requested` and the values are those of `facts` so far.
-PushGoals find_push_goals(const Model& model, const Facts& facts, const Chains& chains, GroupId waiter);
+PushGoals find_push_goals(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers,
+                          GroupId waiter);
 
 /// What a task for this group may wait for: the conditions of its providers and of those in their plans.
 std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, GroupId waiter);

@@ -1,5 +1,4 @@
 #include "compiler/checks/analysis/claims.hpp"
-
 #include "tests/compiler/support/compiled.hpp"
 
 using namespace director::checks;
@@ -16,7 +15,8 @@ groups:
   Legs: {providers: [{name: led, needs: [Walk]}, {name: free, needs: [Hip]}]}
   Hip: {}
 )");
-  const Claims claims(c.model, c.group("Walk"), [](director::compiler::ProviderId) { return true; });
+  const Branches branches(c.model, [](director::compiler::ProviderId) { return true; });
+  const Claims claims(branches, c.group("Walk"));
   CHECK(claims.path(c.group("Walk"), Reach::own).empty());
   const std::vector<ClaimStep> path = claims.path(c.group("Hip"), Reach::own);
   REQUIRE(path.size() == 2);

@@ -55,12 +55,16 @@ TEST_CASE("a group is indispensable if every way leads to it") {
   Right: {}
   Loop: {needs: [Loop]}
 )");
-  const auto sets = indispensable_groups(compiled.model);
-  const IdSet<GroupId>& walk = sets[compiled.group("Walk")];
-  CHECK(walk.contains(compiled.group("Walk")));
-  CHECK(walk.contains(compiled.group("Legs")));
-  CHECK(walk.contains(compiled.group("Left")));
-  CHECK_FALSE(walk.contains(compiled.group("Right")));
+  const Indispensable indispensable(compiled.model);
+  const auto walk_needs = [&](const char* name) {
+    return indispensable.contains(compiled.group("Walk"), compiled.group(name));
+  };
+  CHECK(walk_needs("Walk"));
+  CHECK(walk_needs("Legs"));
+  CHECK(walk_needs("Left"));
+  CHECK_FALSE(walk_needs("Right"));
+  CHECK(indispensable.of(compiled.group("Walk"))->size() == 3);
+  CHECK_FALSE(indispensable.of(compiled.group("Loop")));
 }
 
 } // namespace

@@ -1,0 +1,49 @@
+// Door: compiler/checks/analysis/shared.hpp. Test: tests/checks/pages_test.cpp.
+#include "compiler/checks/analysis/shared.hpp"
+
+#include <algorithm>
+
+namespace director::checks {
+
+const Chains& Shared::chains() const {
+  if (!chains_) chains_.emplace(model_, [this](ProviderId id) { return is_active(id); });
+  return *chains_;
+}
+
+const Promises& Shared::promises() const {
+  if (!promises_) promises_ = find_promises(model_, graph_, facts_, chains());
+  return *promises_;
+}
+
+const Indispensable& Shared::indispensable() const {
+  if (!indispensable_) indispensable_.emplace(model_);
+  return *indispensable_;
+}
+
+const Rivals& Shared::rivals() const {
+  if (!rivals_) rivals_.emplace(model_, graph_);
+  return *rivals_;
+}
+
+const Branches& Shared::branches() const {
+  if (!branches_) branches_.emplace(model_, [this](ProviderId id) { return is_active(id); });
+  return *branches_;
+}
+
+const Claims& Shared::claims(GroupId task) const {
+  const auto at = claims_.find(task);
+  if (at != claims_.end()) return at->second;
+  return claims_.try_emplace(task, branches(), task).first->second;
+}
+
+const Claims& Shared::claims(GroupId task, GroupId requester) const {
+  // Where nothing leads back to the requester, the two are the same.
+  const Claims& all = claims(task);
+  if (!std::binary_search(all.groups().begin(), all.groups().end(), requester)) return all;
+  const std::pair key{task, requester};
+  const auto at = claims_without_.find(key);
+  if (at != claims_without_.end()) return at->second;
+  return claims_without_.try_emplace(key, branches(), task, std::vector<GroupId>{requester}).first->second;
+}
+
+} // namespace director::checks

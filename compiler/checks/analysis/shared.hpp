@@ -1,0 +1,50 @@
+#pragma once
+// What more than one check asks for, found when the first one does and kept for the run.
+
+#include "compiler/checks/analysis/choice.hpp"
+#include "compiler/checks/analysis/claims.hpp"
+#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/meetings.hpp"
+#include "compiler/checks/analysis/plans.hpp"
+#include "compiler/checks/analysis/promises.hpp"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace director::checks {
+
+class Shared {
+public:
+  Shared(const Model& model, const Graph& graph, const Facts& facts) : model_(model), graph_(graph), facts_(facts) {}
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
+
+  /// Over the providers that may be active.
+  const Chains& chains() const;
+  const Promises& promises() const;
+  const Indispensable& indispensable() const;
+  const Rivals& rivals() const;
+  /// Of the providers that may be active.
+  const Branches& branches() const;
+  /// What a task for this group may come to hold, by providers that may be active.
+  const Claims& claims(GroupId task) const;
+  /// The same while `requester` runs: nothing goes through that again.
+  const Claims& claims(GroupId task, GroupId requester) const;
+
+private:
+  bool is_active(ProviderId id) const { return facts_.active.contains(id); }
+
+  const Model& model_;
+  const Graph& graph_;
+  const Facts& facts_;
+  mutable std::optional<Chains> chains_;
+  mutable std::optional<Promises> promises_;
+  mutable std::optional<Indispensable> indispensable_;
+  mutable std::optional<Rivals> rivals_;
+  mutable std::optional<Branches> branches_;
+  mutable std::map<GroupId, Claims> claims_;
+  mutable std::map<std::pair<GroupId, GroupId>, Claims> claims_without_;
+};
+
+} // namespace director::checks
