@@ -56,7 +56,7 @@ void Pass::become_candidate(Index edge) {
   s_.edge_marks[edge] |= mark::candidate;
   Index at = candidates_++;
   while (at > 0) {
-    const Index parent = (at - 1) / 2;
+    const auto parent = static_cast<Index>((at - 1) / 2);
     if (compare({edge, Along::now}, {s_.candidate[parent], Along::now}, true) > 0) break;
     s_.candidate[at] = s_.candidate[parent];
     at = parent;

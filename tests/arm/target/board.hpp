@@ -1,0 +1,18 @@
+#pragma once
+// What the programs of this folder need of the board: a way to say something and to end, by semihosting, and how deep
+// the stack was.
+
+#include <cstddef>
+
+namespace target {
+
+void print(const char* text);
+[[noreturn]] void finish(int status);
+
+/// Bytes of stack that were ever in use.
+std::size_t deepest_stack();
+
+} // namespace target
+
+/// Written by each program; its answer is the exit code.
+int main();

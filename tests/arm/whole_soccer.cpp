@@ -1,0 +1,6 @@
+// Door: none; what `size` says of it counts. Test: tests/arm/CMakeLists.txt.
+#include "soccer.hpp"
+
+extern "C" {
+char whole_soccer[sizeof(soccer::Behaviour)];
+}
