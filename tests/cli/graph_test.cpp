@@ -36,7 +36,7 @@ TEST_CASE("the graph for Graphviz has its layers as ranks, an arrow of each kind
   CHECK(has("layer0 -> layer1 [style=invis, weight=100]"));
   CHECK(has("g0 -> g2 [color=\"#404040:#0072B2\", arrowhead=vee]"));
   CHECK(has("g1 -> g3 [color=\"#404040\", style=dotted, arrowhead=vee]"));
-  CHECK(has("g0 -> g1 [color=\"#00805A\", style=dashed, arrowhead=empty, constraint=false, "
+  CHECK(has("g0:p1 -> g1 [color=\"#00805A\", style=dashed, arrowhead=empty, constraint=false, "
             "tooltip=\"Pose == standing\"]"));
   CHECK(has("may request (task)"));
   CHECK(has("std::array&lt;int, 2&gt;"));

@@ -90,20 +90,10 @@ std::string style_of(const PictureArrow& arrow) {
   return fmt::format("color=\"{}\", arrowhead=vee", task_colour);
 }
 
-bool same_layer(const Picture& picture, GroupId a, GroupId b) {
-  const auto holds = [](const PictureLayer& layer, GroupId group) {
-    return std::find(layer.groups.begin(), layer.groups.end(), group) != layer.groups.end();
-  };
-  return std::any_of(picture.layers.begin(), picture.layers.end(),
-                     [&](const PictureLayer& layer) { return holds(layer, a) && holds(layer, b); });
-}
-
-/// Without a label, since the condition stands in both rows. Between neighbours of one layer it goes from box to box:
-/// Graphviz 2.42 loses the head of a level arrow that has a label or ends at rows.
+/// Without a label, since the condition stands in both rows.
 void draw_cause(Code& code, const Picture& picture, const PictureCause& cause) {
-  const bool level = same_layer(picture, cause.causer_group, cause.waiter_group);
-  const std::string from = level ? node(cause.causer_group) : port(picture, cause.causer_group, cause.causer);
-  const std::string to = level ? node(cause.waiter_group) : port(picture, cause.waiter_group, cause.waiter);
+  const std::string from = port(picture, cause.causer_group, cause.causer);
+  const std::string to = port(picture, cause.waiter_group, cause.waiter);
   code.line(fmt::format("{} -> {} [color=\"{}\", style=dashed, arrowhead=empty, constraint=false, tooltip={}]", from,
                         to, causing_colour, quoted(cause.condition)));
 }
@@ -156,7 +146,10 @@ std::string dot(const Picture& picture) {
   code.line("graph [rankdir=TB, newrank=true, fontname=\"Helvetica\", fontsize=10, nodesep=0.3, ranksep=0.7, "
             "labelloc=b, labeljust=l]");
   code.line("node [shape=plain, fontname=\"Helvetica\", fontsize=12]");
-  code.line("edge [fontname=\"Helvetica\", fontsize=9, arrowsize=0.7]");
+  // Every attribute that an arrow may have, by the alphabet: Graphviz 2.42 takes one for the other in an arrow between
+  // neighbours of one rank, where they were not told in this order.
+  code.line("edge [arrowhead=vee, arrowsize=0.7, color=black, constraint=true, fontname=\"Helvetica\", fontsize=9, "
+            "headport=\"\", style=solid, tailport=\"\", tooltip=\"\", weight=1]");
   draw_legend(code, picture);
   draw_layers(code, picture); // first, so that the names of layers stand on the left
   for (const PictureBox& box : picture.boxes) draw_box(code, box);
