@@ -1,6 +1,7 @@
 #pragma once
 // The subcommands: what each is asked for, and what it does. One file each; compiler/cli/parse.cpp makes the requests
-// from the command line. Exit statuses: 0 clean; 1 findings of level error, or a scenario that does not hold; 2 wrong
+// from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or too little that
+// scenarios cover; 2 wrong
 // usage, or a file named on the command line that cannot be read or written.
 
 #include "compiler/checks/run_checks.hpp"
@@ -48,6 +49,9 @@ struct Simulate {
 
 struct Test {
   std::vector<std::string> files;
+  Format format = Format::text;
+  bool coverage = false;
+  int min = 0; ///< percent of each behaviour's points; less is a failure
 };
 
 struct Dump {

@@ -54,7 +54,9 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   Checked checked = check(read.scenario.behaviour_path, console.files, sources);
   if (const Findings why = obstacles(checked, read.scenario.behaviour); !why.empty()) return stop(found, why), out;
 
+  out.behaviour = read.scenario.behaviour_path;
   out.model = std::move(checked.model);
+  out.graph = std::move(checked.graph);
   ResolvedScenario resolved = resolve_scenario(read.scenario, out.model);
   if (dsl::has_errors(resolved.findings)) return stop(found, resolved.findings), out;
   print_findings(resolved.findings, sources, console.err, console.err_colours);

@@ -2,6 +2,7 @@
 // A scenario and the behaviour that it is about, ready to be played.
 
 #include "compiler/cli/load.hpp"
+#include "compiler/graph/graph.hpp"
 #include "compiler/lower/lowered.hpp"
 #include "compiler/play/scenario.hpp"
 
@@ -9,7 +10,9 @@ namespace director::compiler::cli {
 
 struct LoadedScenario {
   int status = clean; ///< not clean: it has been said why, and nothing else is good
+  std::string behaviour; ///< the path of its file
   Model model;
+  Graph graph;
   Lowered lowered;
   Scenario scenario;
 };

@@ -152,6 +152,12 @@ Make simulate_options(CLI::App& app) {
 Make test_options(CLI::App& app) {
   auto request = std::make_shared<Test>();
   app.add_option("FILE", request->files, "scenarios")->required();
+  add_format(app, request->format, {"text", "json"});
+  CLI::Option* coverage = app.add_flag("--coverage", request->coverage, "also print what no scenario exercises");
+  app.add_option("--min", request->min, "fail where less of a behaviour is exercised")
+      ->type_name("PERCENT")
+      ->check(CLI::Range(0, 100))
+      ->needs(coverage);
   return [=]() -> Request { return *request; };
 }
 
@@ -201,9 +207,9 @@ Request parse(const std::vector<std::string>& arguments) {
   app.set_help_flag("--help,-h", "Print this help");
   app.require_subcommand(1);
   app.formatter(std::make_shared<Help>());
-  app.footer(
-      "Exit status: 0 clean; 1 errors were found, or a scenario does not hold; 2 wrong usage, or a file named on "
-      "the\ncommand line cannot be read or written. `directorc SUBCOMMAND --help` tells more.");
+  app.footer("Exit status: 0 clean; 1 errors were found, a scenario does not hold, or too little is covered; 2 wrong "
+             "usage, or a file named on "
+             "the\ncommand line cannot be read or written. `directorc SUBCOMMAND --help` tells more.");
   std::array<Make, subcommands.size()> make;
   std::array<CLI::App*, subcommands.size()> apps{};
   for (std::size_t i = 0; i < subcommands.size(); ++i) {

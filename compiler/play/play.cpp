@@ -34,13 +34,14 @@ public:
          const Sink& sink)
       : scenario_(scenario),
         tables_(lowered.view()),
-        bodies_(scenario, tables_),
+        onlooker_(options.onlooker),
+        bodies_(scenario, tables_, options.onlooker),
         recorder_(model, lowered, options.decisions, sink),
         cells_(inbox_size(scenario)),
         inbox_(cells_),
         memory_((director::State::bytes(Shape::of(tables_)) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)),
         engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies_.table(), inbox_, recorder_.observer()) {
-    engine_.set_budget(play_budget);
+    engine_.set_budget(onlooker_ == nullptr ? play_budget : 1);
   }
 
   Played play() {
@@ -59,7 +60,7 @@ public:
 private:
   /// False: the scenario ends here.
   bool run_engine() {
-    switch (engine_.step(now_)) {
+    switch (onlooker_ == nullptr ? engine_.step(now_) : step_by_step()) {
     case StepResult::quiescent: return true;
     case StepResult::budget_exhausted:
       exhausted_ = true;
@@ -69,6 +70,16 @@ private:
     case StepResult::refused: break;
     }
     return false;
+  }
+
+  /// The same, with a look after each micro-step.
+  StepResult step_by_step() {
+    StepResult result = StepResult::budget_exhausted;
+    for (std::uint32_t i = 0; i < play_budget && result == StepResult::budget_exhausted; ++i) {
+      result = engine_.step(now_);
+      onlooker_->stepped(engine_);
+    }
+    return result;
   }
 
   /// Each due time has a run of the engine to itself.
@@ -123,6 +134,7 @@ private:
 
   const Scenario& scenario_;
   const Tables tables_;
+  const Onlooker* onlooker_;
   ScriptedBodies bodies_;
   Recorder recorder_;
   std::vector<Inbox::Cell> cells_;

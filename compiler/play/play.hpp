@@ -1,6 +1,7 @@
 #pragma once
 // Plays a scenario: the engine of a robot on lowered tables, with scripted bodies and listed inputs.
 
+#include "compiler/play/onlooker.hpp"
 #include "compiler/play/recorder.hpp"
 #include "compiler/play/scenario.hpp"
 
@@ -10,7 +11,8 @@
 namespace director::compiler {
 
 struct PlayOptions {
-  bool decisions = false; ///< also queue, push, release, set and unset
+  bool decisions = false;             ///< also queue, push, release, set and unset
+  const Onlooker* onlooker = nullptr; ///< null: nobody; what happens is the same
 };
 
 /// Micro-steps each time the engine runs: inputs, or one due time.

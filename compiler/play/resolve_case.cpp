@@ -67,6 +67,7 @@ void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case
     const Pack* pack = find_pack(id, *spec.pack, names);
     if (pack == nullptr) return;
     out.pack = whole(*pack);
+    out.named_pack = static_cast<std::uint32_t>(pack - provider.packs.data());
     const std::string in_pack = fmt::format("the pack `{}` has", pack->name);
     for (const dsl::RequestSpec& entry : spec.tasks) {
       if (auto asked = names.asked(pack->tasks, in_pack, entry)) ask(out.pack, std::move(*asked));
@@ -165,6 +166,7 @@ Case resolve_handler_case(const dsl::CaseSpec& spec, GroupId group, std::string_
 Case unscripted(const Model& model, ProviderId id) {
   Case out;
   const Provider& provider = model.providers[id];
+  if (provider.has_packs) out.named_pack = 0;
   if (!provider.packs.empty()) out.pack = whole(provider.packs.front());
   return out;
 }

@@ -41,6 +41,7 @@ struct Case {
 
   enum class Answer { pack, done, failed, keep };
   Answer answer = Answer::pack;
+  std::optional<std::uint32_t> named_pack; ///< place among Provider::packs, where these have names
   std::vector<Asked> pack;
   std::vector<Setting> set;
   Microseconds wait = 0; ///< 0: none

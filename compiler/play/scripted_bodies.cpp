@@ -20,9 +20,10 @@ director::Reason engine_reason(dsl::Reason reason) {
 
 } // namespace
 
-ScriptedBodies::ScriptedBodies(const Scenario& scenario, const Tables& tables)
+ScriptedBodies::ScriptedBodies(const Scenario& scenario, const Tables& tables, const Onlooker* onlooker)
     : scenario_(scenario),
       tables_(tables),
+      onlooker_(onlooker),
       data_(tables.groups.size(), tables.edges.size()),
       runs_(tables.providers.size()),
       starts_(tables.groups.size()),
@@ -81,6 +82,7 @@ Outcome ScriptedBodies::run(Run& run) {
   const std::int64_t count = ++runs_[run.provider()];
   const Body& body = scenario_.bodies[ProviderId{run.provider()}];
   const auto found = std::find_if(body.begin(), body.end(), [&](const Case& each) { return holds(each, run, count); });
+  if (onlooker_ != nullptr) onlooker_->ran(ProviderId{run.provider()}, found == body.end() ? nullptr : &*found);
   if (found == body.end()) return run.keep();
   if (found->refused) {
     if (!refused_) refused_ = found->refused;

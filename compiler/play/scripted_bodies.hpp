@@ -3,6 +3,7 @@
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/play/data_slots.hpp"
+#include "compiler/play/onlooker.hpp"
 #include "compiler/play/scenario.hpp"
 #include "runtime/core/run.hpp"
 
@@ -10,8 +11,8 @@ namespace director::compiler {
 
 class ScriptedBodies {
 public:
-  /// The scenario and the tables are only referred to.
-  ScriptedBodies(const Scenario& scenario, const Tables& tables);
+  /// The scenario, the tables and the onlooker, if there is one, are only referred to.
+  ScriptedBodies(const Scenario& scenario, const Tables& tables, const Onlooker* onlooker = nullptr);
   ScriptedBodies(const ScriptedBodies&) = delete;
   ScriptedBodies& operator=(const ScriptedBodies&) = delete;
 
@@ -29,6 +30,7 @@ private:
 
   const Scenario& scenario_;
   const Tables& tables_;
+  const Onlooker* onlooker_;
   DataSlots data_;
   std::vector<std::int64_t> runs_, starts_, stops_; ///< of each provider and group, how many there were
   std::optional<dsl::Diagnostic> refused_;

@@ -8,10 +8,11 @@
 
 namespace director::compiler {
 
-ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const Lowered& lowered) {
+ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const Lowered& lowered,
+                             const Onlooker* onlooker) {
   ScenarioResult result;
   std::vector<std::vector<std::string>> happened(scenario.steps.size());
-  result.played = play(scenario, model, lowered, {}, [&](const Happening& happening) {
+  result.played = play(scenario, model, lowered, {false, onlooker}, [&](const Happening& happening) {
     if (happening.kind != Happening::Kind::input) happened[happening.step - 1].push_back(to_text(happening));
   });
   const std::size_t last = result.played.last_step;
@@ -45,6 +46,31 @@ std::string render(const ScenarioResult& result, const dsl::Sources& sources) {
       out += "    " + line + "\n";
     }
   }
+  return out;
+}
+
+Json to_json(const ScenarioResult& result, const std::string& file, const std::string& title,
+             const dsl::Sources& sources) {
+  const auto texts = [](const std::vector<std::string>& lines) {
+    std::vector<Json> out;
+    for (const std::string& line : lines) out.push_back(Json::text(line));
+    return Json::list(std::move(out));
+  };
+  Json out = Json::object({{"file", Json::text(file)}});
+  if (!title.empty()) out.add("scenario", Json::text(title));
+  out.add("holds", Json::boolean(result.holds()));
+  Json list = Json::list({});
+  for (const Mismatch& mismatch : result.mismatches) {
+    const dsl::Place place = sources[mismatch.span.file].place(mismatch.span.begin);
+    list.add(Json::object({{"step", Json::number(mismatch.step)},
+                           {"line", Json::number(place.line)},
+                           {"column", Json::number(place.column)},
+                           {"inputs", texts(mismatch.shown)},
+                           {"exhausted", Json::boolean(mismatch.exhausted)},
+                           {"expected", texts(mismatch.expected)},
+                           {"happened", texts(mismatch.happened)}}));
+  }
+  out.add("mismatches", std::move(list));
   return out;
 }
 

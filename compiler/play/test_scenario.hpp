@@ -1,6 +1,7 @@
 #pragma once
 // Does a scenario happen as it expects? What is compared are the lines of `expect`, step by step.
 
+#include "compiler/emit/json.hpp"
 #include "compiler/play/play.hpp"
 #include "dsl/source_file.hpp"
 
@@ -25,10 +26,15 @@ struct ScenarioResult {
 };
 
 /// Decisions are not compared.
-ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const Lowered& lowered);
+ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const Lowered& lowered,
+                             const Onlooker* onlooker = nullptr);
 
 /// For each mismatch its place, its inputs and a diff; what a body may not do is left to who shows diagnostics. Empty
 /// where there is no mismatch.
 std::string render(const ScenarioResult& result, const dsl::Sources& sources);
+
+/// Likewise, for programs. `title` may be empty.
+Json to_json(const ScenarioResult& result, const std::string& file, const std::string& title,
+             const dsl::Sources& sources);
 
 } // namespace director::compiler

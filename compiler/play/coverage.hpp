@@ -1,0 +1,57 @@
+#pragma once
+// What scenarios can exercise in a behaviour, point by point, and what they did exercise. A point that the checks prove
+// impossible does not count. Source: the scenario page of docs/language.md, "Coverage".
+
+#include "compiler/graph/graph.hpp"
+#include "compiler/model/model.hpp"
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace director::compiler {
+
+struct CoveragePoint {
+  enum class Kind {
+    provider, ///< `first`: provider; it ran
+    pack,     ///< `first`: provider, `second`: place of the pack; requested
+    level,    ///< `first`: edge, `second`: place among its levels; requested
+    when, ///< `first`: provider, `second`: condition, `third`: 1 it was true, 0 it was not, while the group was wanted
+    stay, ///< likewise, while the provider was active
+    push, ///< `first`: the group that waits, `second`: the causing provider; pushed
+    take_over, ///< `first`, `second`: edges of one requester; by its rank the first took something from the second
+  };
+  struct Key {
+    Kind kind = Kind::provider;
+    std::uint32_t first = 0, second = 0, third = 0;
+    auto operator<=>(const Key&) const = default;
+  };
+  Key key;
+  Span span{}; ///< where it is declared
+  bool covered = false;
+};
+
+/// As people count: both kinds of conditions are one.
+enum class CoverageClass { providers, packs, levels, conditions, pushes, take_overs };
+inline constexpr std::array all_coverage_classes{CoverageClass::providers, CoverageClass::packs,
+                                                 CoverageClass::levels,    CoverageClass::conditions,
+                                                 CoverageClass::pushes,    CoverageClass::take_overs};
+std::string_view name_of(CoverageClass of);
+CoverageClass class_of(CoveragePoint::Kind kind);
+
+struct Coverage {
+  std::vector<CoveragePoint> points; ///< class after class, in order of declaration
+
+  std::size_t covered() const;
+  /// Whole percents, rounded down; of nothing 100.
+  int percent() const;
+  /// Covered here or there. Both are of the same behaviour.
+  void merge(const Coverage& other);
+};
+
+/// Every point of a deployment, none covered.
+Coverage coverage_of(const Model& model, const Graph& graph);
+
+} // namespace director::compiler

@@ -1,0 +1,154 @@
+// Door: compiler/play/coverage_watch.hpp. Test: tests/compiler/play/coverage_test.cpp.
+#include "compiler/play/coverage_watch.hpp"
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+using Kind = CoveragePoint::Kind;
+
+std::vector<GroupId> needed_from(const Model& model, GroupId group) {
+  IdSet<GroupId> seen(model.groups.size());
+  std::vector<GroupId> out{group};
+  seen.add(group);
+  for (std::size_t next = 0; next < out.size(); ++next) {
+    for (const ProviderId id : model.groups[out[next]].providers) {
+      for (const Use<GroupId>& need : model.providers[id].needs) {
+        if (seen.add(need.id)) out.push_back(need.id);
+      }
+    }
+  }
+  return out;
+}
+
+} // namespace
+
+CoverageWatch::CoverageWatch(const Model& model, const Lowered& lowered, Coverage& coverage)
+    : model_(model),
+      lowered_(lowered),
+      coverage_(coverage),
+      active_(model.groups.size(), nil),
+      holders_(model.groups.size(), nil),
+      requests_(model.edges.size(), nil) {
+  for (std::size_t i = 0; i < coverage.points.size(); ++i) places_.emplace(coverage.points[i].key, i);
+  for (const GroupId id : model.groups.ids()) needed_.add(needed_from(model, id));
+}
+
+Onlooker CoverageWatch::onlooker() {
+  return {[this](ProviderId provider, const Case* answer) { ran(provider, answer); },
+          [this](const Engine& engine) { stepped(engine); }};
+}
+
+/// What is no point does not count.
+void CoverageWatch::mark(const CoveragePoint::Key& key) {
+  const auto at = places_.find(key);
+  if (at != places_.end()) coverage_.points[at->second].covered = true;
+}
+
+void CoverageWatch::ran(ProviderId provider, const Case* answer) {
+  mark({Kind::provider, provider.value});
+  if (answer != nullptr && answer->named_pack) mark({Kind::pack, provider.value, *answer->named_pack});
+}
+
+void CoverageWatch::stepped(const Engine& engine) {
+  look_at_levels(engine.memory());
+  look_at_conditions(engine);
+  look_at_pushes(engine.memory());
+  look_at_take_overs(engine);
+  for (Index g = 0; g < active_.size(); ++g) {
+    active_[g] = engine.active(g);
+    holders_[g] = engine.holder(g);
+  }
+  std::copy_n(engine.memory().request, requests_.size(), requests_.begin());
+}
+
+void CoverageWatch::look_at_levels(const director::State& state) {
+  for (Index e = 0; e < requests_.size(); ++e) {
+    if (state.request[e] != nil) mark({Kind::level, e, state.request[e] - lowered_.edges[e].levels.begin});
+  }
+}
+
+void CoverageWatch::mark_conditions(Kind kind, ProviderId provider, const std::vector<ConditionUse>& uses,
+                                    const Engine& engine) {
+  for (const ConditionUse& use : uses) {
+    const Condition& condition = model_.conditions[use.id];
+    const std::int32_t value = engine.value(static_cast<Index>(condition.state.value));
+    const bool holds = value != unset && condition.accepts.contains(value);
+    mark({kind, provider.value, use.id.value, holds ? 1U : 0U});
+  }
+}
+
+/// `when` counts where somebody wants its group, `stay` where its provider is active, or was until now.
+void CoverageWatch::look_at_conditions(const Engine& engine) {
+  IdSet<GroupId> wanted(model_.groups.size());
+  for (const EdgeId id : model_.edges.ids()) {
+    if (engine.memory().request[id.value] == nil) continue;
+    for (const GroupId group : needed_[model_.edges[id].target]) wanted.add(group);
+  }
+  for (const ProviderId id : model_.providers.ids()) {
+    const Provider& provider = model_.providers[id];
+    const auto group = static_cast<Index>(provider.group.value);
+    if (wanted.contains(provider.group)) mark_conditions(Kind::when, id, provider.when, engine);
+    if (active_[group] == id.value || engine.active(group) == id.value)
+      mark_conditions(Kind::stay, id, provider.stay, engine);
+  }
+}
+
+void CoverageWatch::look_at_pushes(const director::State& state) {
+  for (Index g = 0; g < active_.size(); ++g) {
+    const Push& push = state.last.push[g];
+    if (push.edge != nil) mark({Kind::push, lowered_.edges[push.edge].target, push.provider});
+  }
+}
+
+/// From the edge up to one of root; nothing where nobody holds a requester in between.
+std::optional<CoverageWatch::Chain> CoverageWatch::chain(Index edge, const std::vector<Index>& holders) const {
+  Chain out;
+  while (edge < lowered_.edges.size() && out.size() <= holders.size()) {
+    out.push_back(edge);
+    const Index requester = lowered_.edges[edge].requester;
+    if (requester == nil) return out;
+    edge = holders[requester];
+  }
+  return std::nullopt;
+}
+
+bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& requests) const {
+  for (std::size_t i = 0; i <= sibling; ++i) {
+    if (requests[chain[i]] != nil && lowered_.levels[requests[chain[i]]].optional) return true;
+  }
+  return false;
+}
+
+void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const std::vector<Index>& requests) {
+  const auto requester = [&](Index edge) { return lowered_.edges[edge].requester; };
+  for (std::size_t i = 0; i < taker.size(); ++i) {
+    for (std::size_t j = 0; j < loser.size(); ++j) {
+      if (requester(taker[i]) != requester(loser[j])) continue;
+      const Index first = taker[i], second = loser[j];
+      if (first == second || requests[first] == nil || requests[second] == nil) return; // the loser gave it up itself
+      const bool first_optional = optional_below(taker, i, requests);
+      const bool second_optional = optional_below(loser, j, requests_);
+      const auto priority = [&](Index edge) { return lowered_.levels[requests[edge]].priority; };
+      if (first_optional != second_optional ? second_optional : priority(first) > priority(second))
+        mark({Kind::take_over, first, second});
+      return;
+    }
+  }
+}
+
+/// A group that went from one edge to another while the loser's side was still asked for.
+void CoverageWatch::look_at_take_overs(const Engine& engine) {
+  std::vector<Index> holders(holders_.size()), requests(requests_.size());
+  for (Index g = 0; g < holders.size(); ++g) holders[g] = engine.holder(g);
+  std::copy_n(engine.memory().request, requests.size(), requests.begin());
+  for (Index g = 0; g < holders.size(); ++g) {
+    if (holders[g] == holders_[g]) continue;
+    const std::optional<Chain> taker = chain(holders[g], holders), loser = chain(holders_[g], holders_);
+    if (taker && loser) take_over(*taker, *loser, requests);
+  }
+}
+
+} // namespace director::compiler

@@ -1,0 +1,47 @@
+#pragma once
+// Marks what a scenario exercises while it is played.
+
+#include "compiler/lower/lowered.hpp"
+#include "compiler/play/coverage.hpp"
+#include "compiler/play/onlooker.hpp"
+
+#include <map>
+#include <optional>
+
+namespace director::compiler {
+
+class CoverageWatch {
+public:
+  /// All of them are only referred to. `coverage` is of that model.
+  CoverageWatch(const Model& model, const Lowered& lowered, Coverage& coverage);
+  CoverageWatch(const CoverageWatch&) = delete;
+  CoverageWatch& operator=(const CoverageWatch&) = delete;
+
+  Onlooker onlooker(); ///< for as long as this object lives
+
+private:
+  /// An edge of a chain, from an edge to one of root.
+  using Chain = std::vector<Index>;
+
+  void mark(const CoveragePoint::Key& key);
+  void ran(ProviderId provider, const Case* answer);
+  void stepped(const Engine& engine);
+  void look_at_levels(const director::State& state);
+  void look_at_conditions(const Engine& engine);
+  void mark_conditions(CoveragePoint::Kind kind, ProviderId provider, const std::vector<ConditionUse>& uses,
+                       const Engine& engine);
+  void look_at_pushes(const director::State& state);
+  void look_at_take_overs(const Engine& engine);
+  std::optional<Chain> chain(Index edge, const std::vector<Index>& holders) const;
+  bool optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& requests) const;
+  void take_over(const Chain& taker, const Chain& loser, const std::vector<Index>& requests);
+
+  const Model& model_;
+  const Lowered& lowered_;
+  Coverage& coverage_;
+  std::map<CoveragePoint::Key, std::size_t> places_;
+  IdTable<GroupId, std::vector<GroupId>> needed_;  ///< what a group's providers need, transitively, and itself
+  std::vector<Index> active_, holders_, requests_; ///< after the micro-step before: by group, by group, by edge
+};
+
+} // namespace director::compiler

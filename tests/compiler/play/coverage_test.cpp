@@ -1,0 +1,151 @@
+#include "compiler/play/coverage.hpp"
+#include "compiler/play/coverage_watch.hpp"
+#include "compiler/play/print_coverage.hpp"
+#include "compiler/play/test_scenario.hpp"
+#include "tests/compiler/support/played.hpp"
+
+using namespace director::compiler;
+using director::tests::load_scenario;
+using director::tests::LoadedScenario;
+
+namespace {
+
+const char* const walker = R"(behaviour: walker
+language: 1
+states:
+  Pose: {values: [moving, standing]}
+  Charge: {range: [0, 100], initial: 50, external: true}
+roots:
+  Walk: {priority: {calm: 10, hasty: 15}}
+  Kick: {priority: 20}
+groups:
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
+  Kick:
+    when: [Pose == standing]
+    stay: [Charge > 10]
+    needs: [Legs]
+    packs: {swing: [Legs], recover: {}}
+  Legs: {}
+  Forgotten: {when: [Pose == moving]}
+)";
+
+struct Watched {
+  Coverage coverage;
+  std::string text;
+  std::string json;
+  std::vector<std::string> happened;
+};
+
+Watched watch(const std::string& steps) {
+  const LoadedScenario loaded = load_scenario(walker, steps);
+  INFO(loaded.findings);
+  REQUIRE(loaded.findings.empty());
+  const Model& model = loaded.behaviour.model;
+  Watched out;
+  out.coverage = coverage_of(model, make_graph(model));
+  CoverageReport report{"walker.yaml", 1, {}, {}};
+  std::vector<CoverageReport::Missing> texts = coverage_texts(out.coverage, model, loaded.behaviour.sources);
+  CoverageWatch watching(model, loaded.lowered, out.coverage);
+  const Onlooker onlooker = watching.onlooker();
+  play(loaded.scenario, model, loaded.lowered, {false, &onlooker},
+       [&](const Happening& happening) { out.happened.push_back(to_text(happening)); });
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (!out.coverage.points[i].covered) report.missing.push_back(texts[i]);
+  }
+  report.coverage = out.coverage;
+  out.text = to_text(report);
+  out.json = to_line(to_json(report));
+  return out;
+}
+
+const char* const soft_kick = R"(script:
+  Walk.walking: {set: {Pose: moving}, tasks: [Legs]}
+  Walk.halting: {set: {Pose: standing}, tasks: [Legs]}
+  Kick: {pack: swing}
+steps:
+  - request: Walk
+  - request: Kick
+)";
+
+} // namespace
+
+TEST_CASE("what nobody exercised is told point by point, and what can never happen does not count") {
+  CHECK(watch("steps: []\n").text == R"(coverage of walker.yaml by 1 scenario: 0 % (0 of 17)
+  providers     0 of 4
+    test.yaml:12:16: `Walk.walking` never ran
+    test.yaml:13:16: `Walk.halting` never ran
+    test.yaml:14:3: `Kick` never ran
+    test.yaml:19:3: `Legs` never ran
+  packs         0 of 2
+    test.yaml:18:13: `Kick` never requested its pack `swing`
+    test.yaml:18:28: `Kick` never requested its pack `recover`
+  levels        0 of 5
+    test.yaml:7:3: `Walk` was never requested at the level `calm`
+    test.yaml:7:3: `Walk` was never requested at the level `hasty`
+    test.yaml:8:3: `Kick` was never requested
+    test.yaml:12:72: `Legs` was never requested by `Walk`
+    test.yaml:18:21: `Legs` was never requested by `Kick`
+  conditions    0 of 4
+    test.yaml:15:12: `Pose == standing` in `when` of `Kick` was never true
+    test.yaml:15:12: `Pose == standing` in `when` of `Kick` was never false
+    test.yaml:16:12: `Charge > 10` in `stay` of `Kick` was never true
+    test.yaml:16:12: `Charge > 10` in `stay` of `Kick` was never false
+  pushes        0 of 1
+    test.yaml:13:16: `Walk.halting` was never pushed for `Kick`
+  take-overs    0 of 1
+    test.yaml:8:3: among the roots, `Kick` never took anything from `Walk`
+)");
+}
+
+TEST_CASE("a soft transition covers a push, a condition both ways, and a take-over") {
+  const Watched watched = watch(soft_kick);
+  CHECK(watched.text == R"(coverage of walker.yaml by 1 scenario: 82 % (14 of 17)
+  providers     4 of 4
+  packs         1 of 2
+    test.yaml:18:28: `Kick` never requested its pack `recover`
+  levels        4 of 5
+    test.yaml:7:3: `Walk` was never requested at the level `hasty`
+  conditions    3 of 4
+    test.yaml:16:12: `Charge > 10` in `stay` of `Kick` was never false
+  pushes        1 of 1
+  take-overs    1 of 1
+)");
+  CHECK(watched.json ==
+        R"({"behaviour":"walker.yaml","scenarios":1,"percent":82,"covered":14,"points":17,)"
+        R"("providers":{"covered":4,"points":4},"packs":{"covered":1,"points":2},"levels":{"covered":4,"points":5},)"
+        R"("conditions":{"covered":3,"points":4},"pushes":{"covered":1,"points":1},)"
+        R"("take_overs":{"covered":1,"points":1},"missing":[)"
+        R"({"class":"packs","file":"test.yaml","line":18,"column":28,)"
+        R"("message":"`Kick` never requested its pack `recover`"},)"
+        R"({"class":"levels","file":"test.yaml","line":7,"column":3,)"
+        R"("message":"`Walk` was never requested at the level `hasty`"},)"
+        R"({"class":"conditions","file":"test.yaml","line":16,"column":12,)"
+        R"("message":"`Charge > 10` in `stay` of `Kick` was never false"}]})");
+}
+
+TEST_CASE("who looks on changes nothing of what happens") {
+  const LoadedScenario loaded = load_scenario(walker, soft_kick);
+  std::vector<std::string> alone;
+  play(loaded.scenario, loaded.behaviour.model, loaded.lowered, {},
+       [&](const Happening& happening) { alone.push_back(to_text(happening)); });
+  CHECK(watch(soft_kick).happened == alone);
+}
+
+TEST_CASE("a `stay` that ends its provider was false") {
+  Coverage coverage = watch(std::string(soft_kick) + "  - set: {Charge: 5}\n").coverage;
+  CHECK(coverage.covered() == 15);
+  CHECK(coverage.percent() == 88);
+  coverage.merge(watch("steps: [request: {Walk: {level: hasty}}]\n").coverage);
+  CHECK(coverage.covered() == 16);
+}
+
+TEST_CASE("a task that got what another one gave up took nothing") {
+  const Watched watched = watch(R"(given: {Pose: standing}
+script: {Walk: {tasks: [Legs]}, Kick: {pack: swing}}
+steps: [request: Kick, request: Walk, cancel: Kick]
+)");
+  CHECK(watched.text.find("take-overs    0 of 1") != std::string::npos);
+}
