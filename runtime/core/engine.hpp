@@ -116,7 +116,6 @@ private:
   Inbox& inbox_;
   Observer observer_;
   std::uint32_t budget_ = default_budget;
-  std::uint32_t quota_ = 0; ///< records of the inbox that this step may still take
   Index starting_ = nil;    ///< the group whose start handler runs: its data may still be staged
   Index ran_ = nil;         ///< the group that ran in this micro-step
   Range anew_{};            ///< the edges among which some are marked anew

@@ -9,7 +9,7 @@
 
 namespace director {
 
-Inbox::Inbox(std::span<Cell> cells) : cells_(cells) {
+Inbox::Inbox(std::span<Cell> cells, std::span<LastWords::Slot> words) : cells_(cells), words_(words) {
   for (std::uint32_t i = 0; i < cells_.size(); ++i) cells_[i].turn.store(i, std::memory_order_relaxed);
 }
 
@@ -24,7 +24,7 @@ bool Inbox::post(std::span<const Input> records) {
     if (lag < 0) return false;
     if (lag > 0) {
       at = tail_.load(std::memory_order_relaxed); // another writer was faster
-    } else if (tail_.compare_exchange_weak(at, at + count, std::memory_order_relaxed)) {
+    } else if (tail_.compare_exchange_weak(at, at + count, std::memory_order_release, std::memory_order_relaxed)) {
       break;
     }
   }
@@ -36,7 +36,49 @@ bool Inbox::post(std::span<const Input> records) {
   return true;
 }
 
+bool Inbox::post_in_turn(std::span<const Input> records) {
+  for (const Input& record : records) {
+    if (words_.wait(record.thing)) return false;
+  }
+  return post(records);
+}
+
+bool Inbox::reserve(std::span<Input> records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    bool last = true; // asked twice, the last one counts
+    for (std::size_t j = i + 1; j < records.size(); ++j) last = last && records[j].thing != records[i].thing;
+    records[i].handle = last && words_.exist() ? words_.reserve(records[i].thing) : nil;
+  }
+  return words_.exist();
+}
+
+void Inbox::publish(std::span<const Input> records) { words_.publish(records, tail_.load(std::memory_order_relaxed)); }
+
+bool Inbox::insist(std::span<Input> records) {
+  if (post_in_turn(records)) return true;
+  if (!reserve(records)) return false;
+  publish(records);
+  return true;
+}
+
+/// The tail first: who sees a record sees the last words that its writer said before.
+void Inbox::open() {
+  limit_ = tail_.load(std::memory_order_acquire);
+  closed_ = false;
+  words_.open();
+}
+
 bool Inbox::take(Input& out) {
+  word_ = words_.any_in_hand() && words_.take(head_, out);
+  if (word_) return true;
+  if (head_ != limit_ && take_cell(out)) return true;
+  closed_ = true;
+  return false;
+}
+
+bool Inbox::take_more(Input& out) { return word_ ? words_.take_more(out) : take_cell(out); }
+
+bool Inbox::take_cell(Input& out) {
   const auto mask = static_cast<std::uint32_t>(cells_.size() - 1);
   Cell& cell = cells_[head_ & mask];
   if (cell.turn.load(std::memory_order_acquire) != head_ + 1) return false;

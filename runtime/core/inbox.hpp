@@ -1,25 +1,20 @@
 #pragma once
 // The way in: a bounded queue of inputs with many writers and one reader, without locks and without memory of its own.
 // An input may take several records (several states set at once, several root tasks): it goes in whole or not at all.
-// Needs 32-bit compare-and-swap. Source: D. Vyukov's bounded queue, with several cells claimed at once.
+// What requests or cancels root tasks is never refused: where the queue is full it goes by LastWords, and is taken
+// after all that was in the queue then.
+// Needs 32-bit compare-and-swap and nothing more; on a core without it the program supplies what the compiler calls for
+// it (GCC: __atomic_compare_exchange_4), as a critical section. Source: D. Vyukov's bounded queue, with several cells
+// claimed at once.
 
-#include "runtime/core/tables.hpp"
+#include "runtime/core/input.hpp"
+#include "runtime/core/last_words.hpp"
 
 #include <atomic>
 #include <cstdint>
 #include <span>
 
 namespace director {
-
-struct Input {
-  enum class Kind : std::uint8_t { request, cancel, set, fire, enable, disable };
-  Kind kind = Kind::set;
-  bool more = false;      ///< the next record belongs to the same input (request and set)
-  Index thing = 0;        ///< root edge, state, trigger or provider
-  Index level = 0;        ///< request: of Tables::levels
-  Index handle = nil;     ///< request: where its data wait; nil: it has nil
-  std::int32_t value = 0; ///< set
-};
 
 class Inbox {
 public:
@@ -28,25 +23,50 @@ public:
     Input input;
   };
 
-  /// `cells`: a power of two of them, at least 2; owned by the caller, who must keep them.
-  explicit Inbox(std::span<Cell> cells);
+  /// `cells`: a power of two of them, at least 2. `words`: one for each root edge; without them a full inbox refuses
+  /// everything. Both are owned by the caller, who must keep them.
+  explicit Inbox(std::span<Cell> cells, std::span<LastWords::Slot> words = {});
   Inbox(const Inbox&) = delete;
   Inbox& operator=(const Inbox&) = delete;
 
-  /// From any thread. The records of one input, `more` set on all but the last. False: full, and nothing went in.
-  bool post(std::span<const Input> records);
+  // For writers: any thread.
 
-  /// From the reader's thread: the next record, if one is there.
+  /// The records of one input, `more` set on all but the last. False: full, and nothing went in.
+  bool post(std::span<const Input> records);
+  /// Requests or cancels of root tasks without data: these are not refused.
+  bool insist(std::span<Input> records);
+
+  // The two halves of insist, for requests with data.
+  /// False: a request or cancel of one of these root tasks waits outside the queue, and this one must wait behind it.
+  bool post_in_turn(std::span<const Input> records);
+  /// Gives each record the handle of its last word: there its data go before they are published. Nil: this record does
+  /// not count, as a later one about the same root task does. False: there are no last words.
+  bool reserve(std::span<Input> records);
+  void publish(std::span<const Input> records);
+
+  // For the reader's thread.
+
+  /// What is in it now may be taken, until it is opened again.
+  void open();
+  bool due() const { return !closed_ && (head_ != limit_ || words_.any_in_hand()); }
+  /// The next record, if one is due and there.
   bool take(Input& out);
+  /// The next record of the same input, where the last one says that there is more.
+  bool take_more(Input& out);
 
   /// Records claimed by writers and not taken yet, as seen by the reader.
   std::uint32_t waiting() const { return tail_.load(std::memory_order_acquire) - head_; }
-  bool empty() const { return waiting() == 0; }
 
 private:
+  bool take_cell(Input& out);
+
   std::span<Cell> cells_;
   std::atomic<std::uint32_t> tail_{0};
   std::uint32_t head_ = 0;
+  std::uint32_t limit_ = 0; ///< the reader takes cells up to here
+  bool closed_ = false;     ///< the next record's writer is not ready yet
+  bool word_ = false;       ///< what was taken last is a last word
+  LastWords words_;
 };
 
 } // namespace director

@@ -40,6 +40,8 @@ inline constexpr std::size_t times = (std::size_t{std::is_same_v<Task, TaskOf<Gi
 
 template <class... Members>
 struct Pack : Members... {
+  static constexpr std::size_t size = sizeof...(Members);
+
   template <class Task>
   static constexpr bool has = (std::is_same_v<Task, typename Members::Task> || ...);
 

@@ -19,8 +19,9 @@
 namespace director {
 
 /// The way in. Any thread and any interrupt may use one, at any time, from anywhere. Each call is one input, taken by
-/// the next step(). False: too much is waiting already, or a value is outside its state's domain, and nothing was
-/// posted.
+/// the next step(). False: nothing was posted, since the inbox is full or a value is outside its state's domain. Root
+/// tasks are requested and cancelled even so: for those that find no room each has a slot of its own, where the last
+/// call counts, and which is taken after what the inbox held then.
 template <class Facts>
 class Post {
   using States = typename Facts::States;
@@ -29,19 +30,28 @@ class Post {
 public:
   Post(Inbox& inbox, typename Facts::Data& data) : inbox_(&inbox), data_(&data) {}
 
-  /// Root tasks, with their data; several come together. `request(soccer::Kick{command})`
+  /// Root tasks, with their data; several come together. `request(soccer::Kick{command})` False: only for a level that
+  /// the program does not declare in `roots`.
   template <class Task, class... More>
   bool request(Task task, More... more) const {
     static_assert(Roots::template takes<Task, More...>,
                   "only tasks that stand in `roots` can be requested from outside");
     std::array records{record(task), record(more)...};
-    bool ready = true;
-    for (const Input& input : records) ready = ready && input.level != nil;
-    if (ready && post(records)) return true;
-    const Input* input = records.data();
-    free<Task>(*input);
-    (free<More>(*++input), ...);
-    return false;
+    for (const Input& input : records) {
+      if (input.level == nil) return false;
+    }
+    link(records);
+    Input* input = records.data();
+    const bool room = (wait(task, *input) && ... && wait(more, *++input));
+    if (room && inbox_->post_in_turn(records)) return true;
+    std::array words = records;
+    inbox_->reserve(words);
+    input = words.data();
+    const Input* before = records.data();
+    say(task, *before, *input);
+    (say(more, *++before, *++input), ...);
+    inbox_->publish(words);
+    return true;
   }
 
   /// Root tasks without data, at their first level. `request<soccer::Striker>()`
@@ -50,12 +60,12 @@ public:
     return request(Task{}, More{}...);
   }
 
-  /// The program does not want this root task any more.
+  /// The program does not want this root task any more. Never refused.
   template <class Task>
   bool cancel() const {
     static_assert(Roots::template has<Task>, "only tasks that stand in `roots` can be cancelled from outside");
-    const Input input{.kind = Input::Kind::cancel, .thing = Roots::template For<Task>::edge};
-    return inbox_->post({&input, 1});
+    Input input{.kind = Input::Kind::cancel, .thing = Roots::template For<Task>::edge};
+    return inbox_->insist({&input, 1});
   }
 
   /// Values of external states, all at once. `set(soccer::Stability::fallen, soccer::Charge{80})`
@@ -66,7 +76,8 @@ public:
     std::array records{record(States::setting(value)), record(States::setting(more))...};
     bool inside = true;
     for (const Input& input : records) inside = inside && States::domains[input.thing].has(input.value);
-    return inside && post(records);
+    link(records);
+    return inside && inbox_->post(records);
   }
 
   template <class Trigger>
@@ -86,11 +97,9 @@ public:
   }
 
 private:
-  /// The records as one input.
   template <std::size_t count>
-  bool post(std::array<Input, count>& records) const {
+  static void link(std::array<Input, count>& records) {
     for (std::size_t i = 0; i + 1 < count; ++i) records[i].more = true;
-    return inbox_->post(records);
   }
 
   template <class Value>
@@ -103,24 +112,35 @@ private:
     return {.kind = Input::Kind::set, .thing = setting.state, .value = setting.value};
   }
 
-  /// Without a level (nil) if the task has not the one that was named, or no slot is free for its data.
+  /// Without a level (nil) if the task has not the one that was named.
   template <class Task>
-  Input record(Task& task) const {
+  static Input record(const Task& task) {
     using Root = typename Roots::template For<Task>;
-    TaskBase<Task>& base = task;
-    Input input{.kind = Input::Kind::request, .thing = Root::edge, .level = Root::row(base.level)};
-    if constexpr (has_data<Task>) {
-      if (input.level == nil) return input;
-      input.handle = data_->template waiting<Task>().put(std::move(base.data));
-      if (input.handle == nil) input.level = nil;
-    }
-    return input;
+    const TaskBase<Task>& base = task;
+    return {.kind = Input::Kind::request, .thing = Root::edge, .level = Root::row(base.level)};
   }
 
+  /// Puts the data where they wait for the inbox to be taken. False: no place is left, and they stay where they are.
   template <class Task>
-  void free([[maybe_unused]] const Input& input) const {
+  bool wait([[maybe_unused]] Task& task, [[maybe_unused]] Input& input) const {
     if constexpr (has_data<Task>) {
-      if (input.handle != nil) data_->template waiting<Task>().free(input.handle);
+      TaskBase<Task>& base = task;
+      input.handle = data_->template waiting<Task>().put(std::move(base.data));
+      return input.handle != nil;
+    }
+    return true;
+  }
+
+  /// Puts the data, from where they are by now, where they belong to the last word.
+  template <class Task>
+  void say([[maybe_unused]] Task& task, [[maybe_unused]] const Input& before,
+           [[maybe_unused]] const Input& word) const {
+    if constexpr (has_data<Task>) {
+      auto& waiting = data_->template waiting<Task>();
+      TaskBase<Task>& base = task;
+      if (word.handle != nil)
+        waiting.put_at(word.handle, std::move(before.handle == nil ? base.data : waiting.value(before.handle)));
+      if (before.handle != nil) waiting.free(before.handle);
     }
   }
 
@@ -180,7 +200,7 @@ public:
 
 protected:
   Program(const Bodies& bodies, Observer observer)
-      : inbox_(cells_),
+      : inbox_(cells_, words_),
         engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer) {}
   ~Program() = default;
 
@@ -190,6 +210,7 @@ protected:
 private:
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
+  std::array<LastWords::Slot, Facts::Roots::size> words_;
   alignas(8) std::array<std::byte, State::bytes(Facts::shape)> memory_;
   Inbox inbox_;
   Engine engine_;

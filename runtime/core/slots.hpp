@@ -1,8 +1,9 @@
 #pragma once
 // Where the data of tasks lie: in slots inside the Behaviour, without heap. Each way of requesting a task has a slot
 // and a staging slot, its group one more for the data of a request that has been replaced while the group lives on it.
-// Root requests wait in slots of their own until the engine takes them from the inbox.
+// Root requests wait in slots of their own until the engine takes them.
 
+#include "runtime/core/last_words.hpp"
 #include "runtime/core/run.hpp"
 #include "runtime/core/task.hpp"
 
@@ -72,17 +73,14 @@ private:
   Slot<Data> retained_;
 };
 
-/// How many requests of one root task with data can wait in the inbox at once. One more is refused, until the next step
-/// has taken those that wait: the same answer as when the inbox is full.
-inline constexpr std::size_t waiting_requests = 4;
-
-/// The data of requests of one root task that wait in the inbox. Many writers, one reader; needs what Inbox needs.
+/// The data of requests of one root task that the engine has not taken yet. Many writers, one reader; needs what Inbox
+/// needs. First the places of those that wait in the inbox, then one for each place of the task's last word.
 template <TaskType Task>
 class Waiting {
   using Data = typename TaskBase<Task>::Type;
 
 public:
-  /// From any thread: a place for the data, or nil if all are taken.
+  /// From any thread: a place for the data of a request that is to go into the inbox, or nil if all are taken.
   Index put(Data&& data) noexcept {
     std::uint32_t taken = taken_.load(std::memory_order_relaxed);
     for (;;) {
@@ -93,14 +91,19 @@ public:
       return place;
     }
   }
-  Data& value(Index place) { return slots_[place].value(); }
-  void free(Index place) noexcept {
-    slots_[place].clear();
-    taken_.fetch_and(~(1U << place), std::memory_order_release);
+  /// The same for a last word: the caller has this handle for itself.
+  void put_at(Index handle, Data&& data) noexcept { slots_[handle].put(std::move(data)); }
+  Data& value(Index handle) { return slots_[handle].value(); }
+  /// The handle of a last word is free again when its word is.
+  void free(Index handle) noexcept {
+    slots_[handle].clear();
+    if (handle >= waiting_requests) return;
+    std::uint32_t taken = taken_.load(std::memory_order_relaxed);
+    while (!taken_.compare_exchange_weak(taken, taken & ~(1U << handle), std::memory_order_release)) {}
   }
 
 private:
-  std::array<Slot<Data>, waiting_requests> slots_;
+  std::array<Slot<Data>, waiting_requests + LastWords::places> slots_;
   std::atomic<std::uint32_t> taken_{0};
 };
 

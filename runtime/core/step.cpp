@@ -22,7 +22,7 @@ StepResult Engine::step(Time now) {
   const bool again = now <= c.until && (c.handlers_set != 0 || c.queue_count != 0 || c.unsettled != 0);
   if (now > c.until) c.until = now;
   if (c.due_phase == due::none && !again) c.now = c.until;
-  quota_ = inbox_.waiting();
+  inbox_.open();
   for (std::uint32_t taken = 0;; ++taken) {
     const bool more = taken < budget_;
     if (more ? !micro_step() : !work_left()) {
@@ -43,7 +43,7 @@ StepResult Engine::step(Time now) {
 
 bool Engine::work_left() const {
   const Counters& c = *s_.counters;
-  return c.handlers_set != 0 || c.queue_count != 0 || c.unsettled != 0 || (quota_ != 0 && !inbox_.empty()) ||
+  return c.handlers_set != 0 || c.queue_count != 0 || c.unsettled != 0 || inbox_.due() ||
          (c.earliest <= c.until && next_due() <= c.until);
 }
 
@@ -52,7 +52,7 @@ bool Engine::micro_step() {
   Counters& c = *s_.counters;
   for (;;) {
     if (c.handlers_set != 0) return take_handlers_input(), true;
-    if (quota_ != 0 && take_input()) return true;
+    if (inbox_.due() && take_input()) return true;
     if (c.due_phase != due::none && take_timer()) return true;
     if (c.queue_count != 0) return run_next(), true;
     if (c.unsettled != 0) {
@@ -72,11 +72,7 @@ bool Engine::micro_step() {
 
 bool Engine::take_input() {
   Input record;
-  if (!inbox_.take(record)) {
-    quota_ = 0;
-    return false;
-  }
-  --quota_;
+  if (!inbox_.take(record)) return false;
   ++s_.counters->micro_step;
   if (observed()) report_input(record);
   switch (record.kind) {
@@ -105,8 +101,7 @@ bool Engine::take_input() {
 
 /// The next record of the same input; the writer published it before the first one.
 bool Engine::take_more(Input& record) {
-  if (!record.more || !inbox_.take(record)) return false;
-  --quota_;
+  if (!record.more || !inbox_.take_more(record)) return false;
   if (observed()) report_input(record);
   return true;
 }

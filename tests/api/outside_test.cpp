@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 namespace {
@@ -49,52 +50,71 @@ TEST_CASE("a provider that is not enabled does not run") {
   CHECK(office.behaviour.state<Rest>() == RunState::running);
 }
 
-TEST_CASE("requests with data that wait for a step are bounded, and a refused one takes nothing with it") {
+TEST_CASE("of more requests with data than there are places for, the last one counts") {
+  Office office;
+  std::vector<int> weights;
+  office.plans.deliver = [&](Deliver::Default& run) {
+    weights.push_back(*run.task().weight);
+    return run.keep();
+  };
+  for (int i = 1; i <= 9; ++i) CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(i)}}, Rest{}));
+  office.behaviour.step(0s);
+  CHECK(weights == std::vector<int>{9});
+  CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(10)}}));
+  office.behaviour.step(0s);
+  CHECK(weights == std::vector<int>{9, 10});
+}
+
+TEST_CASE("a full inbox refuses everything but requests and cancels of root tasks") {
   Office office;
   int weight = 0;
   office.plans.deliver = [&](Deliver::Default& run) {
     weight = *run.task().weight;
     return run.keep();
   };
-  int accepted = 0;
-  for (int i = 1; i <= 6; ++i)
-    accepted += office.behaviour.request(Deliver{{std::make_unique<int>(i)}}, Rest{}) ? 1 : 0;
-  CHECK(accepted == static_cast<int>(waiting_requests));
+  office.behaviour.request<Rest>();
   office.behaviour.step(0s);
-  CHECK(weight == accepted);
-  CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(9)}}));
+  while (office.behaviour.fire<courier::Bell>()) {}
+  CHECK(!office.behaviour.set(Battery{1}));
+  CHECK(!office.behaviour.enable<Rest::Default>(false));
+  for (int i = 1; i <= 9; ++i) CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(i)}}));
+  CHECK(office.behaviour.cancel<Rest>());
   office.behaviour.step(0s);
   CHECK(weight == 9);
+  CHECK(office.behaviour.state<Deliver>() == RunState::running);
+  CHECK(office.behaviour.state<Rest>() == RunState::none);
 }
 
-TEST_CASE("a full inbox refuses, and gives back the slot of what it refused") {
+TEST_CASE("a level that the program does not declare is refused, also by a full inbox") {
   Office office;
   while (office.behaviour.fire<courier::Bell>()) {}
-  for (std::size_t i = 0; i < 3 * waiting_requests; ++i)
-    CHECK(!office.behaviour.request(Deliver{{std::make_unique<int>(1)}}));
-  office.behaviour.step(0s);
-  CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(1)}}));
+  CHECK(!office.behaviour.request(Deliver{{std::make_unique<int>(1)}, LevelOf<Deliver>{7}}));
+  CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(1)}, Deliver::urgent}));
 }
 
-TEST_CASE("other threads post, and nothing that was accepted is lost") {
+TEST_CASE("other threads post: nothing that was accepted is lost, and of requests the last one counts") {
   Office office;
   const auto post = office.behaviour.post();
+  constexpr int times = 20'000;
   int accepted[2] = {0, 0};
-  const auto work = [&](int& count) {
-    for (int i = 0; i < 20'000; ++i) count += post.request(Deliver{{std::make_unique<int>(1)}}) ? 1 : 0;
+  const auto work = [&](int& count, int sign) {
+    for (int i = 1; i <= times; ++i) {
+      count += post.fire<courier::Bell>() ? 1 : 0;
+      post.request(Deliver{{std::make_unique<int>(sign * i)}});
+    }
   };
-  int run = 0;
+  int weight = 0;
   office.plans.deliver = [&](Deliver::Default& context) {
-    run += *context.task().weight;
+    weight = *context.task().weight;
     return context.keep();
   };
-  std::thread first(work, std::ref(accepted[0])), second(work, std::ref(accepted[1]));
+  std::thread first(work, std::ref(accepted[0]), 1), second(work, std::ref(accepted[1]), -1);
   for (int i = 0; i < 2'000; ++i) office.behaviour.step(0s);
   first.join();
   second.join();
   office.behaviour.step(0s);
-  CHECK(run > 0);
-  CHECK(run <= accepted[0] + accepted[1]); // requests that come in one step are one new task
+  office.behaviour.step(0s);
+  CHECK(std::abs(weight) == times);
   CHECK(office.behaviour.engine().memory().counters->micro_step >=
         static_cast<std::uint64_t>(accepted[0] + accepted[1]));
 }

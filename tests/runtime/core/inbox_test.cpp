@@ -29,6 +29,7 @@ TEST_CASE("records come out in the order in which they went in, round and round"
   Input out;
   for (Index i = 0; i < 100; ++i) {
     REQUIRE(post(inbox, i));
+    inbox.open();
     REQUIRE(inbox.waiting() == 1);
     REQUIRE(inbox.take(out));
     REQUIRE(out.thing == i);
@@ -42,6 +43,7 @@ TEST_CASE("a full inbox refuses, and takes again when one was taken") {
   CHECK(post(inbox, 1));
   CHECK(post(inbox, 2));
   CHECK_FALSE(post(inbox, 3));
+  inbox.open();
   Input out;
   CHECK(inbox.take(out));
   CHECK(post(inbox, 3));
@@ -77,18 +79,19 @@ TEST_CASE("what several threads post arrives whole, each one's in its order") {
   bool in_order = true;
   for (Index taken = 0; taken < threads * each;) {
     Input first, second;
+    inbox.open();
     if (!inbox.take(first)) {
       std::this_thread::yield();
       continue;
     }
     ++taken;
-    in_order = in_order && inbox.take(second) && first.more && !second.more && first.thing == second.thing &&
+    in_order = in_order && inbox.take_more(second) && first.more && !second.more && first.thing == second.thing &&
                first.value == static_cast<std::int32_t>(seen[first.thing]) && second.value == first.value;
     ++seen[first.thing];
   }
   for (std::thread& writer : writers) writer.join();
   CHECK(in_order);
-  CHECK(inbox.empty());
+  CHECK(inbox.waiting() == 0);
 }
 
 } // namespace

@@ -1,0 +1,75 @@
+#pragma once
+// Where requests and cancels of root tasks go that find no room in the inbox, so that these are never refused: one slot
+// for each root task, in which the last one counts. Many writers, one reader, without locks. A writer prepares its
+// note in a place of the slot that only it has, and makes it the slot's last word by one compare-and-swap.
+
+#include "runtime/core/input.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+namespace director {
+
+class LastWords {
+public:
+  /// Of one slot: the last word, one that the reader has in hand, and two that are being written.
+  static constexpr Index places = 4;
+
+  struct Note {
+    Input input;
+    std::uint32_t position = 0; ///< in the inbox: what was there before is taken before
+    std::uint32_t ticket = 0;   ///< later inputs have higher ones; records of one input have the same
+    Index leader = 0;           ///< the root edge of that input which is published last
+  };
+  struct Slot {
+    std::atomic<std::uint32_t> states{0}; ///< two bits a place
+    std::array<Note, places> notes;
+    Index held = nil; ///< the reader's: the place that it has in hand
+  };
+
+  /// One slot for each root edge; owned by the caller, who must keep them.
+  explicit LastWords(std::span<Slot> slots) : slots_(slots) {}
+  LastWords(const LastWords&) = delete;
+  LastWords& operator=(const LastWords&) = delete;
+
+  // For writers: any thread.
+
+  bool exist() const { return !slots_.empty(); }
+  /// The last word about this root task was not seen by the reader yet.
+  bool wait(Index edge) const;
+  /// A handle for a word about this root task and its data, which only the caller has until it publishes. Nil: so many
+  /// others are at it right now that no place is left; theirs count as the later words, and there is nothing to do.
+  Index reserve(Index edge);
+  /// The records of one input; each with the handle that was reserved for it, or nil.
+  void publish(std::span<const Input> records, std::uint32_t position);
+
+  // For the reader.
+
+  /// Takes every last word in hand; what is said later waits for the next time.
+  void open();
+  /// Of those in hand with a position up to this one, the one that was said first. `more`: there is another of the
+  /// same input.
+  bool take(std::uint32_t position, Input& out);
+  /// The next record of the input that was taken last.
+  bool take_more(Input& out);
+  bool any_in_hand() const { return in_hand_ != 0; }
+
+private:
+  void sweep(bool& found);
+  bool leader_comes(const Note& note) const;
+  void let_go(Slot& slot);
+  void put_back(Slot& slot);
+  Input give(Slot& slot);
+  Slot* first_of(std::uint32_t ticket);
+
+  std::span<Slot> slots_;
+  std::atomic<std::uint32_t> tickets_{0};
+  std::atomic<std::uint32_t> spoken_{0}; ///< not 0: a word may wait that the reader has not seen
+  Index in_hand_ = 0;                    ///< slots with a place held that was not taken
+  std::uint32_t taken_ = 0;              ///< ticket of the input that was taken last
+  Slot* given_ = nullptr;                ///< the slot whose place was given out, until the next one is asked for
+};
+
+} // namespace director
