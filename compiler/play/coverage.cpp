@@ -29,7 +29,8 @@ public:
         facts_(checks::find_facts(model, graph)),
         counts_([this](ProviderId id) {
           return facts_.capable.contains(id) && facts_.requested.contains(model_.providers[id].group);
-        }) {}
+        }),
+        branches_(model, counts_) {}
 
   Coverage plan() {
     for (const ProviderId id : model_.providers.ids()) {
@@ -105,16 +106,17 @@ private:
 
   void plan_pushes() {
     const checks::Chains chains(model_, counts_);
+    const checks::Causers causers = checks::find_causers(model_);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
-      for (const ProviderId causer : checks::find_push_goals(model_, facts_, chains, waiter).pushable)
+      for (const ProviderId causer : checks::find_push_goals(model_, facts_, chains, causers, waiter).pushable)
         add({Kind::push, waiter.value, causer.value}, model_.providers[causer].span);
     }
   }
 
   const checks::Claims& claims(GroupId task) {
     std::unique_ptr<checks::Claims>& out = claims_[task];
-    if (!out) out = std::make_unique<checks::Claims>(model_, task, counts_);
+    if (!out) out = std::make_unique<checks::Claims>(branches_, task);
     return *out;
   }
 
@@ -129,7 +131,7 @@ private:
 
   bool may_take(const checks::Together& together, const Task& taker, const Task& loser) {
     const checks::Claims &of_taker = claims(taker.target), &of_loser = claims(loser.target);
-    for (const GroupId group : model_.groups.ids()) {
+    for (const GroupId group : of_taker.groups()) {
       for (const checks::Reach takes : checks::all_reaches) {
         for (const checks::Reach loses : checks::all_reaches) {
           const checks::Claim *first = of_taker.find(group, takes), *second = of_loser.find(group, loses);
@@ -162,6 +164,7 @@ private:
   const Model& model_;
   const checks::Facts facts_;
   const std::function<bool(ProviderId)> counts_;
+  const checks::Branches branches_;
   std::map<GroupId, std::unique_ptr<checks::Claims>> claims_;
   std::set<CoveragePoint::Key> seen_;
   Coverage out_;
