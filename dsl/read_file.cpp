@@ -126,7 +126,9 @@ BehaviourSpec read_file(Reader& reader, const YamlNode& root) {
   file.span = {root.span.file, 0, static_cast<std::uint32_t>(reader.source().size())};
   if (!read_language(reader, root)) return file;
   const Span first = root.pairs.empty() ? root.span : root.pairs.front().key.span;
-  reader.know_keys(root, "a behaviour file", keys);
+  static const Elsewhere scenarios{{"scenario", "given", "script", "steps"},
+                                   "this belongs to a scenario, which `directorc test` and `directorc simulate` play"};
+  reader.know_keys(root, "a behaviour file", keys, scenarios);
   reader.require(root, "language", "a behaviour file", first);
   file.name = reader.word(reader.require(root, "behaviour", "a behaviour file", first), "behaviour", "a name")
                   .value_or(Word{"", first});

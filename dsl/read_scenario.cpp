@@ -129,7 +129,10 @@ StepSpec read_step(Reader& reader, const YamlNode& mapping) {
 void read_top(Reader& reader, const YamlNode& root, const std::string& path, ScenarioSpec& out) {
   static const Keys keys{"scenario", "behaviour", "given", "script", "steps", "doc"};
   const Span first = root.pairs.empty() ? root.span : root.pairs.front().key.span;
-  reader.know_keys(root, "a scenario file", keys);
+  static const Elsewhere behaviours{{"language", "imports", "cpp", "layers", "states", "triggers", "extern", "roots",
+                                     "groups", "extend", "assertions", "limits"},
+                                    "this belongs to a behaviour file, which `directorc check` reads"};
+  reader.know_keys(root, "a scenario file", keys, behaviours);
   out.title = reader.text(root.find("scenario"), "scenario");
   out.behaviour = reader
                       .word(reader.require(root, "behaviour", "a scenario file", first), "behaviour",

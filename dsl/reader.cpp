@@ -80,13 +80,18 @@ bool Reader::is_scalar(const YamlNode* node, std::string_view subject, std::stri
   return good;
 }
 
-void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys) {
+void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys, const Elsewhere& elsewhere) {
   for (const YamlPair& pair : mapping.pairs) {
     const std::string& key = pair.key.value;
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    const std::string message = fmt::format("{} has no key {}", thing, quoted(key));
+    if (std::find(elsewhere.keys.begin(), elsewhere.keys.end(), key) != elsewhere.keys.end()) {
+      error("unknown_key", pair.key.span, message, elsewhere.help);
+      continue;
+    }
     const auto near = suggest(key, keys);
     if (near) misspelt_.emplace_back(&mapping, *near);
-    error("unknown_key", pair.key.span, fmt::format("{} has no key {}", thing, quoted(key)),
+    error("unknown_key", pair.key.span, message,
           near ? fmt::format("did you mean `{}`?", *near) : fmt::format("it may have {}", fmt::join(keys, ", ")));
   }
 }

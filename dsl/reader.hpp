@@ -21,6 +21,12 @@ namespace director::dsl {
 /// Kinds of things and the keys that they may have.
 using Keys = std::vector<std::string>;
 
+/// Keys that belong to another kind of file, and the help that says so.
+struct Elsewhere {
+  Keys keys;
+  std::string help;
+};
+
 struct Bounds {
   std::int64_t low = std::numeric_limits<std::int64_t>::min();
   std::int64_t high = std::numeric_limits<std::int64_t>::max();
@@ -43,7 +49,7 @@ public:
 
   /// unknown_key for every other key of the mapping. `thing`: "a group", "provider `walking`". Comes before lacks() and
   /// require(), which are silent about a key that is only misspelt.
-  void know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys);
+  void know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys, const Elsewhere& elsewhere = {});
   /// exclusive_keys at the later of the two, if both are there.
   void exclude(const YamlNode& mapping, std::string_view key, std::string_view other);
   bool lacks(const YamlNode& mapping, std::string_view key) const;

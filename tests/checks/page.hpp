@@ -5,7 +5,8 @@
 // ...`), or, on a line of its own, in the nearest line above that is not such a comment (`# reported above: ...`, `#
 // note above: ...`);
 // `# help: ...` may stand anywhere. A message may end in the id of another check, ` [redefined_name]`. Where neither
-// `behaviour:` nor `language:` begins a line, both are added in front. `# file: other.yaml` begins a further file.
+// `behaviour:` nor `language:` begins a line, both are added in front. `# file: other.yaml` begins a further file; one
+// that ends in .scenario.yaml is played, and what is wrong with it is found too.
 
 #include <cstdint>
 #include <map>

@@ -151,8 +151,8 @@ TEST_CASE("What stands wrong in a scenario's head is said where it stands") {
            Case{"senario: x\n",
                 "2:1 `senario` unknown_key: a scenario file has no key `senario` (did you mean `scenario`?)\n"},
            Case{"language: 1\n",
-                "2:1 `language` unknown_key: a scenario file has no key `language` (it may have scenario, "
-                "behaviour, given, script, steps, doc)\n"},
+                "2:1 `language` unknown_key: a scenario file has no key `language` (this belongs to a "
+                "behaviour file, which `directorc check` reads)\n"},
            Case{"given: [A]\nsteps: {}\nscript: []\n",
                 "2:8 `[A]` wrong_node_kind: `given`: expected a mapping of states to values, found a list\n"
                 "3:8 `{}` wrong_node_kind: `steps`: expected a list of steps, found a mapping\n"
@@ -275,4 +275,15 @@ TEST_CASE("Every scenario of this project is read without a finding") {
     }
   }
   CHECK(count > 0);
+}
+
+TEST_CASE("A file of the other kind is told by its keys") {
+  CHECK(read_scenario_body("language: 1\ngroups: {}\n").findings() ==
+        "2:1 `language` unknown_key: a scenario file has no key `language` (this belongs to a behaviour file, which "
+        "`directorc check` reads)\n"
+        "3:1 `groups` unknown_key: a scenario file has no key `groups` (this belongs to a behaviour file, which "
+        "`directorc check` reads)\n");
+  CHECK(read_body("steps: []\n").findings() ==
+        "3:1 `steps` unknown_key: a behaviour file has no key `steps` (this belongs to a scenario, which `directorc "
+        "test` and `directorc simulate` play)\n");
 }
