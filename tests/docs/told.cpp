@@ -73,7 +73,12 @@ private:
   }
 
   Lines run(const std::string& command) {
-    const Ran ran = run_command(command, source_dir());
+    const std::filesystem::path folder = source_dir() / comment_.options["in"];
+    if (!std::filesystem::is_directory(folder)) {
+      fault("there is no folder " + comment_.options["in"]);
+      return {};
+    }
+    const Ran ran = run_command(command, folder);
     const std::string expected = comment_.options.contains("exit") ? comment_.options["exit"] : "0";
     if (std::to_string(ran.status) != expected)
       fault(command + " ends with " + std::to_string(ran.status) + ":\n" + ran.output);

@@ -8,6 +8,7 @@
 //   <!-- run: COMMAND -->                    what the command prints in the source tree; `run, exit 1:` if it fails
 //   <!-- session -->                         the commands behind `$ ` in the block and what they print; `session, exit
 //   1`
+//                                            if they fail; `in "FOLDER"` is where in the source tree they run
 //   <!-- output: ./start -->                 what the script prints of its own and through the programs that it ends
 //   with
 //   <!-- check -->                           a behaviour that is clean; its first two lines may be missing. Further

@@ -54,6 +54,7 @@ TEST_CASE("a block may be what a command prints") {
   stays("run: printf 'a\\nb\\n'", "a\nb\n");
   stays("run, exit 4: echo no && exit 4", "no\n");
   stays("session", "$ echo one\none\n$ printf '1\\n2\\n3\\n'\n…\n3\n");
+  stays("session, in \"tests/docs\"", "$ ls told.hpp\ntold.hpp\n");
   CHECK(tell(page("run: echo b", "a\n")).text == page("run: echo b", "b\n"));
 }
 
@@ -72,6 +73,7 @@ TEST_CASE("what cannot be found out is a fault, at its place") {
   CHECK(fault("file, from \"no such line\": README.md") == is("no line of README.md holds no such line"));
   CHECK(fault("run: echo no && exit 4") == is("echo no && exit 4 ends with 4:\nno\n"));
   CHECK(fault("session", "echo\n") == is("there is no command, a line that begins with $"));
+  CHECK(fault("session, in \"no/such\"", "$ echo\n") == is("there is no folder no/such"));
   CHECK(fault("output: ./finish") == is("nobody knows what ./finish prints"));
   CHECK(fault("findings") == is("there is no block before that is checked"));
 }
