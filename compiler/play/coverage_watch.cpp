@@ -98,7 +98,7 @@ void CoverageWatch::look_at_conditions(const Engine& engine) {
 
 void CoverageWatch::look_at_pushes(const director::State& state) {
   for (Index g = 0; g < active_.size(); ++g) {
-    const Push& push = state.last.push[g];
+    const Push& push = state.last[g].push;
     if (push.edge != nil) mark({Kind::push, lowered_.edges[push.edge].target, push.provider});
   }
 }

@@ -14,18 +14,18 @@ bool Pass::alive(Index edge) const {
   for (;;) {
     if (is_limbo(edge)) return false;
     const Index group = target(edge);
-    const bool needed = s_.last.holder[group] == edge && (s_.last.flags[group] & flag::needed) != 0;
+    const bool needed = s_.last[group].holder == edge && (s_.last[group].flags & flag::needed) != 0;
     if (!requested(edge) && !needed) return false;
     const Index from = requester(edge);
     if (from == nil) return true;
-    edge = s_.last.holder[from];
+    edge = s_.last[from].holder;
     if (edge == nil) return false;
   }
 }
 
 bool Pass::available(Index group, Index edge, bool record) {
-  if (s_.now.holder[group] != nil) return s_.now.holder[group] == edge;
-  const Index holder = s_.last.holder[group]; // equals never take from each other
+  if (s_.now[group].holder != nil) return s_.now[group].holder == edge;
+  const Index holder = s_.last[group].holder; // equals never take from each other
   if (holder == nil || holder == edge || is_limbo(holder) || (s_.edge_marks[holder] & mark::refused) != 0 ||
       (s_.group_marks[group] & mark::forgotten) != 0 || !alive(holder) ||
       compare({edge, Along::now}, {holder, Along::last}, false) != 0)
@@ -46,7 +46,7 @@ bool Pass::applies(const Push& push, Index edge) const {
 
 /// The provider that a push moves to the front for an edge that controls the group, or nil.
 Index Pass::pushed_first(Index group, Index edge) const {
-  const Push& push = s_.now.push[group];
+  const Push& push = s_.now[group].push;
   return push.edge != nil && applies(push, edge) ? push.provider : nil;
 }
 
@@ -68,7 +68,7 @@ bool Pass::stays(Index provider) const {
   const Provider& row = t_.providers[provider];
   if (row.stay.empty()) return false;
   depends_on_last_ = true;
-  if (s_.last.active[row.group] != provider || (s_.last.flags[row.group] & flag::granted) == 0) return false;
+  if (s_.last[row.group].active != provider || (s_.last[row.group].flags & flag::granted) == 0) return false;
   for (const Index condition : t_.list(row.stay)) {
     if (!holds(condition)) return false;
   }
@@ -78,9 +78,9 @@ bool Pass::stays(Index provider) const {
 /// Held in this provider on purpose: conditions on states that it causes itself do not count.
 bool Pass::waived(Index provider, Index condition, Index edge) const {
   const Index group = t_.providers[provider].group;
-  const Push& push = s_.now.push[group];
-  if (push.edge == nil || push.provider != provider || (s_.last.flags[group] & flag::in_force) == 0 ||
-      s_.last.push[group].provider != provider)
+  const Push& push = s_.now[group].push;
+  if (push.edge == nil || push.provider != provider || (s_.last[group].flags & flag::in_force) == 0 ||
+      s_.last[group].push.provider != provider)
     return false;
   for (const Index state : t_.list(t_.providers[provider].causing)) {
     if (state == t_.conditions[condition].state) return applies(push, edge);
@@ -203,7 +203,7 @@ bool Pass::next_choice(Index at, bool fresh, bool with_conditions, bool record) 
   for (; place < providers.size(); ++place) {
     if (!found) {
       provider = preferred(group, place, edge);
-      if (s_.enabled[provider] == 0 || (as_it_is && provider != s_.last.active[group])) continue;
+      if (s_.enabled[provider] == 0 || (as_it_is && provider != s_.last[group].active)) continue;
       if (with_conditions && first_false(provider, edge) != nil) continue;
       found = search_plan(provider, begin, end, true, false);
     }

@@ -25,25 +25,20 @@ void Engine::reset() {
         for (std::size_t i = 0; i < count; ++i) array[i] = T{};
       },
       [] {});
-  s_.counters->due_phase = due::none;
+  clear_timers();
   for (Index i = 0; i < t_.states.size(); ++i) {
     s_.values[i] = t_.states[i].initial;
-    s_.expiry[i] = never;
     s_.handler_values[i] = s_.staged_value[i] = unset;
   }
   for (Index p = 0; p < t_.providers.size(); ++p) s_.enabled[p] = 1;
   for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e] = nil;
-  for (Index i = 0; i < t_.promises.size(); ++i) s_.promise_due[i] = never;
   for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = nil;
   for (Index i = 0; i < t_.most_edges; ++i) s_.staged_level[i] = nil;
   for (Index g = 0; g < t_.groups.size(); ++g) {
-    s_.now.holder[g] = s_.now.active[g] = s_.now.planned[g] = nil;
-    s_.wait[g] = s_.every[g] = never;
-    s_.last.holder[g] = s_.last.active[g] = s_.last.planned[g] = nil;
+    s_.runs_after[g] = s_.runs_before[g] = nil;
     s_.promised_edge[g] = s_.promised_provider[g] = s_.data_from[g] = s_.trial[g] = nil;
   }
   starting_ = ran_ = nil;
-  anew_ = {};
   inside_ = faulted_ = false;
 }
 
@@ -51,7 +46,7 @@ void Engine::preset(Index state, std::int32_t value) { s_.values[state] = value;
 
 RunState Engine::state(Index edge) const {
   const Index group = t_.edges[edge].target;
-  if (granted(group) && s_.last.holder[group] == edge) return RunState::running;
+  if (granted(group) && s_.last[group].holder == edge) return RunState::running;
   return s_.request[edge] != nil ? RunState::queued : RunState::none;
 }
 
@@ -133,10 +128,7 @@ bool Run::request(Index edge, Index level, bool keep) {
 Time Handling::now() const { return engine_.now(); }
 DataPlace Handling::data() const { return engine_.data_of(group_); }
 
-void Handling::set(Index state, std::int32_t value) {
-  engine_.s_.handler_values[state] = value;
-  engine_.s_.counters->handlers_set = 1;
-}
+void Handling::set(Index state, std::int32_t value) { engine_.set_by_handler(state, value); }
 
 void Handling::refuse(Index state, std::int32_t value) {
   Event event = engine_.event(Event::Kind::refused, group_);

@@ -28,10 +28,15 @@ public:
 
   /// Micro-steps until quiescence: the inputs that are in the inbox now (at time `now`), then what is due, each due
   /// time to quiescence before the next. An earlier `now` counts as the last one.
-  StepResult step(Time now);
+  StepResult step(Time now) {
+    Counters& c = *s_.counters;
+    if (now >= c.quiet_until || !inbox_.empty()) return take_step(now);
+    if (now > c.until) c.until = c.now = now;
+    return StepResult::quiescent;
+  }
 
   /// The next time at which a step would have something to do without an input; `never` if there is nil.
-  Time next_due() const;
+  Time next_due() const { return t_.states.size() + t_.groups.size() == 0 ? never : s_.due[soonest(1)]; }
 
   // What holds between steps.
   std::int32_t value(Index state) const { return s_.values[state]; }
@@ -39,10 +44,10 @@ public:
   RunState state(Index edge) const; ///< of a request: running, queued or none
   bool done(Index edge) const;      ///< the target said done or failed; only while running
   bool failed(Index edge) const;
-  Index holder(Index group) const { return s_.last.holder[group]; } ///< edge; >= edges.size(): limbo; nil
-  Index active(Index group) const { return s_.last.active[group]; } ///< provider, or nil
-  bool granted(Index group) const { return (s_.last.flags[group] & flag::granted) != 0; }
-  bool in_force(Index group) const { return (s_.last.flags[group] & flag::in_force) != 0; }
+  Index holder(Index group) const { return s_.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
+  Index active(Index group) const { return s_.last[group].active; } ///< provider, or nil
+  bool granted(Index group) const { return (s_.last[group].flags & flag::granted) != 0; }
+  bool in_force(Index group) const { return (s_.last[group].flags & flag::in_force) != 0; }
   Queued queued(Index edge) const { return s_.queued[edge]; }
   Time now() const { return s_.counters->now; }
   bool inside() const { return inside_; } ///< a body or handler is running; for the thread that calls step()
@@ -53,7 +58,12 @@ private:
   friend class Run;
   friend class Handling;
 
+  /// Kinds of timers, in the order in which those that are due together are served.
+  enum class Due : std::uint8_t { expiry, wait, promise, every };
+
   // step.cpp: section 3
+  StepResult take_step(Time now);
+  void take_first_step(Time now);
   bool micro_step();
   bool work_left() const;
   bool take_input();
@@ -68,24 +78,41 @@ private:
   void answer(Index group, bool failed);
   void request(Index edge, Index level);
   void withdraw(Index edge);
+  void set_by_handler(Index state, std::int32_t value);
   bool set_value(Index state, std::int32_t value);
   bool assign(Index state, std::int32_t value);
   void report_input(const Input& record) const;
   void report_set(Index state) const;
 
   // timers.cpp: section 3, Time
-  void arm(Time& timer, Time due);
+  Index timer(Due kind, Index row) const;
+  void arm(Due kind, Index row, Time due) { set_timer(timer(kind, row), due); }
+  void disarm(Due kind, Index row);
+  void set_timer(Index index, Time due);
+  void clear_timers();
+  Index soonest(std::size_t node) const {
+    const std::size_t timers = t_.states.size() + 2 * t_.groups.size() + t_.promises.size();
+    return node < timers ? s_.soonest[node] : static_cast<Index>(node - timers);
+  }
+  Index sooner(std::size_t node) const;
   bool take_timer();
-  bool serve_timer(Index row, Time when);
-  void report_timer(Index row) const;
+  bool serve_timer(Due kind, Index row, Time when);
+  void report_timer(Due kind, Index row) const;
   bool expire(Index state);
   bool break_promise(Index promise);
 
-  // settle.cpp: after every micro-step
-  void end_micro_step();
+  // notes.hpp
   void mark(Index component, std::uint8_t bits);
+  void mark_stale(Index group);
   void touch(Index group);
+  void untouch(Index group);
   void add_reason(Index group, Reason reason);
+  void enqueue(Index group);
+  void leave_queue(Index group);
+  void end_micro_step();
+
+  // settle.cpp: after every micro-step
+  void arbitrate();
   bool changed(Index component, bool& decision) const;
   void forget_work();
 
@@ -93,14 +120,12 @@ private:
   void act(Index passes);
   void act_on_touched();
   void give_touched(Index group);
-  void finish_act();
   std::span<const Index> in_order(Index passes, bool before);
   void stop_group(Index group);
   void give_reasons(Index group);
-  void enqueue(Index group);
-  void filter_queue();
   void keep_promises(Index group);
-  void settle_data(Range edges);
+  void settle_requests();
+  void settle_data(Index edge);
   void adopt(Index component);
   void report_decisions(Index component) const;
   void handle(Index group, Reason reason);
@@ -118,7 +143,6 @@ private:
   std::uint32_t budget_ = default_budget;
   Index starting_ = nil;    ///< the group whose start handler runs: its data may still be staged
   Index ran_ = nil;         ///< the group that ran in this micro-step
-  Range anew_{};            ///< the edges among which some are marked anew
   bool inside_ = false;     ///< a body or handler is running
   bool faulted_ = false;
 };

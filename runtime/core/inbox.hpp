@@ -56,6 +56,7 @@ public:
 
   /// Records claimed by writers and not taken yet, as seen by the reader.
   std::uint32_t waiting() const { return tail_.load(std::memory_order_acquire) - head_; }
+  bool empty() const { return waiting() == 0 && words_.empty(); }
 
 private:
   bool take_cell(Input& out);

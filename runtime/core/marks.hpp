@@ -21,17 +21,6 @@ inline constexpr std::uint8_t busy = 8; ///< its push serves a condition of the 
 inline constexpr std::uint8_t wanted = 1;
 } // namespace mark
 
-/// Kinds of timers, in the order in which those that are due together are served.
-namespace due {
-inline constexpr Index expiry = 0, wait = 1, promise = 2, every = 3, none = 4;
-} // namespace due
-
-/// Bits of State::in_queue.
-namespace place {
-inline constexpr std::uint8_t queue = 1;   ///< it is to run
-inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched
-} // namespace place
-
 /// A condition on an unset state is false.
 inline bool accepts(const Tables& t, const Condition& condition, std::int32_t value) {
   if (value == unset) return false;

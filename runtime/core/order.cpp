@@ -6,6 +6,8 @@
 
 #include "runtime/core/order.hpp"
 
+#include "runtime/core/heap_sort.hpp"
+
 namespace director {
 
 Index Order::target(Index edge) const {
@@ -24,8 +26,8 @@ Index Order::urgency(Index edge) const {
 Index Order::above(Place place) const {
   const Index group = requester(place.edge);
   if (group == nil) return nil;
-  if (place.along == Along::last) return s_.last.holder[group];
-  return s_.now.holder[group] != nil ? s_.now.holder[group] : s_.trial[group];
+  if (place.along == Along::last) return s_.last[group].holder;
+  return s_.now[group].holder != nil ? s_.now[group].holder : s_.trial[group];
 }
 
 Order::Chain Order::chain(Place place) const {
@@ -86,32 +88,7 @@ int Order::compare_siblings(Side a, Side b, bool in_order) const {
 }
 
 void Order::sort(std::span<Index> groups, Along along) const {
-  const Assignment& holders = along == Along::now ? s_.now : s_.last;
-  const auto goes_behind = [&](Index a, Index b) {
-    return compare({holders.holder[a], along}, {holders.holder[b], along}, true) > 0;
-  };
-  const auto sink = [&](std::size_t at, std::size_t end) {
-    for (;;) {
-      std::size_t child = 2 * at + 1;
-      if (child >= end) return;
-      if (child + 1 < end && goes_behind(groups[child + 1], groups[child])) ++child;
-      if (!goes_behind(groups[child], groups[at])) return;
-      const Index moved = groups[at];
-      groups[at] = groups[child];
-      groups[child] = moved;
-      at = child;
-    }
-  };
-  bool sorted = true; // as it is, mostly
-  for (std::size_t i = 1; i < groups.size() && sorted; ++i) sorted = !goes_behind(groups[i - 1], groups[i]);
-  if (sorted) return;
-  for (std::size_t i = groups.size() / 2; i-- > 0;) sink(i, groups.size());
-  for (std::size_t end = groups.size(); end-- > 1;) {
-    const Index moved = groups[0];
-    groups[0] = groups[end];
-    groups[end] = moved;
-    sink(0, end);
-  }
+  heap_sort(groups, [&](Index a, Index b) { return before_in_order(a, b, along); });
 }
 
 } // namespace director

@@ -23,7 +23,12 @@ public:
   bool before(Place a, Place b) const { return compare(a, b, false) < 0; }
   bool in_chain(Index edge, Place of) const;
 
-  /// Sorts groups by the edges that hold them: a heap in place.
+  /// The edge that holds group `a` goes before the one that holds `b`, in order.
+  bool before_in_order(Index a, Index b, Along along) const {
+    const Assignment& held = along == Along::now ? s_.now : s_.last;
+    return compare({held[a].holder, along}, {held[b].holder, along}, true) < 0;
+  }
+  /// Sorts groups by the edges that hold them.
   void sort(std::span<Index> groups, Along along) const;
 
 protected:

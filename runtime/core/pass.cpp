@@ -20,14 +20,11 @@ void Pass::arbitrate() {
 void Pass::clear() {
   candidates_ = denied_ = stale_granted_ = 0;
   for (const Index g : t_.list(c_.groups)) {
-    s_.now.holder[g] = s_.now.active[g] = s_.now.planned[g] = nil;
-    s_.now.flags[g] = 0;
-    s_.now.push[g] = Push{};
-    s_.now.serves[g] = Service{};
+    s_.now[g] = Standing{};
     s_.group_marks[g] &= mark::forgotten;
     const Range slots = t_.groups[g].slots;
     for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
-    pushed_ = pushed_ || s_.last.push[g].edge != nil;
+    pushed_ = pushed_ || s_.last[g].push.edge != nil;
   }
   depends_on_last_ = depends_on_last_ || pushed_;
   for (const Index e : t_.list(c_.edges)) {
@@ -44,7 +41,7 @@ void Pass::clear() {
 bool Pass::denied_in_vain() {
   for (Index i = 0; i < denied_; ++i) {
     const Index group = s_.denied[i];
-    if (s_.now.holder[group] == s_.last.holder[group]) continue;
+    if (s_.now[group].holder == s_.last[group].holder) continue;
     s_.group_marks[group] |= mark::forgotten;
     return true;
   }
@@ -89,7 +86,7 @@ Index Pass::first_candidate() {
 
 /// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
 bool Pass::may_ask(Index group) const {
-  return group == nil || (s_.now.flags[group] & flag::granted) != 0 || stale(group);
+  return group == nil || (s_.now[group].flags & flag::granted) != 0 || stale(group);
 }
 
 bool Pass::alone(Index edge) const {
@@ -128,13 +125,13 @@ void Pass::sweep() {
 /// A group whose orders are outdated.
 bool Pass::stale(Index group) const {
   for (;;) {
-    const Index edge = s_.now.holder[group];
+    const Index edge = s_.now[group].holder;
     if (is_limbo(edge)) return true;
-    if ((s_.now.flags[group] & flag::granted) != 0) {
+    if ((s_.now[group].flags & flag::granted) != 0) {
       constexpr auto outdating = static_cast<std::uint8_t>(static_cast<std::uint8_t>(Reason::new_task) |
                                                            static_cast<std::uint8_t>(Reason::pushed));
-      return (s_.pending[group] & outdating) != 0 || s_.anew[edge] != 0 || edge != s_.last.holder[group] ||
-             s_.now.active[group] != s_.last.active[group];
+      return (s_.pending[group] & outdating) != 0 || s_.anew[edge] != 0 || edge != s_.last[group].holder ||
+             s_.now[group].active != s_.last[group].active;
     }
     group = requester(edge); // held only as a need: while its requester is stale
     if (group == nil) return false;
@@ -149,7 +146,7 @@ bool Pass::stale_requester(Index edge) const {
 /// Its target was granted to it before this pass.
 bool Pass::runs_for_now(Index edge) const {
   const Index group = target(edge);
-  return s_.last.holder[group] == edge && (s_.last.flags[group] & flag::granted) != 0;
+  return s_.last[group].holder == edge && (s_.last[group].flags & flag::granted) != 0;
 }
 
 /// Something new on behalf of outdated orders.
@@ -215,8 +212,8 @@ bool Pass::premature(Index count) {
 /// one that goes before it and is not above it.
 bool Pass::reached_from_stale(Index found, Index edge) {
   const auto counts = [&](Index group) {
-    if ((s_.now.flags[group] & flag::granted) == 0 || !stale(group)) return false;
-    const Index holder = s_.now.holder[group];
+    if ((s_.now[group].flags & flag::granted) == 0 || !stale(group)) return false;
+    const Index holder = s_.now[group].holder;
     return edge == nil || (!in_chain(holder, {edge, Along::now}) && before({holder, Along::now}, {edge, Along::now}));
   };
   for (const Index g : t_.list(c_.groups)) s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::reached);
@@ -239,11 +236,11 @@ bool Pass::reached_from_stale(Index found, Index edge) {
 void Pass::grant(Index count) {
   for (Index at = 0; at < count; ++at) {
     const Index edge = s_.member[at], group = target(edge), begin = entries_begin(at), end = s_.member_entries[at];
-    s_.now.holder[group] = edge;
-    s_.now.active[group] = s_.member_provider[at];
-    s_.now.flags[group] |= flag::granted;
+    s_.now[group].holder = edge;
+    s_.now[group].active = s_.member_provider[at];
+    s_.now[group].flags |= flag::granted;
     plan_for(group, s_.member_provider[at], begin, end);
-    for (Index i = begin; i < end; ++i) s_.now.holder[s_.entry_group[i]] = s_.entry_need[i];
+    for (Index i = begin; i < end; ++i) s_.now[s_.entry_group[i]].holder = s_.entry_need[i];
     claim_plan(begin, end);
   }
   for (Index at = 0; at < count; ++at) {
@@ -261,7 +258,7 @@ void Pass::grant(Index count) {
 /// The plan of `owner` for its provider is entries [begin, end).
 void Pass::plan_for(Index owner, Index provider, Index begin, Index end) {
   const Range slots = t_.groups[owner].slots;
-  s_.now.planned[owner] = provider;
+  s_.now[owner].planned = provider;
   for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
   if (slots.empty()) return;
   for (Index i = begin; i < end; ++i) {
@@ -274,8 +271,8 @@ void Pass::plan_for(Index owner, Index provider, Index begin, Index end) {
 void Pass::claim_plan(Index begin, Index end) {
   for (Index i = begin; i < end; ++i) {
     const Index group = s_.entry_group[i];
-    s_.now.flags[group] |= flag::needed;
-    if ((s_.now.flags[group] & flag::granted) != 0) continue;
+    s_.now[group].flags |= flag::needed;
+    if ((s_.now[group].flags & flag::granted) != 0) continue;
     auto below = static_cast<Index>(i + 1); // depth first: what an entry needs stands right behind it
     while (below < end && s_.entry_parent[below] != nil && s_.entry_parent[below] >= i) ++below;
     plan_for(group, s_.entry_provider[i], static_cast<Index>(i + 1), below);
@@ -286,7 +283,7 @@ void Pass::claim_plan(Index begin, Index end) {
 void Pass::waken(Index begin, Index end) {
   for (Index i = begin; i < end; ++i) {
     const Index group = s_.entry_group[i];
-    if (s_.last.active[group] != nil && stale(group)) become_candidates(group);
+    if (s_.last[group].active != nil && stale(group)) become_candidates(group);
   }
 }
 
@@ -318,7 +315,7 @@ void Pass::explain(Index count, Why why, Index condition) {
 void Pass::hand_over() {
   for (Index i = 0; i < s_.order_count[component_]; ++i) {
     const Index group = s_.order[c_.order + i];
-    if (s_.last.active[group] == nil || s_.now.holder[group] != nil || stale_granted_ == 0) continue;
+    if (s_.last[group].active == nil || s_.now[group].holder != nil || stale_granted_ == 0) continue;
     s_.reach[0] = group;
     if (reached_from_stale(1, nil)) hand_over(group);
   }
@@ -327,13 +324,13 @@ void Pass::hand_over() {
 void Pass::hand_over(Index group) {
   const Index end = recall_plan(group);
   for (Index i = 0; i < end; ++i) {
-    if (s_.now.holder[s_.entry_group[i]] != nil) return;
+    if (s_.now[s_.entry_group[i]].holder != nil) return;
   }
   depends_on_last_ = depends_on_stale_ = true;
-  s_.now.holder[group] = static_cast<Index>(t_.edges.size() + group);
-  s_.now.active[group] = s_.last.active[group];
-  if (s_.last.planned[group] != nil) plan_for(group, s_.last.planned[group], 0, end);
-  for (Index i = 0; i < end; ++i) s_.now.holder[s_.entry_group[i]] = s_.entry_need[i];
+  s_.now[group].holder = static_cast<Index>(t_.edges.size() + group);
+  s_.now[group].active = s_.last[group].active;
+  if (s_.last[group].planned != nil) plan_for(group, s_.last[group].planned, 0, end);
+  for (Index i = 0; i < end; ++i) s_.now[s_.entry_group[i]].holder = s_.entry_need[i];
   claim_plan(0, end);
   become_candidates(group);
   waken(0, end);
@@ -342,10 +339,10 @@ void Pass::hand_over(Index group) {
 
 /// Writes the plan that a group had after the last pass as entries from 0 on; returns how many.
 Index Pass::recall_plan(Index group) {
-  if (s_.last.planned[group] == nil) return 0;
+  if (s_.last[group].planned == nil) return 0;
   Index end = 0;
   for (Index parent = nil;;) {
-    const Index provider = parent == nil ? s_.last.planned[group] : s_.entry_provider[parent];
+    const Index provider = parent == nil ? s_.last[group].planned : s_.entry_provider[parent];
     Index place = 0;
     Index owner = parent;
     Index of = provider;
@@ -353,7 +350,7 @@ Index Pass::recall_plan(Index group) {
       if (owner == nil) return end;
       place = static_cast<Index>(s_.entry_place[owner] + 1);
       owner = s_.entry_parent[owner];
-      of = owner == nil ? s_.last.planned[group] : s_.entry_provider[owner];
+      of = owner == nil ? s_.last[group].planned : s_.entry_provider[owner];
     }
     const Index need = t_.list(t_.providers[of].needs)[place], needed = t_.edges[need].target;
     const Index slot = slot_of(group, needed);
@@ -370,27 +367,27 @@ Index Pass::recall_plan(Index group) {
 void Pass::finish() {
   Index count = 0;
   for (const Index g : t_.list(c_.groups)) {
-    if (s_.now.holder[g] == nil) continue;
+    if (s_.now[g].holder == nil) continue;
     s_.next_order[c_.order + count++] = g;
-    if (s_.now.active[g] != nil || s_.last.active[g] == nil) continue;
+    if (s_.now[g].active != nil || s_.last[g].active == nil) continue;
     depends_on_last_ = depends_on_stale_ = true;
-    if (stale(g)) s_.now.active[g] = s_.last.active[g];
+    if (stale(g)) s_.now[g].active = s_.last[g].active;
   }
   s_.next_count[component_] = count;
   for (const Index g : t_.list(c_.groups)) {
-    Push& push = s_.now.push[g];
+    Push& push = s_.now[g].push;
     if (push.edge == nil) continue;
     depends_on_last_ = true;
-    if (s_.now.holder[g] == nil) {
+    if (s_.now[g].holder == nil) {
       if (!asked_for(g)) push = Push{};
       continue;
     }
-    const bool was_in_force = (s_.last.flags[g] & flag::in_force) != 0;
-    if (s_.now.active[g] != push.provider || ((s_.now.flags[g] & flag::granted) == 0 && !was_in_force) ||
-        !applies(push, s_.now.holder[g]))
+    const bool was_in_force = (s_.last[g].flags & flag::in_force) != 0;
+    if (s_.now[g].active != push.provider || ((s_.now[g].flags & flag::granted) == 0 && !was_in_force) ||
+        !applies(push, s_.now[g].holder))
       continue;
-    s_.now.flags[g] |= flag::in_force;
-    if (!holds(push.condition)) s_.now.serves[g] = {push.provider, push.condition};
+    s_.now[g].flags |= flag::in_force;
+    if (!holds(push.condition)) s_.now[g].serves = {push.provider, push.condition};
   }
   sort({s_.next_order + c_.order, count}, Along::now);
 }
@@ -399,7 +396,7 @@ void Pass::finish() {
 bool Pass::asked_for(Index group) const {
   for (const Index edge : t_.list(t_.groups[group].requesters)) {
     const Index from = t_.edges[edge].requester;
-    if (requested(edge) && (from == nil || s_.now.active[from] != nil)) return true;
+    if (requested(edge) && (from == nil || s_.now[from].active != nil)) return true;
   }
   return false;
 }

@@ -56,8 +56,8 @@ bool Pass::somebody_satisfies(Index condition) const {
 void Pass::keep_pushes(Index count) {
   if (!pushed_) return;
   for (const Index g : t_.list(c_.groups)) {
-    const Push& push = s_.last.push[g];
-    if (push.edge != nil && s_.now.push[g].edge == nil && in_unit(push.edge, count)) s_.now.push[g] = push;
+    const Push& push = s_.last[g].push;
+    if (push.edge != nil && s_.now[g].push.edge == nil && in_unit(push.edge, count)) s_.now[g].push = push;
   }
 }
 
@@ -70,7 +70,7 @@ void Pass::keep_serving_pushes(Index count) {
   bool any = false;
   for (const Index g : t_.list(c_.groups)) {
     s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
-    any = any || (s_.last.push[g].edge != nil && in_unit(s_.last.push[g].edge, count));
+    any = any || (s_.last[g].push.edge != nil && in_unit(s_.last[g].push.edge, count));
   }
   if (!any) return;
   for (const Index c : t_.list(c_.conditions)) s_.condition_marks[c] = 0;
@@ -91,13 +91,13 @@ void Pass::keep_serving_pushes(Index count) {
   for (bool more = true; more;) {
     more = false;
     for (const Index g : t_.list(c_.groups)) {
-      const Push& push = s_.last.push[g];
+      const Push& push = s_.last[g].push;
       if (push.edge == nil || (s_.group_marks[g] & mark::busy) != 0 || !in_unit(push.edge, count) ||
           !serves(push.provider))
         continue;
       s_.group_marks[g] |= mark::busy;
       want(t_.providers[push.provider].aims);
-      if (s_.now.push[g].edge == nil) s_.now.push[g] = push;
+      if (s_.now[g].push.edge == nil) s_.now[g].push = push;
       more = true;
     }
   }
@@ -105,9 +105,9 @@ void Pass::keep_serving_pushes(Index count) {
 
 /// Pushes made before stay; new ones are made only if every condition is served.
 void Pass::push_for(Index count, Index unmet) {
-  const auto theirs = [&](Index g) -> const Push& { return s_.now.push[g]; }; // made by units before this one
+  const auto theirs = [&](Index g) -> const Push& { return s_.now[g].push; }; // made by units before this one
   for (const Index g : t_.list(c_.groups)) {
-    const Push& push = s_.last.push[g];
+    const Push& push = s_.last[g].push;
     const bool ours =
         push.edge != nil && in_unit(push.edge, count) && (theirs(g).edge == nil || theirs(g).provider == push.provider);
     s_.own[g] = ours ? push : Push{};
@@ -135,7 +135,7 @@ void Pass::push_for(Index count, Index unmet) {
     const bool free = (s_.group_marks[g] & mark::busy) == 0 && theirs(g).edge == nil;
     if (all_served && s_.first[g].edge != nil && free && s_.own[g].provider != s_.first[g].provider)
       s_.own[g] = s_.first[g];
-    if (s_.own[g].edge != nil && theirs(g).edge == nil) s_.now.push[g] = s_.own[g];
+    if (s_.own[g].edge != nil && theirs(g).edge == nil) s_.now[g].push = s_.own[g];
   }
 }
 
@@ -164,7 +164,7 @@ bool Pass::relax(Index provider) {
     const Index plan = number++;
     bool possible = true;
     for (Index i = 0; i < end; ++i)
-      possible = possible && s_.now.holder[s_.entry_group[i]] == nil && s_.enabled[s_.entry_provider[i]] != 0;
+      possible = possible && s_.now[s_.entry_group[i]].holder == nil && s_.enabled[s_.entry_provider[i]] != 0;
     if (!possible) continue;
     std::uint64_t length = 1;
     Index lacks = nil;
@@ -199,8 +199,8 @@ bool Pass::relax(Index provider) {
 
 bool Pass::can_be_pushed(Index provider, Index member) const {
   const Index group = t_.providers[provider].group;
-  const Push& there = s_.now.push[group]; // by another unit
-  if (s_.enabled[provider] == 0 || s_.now.holder[group] != nil || (there.edge != nil && there.provider != provider))
+  const Push& there = s_.now[group].push; // by another unit
+  if (s_.enabled[provider] == 0 || s_.now[group].holder != nil || (there.edge != nil && there.provider != provider))
     return false;
   for (const Index edge : t_.list(t_.groups[group].requesters)) {
     if (requested(edge) && goes_before(member, edge)) return true;

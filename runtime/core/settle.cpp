@@ -6,8 +6,7 @@
 // Everything else stays as it is, and only groups that gained a reason to run have to be looked at.
 
 #include "runtime/core/arbitration.hpp"
-#include "runtime/core/engine.hpp"
-#include "runtime/core/marks.hpp"
+#include "runtime/core/notes.hpp"
 
 namespace director {
 
@@ -18,35 +17,8 @@ bool needs_pass(std::uint8_t bits) {
 }
 } // namespace
 
-void Engine::mark(Index component, std::uint8_t bits) {
-  std::uint8_t& all = s_.component[component];
-  all |= bits;
-  if ((all & work::listed) != 0) return;
-  all |= work::listed;
-  s_.work[s_.counters->work_count++] = component;
-}
-
-void Engine::touch(Index group) {
-  if ((s_.in_queue[group] & place::touched) != 0) return;
-  s_.in_queue[group] |= place::touched;
-  s_.touched[s_.counters->touched_count++] = group;
-}
-
-void Engine::add_reason(Index group, Reason reason) {
-  const auto bit = static_cast<std::uint8_t>(reason);
-  if (reason == Reason::new_task) s_.done[group] = 0;
-  if ((s_.pending[group] & bit) != 0) return;
-  s_.pending[group] |= bit;
-  touch(group);
-  const Index component = t_.groups[group].component;
-  if ((reason == Reason::new_task || reason == Reason::pushed) && (s_.component[component] & work::stale_counts) != 0)
-    mark(component, work::stale_changed);
-}
-
-void Engine::end_micro_step() {
+void Engine::arbitrate() {
   Counters& c = *s_.counters;
-  c.unsettled = 0;
-  if (c.work_count == 0) return act_on_touched();
   forget_work();
   const Index passes = c.work_count;
   for (Index i = 0; i < passes; ++i) {
@@ -56,7 +28,7 @@ void Engine::end_micro_step() {
     bool decision = false;
     const bool other = changed(component, decision);
     if (decision) c.unsettled = 1;
-    std::uint8_t bits = work::listed;
+    std::uint8_t bits = work::listed | work::passed;
     if (pass.depends_on_stale()) bits |= work::stale_counts;
     if (other && (pass.depends_on_last() || pass.depends_on_stale())) bits |= work::unsettled;
     s_.component[component] = bits;
@@ -71,6 +43,7 @@ void Engine::forget_work() {
   Index left = 0;
   for (Index i = 0; i < c.work_count; ++i) {
     const Index component = s_.work[i];
+    s_.component[component] &= static_cast<std::uint8_t>(~work::passed);
     if (needs_pass(s_.component[component])) {
       s_.work[left++] = component;
     } else {
@@ -85,15 +58,15 @@ void Engine::forget_work() {
 bool Engine::changed(Index component, bool& decision) const {
   bool other = false;
   for (const Index g : t_.list(t_.components[component].groups)) {
-    const Assignment &now = s_.now, &last = s_.last;
-    decision = decision || now.holder[g] != last.holder[g] || now.active[g] != last.active[g] ||
-               ((now.flags[g] ^ last.flags[g]) & flag::granted) != 0 || now.push[g] != last.push[g];
-    other =
-        other || now.flags[g] != last.flags[g] || now.planned[g] != last.planned[g] || now.serves[g] != last.serves[g];
     const Range slots = t_.groups[g].slots;
-    for (Index slot = slots.begin; slot != slots.end; ++slot) other = other || now.plan[slot] != last.plan[slot];
+    for (Index slot = slots.begin; slot != slots.end; ++slot) other = other || s_.now.plan[slot] != s_.last.plan[slot];
+    const Standing &now = s_.now[g], &last = s_.last[g];
+    if (now == last) continue;
+    other = true;
+    decision = decision || now.holder != last.holder || now.active != last.active || now.granted() != last.granted() ||
+               now.push != last.push;
   }
-  return other || decision;
+  return other;
 }
 
 } // namespace director

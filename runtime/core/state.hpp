@@ -17,6 +17,8 @@ struct Shape {
   std::size_t plan_slots = 0, listen_slots = 0, most_edges = 0, components = 0;
   std::size_t lacking = 0; ///< the most conditions that one combination of choices can lack
 
+  constexpr std::size_t timers() const { return states + 2 * groups + promises; }
+
   static constexpr Shape of(const Tables& t) {
     Shape n{t.groups.size(),   t.providers.size(),   t.edges.size(),    t.conditions.size(), t.states.size(),
             t.promises.size(), t.plan_groups.size(), t.listened.size(), t.most_edges,        t.components.size()};
@@ -33,9 +35,9 @@ struct Shape {
 
 /// Bits of Assignment::flags.
 namespace flag {
-inline constexpr std::uint8_t granted = 1;  ///< a unit got it as its target in the last pass
-inline constexpr std::uint8_t needed = 2;   ///< its holder claimed it for a plan
-inline constexpr std::uint8_t in_force = 4; ///< its active provider runs because of the push on it
+inline constexpr Index granted = 1;  ///< a unit got it as its target in the last pass
+inline constexpr Index needed = 2;   ///< its holder claimed it for a plan
+inline constexpr Index in_force = 4; ///< its active provider runs because of the push on it
 } // namespace flag
 
 /// Bits of State::component: what the next arbitration has to know about it.
@@ -45,6 +47,7 @@ inline constexpr std::uint8_t unsettled = 2;     ///< the last pass may decide d
 inline constexpr std::uint8_t stale_counts = 4;  ///< whose orders are outdated made a difference in the last pass
 inline constexpr std::uint8_t stale_changed = 8; ///< and may be another since
 inline constexpr std::uint8_t listed = 16;       ///< it stands in State::work
+inline constexpr std::uint8_t passed = 32;       ///< it was decided again in this micro-step
 } // namespace work
 
 /// Bits of State::done.
@@ -72,51 +75,60 @@ struct Queued {
   constexpr bool operator==(const Queued&) const = default;
 };
 
+/// Where a group stands: what a pass decides about it. All of one group lies together, because a pass, and what
+/// compares and adopts its result, goes from group to group.
+struct Standing {
+  Index holder = nil;  ///< edge that controls it, limbo edges are edges.size() + group; nil: nobody
+  Index active = nil;  ///< provider that runs for it; nil: it is not live
+  Index planned = nil; ///< provider whose needs its plan meets; nil: it has no plan
+  Index flags = 0;     ///< bits of `flag`
+  Push push{};
+  Service serves{};
+  constexpr bool granted() const { return (flags & flag::granted) != 0; }
+  constexpr bool operator==(const Standing&) const = default;
+};
+
 /// One assignment: what a pass decides. The committed one is a part of the decision state; a pass writes another.
 struct Assignment {
-  Index* holder = nullptr;       ///< group: edge that controls it, limbo edges are edges.size() + group; nil: nobody
-  Index* active = nullptr;       ///< group: provider that runs for it; nil: it is not live
-  std::uint8_t* flags = nullptr; ///< group: bits of `flag`
-  Index* planned = nullptr;      ///< group: provider whose needs its plan meets; nil: it has no plan
-  Index* plan = nullptr;         ///< slot: provider picked in the plan of the slot's owner; nil: not in it
-  Push* push = nullptr;          ///< group
-  Service* serves = nullptr;     ///< group
+  Standing* group = nullptr;
+  Index* plan = nullptr; ///< slot: provider picked in the plan of the slot's owner; nil: not in it
+  Standing& operator[](Index g) const { return group[g]; }
 };
 
 struct Counters {
   Time now = 0;                  ///< the engine's time: that of the input or timer being served
   Time until = 0;                ///< the time that `step` was given last
-  Time earliest = never;         ///< nothing is due before
+  Time quiet_until = first_time; ///< a step before it has nothing to do without an input
   std::uint64_t micro_step = 0;  ///< how many were taken
-  Index queue_begin = 0;         ///< the oldest row of State::queue
-  Index queue_count = 0;         ///< how many are in use from there on, the first row following the last
+  Index queue_first = nil;       ///< the group that is to run next; nil: nobody
+  Index queue_last = nil;        ///< the one that is to run last
   Index work_count = 0;          ///< rows of State::work in use
-  Index due_phase = 0;           ///< which kind of timer is being served; due::none
-  Index due_at = 0;              ///< the next row of that kind to look at
   Index touched_count = 0;       ///< rows of State::touched in use; 0 between micro-steps
   Index staged_count = 0;        ///< rows of State::staged in use; 0 between micro-steps
+  Index asked_count = 0;         ///< rows of State::asked in use; 0 between micro-steps
+  Index handled_count = 0;       ///< rows of State::handled in use
   std::uint8_t begun = 0;        ///< the first step was taken
   std::uint8_t unsettled = 0;    ///< the last arbitration changed something
   std::uint8_t handlers_set = 0; ///< State::handler_values holds an input
-  std::uint8_t unused = 0;
+  std::uint8_t serving = 0;      ///< what is due at `now` is being served
 };
 
 struct State {
   // The decision state.
   Counters* counters = nullptr;
   std::uint64_t* stamp = nullptr;         ///< edge: micro-step in which it became requested or changed its level
-  Time* expiry = nullptr;                 ///< state: when its value expires
-  Time* wait = nullptr;                   ///< group
-  Time* every = nullptr;                  ///< group: when its provider is due again
-  Time* promise_due = nullptr;            ///< promise: when it is broken
+  Time* due = nullptr;                    ///< timer (see timers.cpp): when; never
+  Index* soonest = nullptr;               ///< timers, as a tree of which one is due first
   std::int32_t* values = nullptr;         ///< state
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
+  Index* handled = nullptr;               ///< states with such a value
   Index* request = nullptr;               ///< edge: level (of Tables::levels) at which it is requested; nil
   Assignment last;                        ///< what the last pass decided
   Index* order = nullptr;                 ///< component after component, its groups that are held, in order
   Index* order_count = nullptr;           ///< component: how many these are
   Index* place = nullptr;                 ///< group that is held: where it stands in that order
-  Index* queue = nullptr;                 ///< groups that are to run: a ring, from Counters::queue_begin on
+  Index* runs_after = nullptr;            ///< group that is to run: the one before it in the queue; nil
+  Index* runs_before = nullptr;           ///< and the one behind it
   Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
   Index* promised_edge = nullptr;         ///< group: pusher of the push for which promises were taken
   Index* promised_provider = nullptr;     ///< group: its provider; nil: no promise
@@ -138,6 +150,7 @@ struct State {
   Push* first = nullptr;                   ///< group: new pushes of the unit in hand
   Index* touched = nullptr;                ///< groups that gained a reason to run since the last act
   Index* staged = nullptr;                 ///< states that the running body set
+  Index* asked = nullptr;                  ///< edges that are marked in `anew`
   Index* next_order = nullptr;             ///< as `order`
   Index* next_count = nullptr;             ///< as `order_count`
   Index* sorted = nullptr;                 ///< groups of several components, brought in order
@@ -172,11 +185,12 @@ struct State {
   template <class Self, class Visit, class Scratch>
   static constexpr void each(Self& s, const Shape& n, Visit&& visit, Scratch&& scratch) {
     visit(s.counters, 1);
-    visit(s.stamp, n.edges), visit(s.expiry, n.states), visit(s.wait, n.groups), visit(s.every, n.groups);
-    visit(s.promise_due, n.promises), visit(s.values, n.states), visit(s.handler_values, n.states);
+    visit(s.stamp, n.edges), visit(s.due, n.timers()), visit(s.soonest, n.timers());
+    visit(s.values, n.states), visit(s.handler_values, n.states), visit(s.handled, n.states);
     visit(s.request, n.edges);
     each_of(s.last, n, visit);
-    visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups), visit(s.queue, n.groups);
+    visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
+    visit(s.runs_after, n.groups), visit(s.runs_before, n.groups);
     visit(s.work, n.components), visit(s.promised_edge, n.groups), visit(s.promised_provider, n.groups);
     visit(s.data_from, n.groups), visit(s.component, n.components), visit(s.enabled, n.providers);
     visit(s.done, n.groups), visit(s.pending, n.groups), visit(s.in_queue, n.groups), visit(s.fired, n.listen_slots);
@@ -185,6 +199,7 @@ struct State {
     visit(s.cost_next, n.conditions);
     each_of(s.now, n, visit);
     visit(s.own, n.groups), visit(s.first, n.groups), visit(s.touched, n.groups), visit(s.staged, n.states);
+    visit(s.asked, n.edges);
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.sorted, n.groups),
         visit(s.trial, n.groups);
     visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
@@ -213,9 +228,7 @@ private:
 
   template <class Visit>
   static constexpr void each_of(auto& a, const Shape& n, Visit&& visit) {
-    visit(a.holder, n.groups), visit(a.active, n.groups), visit(a.planned, n.groups);
-    visit(a.plan, n.plan_slots), visit(a.push, n.groups);
-    visit(a.serves, n.groups), visit(a.flags, n.groups);
+    visit(a.group, n.groups), visit(a.plan, n.plan_slots);
   }
   static constexpr Size measure(const Shape& shape) {
     Size size;

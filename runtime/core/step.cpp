@@ -3,31 +3,36 @@
 // Section 3: micro-steps. One loop takes them in the order of choice: what handlers set, the oldest input, what is due
 // at the time being served, the oldest run, one more arbitration; then the next due time.
 
-#include "runtime/core/engine.hpp"
-#include "runtime/core/marks.hpp"
+#include "runtime/core/heap_sort.hpp"
+#include "runtime/core/notes.hpp"
 
 namespace director {
 
-StepResult Engine::step(Time now) {
+/// From the first step on, values expire.
+void Engine::take_first_step(Time now) {
+  s_.counters->begun = 1;
+  s_.counters->until = now;
+  for (Index i = 0; i < t_.states.size(); ++i) {
+    if (t_.states[i].expires != 0 && s_.values[i] != unset) arm(Due::expiry, i, now + t_.states[i].expires);
+  }
+}
+
+StepResult Engine::take_step(Time now) {
   if (inside_) return StepResult::refused;
   Counters& c = *s_.counters;
-  if (c.begun == 0) {
-    c.begun = 1;
-    c.until = now;
-    for (Index i = 0; i < t_.states.size(); ++i) {
-      if (t_.states[i].expires != 0 && s_.values[i] != unset) arm(s_.expiry[i], now + t_.states[i].expires);
-    }
-  }
+  if (c.begun == 0) take_first_step(now);
+  c.quiet_until = first_time;
   // Called again for the same time because the budget ran out: what was begun goes on at its own time.
-  const bool again = now <= c.until && (c.handlers_set != 0 || c.queue_count != 0 || c.unsettled != 0);
+  const bool again = now <= c.until && (c.handlers_set != 0 || c.queue_first != nil || c.unsettled != 0);
   if (now > c.until) c.until = now;
-  if (c.due_phase == due::none && !again) c.now = c.until;
+  if (c.serving == 0 && !again) c.now = c.until;
   inbox_.open();
   for (std::uint32_t taken = 0;; ++taken) {
     const bool more = taken < budget_;
     if (more ? !micro_step() : !work_left()) {
-      c.due_phase = due::none; // the budget may end together with what is due
+      c.serving = 0; // the budget may end together with what is due
       c.now = c.until;
+      c.quiet_until = next_due();
       return StepResult::quiescent;
     }
     if (!more) {
@@ -43,8 +48,7 @@ StepResult Engine::step(Time now) {
 
 bool Engine::work_left() const {
   const Counters& c = *s_.counters;
-  return c.handlers_set != 0 || c.queue_count != 0 || c.unsettled != 0 || inbox_.due() ||
-         (c.earliest <= c.until && next_due() <= c.until);
+  return c.handlers_set != 0 || c.queue_first != nil || c.unsettled != 0 || inbox_.due() || next_due() <= c.until;
 }
 
 /// False: nothing is left to do up to the time given to `step`.
@@ -53,18 +57,17 @@ bool Engine::micro_step() {
   for (;;) {
     if (c.handlers_set != 0) return take_handlers_input(), true;
     if (inbox_.due() && take_input()) return true;
-    if (c.due_phase != due::none && take_timer()) return true;
-    if (c.queue_count != 0) return run_next(), true;
+    if (c.serving != 0 && take_timer()) return true;
+    if (c.queue_first != nil) return run_next(), true;
     if (c.unsettled != 0) {
       ++c.micro_step;
       end_micro_step();
       return true;
     }
-    if (c.earliest <= c.until) c.earliest = next_due(); // what was cancelled may have been the earliest
-    if (c.earliest > c.until) return false;
-    c.now = c.earliest;
-    c.due_phase = due::expiry;
-    c.due_at = 0;
+    const Time due = next_due();
+    if (due > c.until) return false;
+    c.now = due;
+    c.serving = 1;
   }
 }
 
@@ -107,7 +110,6 @@ bool Engine::take_more(Input& record) {
 }
 
 void Engine::take_request(Input record) {
-  anew_ = {0, t_.root_edges};
   do {
     if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
     request(record.thing, record.level);
@@ -128,18 +130,29 @@ void Engine::take_handlers_input() {
   ++c.micro_step;
   c.handlers_set = 0;
   bool changes = false;
-  for (Index i = 0; i < t_.states.size(); ++i) {
-    const std::int32_t value = s_.handler_values[i];
-    if (value == unset) continue;
-    s_.handler_values[i] = unset;
-    if (!set_value(i, value)) continue;
+  const std::span<Index> states{s_.handled, c.handled_count};
+  c.handled_count = 0;
+  heap_sort(states, [](Index a, Index b) { return a < b; });
+  for (const Index state : states) {
+    const std::int32_t value = s_.handler_values[state];
+    s_.handler_values[state] = unset;
+    if (value == unset || !set_value(state, value)) continue;
     changes = true;
-    report_set(i);
+    report_set(state);
   }
   if (changes) end_micro_step();
 }
 
+void Engine::set_by_handler(Index state, std::int32_t value) {
+  Counters& c = *s_.counters;
+  c.handlers_set = 1;
+  std::int32_t& merged = s_.handler_values[state];
+  if (merged == unset && value != unset) s_.handled[c.handled_count++] = state;
+  merged = value;
+}
+
 void Engine::request(Index edge, Index level) {
+  if (s_.anew[edge] == 0) s_.asked[s_.counters->asked_count++] = edge;
   s_.anew[edge] = 1; // the same task requested again is a new task
   const Index group = t_.edges[edge].target;
   if (s_.request[edge] != level) {
@@ -147,8 +160,7 @@ void Engine::request(Index edge, Index level) {
     s_.request[edge] = level;
     mark(t_.groups[group].component, work::changed);
   }
-  const Index component = t_.groups[group].component;
-  if ((s_.component[component] & work::stale_counts) != 0) mark(component, work::stale_changed);
+  mark_stale(group);
   touch(group);
 }
 
@@ -161,7 +173,7 @@ void Engine::withdraw(Index edge) {
 /// True if the value changes. What expires counts anew, also where it does not.
 bool Engine::set_value(Index state, std::int32_t value) {
   const Time expires = t_.states[state].expires;
-  if (expires != 0) arm(s_.expiry[state], s_.counters->now + expires);
+  if (expires != 0) arm(Due::expiry, state, s_.counters->now + expires);
   return assign(state, value);
 }
 
@@ -183,7 +195,7 @@ bool Engine::fire(Index trigger) {
   bool heard = false;
   for (const Index provider : t_.list(t_.triggers[trigger].listeners)) {
     const Index group = t_.providers[provider].group;
-    if (s_.last.active[group] != provider) continue;
+    if (s_.last[group].active != provider) continue;
     add_reason(group, Reason::trigger);
     const Range listens = t_.groups[group].listens;
     for (Index slot = listens.begin; slot != listens.end; ++slot) {
@@ -199,23 +211,20 @@ bool Engine::fire(Index trigger) {
 void Engine::run_next() {
   Counters& c = *s_.counters;
   ++c.micro_step;
-  const Index group = s_.queue[c.queue_begin];
-  if (++c.queue_begin == t_.groups.size()) c.queue_begin = 0;
-  --c.queue_count;
-  s_.in_queue[group] = 0;
+  const Index group = c.queue_first;
+  leave_queue(group);
   std::uint8_t reasons = s_.pending[group];
   s_.pending[group] = 0;
-  const Index component = t_.groups[group].component;
-  if ((s_.component[component] & work::stale_counts) != 0) mark(component, work::stale_changed);
+  mark_stale(group);
   if (!in_force(group)) reasons &= static_cast<std::uint8_t>(~static_cast<std::uint8_t>(Reason::pushed));
   if (reasons == 0) return end_micro_step(); // nobody pushes it any more
 
-  const Index provider = s_.last.active[group];
+  const Index provider = s_.last[group].active;
   if (in_force(group) && s_.promised_provider[group] == nil) { // section 7: its first run on that push
-    s_.promised_edge[group] = s_.last.push[group].edge;
+    s_.promised_edge[group] = s_.last[group].push.edge;
     s_.promised_provider[group] = provider;
     const Range promises = t_.providers[provider].promises;
-    for (Index i = promises.begin; i != promises.end; ++i) arm(s_.promise_due[i], c.now + t_.promises[i].within);
+    for (Index i = promises.begin; i != promises.end; ++i) arm(Due::promise, i, c.now + t_.promises[i].within);
   }
   Run run(*this, group, provider, Reasons{reasons});
   if (observed()) {
@@ -249,30 +258,32 @@ void Engine::commit(const Run& run, Outcome::Kind kind) {
   if (kind == Outcome::Kind::pack) {
     commit_pack(edges);
     s_.done[group] = 0;
-  } else if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && s_.done[group] == 0) {
-    answer(group, kind == Outcome::Kind::failed);
+  } else {
+    for (Index i = 0; i < edges.size(); ++i) s_.staged_level[i] = nil;
+    if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && s_.done[group] == 0)
+      answer(group, kind == Outcome::Kind::failed);
   }
-  for (Index i = 0; i < edges.size(); ++i) s_.staged_level[i] = nil;
   if (fault) {
     Event fault_event = event(Event::Kind::fault, group);
     fault_event.provider = run.provider_;
     tell(fault_event);
     faulted_ = true;
   } else if (run.wait_ > 0) {
-    arm(s_.wait[group], s_.counters->now + run.wait_);
+    arm(Due::wait, group, s_.counters->now + run.wait_);
   } else if (kind == Outcome::Kind::pack) {
-    s_.wait[group] = never;
+    disarm(Due::wait, group);
   }
 }
 
 void Engine::commit_pack(Range edges) {
-  anew_ = edges;
   for (Index e = edges.begin; e != edges.end; ++e) {
     const auto at = static_cast<Index>(e - edges.begin);
-    if (s_.staged_level[at] == nil) {
+    const Index level = s_.staged_level[at];
+    s_.staged_level[at] = nil;
+    if (level == nil) {
       withdraw(e);
     } else if (s_.staged_keep[at] == 0) {
-      request(e, s_.staged_level[at]);
+      request(e, level);
     }
   }
 }
@@ -280,7 +291,7 @@ void Engine::commit_pack(Range edges) {
 void Engine::answer(Index group, bool failed) {
   s_.done[group] = failed ? result::done | result::failed : result::done;
   tell(event(failed ? Event::Kind::failed : Event::Kind::done, group));
-  const Index holder = s_.last.holder[group], requester = t_.edges[holder].requester;
+  const Index holder = s_.last[group].holder, requester = t_.edges[holder].requester;
   if (requester == nil) {
     withdraw(holder);
   } else {

@@ -23,6 +23,7 @@ inline constexpr std::int32_t unset = -2147483647 - 1;
 /// Microseconds since any start that the caller chose.
 using Time = std::int64_t;
 inline constexpr Time never = 9223372036854775807;
+inline constexpr Time first_time = -never;
 
 /// Rows [begin, end) of another table, mostly of Tables::lists.
 struct Range {

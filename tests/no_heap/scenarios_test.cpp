@@ -1,6 +1,6 @@
-// The engine uses no heap: every scenario of the project is played with the heap watched inside of Engine::step, but
-// not inside of the scripted bodies and of the recorder, which are not the robot's. The linker puts the functions below
-// between the player of scenarios and the engine (--wrap, see CMakeLists.txt).
+// The engine uses no heap: every scenario of the project is played with the heap watched inside of Engine::take_step,
+// but not inside of the scripted bodies and of the recorder, which are not the robot's. The linker puts the functions
+// below between the player of scenarios and the engine (--wrap, see CMakeLists.txt).
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/resolve.hpp"
@@ -32,12 +32,12 @@ std::size_t watched_steps = 0;
 
 } // namespace
 
-// Behind the asm labels stand the names that the compilers give to Engine::step(Time), ScriptedBodies::table() and
+// Behind the asm labels stand the names that the compilers give to Engine::take_step(Time), ScriptedBodies::table() and
 // Recorder::observer(), as the linker's --wrap calls the original and what stands before it.
-StepResult real_step(Engine* engine, Time now) __asm__("__real__ZN8director6Engine4stepEl");
+StepResult real_step(Engine* engine, Time now) __asm__("__real__ZN8director6Engine9take_stepEl");
 Bodies real_table(compiler::ScriptedBodies* self) __asm__("__real__ZN8director8compiler14ScriptedBodies5tableEv");
 Observer real_observer(compiler::Recorder* self) __asm__("__real__ZN8director8compiler8Recorder8observerEv");
-StepResult watched_step(Engine* engine, Time now) __asm__("__wrap__ZN8director6Engine4stepEl");
+StepResult watched_step(Engine* engine, Time now) __asm__("__wrap__ZN8director6Engine9take_stepEl");
 Bodies watched_table(compiler::ScriptedBodies* self) __asm__("__wrap__ZN8director8compiler14ScriptedBodies5tableEv");
 Observer watched_observer(compiler::Recorder* self) __asm__("__wrap__ZN8director8compiler8Recorder8observerEv");
 

@@ -93,9 +93,9 @@ Snapshot EngineRun::snapshot() const {
     if (engine_.holder(g) != nil) group.holder = oracle::EdgeId{engine_.holder(g)};
     if (engine_.active(g) != nil) group.active = oracle::ProviderId{engine_.active(g)};
     group.granted = engine_.granted(g);
-    group.needed = (s.last.flags[g] & flag::needed) != 0;
+    group.needed = (s.last[g].flags & flag::needed) != 0;
     group.in_force = engine_.in_force(g);
-    if (const director::Push& push = s.last.push[g]; push.edge != nil) {
+    if (const director::Push& push = s.last[g].push; push.edge != nil) {
       group.push = oracle::Push{oracle::EdgeId{push.edge}, oracle::ProviderId{push.provider},
                                 compiled_.lowered.condition_ids[push.condition]};
     }
@@ -117,9 +117,7 @@ Snapshot EngineRun::snapshot() const {
     const std::int32_t value = engine_.value(v);
     out.values.push_back(value == unset ? std::nullopt : std::optional<std::int64_t>(value));
   }
-  for (Index i = 0; i < s.counters->queue_count; ++i) {
-    out.queue.push_back(oracle::GroupId{s.queue[(s.counters->queue_begin + std::size_t{i}) % tables_.groups.size()]});
-  }
+  for (Index g = s.counters->queue_first; g != nil; g = s.runs_before[g]) out.queue.push_back(oracle::GroupId{g});
   return out;
 }
 
