@@ -1,0 +1,60 @@
+// node compare.mjs VERDICTS SCHEMAS: does each schema accept all that the reader accepts, and refuse all that the reader refuses for what a schema
+// can see? VERDICTS is what the program verdicts prints, SCHEMAS the folder of the schemas.
+import { readFileSync } from 'node:fs';
+import Ajv from 'ajv';
+import { parseDocument } from 'yaml';
+
+const seen = ['unknown_key', 'wrong_node_kind', 'missing_key', 'exclusive_keys', 'bad_condition'];
+
+// What is lost before a schema sees it, or cannot be said in one: how a number or a boolean is spelled, and which of two numbers is the higher.
+const beyond = [
+  { why: 'a number that is not in decimal, or a boolean with capitals', text: /\b(0[0-9]+|0x[0-9a-f]+|0o[0-7]+|[0-9]+\.0|[0-9]+e[0-9]+|True|TRUE|False|FALSE)\b/ },
+  { why: 'a range whose lowest number is the higher one', text: /"?range"?: *\[(100, 0|0, -1)\]/ },
+];
+
+const [verdicts, schemas] = process.argv.slice(2);
+const validators = ['behaviour', 'scenario'].map((kind) =>
+  new Ajv({ strict: true, allowUnionTypes: true, strictRequired: false, strictTypes: false }).compile(
+    JSON.parse(readFileSync(`${schemas}/${kind}.schema.json`, 'utf8'))));
+
+const count = { files: 0, accepted: 0, refused: 0, 'not for a schema': 0, 'no YAML': 0, 'beyond a schema': 0 };
+const reasons = Object.fromEntries(seen.map((id) => [id, 0]));
+let wrong = 0;
+for (const line of readFileSync(verdicts, 'utf8').split('\n')) {
+  if (line === '') continue;
+  const { name, scenario, text, errors } = JSON.parse(line);
+  ++count.files;
+  const document = parseDocument(text, { version: '1.2', schema: 'core', logLevel: 'silent' });
+  if (document.errors.length > 0 || errors.includes('yaml_syntax') || errors.includes('duplicate_key')) {
+    ++count['no YAML'];
+    continue;
+  }
+  const visible = errors.filter((id) => seen.includes(id));
+  if (visible.length === 0 && errors.length > 0) {
+    ++count['not for a schema'];
+    continue;
+  }
+  const validate = validators[scenario ? 1 : 0];
+  const valid = validate(document.toJS());
+  const expected = errors.length === 0;
+  if (valid !== expected) {
+    if (valid && beyond.some((each) => each.text.test(text))) {
+      ++count['beyond a schema'];
+      continue;
+    }
+    if (++wrong <= 20) {
+      console.log(`${name}: the reader ${expected ? 'accepts' : `refuses (${visible.join(', ')})`}, the schema ${valid ? 'accepts' : 'refuses'}`);
+      if (!valid) console.log(`  ${validate.errors.map((e) => `${e.instancePath} ${e.message}`).join('; ')}`);
+      console.log(text.replace(/^/gm, '    '));
+    }
+    continue;
+  }
+  ++count[expected ? 'accepted' : 'refused'];
+  if (visible.length === 1) ++reasons[visible[0]];
+}
+console.log(Object.entries(count).map(([what, n]) => `${what}: ${n}`).join(', '));
+console.log(`refused for one reason alone: ${seen.map((id) => `${id}: ${reasons[id]}`).join(', ')}`);
+if (wrong > 0) console.log(`${wrong} disagree`);
+const untried = seen.filter((id) => reasons[id] === 0);
+if (untried.length > 0) console.log(`no file is refused for ${untried.join(', ')} alone`);
+process.exit(wrong === 0 && untried.length === 0 && count.accepted > 0 ? 0 : 1);
