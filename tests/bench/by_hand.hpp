@@ -1,0 +1,30 @@
+#pragma once
+// The floor: what a programmer writes who knows that nothing else will ever be asked of this robot. The same provider
+// calls and the same writes in the same order as Director's, behind a switch over the inputs and function pointers, and
+// no decision at all.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace bench {
+
+struct Robot {
+  using Provider = void (*)(Robot& robot, std::size_t self);
+
+  std::vector<Provider> providers;
+  std::vector<std::uint8_t> requested; ///< by task
+  std::vector<std::size_t> holder;     ///< by task
+  std::vector<int> states;
+  std::size_t turn = 0;
+  std::uint64_t calls = 0;
+};
+
+enum class Input { nothing, set, again, all, steal, kick };
+
+/// `count` tasks; each provider requests the next task.
+Robot build_by_hand(std::size_t count);
+
+void take(Robot& robot, Input input, std::size_t which);
+
+} // namespace bench

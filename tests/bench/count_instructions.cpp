@@ -1,0 +1,33 @@
+// Door: this program. Test: tests/bench/CMakeLists.txt.
+//
+// Under callgrind: does each case some times, and lets callgrind write what that took to a file of its own. Prints what
+// was done, in the order of these files: the name and how often.
+#include "tests/bench/case.hpp"
+
+#include <valgrind/callgrind.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace {
+
+void count(const std::string& name, bench::Case& it, std::size_t times) {
+  it.run(std::min<std::size_t>(times, 100)); // what is only done once is behind it
+  CALLGRIND_START_INSTRUMENTATION;
+  CALLGRIND_ZERO_STATS;
+  it.run(times);
+  CALLGRIND_DUMP_STATS_AT(name.c_str());
+  CALLGRIND_STOP_INSTRUMENTATION;
+  std::cout << name << " " << times << std::endl;
+}
+
+} // namespace
+
+int main() {
+  for (const bench::Entry& entry : bench::entries()) {
+    if (entry.counted == 0) continue;
+    count(entry.name, *entry.director(entry.size), entry.counted);
+    if (entry.by_hand != nullptr) count(entry.name + ":by_hand", *entry.by_hand(entry.size), entry.counted);
+  }
+  return 0;
+}

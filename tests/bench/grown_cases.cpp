@@ -1,0 +1,192 @@
+// Door: tests/bench/grown_cases.hpp. Test: tests/bench/CMakeLists.txt.
+#include "tests/bench/grown_cases.hpp"
+
+#include "tests/bench/by_hand.hpp"
+#include "tests/bench/robocup.hpp"
+#include "tests/bench/table_robot.hpp"
+#include "tests/bench/texts.hpp"
+
+#include <stdexcept>
+
+namespace bench {
+
+using director::Index;
+
+namespace {
+
+void expect(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(what);
+}
+
+/// Trees far from each other in memory come after each other: no tree is warm when its turn comes.
+constexpr std::size_t stride = 617;
+
+class Trees {
+public:
+  explicit Trees(std::size_t groups) : trees_(groups / 10), robot_(compile_text(trees(groups)), 64) {
+    for (std::size_t i = 1; i <= trees_; ++i) {
+      const std::string tree = std::to_string(i);
+      const Index pose = robot_.state("Pose_" + tree);
+      Act& walking = robot_.acts("Walk_" + tree + ".walking").front();
+      walking.state = pose;
+      walking.value = robot_.value(pose, "moving");
+      Act& halting = robot_.acts("Walk_" + tree + ".halting").front();
+      halting.state = pose;
+      halting.value = robot_.value(pose, "standing");
+      robot_.acts("Kick_" + tree).front().answer = director::Outcome::Kind::done;
+      kicks_.push_back(robot_.request(robot_.root("Kick_" + tree)));
+      robot_.post(robot_.request(robot_.root("Robot_" + tree)));
+      robot_.step();
+    }
+    expect(robot_.calls() == 9 * trees_, "every robot walks");
+    once();
+    expect(robot_.calls() == 9 * trees_ + 4, "a kick is one push and one steal");
+  }
+  void once() {
+    next_ = (next_ + stride) % trees_;
+    robot_.post(kicks_[next_]);
+    robot_.step();
+  }
+  std::uint64_t calls() const { return robot_.calls(); }
+
+private:
+  std::size_t trees_, next_ = 0;
+  TableRobot robot_;
+  std::vector<director::Input> kicks_;
+};
+
+class TreesByHand {
+public:
+  explicit TreesByHand(std::size_t groups) : trees_(groups / 10), robot_(build_by_hand(groups)) {}
+  void once() {
+    next_ = (next_ + stride) % trees_;
+    take(robot_, Input::kick, 10 * next_);
+  }
+  std::uint64_t calls() const { return robot_.calls; }
+
+private:
+  std::size_t trees_, next_ = 0;
+  Robot robot_;
+};
+
+class Waiting {
+public:
+  explicit Waiting(std::size_t tasks) : robot_(compile_text(waiting(tasks)), 64) {
+    for (std::size_t i = 1; i <= tasks; ++i) {
+      robot_.post(robot_.request(robot_.root("Waiting_" + std::to_string(i))));
+      robot_.step();
+    }
+    low_ = high_ = robot_.request(robot_.root("Left"));
+    ++high_.level;
+    robot_.post(low_);
+    robot_.post(robot_.request(robot_.root("Right")));
+    robot_.step();
+    once();
+    const std::uint64_t before = calls();
+    once();
+    expect(calls() == before + 2, "a steal is two runs");
+  }
+  void once() {
+    is_high_ = !is_high_;
+    robot_.post(is_high_ ? high_ : low_);
+    robot_.step();
+  }
+  std::uint64_t calls() const { return robot_.calls(); }
+
+private:
+  TableRobot robot_;
+  director::Input low_, high_;
+  bool is_high_ = false;
+};
+
+class Apart {
+public:
+  explicit Apart(std::size_t groups) : robot_(compile_text(apart(groups)), 1024) {
+    for (std::size_t i = 1; i <= groups; ++i) {
+      all_.push_back(robot_.request(robot_.root("Task_" + std::to_string(i))));
+      all_.back().more = i < groups;
+    }
+    once();
+    expect(calls() == groups, "each runs once");
+  }
+  void once() {
+    robot_.post(all_);
+    robot_.step();
+  }
+  std::uint64_t calls() const { return robot_.calls(); }
+
+private:
+  TableRobot robot_;
+  std::vector<director::Input> all_;
+};
+
+class Together {
+public:
+  explicit Together(std::size_t groups) : robot_(compile_text(together(groups)), 64) {
+    all_ = robot_.request(robot_.root("All"));
+    once();
+    expect(calls() == groups + 1, "each runs once");
+  }
+  void once() {
+    robot_.post(all_);
+    robot_.step();
+  }
+  std::uint64_t calls() const { return robot_.calls(); }
+
+private:
+  TableRobot robot_;
+  director::Input all_;
+};
+
+template <Input input>
+class ByHand {
+public:
+  explicit ByHand(std::size_t providers) : robot_(build_by_hand(providers)) {}
+  void once() {
+    which_ ^= 1;
+    take(robot_, input, which_);
+  }
+  std::uint64_t calls() const { return robot_.calls; }
+
+private:
+  std::size_t which_ = 0;
+  Robot robot_;
+};
+
+class AllAndOne : public ByHand<Input::all> {
+public:
+  explicit AllAndOne(std::size_t groups) : ByHand(groups + 1) {}
+};
+
+} // namespace
+
+void add_grown_cases(std::vector<Entry>& entries) {
+  const auto add = [&](const std::string& family, const char* title, std::initializer_list<std::size_t> sizes,
+                       std::size_t counted, const char* aim, auto director, auto by_hand) {
+    for (const std::size_t size : sizes) {
+      Entry entry;
+      entry.name = family + "/" + std::to_string(size);
+      entry.title = title + (": " + std::to_string(size));
+      if (size != *sizes.begin()) entry.aim = aim;
+      entry.counted = counted;
+      entry.director = director;
+      entry.by_hand = by_hand;
+      entry.size = size;
+      if (size != *sizes.begin()) entry.grows_from = family + "/" + std::to_string(*sizes.begin());
+      entries.push_back(entry);
+    }
+  };
+  add("trees", "groups in trees of ten, a steal and a push in one", {100, 1'000, 10'000}, 200, "1.5x",
+      make_sized<Trees>, make_sized<TreesByHand>);
+  add("waiting", "steal of a group, tasks that wait for it", {1, 10, 1'000}, 10, "linear", make_sized<Waiting>,
+      [](std::size_t) -> std::unique_ptr<Case> {
+        return std::make_unique<Repeated<ByHand<Input::steal>>>(std::size_t{3});
+      });
+  add("apart", "root tasks, all requested at once", {10, 100, 1'000}, 20, "linear", make_sized<Apart>,
+      make_sized<ByHand<Input::all>>);
+  add("together", "tasks of one provider, all requested at once", {10, 100, 1'000}, 20, "linear", make_sized<Together>,
+      make_sized<AllAndOne>);
+  add_robocup(entries);
+}
+
+} // namespace bench

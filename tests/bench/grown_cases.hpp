@@ -1,0 +1,12 @@
+#pragma once
+// Cases that grow, and a game of robocup.
+
+#include "tests/bench/case.hpp"
+
+#include <vector>
+
+namespace bench {
+
+void add_grown_cases(std::vector<Entry>& entries);
+
+} // namespace bench

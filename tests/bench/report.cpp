@@ -1,0 +1,69 @@
+// Door: tests/bench/report.hpp. Test: tests/bench/report_test.cpp.
+#include "tests/bench/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace bench {
+
+namespace {
+
+/// `29,300`
+std::string whole(double value) {
+  const std::string digits = fmt::format("{:.0f}", value);
+  std::string out;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) out += ',';
+    out += digits[i];
+  }
+  return out;
+}
+
+/// Three digits count at least: `4.27`, `12.3`, `29,300`.
+std::string number(double value) {
+  return value < 10 ? fmt::format("{:.2f}", value) : value < 100 ? fmt::format("{:.1f}", value) : whole(value);
+}
+
+std::string or_nothing(double value, const std::string& text) { return value > 0 ? text : ""; }
+
+} // namespace
+
+std::string table(const std::vector<Row>& rows) {
+  std::string out = "| case | median ns | aim | runs | ns by hand | ratio | instructions | allocations | growth |\n"
+                    "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
+  for (const Row& row : rows) {
+    out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.entry.title, number(row.nanoseconds),
+                       row.entry.aim, whole(row.calls), or_nothing(row.by_hand, number(row.by_hand)),
+                       or_nothing(row.by_hand, number(row.nanoseconds / row.by_hand)),
+                       or_nothing(row.instructions, whole(row.instructions)), row.heap_uses,
+                       or_nothing(row.grows_from, number(row.nanoseconds / row.grows_from) + "x"));
+  }
+  return out;
+}
+
+std::string faults_of(const std::vector<Row>& rows) {
+  std::string out;
+  for (const Row& row : rows) {
+    const double runs = std::max(1.0, row.calls_by_hand);
+    if (row.by_hand / runs > slowest_floor)
+      out += fmt::format("{}: by hand it takes {} ns a run, more than {}: it is no floor\n", row.entry.name,
+                         number(row.by_hand / runs), number(slowest_floor));
+    if (row.by_hand > 0 && std::abs(row.calls - row.calls_by_hand) > 0.01)
+      out += fmt::format("{}: {} runs, and by hand {}\n", row.entry.name, number(row.calls), number(row.calls_by_hand));
+    if (row.heap_uses > 0) out += fmt::format("{}: it allocated {} times\n", row.entry.name, row.heap_uses);
+  }
+  return out;
+}
+
+std::map<std::string, double> read_counts(const std::string& file) {
+  std::map<std::string, double> out;
+  std::ifstream in(file);
+  std::string name;
+  for (double count = 0; in >> name >> count;) out[name] = count;
+  return out;
+}
+
+} // namespace bench

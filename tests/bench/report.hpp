@@ -1,0 +1,33 @@
+#pragma once
+// What was measured, as a table for people; and whether it can be believed.
+
+#include "tests/bench/case.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+struct Row {
+  const Entry& entry;
+  double nanoseconds = 0, by_hand = 0; ///< median; 0: not measured
+  double grows_from = 0;               ///< of the entry that it grows from
+  double instructions = 0;             ///< 0: not counted
+  double calls = 0, calls_by_hand = 0; ///< of providers, each time
+  std::uint64_t heap_uses = 0;
+};
+
+/// A floor takes no more for a provider call; else it is none.
+inline constexpr double slowest_floor = 5;
+
+/// In Markdown.
+std::string table(const std::vector<Row>& rows);
+
+/// A line each; empty if there is none.
+std::string faults_of(const std::vector<Row>& rows);
+
+/// Lines of a name and a number.
+std::map<std::string, double> read_counts(const std::string& file);
+
+} // namespace bench

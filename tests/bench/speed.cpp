@@ -1,0 +1,131 @@
+// Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
+//
+// speed [--instructions=FILE] [OPTION OF GOOGLE BENCHMARK...]: takes the time of each case and of its floor, and prints
+// a table. Fails where a floor is none (more than 5 ns a provider call), where the two do not call as many providers,
+// and where anything is allocated.
+#include "tests/bench/case.hpp"
+#include "tests/bench/report.hpp"
+#include "tests/no_heap/heap_trap.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <iostream>
+
+namespace {
+
+using namespace bench;
+
+constexpr int repetitions = 5;
+constexpr double seconds_each = 0.05;
+constexpr std::size_t ticks_of_an_hour = 360'000;
+
+/// Made once, for all repetitions.
+struct Measured {
+  std::unique_ptr<Case> it;
+  std::uint64_t calls = 0, times = 0, heap_uses = 0;
+};
+
+void measure(benchmark::State& state, Measured& measured, std::unique_ptr<Case> (*make)(std::size_t),
+             const Entry& entry) {
+  const bool small = make == entry.by_hand || entry.counted >= 1000;
+  const std::size_t batch = small && entry.by_hand != nullptr ? 100 : 1;
+  if (measured.it == nullptr) measured.it = make(entry.size);
+  measured.it->run(batch);
+  const std::uint64_t calls = measured.it->calls(), uses = director::tests::heap_uses();
+  std::uint64_t times = 0;
+  while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(batch))) {
+    const director::tests::HeapTrap trap;
+    measured.it->run(batch);
+    times += batch;
+  }
+  measured.calls += measured.it->calls() - calls;
+  measured.times += times;
+  measured.heap_uses += director::tests::heap_uses() - uses;
+}
+
+class Medians final : public benchmark::ConsoleReporter {
+public:
+  Medians() : ConsoleReporter(OO_None) {}
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.aggregate_name == "median") nanoseconds[run.run_name.function_name] = run.GetAdjustedCPUTime();
+    }
+    std::cerr << "." << std::flush;
+  }
+  bool ReportContext(const Context&) override { return true; }
+  std::map<std::string, double> nanoseconds;
+};
+
+void play_an_hour() {
+  for (const Entry& entry : entries()) {
+    if (entry.name != "robocup") continue;
+    const std::unique_ptr<Case> game = entry.director(0);
+    const auto begin = std::chrono::steady_clock::now();
+    game->run(ticks_of_an_hour);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    std::cout << "\nrobocup, a game of an hour: " << game->calls() << " runs in " << took.count() << " s of one core ("
+              << 1e9 * took.count() / static_cast<double>(game->calls()) << " ns a run)\n";
+  }
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+  std::map<std::string, double> instructions;
+  for (int i = 1; i < count; ++i) {
+    const std::string word = arguments[i];
+    if (!word.starts_with("--instructions=")) continue;
+    instructions = read_counts(word.substr(word.find('=') + 1));
+    std::move(arguments + i + 1, arguments + count, arguments + i);
+    --count;
+    --i;
+  }
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
+
+  std::map<std::string, Measured> measured;
+  const auto add = [&](const std::string& name, const Entry& entry, std::unique_ptr<Case> (*make)(std::size_t)) {
+    if (make == nullptr) return;
+    Measured& to = measured[name];
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [&to, &entry, make](benchmark::State& state) { measure(state, to, make, entry); })
+        ->MinTime(seconds_each)
+        ->Repetitions(repetitions)
+        ->ReportAggregatesOnly();
+  };
+  for (const Entry& entry : entries()) {
+    add(entry.name, entry, entry.director);
+    add(entry.name + ":by_hand", entry, entry.by_hand);
+  }
+  Medians medians;
+  benchmark::RunSpecifiedBenchmarks(&medians);
+  std::cerr << "\n";
+
+  std::vector<Row> rows;
+  for (const Entry& entry : entries()) {
+    const auto value = [&](const auto& from, const std::string& name) {
+      const auto found = from.find(name);
+      return found == from.end() ? 0.0 : found->second;
+    };
+    const auto calls = [&](const std::string& name) {
+      const Measured& of = measured[name];
+      return of.times == 0 ? 0.0 : static_cast<double>(of.calls) / static_cast<double>(of.times);
+    };
+    if (!medians.nanoseconds.contains(entry.name)) continue;
+    Row row{entry};
+    row.nanoseconds = value(medians.nanoseconds, entry.name);
+    row.by_hand = value(medians.nanoseconds, entry.name + ":by_hand");
+    row.grows_from = value(medians.nanoseconds, entry.grows_from);
+    row.instructions = value(instructions, entry.name);
+    row.calls = calls(entry.name);
+    row.calls_by_hand = calls(entry.name + ":by_hand");
+    row.heap_uses = measured[entry.name].heap_uses;
+    rows.push_back(row);
+  }
+  std::cout << table(rows);
+  if (medians.nanoseconds.contains("robocup")) play_an_hour();
+  const std::string faults = faults_of(rows);
+  std::cerr << faults;
+  return faults.empty() ? 0 : 1;
+}
