@@ -15,6 +15,31 @@ const Promises& Shared::promises() const {
   return *promises_;
 }
 
+const Requests& Shared::requests() const {
+  if (!requests_) requests_.emplace(model_, graph_, facts_);
+  return *requests_;
+}
+
+const Causers& Shared::causers() const {
+  if (!causers_) causers_ = find_causers(model_);
+  return *causers_;
+}
+
+const std::vector<Imprecise>& Shared::imprecise() const {
+  if (!imprecise_) imprecise_ = find_imprecise(model_, causers(), facts_);
+  return *imprecise_;
+}
+
+const std::vector<Wanting>& Shared::wants() const {
+  if (!wants_) wants_ = find_wants(model_, facts_, chains(), causers());
+  return *wants_;
+}
+
+const std::vector<Clash>& Shared::clashes() const {
+  if (!clashes_) clashes_ = find_clashes(model_, graph_, facts_, *this);
+  return *clashes_;
+}
+
 const Indispensable& Shared::indispensable() const {
   if (!indispensable_) indispensable_.emplace(model_);
   return *indispensable_;

@@ -3,10 +3,14 @@
 
 #include "compiler/checks/analysis/choice.hpp"
 #include "compiler/checks/analysis/claims.hpp"
+#include "compiler/checks/analysis/clashes.hpp"
 #include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/imprecise.hpp"
 #include "compiler/checks/analysis/meetings.hpp"
 #include "compiler/checks/analysis/plans.hpp"
 #include "compiler/checks/analysis/promises.hpp"
+#include "compiler/checks/analysis/requests.hpp"
+#include "compiler/checks/analysis/wants.hpp"
 
 #include <map>
 #include <optional>
@@ -23,6 +27,11 @@ public:
   /// Over the providers that may be active.
   const Chains& chains() const;
   const Promises& promises() const;
+  const Requests& requests() const;
+  const Causers& causers() const;
+  const std::vector<Imprecise>& imprecise() const;
+  const std::vector<Wanting>& wants() const;
+  const std::vector<Clash>& clashes() const;
   const Indispensable& indispensable() const;
   const Rivals& rivals() const;
   /// Of the providers that may be active.
@@ -40,6 +49,11 @@ private:
   const Facts& facts_;
   mutable std::optional<Chains> chains_;
   mutable std::optional<Promises> promises_;
+  mutable std::optional<Requests> requests_;
+  mutable std::optional<Causers> causers_;
+  mutable std::optional<std::vector<Imprecise>> imprecise_;
+  mutable std::optional<std::vector<Wanting>> wants_;
+  mutable std::optional<std::vector<Clash>> clashes_;
   mutable std::optional<Indispensable> indispensable_;
   mutable std::optional<Rivals> rivals_;
   mutable std::optional<Branches> branches_;

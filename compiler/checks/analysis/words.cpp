@@ -20,7 +20,7 @@ std::string list_of(const std::vector<std::string>& things, std::string_view las
   return out;
 }
 
-std::string values_in_words(const State& state, const ValueSet& values) {
+std::string values_in_words(const State& state, const ValueSet& values, bool unset) {
   std::vector<std::string> things;
   for (const ValueSet::Interval& interval : values.intervals()) {
     if (state.is_range && interval.low < interval.high) {
@@ -29,6 +29,7 @@ std::string values_in_words(const State& state, const ValueSet& values) {
     }
     for (std::int64_t value = interval.low; value <= interval.high; ++value) things.push_back(state.value_text(value));
   }
+  if (unset) things.push_back("unset");
   return things.empty() ? "nothing" : list_of(things, "or");
 }
 

@@ -1,0 +1,113 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
+#include "compiler/checks/analysis/company.hpp"
+#include "compiler/checks/analysis/gaps.hpp"
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+class Loneliness {
+public:
+  Loneliness(const Input& input, Findings& findings)
+      : model_(input.model),
+        facts_(input.facts),
+        shared_(input.shared),
+        findings_(findings),
+        ways_(model_, facts_, false, [](ProviderId, const ConditionUse&) { return true; }) {
+    for (const NeverKept& promise : shared_.promises().never_kept) explained_.insert(promise.causer);
+  }
+
+  void run() {
+    for (const ProviderId waiter : model_.providers.ids()) {
+      if (!facts_.requested.contains(model_.providers[waiter].group)) continue;
+      for (const ConditionUse& use : model_.providers[waiter].when) look_at(waiter, use);
+    }
+  }
+
+private:
+  void look_at(ProviderId waiter, const ConditionUse& use) {
+    const GroupId task = model_.providers[waiter].group;
+    std::vector<ProviderId> causers;
+    std::vector<GroupId> groups;
+    for (const ProviderId id : shared_.causers()[use.id]) {
+      const GroupId group = model_.providers[id].group;
+      // What never runs for another reason is reported with that.
+      if (group == task || !facts_.capable.contains(id)) continue;
+      if (explained_.count(id) != 0 || shared_.promises().explained.contains(id)) return;
+      causers.push_back(id);
+      groups.push_back(group);
+    }
+    if (causers.empty()) return;
+    const bool is_root = std::any_of(model_.roots.begin(), model_.roots.end(), [&](const Task& root) {
+      return std::find(groups.begin(), groups.end(), root.target) != groups.end();
+    });
+    if (is_root) return;
+    for (const Request& request : shared_.requests().of(task)) {
+      if (!request.requester || !may_wait(request, use, groups)) continue;
+      const std::vector<const Task*> chain =
+          Company(model_, facts_, shared_.requests(), groups).find_bare_chain(request);
+      if (!chain.empty()) report(waiter, use, causers, request, chain);
+    }
+  }
+
+  /// While this request stands, there are states under which no provider can run, this condition being false.
+  bool may_wait(const Request& request, const ConditionUse& use, const std::vector<GroupId>& absent) {
+    const Condition& condition = model_.conditions[use.id];
+    for (const Region& region : shared_.requests().regions(request)) {
+      Box start = box_of(facts_, region);
+      const State& state = model_.states[condition.state];
+      Possible& here =
+          start.try_emplace(condition.state, Possible{facts_.values[condition.state], state.may_be_unset()})
+              .first->second;
+      // A state of a group that does not run has its initial value.
+      if (state.of && std::find(absent.begin(), absent.end(), state.of->id) != absent.end())
+        here = {here.values.intersected(ValueSet::single(*state.initial)), false};
+      here.values = here.values.without(condition.accepts);
+      const auto gaps = find_gaps(model_, facts_, std::move(start), ways_.of(request.task->target));
+      if (gaps && !gaps->empty()) return true;
+    }
+    return false;
+  }
+
+  void report(ProviderId waiter, const ConditionUse& use, const std::vector<ProviderId>& causers,
+              const Request& request, const std::vector<const Task*>& chain) {
+    const ProviderId causer = causers.front();
+    const std::string group = name_of(model_, model_.providers[causer].group);
+    dsl::Diagnostic& finding = findings_.add(
+        request.task->span, fmt::format("{} may wait here for {}, and {}, which could cause it, need not be requested",
+                                        name_of(model_, request.task->target), name_of(model_, use.id), group));
+    finding.notes.push_back({use.span, fmt::format("{} waits for this", name_of(model_, waiter))});
+    for (const ProviderId id : causers) {
+      const ConditionUse& promise = promise_of(model_, id, use.id);
+      finding.notes.push_back(
+          {promise.span, fmt::format("{} causes {}", name_of(model_, id), name_of(model_, promise.id))});
+    }
+    for (std::size_t i = 1; i < chain.size(); ++i)
+      finding.notes.push_back(
+          {chain[i]->span, fmt::format("{} is requested here, without {}", name_of(model_, chain[i]->target), group)});
+    finding.help = request.pack->name.empty()
+                       ? fmt::format("say with `packs` that {} is requested too: a push never starts a group", group)
+                       : fmt::format("request {} too, here or above: a push never starts a group", group);
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  const Shared& shared_;
+  Findings& findings_;
+  Ways ways_;
+  std::set<ProviderId> explained_;
+};
+
+} // namespace
+
+void causer_not_running(const Input& input, Findings& findings) { Loneliness(input, findings).run(); }
+
+} // namespace director::checks

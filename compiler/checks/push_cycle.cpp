@@ -1,0 +1,26 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/push_cycle.md.
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+namespace director::checks {
+
+void push_cycle(const Input& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const Clash& clash : input.shared.clashes()) {
+    if (clash.kind != Clash::Kind::cycle) continue;
+    dsl::Diagnostic& finding =
+        findings.add(clash.second.span,
+                     fmt::format("{} waits for {} and {}, and {}", name_of(model, clash.second_waiter),
+                                 name_of(model, clash.first.id), name_of(model, clash.second.id),
+                                 clash.because.size() > 1 ? "what causes the one undoes the other"
+                                                          : "what causes the one cannot run while the other holds"));
+    add_parties(model, clash, finding);
+    finding.help = clash.because.size() > 1 ? "let one of them leave the other's state as it is"
+                                            : "let one provider cause both, or ask for the two one after the other";
+  }
+}
+
+} // namespace director::checks

@@ -1,0 +1,59 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/push_in_vain.md.
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+namespace director::checks {
+
+namespace {
+
+std::string loss_of(const Model& model, const Clash& clash) {
+  const std::string causer = name_of(model, clash.second_causer);
+  switch (clash.loss) {
+  case Clash::Loss::request:
+    return fmt::format("the request for {}", name_of(model, model.providers[clash.second_causer].group));
+  case Clash::Loss::group: return fmt::format("a group that {} cannot do without", causer);
+  case Clash::Loss::provider: return fmt::format("a state that {} cannot run without", causer);
+  case Clash::Loss::held: break;
+  }
+  return {};
+}
+
+std::string message_of(const Model& model, const Clash& clash) {
+  const std::string waits =
+      fmt::format("{} waits for {} in vain", name_of(model, clash.second_waiter), name_of(model, clash.second.id));
+  if (clash.loss == Clash::Loss::held)
+    return fmt::format("{}: what {} needs is kept above it", waits, name_of(model, clash.second_causer));
+  return fmt::format("{}: its push of {} for {} takes away {}", waits, name_of(model, clash.first_causer),
+                     name_of(model, clash.first.id), loss_of(model, clash));
+}
+
+std::string help_of(const Model& model, const Clash& clash) {
+  const std::string first = name_of(model, clash.first_causer), second = name_of(model, clash.second_causer);
+  const std::string group = name_of(model, model.providers[clash.second_causer].group);
+  switch (clash.loss) {
+  case Clash::Loss::request: return fmt::format("let {} request {} too, or request it elsewhere", first, group);
+  case Clash::Loss::group: return "let one provider cause both, or ask for the two one after the other";
+  case Clash::Loss::provider:
+    return fmt::format("let {} leave that state as it is, or {} run without it", first, second);
+  case Clash::Loss::held:
+    return fmt::format("request {} above that, or let {} do without it", name_of(model, clash.task), second);
+  }
+  return {};
+}
+
+} // namespace
+
+void push_in_vain(const Input& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const Clash& clash : input.shared.clashes()) {
+    if (clash.kind != Clash::Kind::vain) continue;
+    dsl::Diagnostic& finding = findings.add(clash.second.span, message_of(model, clash));
+    add_parties(model, clash, finding);
+    finding.help = help_of(model, clash);
+  }
+}
+
+} // namespace director::checks

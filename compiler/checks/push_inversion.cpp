@@ -1,0 +1,208 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/push_inversion.md.
+#include "compiler/checks/analysis/company.hpp"
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+/// Who may hold a group, and by which words.
+struct Holder {
+  GroupId group{};
+  std::optional<ProviderId> provider; ///< nothing: the program requests the group itself
+  dsl::Span span{};
+  bool by_need = false;
+  const Task* root = nullptr;
+};
+
+class Inversions {
+public:
+  Inversions(const Input& input, Findings& findings)
+      : model_(input.model),
+        graph_(input.graph),
+        facts_(input.facts),
+        shared_(input.shared),
+        findings_(findings) {}
+
+  void look_at(const Wanting& wanting, const Want& want) {
+    for (const ProviderId causer : want.causers) {
+      if (model_.providers[causer].needs.empty()) continue;
+      find_company(wanting.task, model_.providers[causer].group);
+      for (const Use<GroupId>& need : model_.providers[causer].needs) {
+        const auto& parts = shared_.indispensable().of(need.id);
+        if (!parts || seen_.count({need.span, want.condition.span}) != 0) continue;
+        for (const GroupId part : *parts) {
+          if (look_at_need(wanting, want, causer, need, part)) break;
+        }
+      }
+    }
+  }
+
+private:
+  /// Where the pushed group is always requested with the task, it is held by that request or by a stronger one.
+  void find_company(GroupId task, GroupId pushed) {
+    near_.clear();
+    Company company(model_, facts_, shared_.requests(), {pushed});
+    for (const Request& request : shared_.requests().of(task)) {
+      if (!company.find_bare_chain(request).empty()) return;
+    }
+    near_ = company.found_in();
+  }
+
+  /// The two meet where the pushed group is requested with the task, or further down.
+  bool is_near(const Meeting& meeting) const {
+    if (near_.empty() || near_.count(meeting.together->tasks) != 0) return true;
+    if (!meeting.together->provider) return false;
+    const GroupId group = model_.providers[*meeting.together->provider].group;
+    return std::any_of(near_.begin(), near_.end(), [&](const std::vector<Task>* entries) {
+      return std::any_of(entries->begin(), entries->end(), [&](const Task& entry) {
+        const std::vector<GroupId>& below = shared_.claims(entry.target).groups();
+        return std::binary_search(below.begin(), below.end(), group);
+      });
+    });
+  }
+
+  bool look_at_need(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,
+                    GroupId part) {
+    for (const Holder& holder : holders_of(part)) {
+      if (!is_between(wanting.task, want, causer, holder)) continue;
+      const GroupId pushed = model_.providers[causer].group;
+      const std::optional<Meeting> above = meeting(wanting.task, holder.group, nullptr, holder.root, true);
+      const std::optional<Meeting> below = meeting(holder.group, pushed, holder.root, nullptr, false);
+      if (!above || !below) continue;
+      const std::optional<Meeting> push = meeting(wanting.task, pushed, below->first, below->second, false);
+      report(wanting, want, causer, need, part, holder, *below, push.has_value());
+      return true;
+    }
+    return false;
+  }
+
+  /// The first meeting in which `high` goes before `low`; by these entries, where they are given. `waits`: `high` is
+  /// not granted, and so nothing is that is in one unit with it.
+  std::optional<Meeting> meeting(GroupId high, GroupId low, const Task* first, const Task* second, bool waits) const {
+    std::optional<Meeting> out;
+    shared_.chains().visit(high, {low}, [&](const Meeting& found, GroupId) {
+      if ((first != nullptr && found.first != first) || (second != nullptr && found.second != second)) return;
+      if (waits && found.one_unit() && found.first->target == high) return;
+      if (!waits && !is_near(found)) return;
+      if (!out && found.first_goes_before()) out = found;
+    });
+    return out;
+  }
+
+  std::vector<Holder> holders_of(GroupId group) const {
+    std::vector<Holder> out;
+    for (const Task& root : model_.roots) {
+      if (root.target == group) out.push_back({group, std::nullopt, root.span, false, &root});
+    }
+    for (const EdgeId edge : model_.groups[group].requesters) {
+      if (!model_.edges[edge].requester) continue;
+      const GroupId requester = *model_.edges[edge].requester;
+      for (const ProviderId id : model_.groups[requester].providers) {
+        if (!facts_.active.contains(id)) continue;
+        if (const std::optional<Holder> holder = holder_by(requester, id, group)) out.push_back(*holder);
+      }
+    }
+    return out;
+  }
+
+  std::optional<Holder> holder_by(GroupId requester, ProviderId id, GroupId group) const {
+    for (const Use<GroupId>& need : model_.providers[id].needs) {
+      if (need.id == group) return Holder{requester, id, need.span, true, nullptr};
+    }
+    for (const Pack& pack : model_.providers[id].packs) {
+      for (const Task& task : pack.tasks) {
+        if (task.target == group && !model_.edges[task.edge].levels[task.levels.front().level].optional)
+          return Holder{requester, id, task.span, false, nullptr};
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// It may hold the group while the task waits, and not only by a push of the same task.
+  bool is_between(GroupId task, const Want& want, ProviderId causer, const Holder& holder) const {
+    const GroupId pushed = model_.providers[causer].group;
+    if (holder.group == pushed || holder.group == task || hangs_on(holder.group, pushed) ||
+        hangs_on(holder.group, task))
+      return false;
+    if (!holder.provider) return true;
+    const ProviderId provider = *holder.provider;
+    const bool by_push = !facts_.chosen.contains(provider) &&
+                         std::any_of(shared_.wants().begin(), shared_.wants().end(), [&](const Wanting& other) {
+                           return other.task == task && pushes(other, provider);
+                         });
+    if (by_push) return false;
+    const Region region = active_region(model_, model_.providers[provider]);
+    const Condition& wanted = model_.conditions[want.condition.id];
+    const auto at = region.states.find(wanted.state);
+    if (at != region.states.end() && at->second.subset_of(wanted.accepts)) return false;
+    return compatible(region, region_of(model_, model_.providers[causer].when));
+  }
+
+  static bool pushes(const Wanting& wanting, ProviderId provider) {
+    return std::any_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) {
+      return std::find(want.causers.begin(), want.causers.end(), provider) != want.causers.end();
+    });
+  }
+
+  /// Every chain of requests to the group passes the other one.
+  bool hangs_on(GroupId group, GroupId other) const {
+    std::optional<GroupId> gate = graph_.gate[group];
+    while (gate && *gate != other) gate = graph_.gate[*gate];
+    return gate.has_value();
+  }
+
+  void report(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need, GroupId part,
+              const Holder& holder, const Meeting& below, bool one_side) {
+    seen_.insert({need.span, want.condition.span});
+    const GroupId pushed = model_.providers[causer].group;
+    const std::string task = name_of(model_, wanting.task), between = name_of(model_, holder.group);
+    dsl::Diagnostic& finding = findings_.add(
+        need.span, fmt::format("{} pushes {}, which needs {}, and {} may hold {}: it goes after {} and before {}", task,
+                               name_of(model_, causer), name_of(model_, need.id), between,
+                               part == need.id ? "that" : name_of(model_, part), task, name_of(model_, pushed)));
+    finding.notes.push_back({want.condition.span, fmt::format("{} waits for {}", name_of(model_, want.waiter),
+                                                              name_of(model_, want.condition.id))});
+    if (holder.provider)
+      finding.notes.push_back({holder.span, fmt::format("{} {} {}", name_of(model_, *holder.provider),
+                                                        holder.by_need ? "needs" : "requests", name_of(model_, part))});
+    add_side(*below.first, below.first_level, holder.group, finding);
+    add_side(*below.second, below.second_level, pushed, finding);
+    finding.help = one_side ? fmt::format("let {} do without {}, or {} go after {}", name_of(model_, causer),
+                                          name_of(model_, need.id), between, name_of(model_, pushed))
+                            : fmt::format("let {} go before {}", name_of(model_, below.second->target),
+                                          name_of(model_, below.first->target));
+  }
+
+  void add_side(const Task& entry, const Level& level, GroupId meant, dsl::Diagnostic& finding) const {
+    const std::string leads = entry.target == meant ? "" : fmt::format(", which leads to {},", name_of(model_, meant));
+    finding.notes.push_back({entry.span, fmt::format("here {}{} has {}priority {}", name_of(model_, entry.target),
+                                                     leads, level.optional ? "optional, " : "", level.priority)});
+  }
+
+  const Model& model_;
+  const Graph& graph_;
+  const Facts& facts_;
+  const Shared& shared_;
+  Findings& findings_;
+  std::set<const std::vector<Task>*> near_; ///< of the push that is looked at; empty: they may meet anywhere
+  std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+};
+
+} // namespace
+
+void push_inversion(const Input& input, Findings& findings) {
+  Inversions inversions(input, findings);
+  for (const Wanting& wanting : input.shared.wants()) {
+    for (const Want& want : wanting.wants) inversions.look_at(wanting, want);
+  }
+}
+
+} // namespace director::checks

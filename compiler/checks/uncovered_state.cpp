@@ -1,0 +1,135 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
+#include "compiler/checks/analysis/gaps.hpp"
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+/// Combinations of values that are listed; what comes beyond is counted.
+constexpr std::size_t most_listed = 4;
+
+class Uncovered {
+public:
+  Uncovered(const Input& input, Findings& findings)
+      : model_(input.model),
+        facts_(input.facts),
+        shared_(input.shared),
+        findings_(findings),
+        explained_(input.shared.promises().explained) {
+    for (const Imprecise& fault : shared_.imprecise()) explained_.add(fault.waiter);
+    for (const Clash& clash : shared_.clashes()) {
+      explained_.add(clash.first_waiter);
+      explained_.add(clash.second_waiter);
+    }
+    for (const Wanting& wanting : shared_.wants()) {
+      for (const Want& want : wanting.wants) pushed_.insert({wanting.task, want.condition.id});
+    }
+  }
+
+  void run() {
+    for (const GroupId group : model_.groups.ids()) {
+      if (facts_.requested.contains(group)) look_at(group);
+    }
+  }
+
+private:
+  /// A condition that a task for this group has to wait for without being able to do anything.
+  bool counts(GroupId group, ProviderId provider, const ConditionUse& use) const {
+    if (explained_.contains(provider) || pushed_.count({group, use.id}) != 0) return false;
+    const std::vector<ProviderId>& causers = shared_.causers()[use.id];
+    return std::none_of(causers.begin(), causers.end(), [&](ProviderId causer) {
+      return model_.providers[causer].group != group && facts_.chosen.contains(causer) &&
+             facts_.active.contains(causer);
+    });
+  }
+
+  void look_at(GroupId group) {
+    Ways ways(model_, facts_, true,
+              [&](ProviderId provider, const ConditionUse& use) { return counts(group, provider, use); });
+    const std::vector<Region> open = ways.of(group);
+    // No way at all is a conflict of conditions within the needs.
+    if (open.empty() || std::any_of(open.begin(), open.end(), [](const Region& way) { return way.states.empty(); }))
+      return;
+    std::vector<std::string> gaps;
+    std::set<StateId> states;
+    const Request* where = nullptr;
+    const auto look = [&](const Box& start, const Request& request) {
+      const std::optional<std::vector<Box>> boxes = find_gaps(model_, facts_, start, open);
+      if (!boxes) return;
+      for (const Box& box : *boxes) {
+        const std::string words = gap_in_words(model_, facts_, box);
+        if (std::find(gaps.begin(), gaps.end(), words) != gaps.end()) continue;
+        gaps.push_back(words);
+        if (where == nullptr) where = &request;
+        for (const auto& [state, possible] : box) states.insert(state);
+      }
+    };
+    const std::vector<Request>& requests = shared_.requests().of(group);
+    const bool is_root =
+        std::any_of(requests.begin(), requests.end(), [](const Request& request) { return !request.requester; });
+    for (const Request& request : requests) {
+      if (is_root && request.requester) continue;
+      for (const Region& region : shared_.requests().regions(request)) look(box_of(facts_, region), request);
+    }
+    if (!gaps.empty()) report(group, gaps, states, *where);
+  }
+
+  void report(GroupId group, std::vector<std::string> gaps, const std::set<StateId>& states, const Request& where) {
+    const std::size_t more = gaps.size() > most_listed ? gaps.size() - most_listed : 0;
+    gaps.resize(gaps.size() - more);
+    if (more > 0) gaps.push_back(fmt::format("in {} more cases", more));
+    const std::string name = name_of(model_, group);
+    dsl::Diagnostic& finding = findings_.add(model_.groups[group].name.span,
+                                             fmt::format("no provider of {} can run {}", name, list_of(gaps, "or")));
+    finding.notes.push_back({where.task->span, where.requester
+                                                   ? fmt::format("{} requests it", name_of(model_, *where.requester))
+                                                   : fmt::format("{} may be requested at any time", name)});
+    std::map<GroupId, bool> seen;
+    add_conditions(group, group, states, seen, finding);
+    finding.help = fmt::format("end with a provider that has no conditions, or ask for {} only while it can run", name);
+  }
+
+  /// True if there is one in the group or below; each is noted once.
+  bool add_conditions(GroupId task, GroupId group, const std::set<StateId>& states, std::map<GroupId, bool>& seen,
+                      dsl::Diagnostic& finding) const {
+    const auto [at, is_new] = seen.try_emplace(group, false);
+    if (!is_new) return at->second;
+    bool any = false;
+    for (const ProviderId id : model_.groups[group].providers) {
+      for (const ConditionUse& use : model_.providers[id].when) {
+        if (states.count(model_.conditions[use.id].state) == 0 || !counts(task, id, use)) continue;
+        any = true;
+        finding.notes.push_back(
+            {use.span, fmt::format("{} runs only while {}", name_of(model_, id), name_of(model_, use.id))});
+      }
+      for (const Use<GroupId>& need : model_.providers[id].needs) {
+        if (!add_conditions(task, need.id, states, seen, finding)) continue;
+        any = true;
+        finding.notes.push_back({need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))});
+      }
+    }
+    return seen[group] = any;
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  const Shared& shared_;
+  Findings& findings_;
+  IdSet<ProviderId> explained_;
+  std::set<std::pair<GroupId, ConditionId>> pushed_;
+};
+
+} // namespace
+
+void uncovered_state(const Input& input, Findings& findings) { Uncovered(input, findings).run(); }
+
+} // namespace director::checks

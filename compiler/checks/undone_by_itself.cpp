@@ -1,0 +1,94 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/undone_by_itself.md.
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/undoing.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+class Undone {
+public:
+  Undone(const Input& input, Findings& findings)
+      : model_(input.model),
+        facts_(input.facts),
+        shared_(input.shared),
+        findings_(findings) {}
+
+  void look_at(GroupId task, const Want& want) {
+    const std::vector<ConditionUse>& own = model_.providers[want.waiter].sets;
+    for (const ConditionUse& entry : own) look_at_entry(want, want.waiter, entry, false, {});
+    const Claims& claims = shared_.claims(task);
+    for (const GroupId group : claims.groups()) {
+      if (group == task) continue;
+      for (const Reach reach : {Reach::mandatory, Reach::optional}) {
+        if (claims.find(group, reach) == nullptr) continue;
+        look_below(want, group, claims.path(group, reach));
+        break;
+      }
+    }
+  }
+
+private:
+  void look_below(const Want& want, GroupId group, const std::vector<ClaimStep>& path) {
+    Region here = region_of(model_, model_.providers[want.waiter].when);
+    for (const ProviderId id : model_.groups[group].providers) {
+      const Provider& provider = model_.providers[id];
+      if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
+      for (const ConditionUse& entry : provider.sets) look_at_entry(want, id, entry, false, path);
+      for (const ConditionUse& entry : provider.causing) look_at_entry(want, id, entry, true, path);
+    }
+  }
+
+  void look_at_entry(const Want& want, ProviderId setter, const ConditionUse& entry, bool promised,
+                     const std::vector<ClaimStep>& path) {
+    const Condition& set = model_.conditions[entry.id];
+    if (set.state != model_.conditions[want.condition.id].state) return;
+    const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
+    if (values.empty()) return;
+    const GroupId group = model_.providers[setter].group;
+    const auto causer = std::find_if(want.causers.begin(), want.causers.end(),
+                                     [&](ProviderId id) { return model_.providers[id].group != group; });
+    if (causer == want.causers.end() || !seen_.insert({entry.span, want.condition.span}).second) return;
+    const std::string waiter = name_of(model_, want.waiter), condition = name_of(model_, want.condition.id);
+    dsl::Diagnostic& finding =
+        findings_.add(entry.span, fmt::format("{} may {} {}, and then {} is cut off until {} causes {} again",
+                                              name_of(model_, setter), promised ? "cause" : "set",
+                                              name_of(model_, entry.id), waiter, name_of(model_, *causer), condition));
+    finding.notes.push_back({want.condition.span, fmt::format("{} runs only while {}", waiter, condition)});
+    for (const ClaimStep& step : path)
+      finding.notes.push_back({step.span, fmt::format("{} {} {}", name_of(model_, step.from),
+                                                      step.by_need ? "needs" : "requests", name_of(model_, step.to))});
+    const ConditionUse& promise = promise_of(model_, *causer, want.condition.id);
+    finding.notes.push_back(
+        {promise.span, fmt::format("{} causes {}", name_of(model_, *causer), name_of(model_, promise.id))});
+    const State& state = model_.states[set.state];
+    finding.help = fmt::format("give {} a `stay` under which {} may be {}", waiter, name_of(model_, set.state),
+                               values_in_words(state, values));
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  const Shared& shared_;
+  Findings& findings_;
+  std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+};
+
+} // namespace
+
+void undone_by_itself(const Input& input, Findings& findings) {
+  Undone undone(input, findings);
+  for (const Wanting& wanting : input.shared.wants()) {
+    for (const Want& want : wanting.wants) {
+      if (want.waiter == wanting.provider) undone.look_at(wanting.task, want);
+    }
+  }
+}
+
+} // namespace director::checks

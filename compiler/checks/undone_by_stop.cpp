@@ -1,0 +1,155 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/undone_by_stop.md.
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/undoing.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+/// What the stop of a group gives a state, and where that is written.
+struct StopValue {
+  ValueSet values;
+  dsl::Span span{};
+  std::string what;
+};
+
+class UndoneByStop {
+public:
+  UndoneByStop(const Input& input, Findings& findings)
+      : model_(input.model),
+        facts_(input.facts),
+        shared_(input.shared),
+        findings_(findings) {}
+
+  void look_at(const Wanting& wanting, const Want& want) {
+    for (const ProviderId causer : want.causers) {
+      const StateId state = model_.conditions[want.condition.id].state;
+      for (const StopValue& stop : stop_values(model_.providers[causer].group, state)) {
+        const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
+        if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
+        std::vector<dsl::Note> how = why_stopped(wanting.task, causer);
+        if (!how.empty()) report(wanting, want, causer, stop, values, std::move(how));
+      }
+    }
+  }
+
+private:
+  std::vector<StopValue> stop_values(GroupId id, StateId state) const {
+    const Group& group = model_.groups[id];
+    const State& row = model_.states[state];
+    std::vector<StopValue> out;
+    if (group.stop) {
+      for (const ConditionUse& entry : group.stop->sets) {
+        if (model_.conditions[entry.id].state != state) continue;
+        out.push_back({model_.conditions[entry.id].accepts, entry.span,
+                       fmt::format("the stop of {} may set {}", name_of(model_, id), name_of(model_, entry.id))});
+      }
+    }
+    // The handler's own word wins, but it need not say one.
+    if (row.of && row.of->id == id)
+      out.push_back({ValueSet::single(*row.initial), row.of->span,
+                     fmt::format("{} is {} again when {} stops", name_of(model_, state), row.value_text(*row.initial),
+                                 name_of(model_, id))});
+    return out;
+  }
+
+  /// How the task takes what each provider of the causing group needs; nothing: it goes on, or changes hands.
+  std::vector<dsl::Note> why_stopped(GroupId task, ProviderId causer) const {
+    const Claims& claims = shared_.claims(task);
+    const auto takes = [&](GroupId group) {
+      return std::binary_search(claims.groups().begin(), claims.groups().end(), group);
+    };
+    const GroupId group = model_.providers[causer].group;
+    if (takes(group)) return {};
+    std::vector<dsl::Note> out;
+    for (const ProviderId id : model_.groups[group].providers) {
+      if (id != causer && !facts_.active.contains(id)) continue;
+      const dsl::Span need = need_taken(id, takes);
+      if (need == dsl::Span{}) return {};
+      if (id == causer) out = notes_for(task, causer, claims, takes);
+    }
+    return out;
+  }
+
+  template <class Takes>
+  dsl::Span need_taken(ProviderId id, const Takes& takes) const {
+    for (const Use<GroupId>& need : model_.providers[id].needs) {
+      if (takes_part(need.id, takes)) return need.span;
+    }
+    return {};
+  }
+
+  template <class Takes>
+  std::optional<GroupId> takes_part(GroupId needed, const Takes& takes) const {
+    if (takes(needed)) return needed;
+    const auto& parts = shared_.indispensable().of(needed);
+    if (!parts) return std::nullopt;
+    const auto at = std::find_if(parts->begin(), parts->end(), takes);
+    if (at == parts->end()) return std::nullopt;
+    return *at;
+  }
+
+  template <class Takes>
+  std::vector<dsl::Note> notes_for(GroupId task, ProviderId causer, const Claims& claims, const Takes& takes) const {
+    std::vector<dsl::Note> out;
+    for (const Use<GroupId>& need : model_.providers[causer].needs) {
+      const std::optional<GroupId> taken = takes_part(need.id, takes);
+      if (!taken) continue;
+      out.push_back({need.span, fmt::format("{} needs {}", name_of(model_, causer), name_of(model_, need.id))});
+      if (*taken == task) {
+        out.push_back({model_.groups[task].name.span, fmt::format("{} is taken", name_of(model_, task))});
+        return out;
+      }
+      for (const Reach reach : all_reaches) {
+        if (claims.find(*taken, reach) == nullptr) continue;
+        for (const ClaimStep& step : claims.path(*taken, reach))
+          out.push_back({step.span, fmt::format("{} {} {}", name_of(model_, step.from),
+                                                step.by_need ? "needs" : "requests", name_of(model_, step.to))});
+        return out;
+      }
+    }
+    return out;
+  }
+
+  void report(const Wanting& wanting, const Want& want, ProviderId causer, const StopValue& stop,
+              const ValueSet& values, std::vector<dsl::Note> how) {
+    seen_.insert({stop.span, want.condition.span});
+    const std::string waiter = name_of(model_, want.waiter), condition = name_of(model_, want.condition.id);
+    const StateId state = model_.conditions[want.condition.id].state;
+    dsl::Diagnostic& finding =
+        findings_.add(stop.span, fmt::format("{}, and it is stopped when {} is granted, which waits for {}: the two go "
+                                             "round",
+                                             stop.what, name_of(model_, wanting.task), condition));
+    finding.notes.push_back({want.condition.span, fmt::format("{} runs only while {}", waiter, condition)});
+    const ConditionUse& promise = promise_of(model_, causer, want.condition.id);
+    finding.notes.push_back(
+        {promise.span, fmt::format("{} causes {}", name_of(model_, causer), name_of(model_, promise.id))});
+    for (dsl::Note& note : how) finding.notes.push_back(std::move(note));
+    finding.help = fmt::format("give {} a `stay` under which {} may be {}", waiter, name_of(model_, state),
+                               values_in_words(model_.states[state], values));
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  const Shared& shared_;
+  Findings& findings_;
+  std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+};
+
+} // namespace
+
+void undone_by_stop(const Input& input, Findings& findings) {
+  UndoneByStop undone(input, findings);
+  for (const Wanting& wanting : input.shared.wants()) {
+    for (const Want& want : wanting.wants) undone.look_at(wanting, want);
+  }
+}
+
+} // namespace director::checks
