@@ -1,5 +1,5 @@
 # cmake -D SIZE=<size> -D PROCESSOR=<name> -D CORE=<objects> -D GENERATED=<objects> -D OUT=<file> -P sizes.cmake
-# Says, and writes to OUT, what soccer takes: the engine's code, the code and tables that are generated, and the Behaviour object.
+# Says what soccer takes: the engine's code, the code and tables that are generated, and the Behaviour object. Writes these to OUT, for ./bench.
 function(total column variable)
   execute_process(COMMAND ${SIZE} --totals ${ARGN} OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCH "([0-9]+)[ \t]+([0-9]+)[ \t]+([0-9]+)[ \t]+[0-9]+[ \t]+[0-9a-f]+[ \t]+\\(TOTALS\\)" line "${table}")
@@ -9,6 +9,5 @@ total(1 core ${CORE})
 total(1 generated ${GENERATED})
 total(3 object ${GENERATED})
 math(EXPR code "${core} + ${generated}")
-set(report "soccer on a ${PROCESSOR}: ${code} bytes of code and tables (engine ${core}, generated ${generated}), ${object} bytes of RAM for the Behaviour")
-message("${report}")
-file(WRITE ${OUT} "${report}\n")
+message("soccer on a ${PROCESSOR}: ${code} bytes of code and tables (engine ${core}, generated ${generated}), ${object} bytes of RAM for the Behaviour")
+file(WRITE ${OUT} "${PROCESSOR} ${core} ${generated} ${object}\n")
