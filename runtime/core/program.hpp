@@ -150,6 +150,8 @@ private:
 
 template <class Facts>
 class Program {
+  static_assert(Facts::shape.edges + Facts::shape.groups < nil, "more rows than an Index can tell apart");
+
 public:
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
