@@ -199,7 +199,7 @@ YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& 
     NothingMore nothing_more;
     parser.HandleNextDocument(nothing_more);
     YamlNode root = builder.take_root();
-    refuse_tabs(builder, text, root);
+    if (text.find('\t') != std::string_view::npos) refuse_tabs(builder, text, root);
     return root;
   } catch (const TreeBuilder::Stop&) {
   } catch (const TooFarAhead&) {

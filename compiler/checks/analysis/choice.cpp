@@ -76,10 +76,10 @@ class FirstSearch {
 public:
   FirstSearch(const Model& model, const IdTable<StateId, ValueSet>& values) : model_(model), values_(values) {}
 
-  bool run(const Region& own, const std::vector<ProviderId>& rivals) {
+  bool run(const Region& own, const std::vector<Region>& rivals) {
     for (const auto& [state, accepted] : own.states) now_[state] = {values_[state].intersected(accepted), false};
     if (std::any_of(now_.begin(), now_.end(), [](const auto& entry) { return entry.second.empty(); })) return false;
-    for (const ProviderId rival : rivals) regions_.push_back(region_of(model_, model_.providers[rival].when));
+    regions_ = rivals;
     return fail_from(0);
   }
 
@@ -131,11 +131,18 @@ Rivals::Rivals(const Model& model, const Graph& graph) : rivals_(model.providers
   }
 }
 
+bool may_escape(const Model& model, const Region& own, const std::vector<Region>& others,
+                const IdTable<StateId, ValueSet>& values) {
+  return FirstSearch(model, values).run(own, others);
+}
+
 bool may_come_first(const Model& model, ProviderId provider, const std::vector<ProviderId>& rivals,
                     const IdTable<StateId, ValueSet>& values, const std::vector<StateId>& open) {
   Region own = region_of(model, model.providers[provider].when);
   for (const StateId state : open) own.states.erase(state);
-  return FirstSearch(model, values).run(own, rivals);
+  std::vector<Region> others;
+  for (const ProviderId rival : rivals) others.push_back(region_of(model, model.providers[rival].when));
+  return may_escape(model, own, others, values);
 }
 
 } // namespace director::checks

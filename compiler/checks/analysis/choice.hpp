@@ -19,6 +19,11 @@ private:
   IdTable<ProviderId, std::vector<ProviderId>> rivals_;
 };
 
+/// `own` can hold while each of `others` lacks something, each state having one of `values` or, where it may, none.
+/// True also where that takes too long to find out.
+bool may_escape(const Model& model, const Region& own, const std::vector<Region>& others,
+                const IdTable<StateId, ValueSet>& values);
+
 /// Its `when` can hold while each of `rivals` lacks something, each state having one of `values` or, where it may,
 /// none. `open`: states that are no obstacle to it. True also where that takes too long to find out.
 bool may_come_first(const Model& model, ProviderId provider, const std::vector<ProviderId>& rivals,

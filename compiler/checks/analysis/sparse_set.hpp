@@ -11,6 +11,7 @@ public:
   bool contains(IdType id) const { return has_.count(id) != 0; }
   /// True if it was not in the set before.
   bool add(IdType id) { return has_.insert(id).second; }
+  void remove(IdType id) { has_.erase(id); }
 
 private:
   std::unordered_set<IdType> has_;

@@ -1,0 +1,67 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/overlapping_providers.md.
+#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/region.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+namespace director::checks {
+
+namespace {
+
+/// Where both can run, as far as one state at a time tells; nothing: nowhere.
+std::optional<Region> find_overlap(const Input& input, ProviderId a, ProviderId b) {
+  const Model& model = input.model;
+  Region out = region_of(model, model.providers[a].when);
+  out.meet(region_of(model, model.providers[b].when));
+  for (const auto& [state, values] : out.states) {
+    if (values.intersected(input.facts.values[state]).empty()) return std::nullopt;
+  }
+  return out;
+}
+
+std::string overlap_in_words(const Input& input, const Region& overlap) {
+  std::vector<std::string> things;
+  for (const auto& [state, values] : overlap.states)
+    things.push_back(
+        fmt::format("{} is {}", name_of(input.model, state),
+                    values_in_words(input.model.states[state], values.intersected(input.facts.values[state]))));
+  return list_of(things);
+}
+
+void look_at(const Input& input, ProviderId later, Findings& findings) {
+  const Model& model = input.model;
+  const Provider& row = model.providers[later];
+  dsl::Diagnostic* finding = nullptr;
+  for (const ProviderId earlier : model.groups[row.group].providers) {
+    if (earlier == later) break;
+    const Provider& preferred = model.providers[earlier];
+    if (preferred.when.empty() || !input.facts.active.contains(earlier)) continue;
+    const auto overlap = find_overlap(input, earlier, later);
+    if (!overlap) continue;
+    const std::string where = overlap_in_words(input, *overlap);
+    if (finding == nullptr) {
+      finding = &findings.add(row.when.front().span,
+                              fmt::format("{} and {} can both run while {}: the one that is written first is preferred",
+                                          name_of(model, earlier), name_of(model, later), where));
+      finding->help = "where the order is not meant to decide, say in `when` what tells them apart";
+    } else {
+      finding->notes.push_back({preferred.when.front().span,
+                                fmt::format("{} is preferred as well, while {}", name_of(model, earlier), where)});
+      continue;
+    }
+    finding->notes.push_back({preferred.when.front().span, fmt::format("{} is preferred", name_of(model, earlier))});
+  }
+}
+
+} // namespace
+
+void overlapping_providers(const Input& input, Findings& findings) {
+  for (const ProviderId id : input.model.providers.ids()) {
+    // Without a condition it is what is left when all others cannot run: there the order speaks for itself.
+    if (!input.model.providers[id].when.empty() && input.facts.active.contains(id)) look_at(input, id, findings);
+  }
+}
+
+} // namespace director::checks

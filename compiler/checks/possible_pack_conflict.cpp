@@ -1,0 +1,204 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/possible_pack_conflict.md.
+#include "compiler/checks/analysis/choice.hpp"
+#include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/pack_conflicts.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace director::checks {
+
+namespace {
+
+/// With more ways than this to meet one task, two of them are not compared.
+constexpr std::size_t most_ways = 64;
+
+/// One way to meet a task.
+struct Way {
+  Combination combination;
+  std::vector<GroupId> groups; ///< that it takes; sorted
+  ProviderId provider() const { return combination.picks.front().provider; }
+};
+
+/// Nothing: there are too many.
+std::optional<std::vector<Way>> find_ways(Units& units, GroupId group) {
+  std::vector<Way> out;
+  const bool complete = units.visit({group}, false, [&](const Combination& combination) {
+    Way way{combination, {}};
+    for (const Combination::Pick& pick : combination.picks) way.groups.push_back(pick.group);
+    std::sort(way.groups.begin(), way.groups.end());
+    out.push_back(std::move(way));
+    return out.size() <= most_ways;
+  });
+  if (!complete || out.size() > most_ways) return std::nullopt;
+  return out;
+}
+
+std::optional<GroupId> group_in_common(const Way& a, const Way& b) {
+  std::vector<GroupId> both;
+  std::set_intersection(a.groups.begin(), a.groups.end(), b.groups.begin(), b.groups.end(), std::back_inserter(both));
+  return both.empty() ? std::nullopt : std::optional(both.front());
+}
+
+/// Two ways that want one group, one for each of two members.
+struct Clash {
+  const Way* first = nullptr;
+  const Way* second = nullptr;
+  const Way* first_instead = nullptr; ///< two that do not
+  const Way* second_instead = nullptr;
+  bool always = false; ///< the preferred provider of one of them is of no use here, whatever the states are
+};
+
+class PairSearch {
+public:
+  PairSearch(const Input& input, const std::vector<Way>& first, const std::vector<Way>& second)
+      : input_(input),
+        first_(first),
+        second_(second) {
+    for (const Way& a : first) {
+      for (const Way& b : second) {
+        Region region = a.combination.region;
+        region.meet(b.combination.region);
+        if (region.empty()) continue;
+        (group_in_common(a, b) ? clashing_ : working_).push_back({&a, &b, std::move(region)});
+      }
+    }
+  }
+
+  std::optional<Clash> run() const {
+    if (clashing_.empty() || working_.empty()) return std::nullopt;
+    if (const Pair* useless = find_useless()) return make(*useless, true);
+    std::vector<Region> regions;
+    for (const Pair& pair : working_) regions.push_back(pair.region);
+    for (const Pair& pair : clashing_) {
+      if (may_escape(input_.model, pair.region, regions, input_.facts.values)) return make(pair, false);
+    }
+    return std::nullopt;
+  }
+
+private:
+  struct Pair {
+    const Way* first;
+    const Way* second;
+    Region region;
+  };
+
+  Clash make(const Pair& pair, bool always) const {
+    return {pair.first, pair.second, working_.front().first, working_.front().second, always};
+  }
+
+  /// A clash of a provider that is preferred to all that ever work here.
+  const Pair* find_useless() const {
+    const auto before_all = [&](const Way* way, const Way* Pair::*side) {
+      return std::all_of(working_.begin(), working_.end(),
+                         [&](const Pair& pair) { return way->provider() < (pair.*side)->provider(); });
+    };
+    for (const Pair& pair : clashing_) {
+      if (before_all(pair.first, &Pair::first) || before_all(pair.second, &Pair::second)) return &pair;
+    }
+    return nullptr;
+  }
+
+  const Input& input_;
+  const std::vector<Way>& first_;
+  const std::vector<Way>& second_;
+  std::vector<Pair> working_, clashing_;
+};
+
+/// How a way comes to a group: from the group back to the task.
+void add_chain(const Model& model, const Way& way, GroupId group, dsl::Diagnostic& finding) {
+  std::vector<dsl::Note> steps;
+  const GroupId task = way.combination.picks.front().group;
+  for (bool found = true; group != task && found;) {
+    found = false;
+    for (const Combination::Pick& pick : way.combination.picks) {
+      for (const Use<GroupId>& need : model.providers[pick.provider].needs) {
+        if (found || need.id != group) continue;
+        steps.push_back({need.span, fmt::format("{} needs {}", name_of(model, pick.provider), name_of(model, group))});
+        group = pick.group;
+        found = true;
+      }
+      if (found) break;
+    }
+  }
+  finding.notes.insert(finding.notes.end(), steps.rbegin(), steps.rend());
+}
+
+std::string conditions_in_words(const Model& model, const Way& a, const Way& b) {
+  std::vector<std::string> things;
+  for (const Way* way : {&a, &b}) {
+    for (const Combination::Pick& pick : way->combination.picks) {
+      for (const ConditionUse& use : model.providers[pick.provider].when) {
+        const std::string name = name_of(model, use.id);
+        if (std::find(things.begin(), things.end(), name) == things.end()) things.push_back(name);
+      }
+    }
+  }
+  return list_of(things);
+}
+
+void report(const Input& input, const Task& first, const Task& second, const Clash& clash, Findings& findings) {
+  const Model& model = input.model;
+  const GroupId group = *group_in_common(*clash.first, *clash.second);
+  const std::string a = name_of(model, first.target), b = name_of(model, second.target);
+  const std::string one = name_of(model, clash.first->provider()), other = name_of(model, clash.second->provider());
+  const std::string want = fmt::format("{} and {} both want {}", one, other, name_of(model, group));
+  dsl::Diagnostic& finding = findings.add(
+      second.span, clash.always
+                       ? fmt::format("{} and {} can be granted together only by other providers than the preferred "
+                                     "ones: {}",
+                                     a, b, want)
+                       : fmt::format("{} and {} cannot always be granted together: {}", a, b, want));
+  finding.notes.push_back({first.span, fmt::format("{} is asked for in the same unit", a)});
+  add_chain(model, *clash.first, group, finding);
+  add_chain(model, *clash.second, group, finding);
+  const ProviderId x = clash.first_instead->provider(), y = clash.second_instead->provider();
+  const ProviderId place = clash.first->provider() != x ? x : y;
+  const std::string conditions = conditions_in_words(model, *clash.first_instead, *clash.second_instead);
+  finding.notes.push_back(
+      {model.providers[place].span, fmt::format("{} and {} can be granted together{}{}", name_of(model, x),
+                                                name_of(model, y), conditions.empty() ? "" : ", when ", conditions)});
+  finding.help = fmt::format("make {} `apart`, or give the preferred provider needs that leave {} to the other", b,
+                             name_of(model, group));
+}
+
+bool meet_in_needs(Units& units, GroupId a, GroupId b) {
+  std::vector<GroupId> both;
+  const std::vector<GroupId>& first = units.needed(a);
+  const std::vector<GroupId>& second = units.needed(b);
+  std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
+  return !both.empty();
+}
+
+void look_at(const Input& input, Units& units, const Pack& pack, Findings& findings) {
+  const std::vector<const Task*> members = unit_members(input.model, pack);
+  for (std::size_t j = 1; j < members.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      if (!meet_in_needs(units, members[i]->target, members[j]->target)) continue;
+      const auto first = find_ways(units, members[i]->target), second = find_ways(units, members[j]->target);
+      if (!first || !second) continue;
+      if (const auto clash = PairSearch(input, *first, *second).run())
+        report(input, *members[i], *members[j], *clash, findings);
+    }
+  }
+}
+
+} // namespace
+
+void possible_pack_conflict(const Input& input, Findings& findings) {
+  Units units(input.model, input.facts);
+  for (const PackConflict& conflict : find_pack_conflicts(input.model, units)) {
+    if (!input.model.providers[conflict.provider].has_packs) report_pack_conflict(input, units, conflict, findings);
+  }
+  for (const ProviderId id : input.model.providers.ids()) {
+    const Provider& provider = input.model.providers[id];
+    if (!provider.has_packs || !input.facts.active.contains(id)) continue;
+    for (const Pack& pack : provider.packs) look_at(input, units, pack, findings);
+  }
+}
+
+} // namespace director::checks

@@ -1,0 +1,111 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/waiting_company.md.
+#include "compiler/checks/analysis/choice.hpp"
+#include "compiler/checks/analysis/pack_conflicts.hpp"
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+class Company {
+public:
+  Company(const Input& input, Findings& findings)
+      : input_(input),
+        findings_(findings),
+        units_(input.model, input.facts),
+        explained_(input.model.groups.size()) {
+    for (const PackConflict& conflict : find_pack_conflicts(input.model, units_)) conflicts_.insert(conflict.pack);
+    for (const Impossible& fault : input.facts.impossible) explain(fault.provider);
+    for (const NeverKept& promise : input.shared.promises().never_kept) {
+      for (const NeverKept::Waiting& waiting : promise.waiting) explain(waiting.provider);
+    }
+    for (const ProviderId id : input.model.providers.ids()) {
+      if (input.shared.promises().explained.contains(id)) explain(id);
+    }
+  }
+
+  void look_at(const Provider& provider, const Pack& pack) {
+    if (conflicts_.count(&pack) != 0) return;
+    const std::vector<const Task*> members = unit_members(input_.model, pack);
+    if (members.size() < 2) return;
+    const Region region = active_region(input_.model, provider);
+    std::vector<const Task*> waiting;
+    for (const Task* member : members) {
+      if (!explained_.contains(member->target) && may_wait(member->target, region)) waiting.push_back(member);
+    }
+    for (const Task* member : members) {
+      const auto held_by = std::find_if(waiting.begin(), waiting.end(), [&](const Task* other) {
+        return other->target != member->target && !share(member->target, other->target);
+      });
+      if (held_by != waiting.end()) report(*member, **held_by, region);
+    }
+  }
+
+private:
+  void explain(ProviderId id) { explained_.add(input_.model.providers[id].group); }
+
+  /// All its providers can lack something while the requester runs.
+  bool may_wait(GroupId group, const Region& region) const {
+    std::vector<Region> providers;
+    for (const ProviderId id : input_.model.groups[group].providers)
+      providers.push_back(region_of(input_.model, input_.model.providers[id].when));
+    return may_escape(input_.model, region, providers, input_.facts.values);
+  }
+
+  /// They have a group in common over needs and requests, however far down.
+  bool share(GroupId a, GroupId b) const {
+    const std::vector<GroupId>& first = input_.shared.claims(a).groups();
+    const std::vector<GroupId>& second = input_.shared.claims(b).groups();
+    const auto is_in_first = [&](GroupId group) { return std::binary_search(first.begin(), first.end(), group); };
+    return std::any_of(second.begin(), second.end(), is_in_first);
+  }
+
+  void report(const Task& member, const Task& waiting, const Region& region) {
+    const Model& model = input_.model;
+    const std::string name = name_of(model, member.target), other = name_of(model, waiting.target);
+    dsl::Diagnostic& finding = findings_.add(
+        member.span,
+        fmt::format("{} is held back while {} waits for a condition, and shares nothing with it", name, other));
+    finding.notes.push_back({waiting.span, fmt::format("{} is granted only together with {}", other, name)});
+    for (const ProviderId id : model.groups[waiting.target].providers) {
+      for (const ConditionUse& use : model.providers[id].when) {
+        if (!holds_in(region, use))
+          finding.notes.push_back(
+              {use.span, fmt::format("{} waits for {}", name_of(model, id), name_of(model, use.id))});
+      }
+    }
+    finding.help = fmt::format("make {} `apart`: it keeps its rank and goes on by itself", name);
+  }
+
+  bool holds_in(const Region& region, const ConditionUse& use) const {
+    const Condition& condition = input_.model.conditions[use.id];
+    const auto at = region.states.find(condition.state);
+    return at != region.states.end() && at->second.subset_of(condition.accepts);
+  }
+
+  const Input& input_;
+  Findings& findings_;
+  Units units_;
+  std::set<const Pack*> conflicts_;
+  IdSet<GroupId> explained_; ///< why it waits is another finding
+};
+
+} // namespace
+
+void waiting_company(const Input& input, Findings& findings) {
+  Company company(input, findings);
+  for (const ProviderId id : input.model.providers.ids()) {
+    const Provider& provider = input.model.providers[id];
+    if (!provider.has_packs || !input.facts.active.contains(id)) continue;
+    for (const Pack& pack : provider.packs) company.look_at(provider, pack);
+  }
+}
+
+} // namespace director::checks
