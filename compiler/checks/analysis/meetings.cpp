@@ -38,7 +38,7 @@ Chains::Chains(const Model& model, std::function<bool(ProviderId)> counts)
   }
 }
 
-std::vector<Chains::Above> Chains::above(GroupId waiter) const {
+std::vector<Chains::Above> Chains::above(GroupId waiter, bool held) const {
   std::vector<Above> out{{waiter, false}};
   SparseSet<GroupId> seen[2];
   seen[0].add(waiter);
@@ -54,7 +54,7 @@ std::vector<Chains::Above> Chains::above(GroupId waiter) const {
       if (has_mandatory(edge)) reach(requester, here.optional);
       if (has_optional(edge)) reach(requester, true);
     }
-    if (here.group == waiter) continue; // a task that waits was requested, not only needed
+    if (here.group == waiter && !held) continue; // a task that waits was requested, not only needed
     // What is needed leads on as well: it may still run for an older request.
     for (const EdgeId id : model_.groups[here.group].requesters) {
       if (model_.edges[id].needed && is_needed_by(*model_.edges[id].requester, here.group))
@@ -73,11 +73,11 @@ bool Chains::is_needed_by(GroupId requester, GroupId group) const {
   });
 }
 
-const std::vector<Chains::Entry>& Chains::entries_above(GroupId group) const {
-  const auto [at, is_new] = entries_above_.try_emplace(group);
+const std::vector<Chains::Entry>& Chains::entries_above(GroupId group, bool held) const {
+  const auto [at, is_new] = entries_above_[held ? 1 : 0].try_emplace(group);
   std::vector<Entry>& out = at->second;
   if (!is_new) return out;
-  for (const Above& here : above(group)) {
+  for (const Above& here : above(group, held)) {
     for (const auto& [together, task] : entries_[here.group.value])
       out.push_back({together, task, !here.optional, here.optional});
   }
@@ -129,7 +129,7 @@ Chains::siblings(const Together& together, const Task& task, GroupId waiter, con
 
 void Chains::visit(GroupId waiter, const std::vector<GroupId>& others,
                    const std::function<void(const Meeting&, GroupId other)>& visitor) const {
-  for (const Above& here : above(waiter)) {
+  for (const Above& here : above(waiter, false)) {
     for (const auto& [together, first] : entries_[here.group.value]) {
       for (const auto& [second, other] : siblings(*together, *first, waiter, others)) {
         for (const Task::NamedLevel& a : first->levels) {

@@ -49,6 +49,16 @@ struct Meeting {
 /// What chains of requests can lead to, each provider of a chain being one of those that count.
 class Chains {
 public:
+  /// An entry from which a chain leads to a group: without an optional edge below it, with one, or both.
+  struct Entry {
+    const Together* together = nullptr;
+    const Task* task = nullptr;
+    bool mandatory = false, optional = false;
+  };
+
+  /// In order of place and task. `held`: also chains at whose end the group is only needed.
+  const std::vector<Entry>& entries_above(GroupId group, bool held = false) const;
+
   Chains(const Model& model, std::function<bool(ProviderId)> counts);
 
   /// Every way in which a task for `waiter` and a request for one of `others` meet.
@@ -67,14 +77,7 @@ private:
     GroupId group{};
     bool optional = false; ///< an edge between the two is
   };
-  /// An entry from which a chain leads to a group: without an optional edge below it, with one, or both.
-  struct Entry {
-    const Together* together = nullptr;
-    const Task* task = nullptr;
-    bool mandatory = false, optional = false;
-  };
-  std::vector<Above> above(GroupId group) const;
-  const std::vector<Entry>& entries_above(GroupId group) const;
+  std::vector<Above> above(GroupId group, bool held) const;
   bool beats(const Entry& waiting, const Entry& entry, GroupId other) const;
   bool may_beat(GroupId waiter, GroupId other) const;
   bool is_needed_by(GroupId requester, GroupId group) const;
@@ -88,7 +91,7 @@ private:
   std::function<bool(ProviderId)> counts_;
   std::vector<Together> together_;
   std::vector<std::vector<std::pair<const Together*, const Task*>>> entries_; ///< by target
-  mutable std::unordered_map<GroupId, std::vector<Entry>> entries_above_;     ///< in order of together and task
+  mutable std::unordered_map<GroupId, std::vector<Entry>> entries_above_[2];
 };
 
 } // namespace director::checks

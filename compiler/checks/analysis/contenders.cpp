@@ -1,0 +1,160 @@
+// Door: compiler/checks/analysis/contenders.hpp. Test: compiler/checks/undeclared_need.md.
+#include "compiler/checks/analysis/contenders.hpp"
+
+#include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/units.hpp"
+#include "compiler/checks/analysis/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::checks {
+
+namespace {
+
+using Entry = Chains::Entry;
+
+/// So many are looked at closely for one group.
+constexpr int most_candidates = 20;
+
+class ContenderSearch {
+public:
+  ContenderSearch(const Input& input, ProviderId provider, GroupId group)
+      : input_(input),
+        own_(input.model.providers[provider].group),
+        region_(active_region(input.model, input.model.providers[provider])),
+        group_(group) {}
+
+  std::optional<Contender> run() {
+    const Chains& chains = input_.shared.chains();
+    const std::vector<Entry>& theirs = chains.entries_above(group_, true);
+    auto first = theirs.begin();
+    for (const Entry& ours : chains.entries_above(own_)) {
+      while (first != theirs.end() && first->together < ours.together) ++first;
+      for (auto at = first; at != theirs.end() && at->together == ours.together; ++at) {
+        if (at->task->target != ours.task->target && at->task->target != own_ && left_ > 0) look_at(ours, *at);
+      }
+    }
+    return std::move(best_);
+  }
+
+private:
+  void look_at(const Entry& ours, const Entry& theirs) {
+    const Model& model = input_.model;
+    // Quick: is there a chain at all that leads past the provider?
+    const Claims& claims = input_.shared.claims(theirs.task->target, own_);
+    if (std::none_of(std::begin(all_reaches), std::end(all_reaches),
+                     [&](Reach reach) { return claims.find(group_, reach); }))
+      return;
+    for (const Task::NamedLevel& a : ours.task->levels) {
+      for (const Task::NamedLevel& b : theirs.task->levels) {
+        Meeting meeting{ours.together, ours.task, theirs.task, model.edges[ours.task->edge].levels[a.level],
+                        model.edges[theirs.task->edge].levels[b.level]};
+        // Where its own chain may be optional it is at its weakest.
+        meeting.first_optional = meeting.first_level.optional || ours.optional;
+        for (const Reach reach : all_reaches) {
+          meeting.second_optional = meeting.second_level.optional || reach == Reach::optional;
+          // What a unit holds from the beginning is another check's affair.
+          if (meeting.first_goes_before() || (meeting.one_unit() && reach == Reach::own)) continue;
+          if (try_out(meeting, reach)) return;
+        }
+      }
+    }
+  }
+
+  bool try_out(const Meeting& meeting, Reach reach) {
+    const Claim* quick = input_.shared.claims(meeting.second->target, own_).find(group_, reach);
+    if (quick == nullptr || !compatible(quick->region, region_) || (best_ && quick->steps >= best_->path.size()))
+      return false;
+    // A group is held once: the two chains have nothing in common above.
+    --left_;
+    const Claims& ours = input_.shared.claims(meeting.first->target);
+    std::vector<GroupId> above{own_, meeting.first->target};
+    for (const Reach how : all_reaches) {
+      if (ours.find(own_, how) == nullptr) continue;
+      for (const ClaimStep& step : ours.path(own_, how)) above.push_back(step.from);
+      break;
+    }
+    if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return false;
+    const Claims claims(input_.shared.branches(), meeting.second->target, above);
+    const Claim* claim = claims.find(group_, reach);
+    if (claim == nullptr || !compatible(claim->region, region_)) return false;
+    best_ = Contender{meeting, claims.path(group_, reach)};
+    return true;
+  }
+
+  const Input& input_;
+  GroupId own_;
+  Region region_;
+  GroupId group_;
+  std::optional<Contender> best_;
+  int left_ = most_candidates;
+};
+
+/// Groups that the provider holds from the beginning, whatever plan it has.
+std::vector<GroupId> reserved_groups(const Input& input, const Provider& provider) {
+  std::vector<GroupId> out;
+  for (const Use<GroupId>& need : provider.needs) {
+    const auto& parts = input.shared.indispensable().of(need.id);
+    if (parts) out.insert(out.end(), parts->begin(), parts->end());
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+} // namespace
+
+std::optional<Contender> find_contender(const Input& input, ProviderId provider, GroupId group) {
+  return ContenderSearch(input, provider, group).run();
+}
+
+void add_contender(const Model& model, const Contender& contender, GroupId group, dsl::Diagnostic& finding) {
+  const Meeting& meeting = contender.meeting;
+  finding.notes.push_back(
+      {meeting.second->span,
+       fmt::format("{} may hold {}, and {} {}", name_of(model, meeting.second->target),
+                   meeting.second->target == group ? "this" : name_of(model, group),
+                   meeting.equal() ? "has the same rank as" : "goes before", name_of(model, meeting.first->target))});
+  for (const ClaimStep& step : contender.path)
+    finding.notes.push_back({step.span, fmt::format("{} {} {}", name_of(model, step.from),
+                                                    step.by_need ? "needs" : "requests", name_of(model, step.to))});
+}
+
+std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId id) {
+  const Model& model = input.model;
+  const Provider& provider = model.providers[id];
+  const std::vector<GroupId> reserved = reserved_groups(input, provider);
+  const auto is_reserved = [&](GroupId group) { return std::binary_search(reserved.begin(), reserved.end(), group); };
+  std::vector<ContendedTask> out;
+  SparseSet<GroupId> seen;
+  for (const Pack& pack : provider.packs) {
+    for (const Task* task : unit_members(model, pack)) {
+      if (is_reserved(task->target) || !seen.add(task->target)) continue;
+      const auto& parts = input.shared.indispensable().of(task->target);
+      if (!parts) continue;
+      std::optional<ContendedTask> found;
+      if (auto contender = find_contender(input, id, task->target))
+        found = ContendedTask{task, task->target, std::move(*contender)};
+      for (const GroupId part : *parts) {
+        if (found || is_reserved(part) || part == task->target) continue;
+        if (auto contender = find_contender(input, id, part)) found = ContendedTask{task, part, std::move(*contender)};
+      }
+      if (found) out.push_back(std::move(*found));
+    }
+  }
+  return out;
+}
+
+const Use<GroupId>* find_needed_task(const Model& model, const Provider& provider) {
+  for (const Use<GroupId>& need : provider.needs) {
+    for (const Pack& pack : provider.packs) {
+      for (const Task* task : unit_members(model, pack)) {
+        if (task->target == need.id) return &need;
+      }
+    }
+  }
+  return nullptr;
+}
+
+} // namespace director::checks

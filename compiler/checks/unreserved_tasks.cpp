@@ -1,0 +1,33 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/unreserved_tasks.md.
+#include "compiler/checks/analysis/contenders.hpp"
+#include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+namespace director::checks {
+
+void unreserved_tasks(const Input& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const ProviderId id : model.providers.ids()) {
+    if (!input.facts.active.contains(id) || find_needed_task(model, model.providers[id]) != nullptr) continue;
+    const std::vector<ContendedTask> all = find_contended_tasks(input, id);
+    if (all.empty()) continue;
+    const ContendedTask& contended = all.front();
+    const std::string task = name_of(model, contended.task->target);
+    dsl::Diagnostic& finding =
+        findings.add(contended.task->span,
+                     fmt::format("{} needs none of its tasks: it can start, and then {} be refused", name_of(model, id),
+                                 all.size() == 1 ? task + " can" : fmt::format("{} of them can", all.size())));
+    for (const NeedStep& step : need_path(model, contended.task->target, contended.group))
+      finding.notes.push_back(
+          {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to))});
+    add_contender(model, contended.contender, contended.group, finding);
+    for (std::size_t i = 1; i < all.size(); ++i)
+      finding.notes.push_back({all[i].task->span, fmt::format("the same for {}", name_of(model, all[i].task->target))});
+    finding.help = fmt::format("need {}, if {} is of no use without it", task, name_of(model, id));
+  }
+}
+
+} // namespace director::checks
