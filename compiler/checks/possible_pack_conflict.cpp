@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/possible_pack_conflict.md.
 #include "compiler/checks/analysis/choice.hpp"
 #include "compiler/checks/analysis/needs.hpp"
-#include "compiler/checks/analysis/pack_conflicts.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -190,8 +190,8 @@ void look_at(const Input& input, Units& units, const Pack& pack, Findings& findi
 } // namespace
 
 void possible_pack_conflict(const Input& input, Findings& findings) {
-  Units units(input.model, input.facts);
-  for (const PackConflict& conflict : find_pack_conflicts(input.model, units)) {
+  Units& units = input.shared.units();
+  for (const PackConflict& conflict : input.shared.pack_conflicts()) {
     if (!input.model.providers[conflict.provider].has_packs) report_pack_conflict(input, units, conflict, findings);
   }
   for (const ProviderId id : input.model.providers.ids()) {

@@ -1,6 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/waiting_company.md.
 #include "compiler/checks/analysis/choice.hpp"
-#include "compiler/checks/analysis/pack_conflicts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -19,9 +18,8 @@ public:
   Company(const Input& input, Findings& findings)
       : input_(input),
         findings_(findings),
-        units_(input.model, input.facts),
         explained_(input.model.groups.size()) {
-    for (const PackConflict& conflict : find_pack_conflicts(input.model, units_)) conflicts_.insert(conflict.pack);
+    for (const PackConflict& conflict : input.shared.pack_conflicts()) conflicts_.insert(conflict.pack);
     for (const Impossible& fault : input.facts.impossible) explain(fault.provider);
     for (const NeverKept& promise : input.shared.promises().never_kept) {
       for (const NeverKept::Waiting& waiting : promise.waiting) explain(waiting.provider);
@@ -92,7 +90,6 @@ private:
 
   const Input& input_;
   Findings& findings_;
-  Units units_;
   std::set<const Pack*> conflicts_;
   IdSet<GroupId> explained_; ///< why it waits is another finding
 };

@@ -8,13 +8,18 @@ namespace director::checks {
 
 namespace {
 
-std::vector<Branch> branches_of(const Model& model, GroupId group, const std::function<bool(ProviderId)>& counts) {
+using Filter = Branches::Filter;
+
+/// A group that is only needed holds what it needs itself, and requests nothing.
+std::vector<Branch> branches_of(const Model& model, GroupId group, const Filter& runs, const Filter& is_picked) {
   std::vector<Branch> out;
   for (const ProviderId id : model.groups[group].providers) {
-    if (!counts(id)) continue;
+    const bool may_run = runs(id);
+    if (!may_run && !is_picked(id)) continue;
     const Provider& provider = model.providers[id];
     const Region region = active_region(model, provider);
     for (const Use<GroupId>& need : provider.needs) out.push_back({need.id, true, false, false, need.span, region});
+    if (!may_run) continue;
     for (const Pack& pack : provider.packs) {
       for (const Task& task : pack.tasks) {
         Branch branch{task.target, false, false, false, task.span, region};
@@ -28,10 +33,10 @@ std::vector<Branch> branches_of(const Model& model, GroupId group, const std::fu
 }
 
 /// Where some provider of the group that counts can be active.
-Region grantable_region(const Model& model, GroupId group, const std::function<bool(ProviderId)>& counts) {
+Region grantable_region(const Model& model, GroupId group, const Filter& runs, const Filter& is_picked) {
   std::optional<Region> out;
   for (const ProviderId id : model.groups[group].providers) {
-    if (!counts(id)) continue;
+    if (!runs(id) && !is_picked(id)) continue;
     const Region region = active_region(model, model.providers[id]);
     out = out ? hull(*out, region) : region;
   }
@@ -40,19 +45,20 @@ Region grantable_region(const Model& model, GroupId group, const std::function<b
 
 } // namespace
 
-Branches::Branches(const Model& model, std::function<bool(ProviderId)> counts)
+Branches::Branches(const Model& model, Filter runs, Filter is_picked)
     : model_(model),
-      counts_(std::move(counts)),
+      runs_(std::move(runs)),
+      is_picked_(std::move(is_picked)),
       from_(model.groups.size()),
       grantable_(model.groups.size()) {}
 
 const std::vector<Branch>& Branches::from(GroupId group) const {
-  if (!from_[group]) from_[group] = branches_of(model_, group, counts_);
+  if (!from_[group]) from_[group] = branches_of(model_, group, runs_, is_picked_);
   return *from_[group];
 }
 
 const Region& Branches::grantable(GroupId group) const {
-  if (!grantable_[group]) grantable_[group] = grantable_region(model_, group, counts_);
+  if (!grantable_[group]) grantable_[group] = grantable_region(model_, group, runs_, is_picked_);
   return *grantable_[group];
 }
 

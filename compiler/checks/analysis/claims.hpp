@@ -39,17 +39,20 @@ struct Branch {
   Region region;
 };
 
-/// The ways down from each group, by providers that count. Found when they are asked for.
+/// The ways down from each group, found when they are asked for.
 class Branches {
 public:
-  Branches(const Model& model, std::function<bool(ProviderId)> counts);
+  using Filter = std::function<bool(ProviderId)>;
+  /// By providers that may run for a task, or at least be picked for a need.
+  Branches(const Model& model, Filter runs, Filter is_picked);
+  Branches(const Model& model, const Filter& counts) : Branches(model, counts, counts) {}
   const std::vector<Branch>& from(GroupId group) const;
   /// Where some provider of the group that counts can be active.
   const Region& grantable(GroupId group) const;
 
 private:
   const Model& model_;
-  std::function<bool(ProviderId)> counts_;
+  Filter runs_, is_picked_;
   mutable IdTable<GroupId, std::optional<std::vector<Branch>>> from_;
   mutable IdTable<GroupId, std::optional<Region>> grantable_;
 };

@@ -57,20 +57,10 @@ std::vector<Chains::Above> Chains::above(GroupId waiter, bool held) const {
     if (here.group == waiter && !held) continue; // a task that waits was requested, not only needed
     // What is needed leads on as well: it may still run for an older request.
     for (const EdgeId id : model_.groups[here.group].requesters) {
-      if (model_.edges[id].needed && is_needed_by(*model_.edges[id].requester, here.group))
-        reach(*model_.edges[id].requester, here.optional);
+      if (model_.edges[id].needed) reach(*model_.edges[id].requester, here.optional);
     }
   }
   return out;
-}
-
-bool Chains::is_needed_by(GroupId requester, GroupId group) const {
-  const std::vector<ProviderId>& providers = model_.groups[requester].providers;
-  return std::any_of(providers.begin(), providers.end(), [&](ProviderId id) {
-    const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
-    return counts_(id) &&
-           std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return need.id == group; });
-  });
 }
 
 const std::vector<Chains::Entry>& Chains::entries_above(GroupId group, bool held) const {

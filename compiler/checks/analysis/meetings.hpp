@@ -80,7 +80,6 @@ private:
   std::vector<Above> above(GroupId group, bool held) const;
   bool beats(const Entry& waiting, const Entry& entry, GroupId other) const;
   bool may_beat(GroupId waiter, GroupId other) const;
-  bool is_needed_by(GroupId requester, GroupId group) const;
   /// The entries beside this one that lead to one of `others`, in order of the entries.
   std::vector<std::pair<const Entry*, GroupId>> siblings(const Together& together, const Task& task, GroupId waiter,
                                                          const std::vector<GroupId>& others) const;

@@ -50,8 +50,30 @@ const Rivals& Shared::rivals() const {
   return *rivals_;
 }
 
+Units& Shared::units() const {
+  if (!units_) units_.emplace(model_, facts_);
+  return *units_;
+}
+
+const std::vector<PackConflict>& Shared::pack_conflicts() const {
+  if (!pack_conflicts_) pack_conflicts_ = find_pack_conflicts(model_, units());
+  return *pack_conflicts_;
+}
+
+const std::vector<StarvingTask>& Shared::starving_tasks() const {
+  if (!starving_tasks_) starving_tasks_ = find_starving_tasks({model_, graph_, facts_, *this});
+  return *starving_tasks_;
+}
+
 const Branches& Shared::branches() const {
-  if (!branches_) branches_.emplace(model_, [this](ProviderId id) { return is_active(id); });
+  if (!branches_)
+    branches_.emplace(
+        model_, [this](ProviderId id) { return is_active(id); },
+        [this](ProviderId id) {
+          const std::vector<EdgeId>& requesters = model_.groups[model_.providers[id].group].requesters;
+          return facts_.capable.contains(id) && std::any_of(requesters.begin(), requesters.end(),
+                                                            [this](EdgeId edge) { return model_.edges[edge].needed; });
+        });
   return *branches_;
 }
 

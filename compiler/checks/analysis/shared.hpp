@@ -7,9 +7,12 @@
 #include "compiler/checks/analysis/facts.hpp"
 #include "compiler/checks/analysis/imprecise.hpp"
 #include "compiler/checks/analysis/meetings.hpp"
+#include "compiler/checks/analysis/pack_conflicts.hpp"
 #include "compiler/checks/analysis/plans.hpp"
 #include "compiler/checks/analysis/promises.hpp"
 #include "compiler/checks/analysis/requests.hpp"
+#include "compiler/checks/analysis/starving.hpp"
+#include "compiler/checks/analysis/units.hpp"
 #include "compiler/checks/analysis/wants.hpp"
 
 #include <map>
@@ -34,6 +37,10 @@ public:
   const std::vector<Clash>& clashes() const;
   const Indispensable& indispensable() const;
   const Rivals& rivals() const;
+  Units& units() const;
+  /// Of all packs and flat lists.
+  const std::vector<PackConflict>& pack_conflicts() const;
+  const std::vector<StarvingTask>& starving_tasks() const;
   /// Of the providers that may be active.
   const Branches& branches() const;
   /// What a task for this group may come to hold, by providers that may be active.
@@ -56,6 +63,9 @@ private:
   mutable std::optional<std::vector<Clash>> clashes_;
   mutable std::optional<Indispensable> indispensable_;
   mutable std::optional<Rivals> rivals_;
+  mutable std::optional<Units> units_;
+  mutable std::optional<std::vector<PackConflict>> pack_conflicts_;
+  mutable std::optional<std::vector<StarvingTask>> starving_tasks_;
   mutable std::optional<Branches> branches_;
   mutable std::map<GroupId, Claims> claims_;
   mutable std::map<std::pair<GroupId, GroupId>, Claims> claims_without_;

@@ -15,7 +15,8 @@ groups:
   Legs: {providers: [{name: led, needs: [Walk]}, {name: free, needs: [Hip]}]}
   Hip: {}
 )");
-  const Branches branches(c.model, [](director::compiler::ProviderId) { return true; });
+  const auto all = [](director::compiler::ProviderId) { return true; };
+  const Branches branches(c.model, all, all);
   const Claims claims(branches, c.group("Walk"));
   CHECK(claims.path(c.group("Walk"), Reach::own).empty());
   const std::vector<ClaimStep> path = claims.path(c.group("Hip"), Reach::own);

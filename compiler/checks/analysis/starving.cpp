@@ -1,0 +1,300 @@
+// Door: compiler/checks/analysis/starving.hpp. Test: compiler/checks/starved_task.md.
+#include "compiler/checks/analysis/starving.hpp"
+
+#include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+namespace director::checks {
+
+namespace {
+
+using Groups = std::vector<GroupId>; ///< sorted, each once
+
+void sort_out(Groups& groups) {
+  std::sort(groups.begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+}
+
+bool has(const Groups& groups, GroupId group) { return std::binary_search(groups.begin(), groups.end(), group); }
+
+Groups in_common(const Groups& a, const Groups& b) {
+  Groups out;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
+/// What a granted task is certain to take.
+struct Certain {
+  Groups own;     ///< by its needs, from the beginning
+  Groups all;     ///< and by what it requests in every pack of every provider
+  Groups depends; ///< all groups that one way or the other have a part in that
+};
+
+/// What is certain of each group: what it takes, and whether it ever has to wait for a condition.
+class Certainties {
+public:
+  explicit Certainties(const Input& input) : input_(input) {}
+
+  const Certain& of(GroupId group) {
+    const auto [at, is_new] = certain_.try_emplace(group);
+    if (!is_new) return at->second; // on the way round a circle: nothing
+    Certain out;
+    if (const auto& parts = input_.shared.indispensable().of(group)) out.own = *parts;
+    out.depends = input_.shared.units().needed(group);
+    std::optional<Groups> requested;
+    for (const ProviderId id : input_.model.groups[group].providers) {
+      if (!input_.facts.active.contains(id)) continue;
+      Groups here = requested_by(input_.model.providers[id], out.depends);
+      requested = requested ? in_common(*requested, here) : std::move(here);
+    }
+    out.all = out.own;
+    if (requested) out.all.insert(out.all.end(), requested->begin(), requested->end());
+    sort_out(out.all);
+    sort_out(out.depends);
+    return certain_[group] = std::move(out);
+  }
+
+  /// Wherever the region holds some provider can run, as far as conditions go.
+  bool never_waits(GroupId group, const Region& region) {
+    std::vector<Region> providers;
+    for (const ProviderId id : input_.model.groups[group].providers) {
+      const Provider& provider = input_.model.providers[id];
+      if (input_.facts.active.contains(id) || input_.facts.capable.contains(id)) {
+        if (std::all_of(provider.needs.begin(), provider.needs.end(),
+                        [&](const Use<GroupId>& need) { return never_waits(need.id); }))
+          providers.push_back(region_of(input_.model, provider.when));
+      }
+    }
+    return !may_escape(input_.model, region, providers, input_.facts.values);
+  }
+
+private:
+  bool never_waits(GroupId group) {
+    const auto [at, is_new] = never_waits_.try_emplace(group, false);
+    if (!is_new) return at->second;
+    const bool out = never_waits(group, Region{});
+    return never_waits_[group] = out;
+  }
+
+  /// What it requests as a mandatory task, whichever pack it chooses.
+  Groups requested_by(const Provider& provider, Groups& depends) {
+    std::optional<Groups> out;
+    for (const Pack& pack : provider.packs) {
+      Groups here;
+      const std::vector<const Task*> members = unit_members(input_.model, pack);
+      // A unit is granted whole: where one of them has to wait, all of them do.
+      const bool never =
+          std::all_of(members.begin(), members.end(), [&](const Task* member) { return never_waits(member->target); });
+      for (const Task* member : members) {
+        if (!never || !provider.has_packs) break;
+        const Certain& below = of(member->target);
+        here.insert(here.end(), below.all.begin(), below.all.end());
+        depends.insert(depends.end(), below.depends.begin(), below.depends.end());
+      }
+      sort_out(here);
+      out = out ? in_common(*out, here) : std::move(here);
+    }
+    return out.value_or(Groups{});
+  }
+
+  const Input& input_;
+  std::map<GroupId, Certain> certain_; ///< a map: what `of` returned stays where it is
+  std::unordered_map<GroupId, bool> never_waits_;
+};
+
+class StarvationSearch {
+public:
+  explicit StarvationSearch(const Input& input)
+      : input_(input),
+        certainties_(input),
+        entries_(input.model.groups.size()),
+        taken_(input.model.groups.size()),
+        never_runs_(input.model.groups.size()) {
+    for (const PackConflict& conflict : input.shared.pack_conflicts()) conflicts_.insert(&conflict.pack->tasks);
+    for (const Together& together : input.shared.chains().together()) {
+      for (const Task& task : *together.tasks) entries_[task.target].push_back({&together, &task});
+    }
+  }
+
+  std::vector<StarvingTask> run() {
+    for (const Node node : input_.graph.order) look_at(GroupId{node});
+    std::sort(found_.begin(), found_.end(), [](const StarvingTask& a, const StarvingTask& b) {
+      return a.places.front().task->edge < b.places.front().task->edge;
+    });
+    return std::move(found_);
+  }
+
+private:
+  using Taken = std::map<GroupId, Starver>; ///< by group
+
+  struct Entry {
+    const Together* together;
+    const Task* task;
+  };
+
+  /// Requesters come before what they request.
+  void look_at(GroupId group) {
+    std::map<EdgeId, StarvingTask> by_edge;
+    std::set<EdgeId> fed; ///< edges by which it is granted sometimes
+    std::optional<Taken> common;
+    for (const Entry& entry : entries_[group]) {
+      const bool is_root = !entry.together->provider;
+      if (!is_root && never_runs_.contains(requester_of(entry))) continue;
+      Taken taken = taken_at(entry);
+      if (const auto starver = find_starver(entry, taken)) {
+        by_edge[entry.task->edge].places.push_back({entry.task, *starver});
+      } else {
+        fed.insert(entry.task->edge);
+        common = common ? both(*common, taken) : std::move(taken);
+      }
+    }
+    if (common) taken_[group] = std::move(*common);
+    if (fed.empty()) never_runs_.add(group);
+    for (auto& [edge, starving] : by_edge) {
+      if (fed.count(edge) != 0) continue;
+      starving.optional = is_optional(*starving.places.front().task);
+      found_.push_back(std::move(starving));
+    }
+  }
+
+  GroupId requester_of(const Entry& entry) const { return input_.model.providers[*entry.together->provider].group; }
+
+  bool is_optional(const Task& task) const {
+    return input_.model.edges[task.edge].levels[task.levels[0].level].optional;
+  }
+
+  static Taken both(const Taken& a, const Taken& b) {
+    Taken out;
+    for (const auto& [group, starver] : a) {
+      if (b.count(group) != 0) out.emplace(group, starver);
+    }
+    return out;
+  }
+
+  /// What is certain to be taken from this entry's task and all that is below it, whenever it is requested.
+  Taken taken_at(const Entry& entry) {
+    if (!entry.together->provider) return {};
+    const Groups& wanted = input_.shared.claims(entry.task->target).groups();
+    Taken out;
+    for (const auto& [group, starver] : taken_[requester_of(entry)]) {
+      if (has(wanted, group)) out.emplace(group, starver);
+    }
+    if (!entry.together->whole || conflicts_.count(entry.together->tasks) != 0) return out;
+    const Region region = active_region(input_.model, input_.model.providers[*entry.together->provider]);
+    for (const Task& other : *entry.together->tasks) {
+      if (other.target == entry.task->target || !always_before(other, *entry.task)) continue;
+      const Certain& certain = certainties_.of(other.target);
+      const Groups both = in_common(certain.all, wanted);
+      if (both.empty() || !certainties_.never_waits(other.target, region)) continue;
+      for (const GroupId group : both) out.emplace(group, Starver{&other, entry.task, group});
+    }
+    return out;
+  }
+
+  /// At whichever levels the two are requested.
+  bool always_before(const Task& first, const Task& second) const {
+    const std::vector<Level>& a = input_.model.edges[first.edge].levels;
+    const std::vector<Level>& b = input_.model.edges[second.edge].levels;
+    return std::all_of(first.levels.begin(), first.levels.end(), [&](const Task::NamedLevel& x) {
+      return std::all_of(second.levels.begin(), second.levels.end(), [&](const Task::NamedLevel& y) {
+        const Level& one = a[x.level];
+        const Level& other = b[y.level];
+        return one.optional == other.optional ? one.priority > other.priority : other.optional;
+      });
+    });
+  }
+
+  bool in_one_unit(const Task& a, const Task& b) const {
+    const auto is_member = [&](const Task& task) {
+      const std::vector<Level>& levels = input_.model.edges[task.edge].levels;
+      return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
+        return !levels[named.level].optional && !levels[named.level].apart;
+      });
+    };
+    return is_member(a) && is_member(b);
+  }
+
+  std::optional<Starver> find_starver(const Entry& entry, const Taken& taken) {
+    const auto& must = input_.shared.indispensable().of(entry.task->target);
+    if (!must) return std::nullopt;
+    for (const auto& [group, starver] : taken) {
+      // A unit is granted whole, before anything that one of its members requests.
+      if (starver.over == entry.task && in_one_unit(*starver.by, *entry.task)) continue;
+      if (has(*must, group) && !may_be_blocked(starver, *must)) return starver;
+    }
+    return std::nullopt;
+  }
+
+  /// Somebody else may keep the taker from something that the starving task can do without: then that one has its
+  /// chance.
+  bool may_be_blocked(const Starver& starver, const Groups& must) {
+    const Groups& below = input_.shared.claims(starver.by->target).groups();
+    const Groups& beside = input_.shared.claims(starver.over->target).groups();
+    const Certain& certain = certainties_.of(starver.by->target);
+    return std::any_of(certain.depends.begin(), certain.depends.end(), [&](GroupId group) {
+      if (group == starver.by->target || has(must, group)) return false;
+      const std::vector<EdgeId>& requesters = input_.model.groups[group].requesters;
+      return std::any_of(requesters.begin(), requesters.end(), [&](EdgeId id) {
+        const std::optional<GroupId> requester = input_.model.edges[id].requester;
+        return !requester || !(has(below, *requester) || has(beside, *requester));
+      });
+    });
+  }
+
+  const Input& input_;
+  Certainties certainties_;
+  IdTable<GroupId, std::vector<Entry>> entries_; ///< by target
+  IdTable<GroupId, Taken> taken_;                ///< whenever the group is requested
+  IdSet<GroupId> never_runs_;
+  std::set<const std::vector<Task>*> conflicts_; ///< packs that are never granted anyway
+  std::vector<StarvingTask> found_;
+};
+
+} // namespace
+
+std::vector<StarvingTask> find_starving_tasks(const Input& input) { return StarvationSearch(input).run(); }
+
+void report_starving_task(const Input& input, const StarvingTask& starving, Findings& findings) {
+  const Model& model = input.model;
+  const Task& task = *starving.places.front().task;
+  const Starver& starver = starving.places.front().starver;
+  const std::string name = name_of(model, task.target), by = name_of(model, starver.by->target);
+  dsl::Diagnostic& finding = findings.add(
+      task.span,
+      fmt::format("{} never runs: {} is requested whenever it is, goes before it, takes {}, and never has to wait",
+                  name, by, starver.group == starver.by->target ? "what it must have" : name_of(model, starver.group)));
+  finding.notes.push_back({starver.by->span, fmt::format("{} is requested here", by)});
+  if (starver.over != &task)
+    finding.notes.push_back({starver.over->span, fmt::format("and goes before {}, which leads to {}",
+                                                             name_of(model, starver.over->target), name)});
+  const Claims& claims = input.shared.claims(starver.by->target);
+  const Reach reach = claims.find(starver.group, Reach::own) != nullptr ? Reach::own : Reach::mandatory;
+  for (const ClaimStep& step : claims.path(starver.group, reach))
+    finding.notes.push_back({step.span, fmt::format("{} {} {}", name_of(model, step.from),
+                                                    step.by_need ? "needs" : "requests", name_of(model, step.to))});
+  for (const NeedStep& step : need_path(model, task.target, starver.group))
+    finding.notes.push_back(
+        {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to))});
+  for (std::size_t i = 1; i < starving.places.size(); ++i) {
+    const StarvingTask::Place& place = starving.places[i];
+    finding.notes.push_back(
+        {place.task->span, fmt::format("the same here, by {}, which takes {}", name_of(model, place.starver.by->target),
+                                       name_of(model, place.starver.group))});
+  }
+  finding.help = starving.optional
+                     ? fmt::format("ask for it where {} is not asked for: what is optional goes after all "
+                                   "that is mandatory",
+                                   by)
+                     : fmt::format("give it a higher priority, or ask for it where {} is not asked for", by);
+}
+
+} // namespace director::checks
