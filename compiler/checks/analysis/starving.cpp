@@ -268,10 +268,15 @@ void report_starving_task(const Input& input, const StarvingTask& starving, Find
   const Task& task = *starving.places.front().task;
   const Starver& starver = starving.places.front().starver;
   const std::string name = name_of(model, task.target), by = name_of(model, starver.by->target);
+  const std::string requester = name_of(model, *model.edges[task.edge].requester);
   dsl::Diagnostic& finding = findings.add(
       task.span,
-      fmt::format("{} never runs: {} is requested whenever it is, goes before it, takes {}, and never has to wait",
-                  name, by, starver.group == starver.by->target ? "what it must have" : name_of(model, starver.group)));
+      starver.by->target == task.target
+          ? fmt::format("{} never runs for {}: it is always requested at a higher rank as well", name, requester)
+          : fmt::format(
+                "{} never runs for {}: {}, which goes before it and never has to wait, is always requested with it "
+                "and takes {}",
+                name, requester, by, name_of(model, starver.group)));
   finding.notes.push_back({starver.by->span, fmt::format("{} is requested here", by)});
   if (starver.over != &task)
     finding.notes.push_back({starver.over->span, fmt::format("and goes before {}, which leads to {}",

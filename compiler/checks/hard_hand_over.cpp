@@ -1,0 +1,176 @@
+// Door: compiler/checks/check.hpp. Test: compiler/checks/hard_hand_over.md.
+#include "compiler/checks/analysis/choice.hpp"
+#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+/// Something worth a soft end: it is told when it stops, or it can be pushed to come to rest.
+bool is_skill(const Model& model, GroupId group) {
+  const Group& row = model.groups[group];
+  return row.stop || std::any_of(row.providers.begin(), row.providers.end(),
+                                 [&](ProviderId id) { return !model.providers[id].causing.empty(); });
+}
+
+/// An entry of one of the requester's packs.
+struct Course {
+  ProviderId provider{};
+  const Pack* pack = nullptr;
+  const Task* task = nullptr;
+};
+
+/// Why a planner may leave a skill alone although it asks for it otherwise.
+struct Gap {
+  const Pack* pack = nullptr; ///< one that does not lead to the skill, of this provider
+  ProviderId provider{};
+  std::optional<ConditionUse> waits_for; ///< or what the planner may have to wait for
+};
+
+class HandOvers {
+public:
+  HandOvers(const Input& input, Findings& findings) : input_(input), findings_(findings) {}
+
+  void look_at(const Group& group) {
+    const std::vector<Course> courses = find_courses(group);
+    std::map<GroupId, std::vector<const Course*>> by_skill;
+    for (const Course& course : courses) {
+      for (const GroupId skill : skills_below(course.task->target)) by_skill[skill].push_back(&course);
+    }
+    for (const auto& [skill, users] : by_skill) {
+      for (const Course* next : users) {
+        const auto previous = std::find_if(users.begin(), users.end(), [&](const Course* other) {
+          return other->task->target != next->task->target && !has(*other->pack, next->task->target) &&
+                 !leads_to(*next->pack, other->task->target) && !is_led_to_otherwise(*next, skill);
+        });
+        if (previous == users.end() || !seen_.insert({next->task->target, skill}).second) continue;
+        if (const auto gap = find_gap(next->provider, next->task->target, skill))
+          report(**previous, *next, skill, *gap);
+      }
+    }
+  }
+
+private:
+  std::vector<Course> find_courses(const Group& group) const {
+    std::vector<Course> out;
+    for (const ProviderId id : group.providers) {
+      const Provider& provider = input_.model.providers[id];
+      if (!provider.has_packs || !input_.facts.active.contains(id)) continue;
+      for (const Pack& pack : provider.packs) {
+        for (const Task& task : pack.tasks) out.push_back({id, &pack, &task});
+      }
+    }
+    return out;
+  }
+
+  /// Those that the task's group requests, the nearest on each way: what is below them follows them.
+  const std::vector<GroupId>& skills_below(GroupId task) {
+    const auto [at, is_new] = skills_.try_emplace(task);
+    if (!is_new) return at->second;
+    std::set<GroupId> seen{task};
+    std::vector<GroupId> open{task};
+    for (std::size_t next = 0; next < open.size(); ++next) {
+      for (const Branch& branch : input_.shared.branches().from(open[next])) {
+        if (branch.by_need || !seen.insert(branch.to).second) continue;
+        (is_skill(input_.model, branch.to) ? at->second : open).push_back(branch.to);
+      }
+    }
+    return at->second;
+  }
+
+  static bool has(const Pack& pack, GroupId target) {
+    return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) { return task.target == target; });
+  }
+
+  bool leads_to(GroupId from, GroupId to) const {
+    const std::vector<GroupId>& groups = input_.shared.claims(from).groups();
+    return std::binary_search(groups.begin(), groups.end(), to);
+  }
+
+  bool leads_to(const Pack& pack, GroupId to) const {
+    return std::any_of(pack.tasks.begin(), pack.tasks.end(),
+                       [&](const Task& task) { return leads_to(task.target, to); });
+  }
+
+  /// Another task of the same pack asks for the skill too, and may keep it going.
+  bool is_led_to_otherwise(const Course& course, GroupId skill) const {
+    return std::any_of(course.pack->tasks.begin(), course.pack->tasks.end(), [&](const Task& task) {
+      return task.target != course.task->target && leads_to(task.target, skill);
+    });
+  }
+
+  std::optional<Gap> find_gap(ProviderId requester, GroupId planner, GroupId skill) const {
+    const Model& model = input_.model;
+    const Region region = active_region(model, model.providers[requester]);
+    std::vector<Region> providers;
+    std::optional<ConditionUse> condition;
+    for (const ProviderId id : model.groups[planner].providers) {
+      providers.push_back(region_of(model, model.providers[id].when));
+      if (!model.providers[id].when.empty() && !condition) condition = model.providers[id].when.front();
+    }
+    if (condition && may_escape(model, region, providers, input_.facts.values)) return Gap{nullptr, {}, condition};
+    for (const ProviderId id : model.groups[planner].providers) {
+      const Provider& provider = model.providers[id];
+      if (!input_.facts.active.contains(id) || !compatible(active_region(model, provider), region)) continue;
+      for (const Pack& pack : provider.packs) {
+        if (provider.has_packs && !leads_to(pack, skill)) return Gap{&pack, id, std::nullopt};
+      }
+    }
+    return std::nullopt;
+  }
+
+  void report(const Course& previous, const Course& next, GroupId skill, const Gap& gap) {
+    const Model& model = input_.model;
+    const std::string name = name_of(model, skill), planner = name_of(model, next.task->target);
+    dsl::Diagnostic& finding =
+        findings_.add(next.task->span, fmt::format("from {} to {} {} may be stopped and started again",
+                                                   name_of(model, previous.task->target), planner, name));
+    finding.notes.push_back(
+        {previous.task->span, fmt::format("{} is requested here", name_of(model, previous.task->target))});
+    add_path(previous.task->target, skill, finding);
+    add_path(next.task->target, skill, finding);
+    if (gap.waits_for) {
+      finding.notes.push_back(
+          {gap.waits_for->span, fmt::format("{} may have to wait for {}, and meanwhile nothing asks for {}", planner,
+                                            name_of(model, gap.waits_for->id), name)});
+    } else {
+      finding.notes.push_back({gap.pack->span, fmt::format("{} may choose `{}`, which does not lead to {}",
+                                                           name_of(model, gap.provider), gap.pack->name, name)});
+    }
+    finding.help = fmt::format(
+        "ask for something that rests in {}, `apart` beside {}, so that it can be pushed to rest", name, planner);
+  }
+
+  void add_path(GroupId from, GroupId skill, dsl::Diagnostic& finding) const {
+    const Claims& claims = input_.shared.claims(from);
+    for (const Reach reach : all_reaches) {
+      if (claims.find(skill, reach) == nullptr) continue;
+      for (const ClaimStep& step : claims.path(skill, reach))
+        finding.notes.push_back(
+            {step.span, fmt::format("{} {} {}", name_of(input_.model, step.from), step.by_need ? "needs" : "requests",
+                                    name_of(input_.model, step.to))});
+      return;
+    }
+  }
+
+  const Input& input_;
+  Findings& findings_;
+  std::map<GroupId, std::vector<GroupId>> skills_;
+  std::set<std::pair<GroupId, GroupId>> seen_; ///< planner and skill
+};
+
+} // namespace
+
+void hard_hand_over(const Input& input, Findings& findings) {
+  for (const Group& group : input.model.groups) HandOvers(input, findings).look_at(group);
+}
+
+} // namespace director::checks
