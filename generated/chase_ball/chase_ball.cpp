@@ -174,6 +174,11 @@ const char* condition(director::Index row) {
   return name_at(all, row);
 }
 
+const char* why(const director::Because& because, std::span<char> room) {
+  static constexpr director::Names all{&group, &provider, &edge, &condition};
+  return director::to_text(because, all, room);
+}
+
 } // namespace names
 
 } // namespace chase_ball

@@ -85,6 +85,7 @@ struct Whole final {
   using Triggers = director::Table<director::Row<Picture, 0>>;
   using Providers = director::Table<
       director::Row<ChaseBall::Driving, 0>, director::Row<ChaseBall::Turning, 1>, director::Row<Wheels::Default, 2>>;
+  using Groups = director::Table<director::Row<ChaseBall, 0>, director::Row<Wheels, 1>>;
 };
 
 template <>
@@ -182,6 +183,9 @@ const char* state(director::Index row);
 const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
 const char* trigger(director::Index row);
 const char* condition(director::Index row); ///< `Stability == standing`
+
+/// What `why` answered, as a line for people. Written into `room`, cut off where that is too small.
+const char* why(const director::Because& because, std::span<char> room);
 } // namespace names
 
 } // namespace chase_ball

@@ -372,6 +372,14 @@ struct Whole final {
       director::Row<LeftKnee::Default, 29>, director::Row<LeftAnkle::Default, 30>,
       director::Row<RightHipYaw::Default, 31>, director::Row<RightKnee::Default, 32>,
       director::Row<RightAnkle::Default, 33>>;
+  using Groups = director::Table<
+      director::Row<Brace, 0>, director::Row<GetUp, 1>, director::Row<FallRecovery, 2>, director::Row<Walk, 3>,
+      director::Row<Kick, 4>, director::Row<LookAt, 5>, director::Row<WalkTo, 6>, director::Row<KickTo, 7>,
+      director::Row<Striker, 8>, director::Row<KickToGoal, 9>, director::Row<WalkToBall, 10>,
+      director::Row<WalkToReady, 11>, director::Row<Look, 12>, director::Row<LeftArm, 13>, director::Row<RightArm, 14>,
+      director::Row<Head, 15>, director::Row<LeftLeg, 16>, director::Row<RightLeg, 17>, director::Row<LeftHipYaw, 18>,
+      director::Row<LeftKnee, 19>, director::Row<LeftAnkle, 20>, director::Row<RightHipYaw, 21>,
+      director::Row<RightKnee, 22>, director::Row<RightAnkle, 23>>;
 };
 
 template <>
@@ -1267,6 +1275,9 @@ const char* state(director::Index row);
 const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
 const char* trigger(director::Index row);
 const char* condition(director::Index row); ///< `Stability == standing`
+
+/// What `why` answered, as a line for people. Written into `room`, cut off where that is too small.
+const char* why(const director::Because& because, std::span<char> room);
 } // namespace names
 
 } // namespace soccer

@@ -7,3 +7,4 @@
 #include "runtime/core/program.hpp"
 #include "runtime/core/slots.hpp"
 #include "runtime/core/task.hpp"
+#include "runtime/core/why_text.hpp"

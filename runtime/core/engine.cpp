@@ -50,6 +50,21 @@ RunState Engine::state(Index edge) const {
   return s_.request[edge] != nil ? RunState::queued : RunState::none;
 }
 
+View Engine::view() const {
+  View out;
+  out.tables = &t_;
+  out.now = s_.counters->now;
+  out.micro_step = s_.counters->micro_step;
+  out.stamp = s_.stamp;
+  out.values = s_.values;
+  out.request = s_.request;
+  out.standing = s_.last.group;
+  out.queued = s_.queued;
+  out.pending = s_.pending;
+  out.enabled = s_.enabled;
+  return out;
+}
+
 bool Engine::done(Index edge) const { return s_.done[t_.edges[edge].target] != 0 && state(edge) == RunState::running; }
 
 bool Engine::failed(Index edge) const {

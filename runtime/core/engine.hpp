@@ -6,6 +6,7 @@
 #include "runtime/core/observer.hpp"
 #include "runtime/core/run.hpp"
 #include "runtime/core/state.hpp"
+#include "runtime/core/view.hpp"
 
 namespace director {
 
@@ -49,6 +50,7 @@ public:
   bool granted(Index group) const { return (s_.last[group].flags & flag::granted) != 0; }
   bool in_force(Index group) const { return (s_.last[group].flags & flag::in_force) != 0; }
   Queued queued(Index edge) const { return s_.queued[edge]; }
+  View view() const; ///< all that one may ask for; see why.hpp, snapshot.hpp
   Time now() const { return s_.counters->now; }
   bool inside() const { return inside_; } ///< a body or handler is running; for the thread that calls step()
   const Tables& tables() const { return t_; }

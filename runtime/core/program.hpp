@@ -9,9 +9,12 @@
 //   Roots             Pack of `roots`
 //   Triggers          Table of the declared triggers
 //   Providers         Table of the contexts of all providers
+//   Groups            Table of the task types of all groups
 
 #include "runtime/core/body.hpp"
 #include "runtime/core/engine.hpp"
+#include "runtime/core/snapshot.hpp"
+#include "runtime/core/why.hpp"
 
 #include <array>
 #include <type_traits>
@@ -148,11 +151,96 @@ private:
   typename Facts::Data* data_;
 };
 
+/// What one may ask between steps.
+template <class Facts>
+class Seen {
+public:
+  explicit Seen(const View& view) : view_(view) {}
+
+  /// Of the program's own request for this root task: running, queued or none.
+  template <class Task>
+  RunState state() const {
+    static_assert(Facts::Roots::template has<Task>, "only tasks that stand in `roots` are requested from outside");
+    return view_.state(Facts::Roots::template For<Task>::edge);
+  }
+
+  /// Who holds this task's group.
+  template <class Task>
+  Holding holding() const {
+    return view_.holding(row<Task>);
+  }
+
+  /// Why this task does not run. The generated `names::why` puts the answer into words.
+  template <class Task>
+  Because why() const {
+    return director::why(view_, row<Task>);
+  }
+
+  /// By number.
+  const View& view() const { return view_; }
+
+private:
+  template <class Task>
+  static constexpr Index row = [] {
+    static_assert(Facts::Groups::template has<Task>, "this is not a task of the behaviour");
+    return Facts::Groups::template row<Task>;
+  }();
+
+  View view_;
+};
+
+/// What other threads see of a behaviour: what held when it was last told to show itself, `behaviour.show(snapshot)`.
+/// Any number of threads may look, at any time; nobody waits. Holds two copies of what can be seen.
+template <class Facts>
+class Snapshot {
+public:
+  Snapshot() = default;
+  Snapshot(const Snapshot&) = delete;
+  Snapshot& operator=(const Snapshot&) = delete;
+
+  /// A look at the newest moment that was shown, which lasts as long as this object. Short ones are best: from the next
+  /// moment that is shown on it is one at the older copy, which cannot take the moment after that while it lasts.
+  class Look {
+  public:
+    Look(const Look&) = delete;
+    Look& operator=(const Look&) = delete;
+    ~Look() {
+      if (room_ != nil) of_.rooms_.leave(room_);
+    }
+    explicit operator bool() const { return room_ != nil; } ///< false: nothing was shown yet
+    Seen<Facts> operator*() const { return Seen<Facts>(of_.views_[room_]); }
+
+  private:
+    friend Snapshot;
+    explicit Look(const Snapshot& of) : of_(of), room_(of.rooms_.enter()) {}
+    const Snapshot& of_;
+    Index room_;
+  };
+  Look look() const { return Look(*this); }
+
+  /// From the thread that calls step(). False: there is still a look at the older copy; nothing changes.
+  bool show(const View& view) {
+    const Index room = rooms_.begin();
+    if (room == nil) return false;
+    views_[room] = view.copy(memory_[room].data());
+    rooms_.finish(room);
+    return true;
+  }
+
+private:
+  struct alignas(8) Room : std::array<std::byte, View::bytes(Facts::shape)> {};
+  mutable TwoRooms rooms_;
+  std::array<View, 2> views_;
+  std::array<Room, 2> memory_;
+};
+
 template <class Facts>
 class Program {
   static_assert(Facts::shape.edges + Facts::shape.groups < nil, "more rows than an Index can tell apart");
 
 public:
+  using Snapshot = director::Snapshot<Facts>;
+
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
@@ -186,12 +274,24 @@ public:
   /// kept.
   Post<Facts> post() { return {inbox_, data_}; }
 
-  /// Of the program's own request for this root task: running, queued or none.
+  // The words of Seen, for the thread that calls step().
   template <class Task>
   RunState state() const {
-    static_assert(Facts::Roots::template has<Task>, "only tasks that stand in `roots` are requested from outside");
-    return engine_.state(Facts::Roots::template For<Task>::edge);
+    return seen().template state<Task>();
   }
+  template <class Task>
+  Holding holding() const {
+    return seen().template holding<Task>();
+  }
+  template <class Task>
+  Because why() const {
+    return seen().template why<Task>();
+  }
+  Seen<Facts> seen() const { return Seen<Facts>(engine_.view()); }
+
+  /// Lets other threads see what holds now. Between steps; false: somebody is still looking at the moment before the
+  /// last, and there is room for two.
+  bool show(Snapshot& snapshot) const { return snapshot.show(engine_.view()); }
 
   /// Micro-steps that one step() may take before it answers budget_exhausted.
   void set_budget(std::uint32_t micro_steps) { engine_.set_budget(micro_steps); }

@@ -128,6 +128,49 @@ TEST_CASE("two behaviours of one kind know nothing of each other") {
   CHECK(two.record.take().empty());
 }
 
+TEST_CASE("a program may ask who holds a task, and why one does not run, also in words") {
+  Office office;
+  office.plans.deliver = [](Deliver::Default& run) { return run.carry(Walk{post::Steps{}}); };
+  office.plans.rest = [](Rest::Default& run) { return run.request(Walk{post::Steps{}}); };
+  office.behaviour.request<Rest>();
+  CHECK(office.behaviour.why<Walk>().kind == Because::Kind::not_requested);
+  office.behaviour.step(0s);
+  office.behaviour.request(Deliver{{std::make_unique<int>(1)}});
+  office.behaviour.step(0s);
+  const Holding holding = office.behaviour.holding<Walk>();
+  CHECK(holding.by == Holding::By::group);
+  CHECK(std::string(courier::names::group(holding.group)) == "Deliver");
+  CHECK(office.behaviour.holding<courier::Open>().by == Holding::By::nobody);
+  char room[200];
+  CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), room)) ==
+        "Deliver runs (root>Deliver) in default");
+  office.behaviour.enable<Deliver::Default>(false);
+  office.behaviour.step(0s);
+  CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), room)) ==
+        "Deliver waits (root>Deliver): no provider of Deliver is enabled");
+}
+
+TEST_CASE("another thread sees what was shown last, whatever has happened since") {
+  Office office;
+  courier::Behaviour::Snapshot snapshot;
+  CHECK(!snapshot.look());
+  office.behaviour.request<Rest>();
+  office.behaviour.step(0s);
+  CHECK(office.behaviour.show(snapshot));
+  office.behaviour.cancel<Rest>();
+  office.behaviour.step(0s);
+  std::thread([&] {
+    const auto look = snapshot.look();
+    if (!look) return;
+    CHECK((*look).state<Rest>() == RunState::running);
+    CHECK((*look).holding<Rest>().by == Holding::By::program);
+    CHECK((*look).why<Rest>().kind == Because::Kind::running);
+  }).join();
+  CHECK(office.behaviour.state<Rest>() == RunState::none);
+  CHECK(office.behaviour.show(snapshot));
+  CHECK((*snapshot.look()).state<Rest>() == RunState::none);
+}
+
 TEST_CASE("rows have names, and what is no row has an empty one") {
   namespace names = courier::names;
   CHECK(std::string(names::edge(0)) == "root>Deliver");

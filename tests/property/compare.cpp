@@ -83,7 +83,23 @@ private:
   bool obeys(const Snapshot& now, bool at_rest) {
     const std::string wrong = broken_invariant(now, oracle_.behaviour().parts(), at_rest);
     if (!wrong.empty()) fail("an invariant is broken: " + wrong + "\n" + to_text(now, c_.model));
-    return wrong.empty();
+    return wrong.empty() && explains(now, at_rest);
+  }
+
+  /// What `why` says of each group is true.
+  bool explains(const Snapshot& now, bool at_rest) {
+    const View view = engine_.engine().view();
+    for (const oracle::GroupId g : c_.model.groups.ids()) {
+      const Because claim = why(view, static_cast<Index>(g.value));
+      const auto kind = static_cast<std::size_t>(claim.kind);
+      out_.claimed[kind] = true;
+      const std::string wrong = wrong_claim(claim, view, now, c_, oracle_.behaviour().parts(), at_rest);
+      if (wrong.empty()) continue;
+      fail("why " + c_.model.groups[g].name.value + " is not explained by " + std::to_string(kind) + ": " + wrong +
+           "\n" + to_text(now, c_.model));
+      return false;
+    }
+    return true;
   }
 
   void compare_traces() {

@@ -2,6 +2,7 @@
 // One scenario on the engine and on the oracle: traces, what holds after every micro-step, and what the scenario
 // showed.
 
+#include "tests/property/claims.hpp"
 #include "tests/property/compiled.hpp"
 
 #include <array>
@@ -30,6 +31,7 @@ inline constexpr std::array<std::string_view, static_cast<std::size_t>(Show::cou
 struct Verdict {
   std::string difference; ///< empty: engine and oracle agree
   std::array<bool, static_cast<std::size_t>(Show::count)> shown{};
+  std::array<bool, kinds_of_claims> claimed{}; ///< what `why` answered
   std::size_t micro_steps = 0;
   std::size_t settling = 0; ///< the most micro-steps in a row that only arbitrated once more
 };

@@ -64,6 +64,7 @@ std::string minimal(const Documents& documents, std::uint64_t seed) {
 
 struct Shares {
   std::array<std::uint64_t, static_cast<std::size_t>(Show::count)> shown{};
+  std::array<std::uint64_t, kinds_of_claims> claimed{};
   std::uint64_t cases = 0, micro_steps = 0;
   std::size_t settling = 0;
 
@@ -72,6 +73,7 @@ struct Shares {
     micro_steps += verdict.micro_steps;
     settling = std::max(settling, verdict.settling);
     for (std::size_t i = 0; i < shown.size(); ++i) shown[i] += verdict.shown[i] ? 1 : 0;
+    for (std::size_t i = 0; i < claimed.size(); ++i) claimed[i] += verdict.claimed[i] ? 1 : 0;
   }
   double percent(Show what) const {
     return 100.0 * static_cast<double>(shown[static_cast<std::size_t>(what)]) / static_cast<double>(cases);
@@ -82,6 +84,10 @@ struct Shares {
               << std::fixed << std::setprecision(1);
     for (std::size_t i = 0; i < shown.size(); ++i)
       std::cout << std::setw(7) << percent(static_cast<Show>(i)) << " %  " << show_names[i] << "\n";
+    std::cout << "and in which why said so much, kind by kind: ";
+    for (const std::uint64_t each : claimed)
+      std::cout << 100.0 * static_cast<double>(each) / static_cast<double>(cases) << " % ";
+    std::cout << "\n";
   }
 };
 
@@ -101,6 +107,7 @@ void run_part(int part) {
   }
   shares.print(first);
   if (share < 1'000) return; // too few for shares to be steady: what is built without optimisation only compares
+  for (const std::uint64_t each : shares.claimed) CHECK(each > 0);
   // What the cases must show, so that agreement means something.
   CHECK(shares.percent(Show::push) >= 20);
   for (const Show what : {Show::ladder, Show::denial_by_an_equal, Show::limbo, Show::alternative_plan,

@@ -2,7 +2,8 @@
 //
 // Several threads hammer `post` of a generated behaviour while another one steps it. Built with the thread sanitizer,
 // which ends the program with an error where two threads touch the same memory without order. Says what is wrong
-// besides: what was accepted must be taken, and of requests and cancels of a root task the last one must count.
+// besides: what was accepted must be taken, and of requests and cancels of a root task the last one must count. They
+// look at snapshots as well.
 #include "tests/api/office.hpp"
 
 #include <atomic>
@@ -35,22 +36,30 @@ const char* hammer() {
     weight = *run.task().weight;
     return run.keep();
   };
-  std::atomic<int> accepted{0}, refused{0}, busy{writers};
+  std::atomic<int> accepted{0}, refused{0}, torn{0}, busy{writers};
+  courier::Behaviour::Snapshot snapshot;
   const auto write = [&, post = behaviour.post()] {
     for (int i = 1; i <= rounds; ++i) {
       refused += !post.request(Deliver{{std::make_unique<int>(i)}, Deliver::urgent}, Rest{});
       refused += !post.cancel<Rest>();
       refused += !post.request(Deliver{{std::make_unique<int>(i)}});
       accepted += post.fire<Bell>();
+      const auto look = snapshot.look();
+      // Whoever is requested runs or waits for somebody.
+      if (look) torn += ((*look).state<Deliver>() == RunState::running) != ((*look).why<Deliver>().edge == 0);
     }
     busy -= 1;
   };
   std::thread threads[writers];
   for (std::thread& thread : threads) thread = std::thread(write);
-  while (busy != 0) behaviour.step(0s);
+  while (busy != 0) {
+    behaviour.step(0s);
+    behaviour.show(snapshot);
+  }
   for (std::thread& thread : threads) thread.join();
   behaviour.step(0s);
   behaviour.step(0s);
+  if (torn != 0) return "a snapshot is not of one moment";
   if (refused != 0) return "a request or cancel was refused";
   if (rung != accepted) return "an accepted trigger was lost, or came twice";
   if (!whole || weight != rounds) return "the last request is not the one that counts";

@@ -111,7 +111,7 @@ void whole_facts(Code& code, const CppEmission& e) {
   code.line("static const director::Tables& tables();");
   code.line(fmt::format("static constexpr std::size_t inbox_cells = {};",
                         std::max(std::size_t{64}, std::bit_ceil(2 * widest_input))));
-  std::vector<std::string> places, roots, triggers, providers;
+  std::vector<std::string> places, roots, triggers, providers, group_rows;
   for (const EdgeId id : e.model.edges.ids()) places.push_back(std::to_string(data_place(e.model, id)));
   for (const Task& root : e.model.roots) roots.push_back(member_text(e, root));
   for (const TriggerId id : e.model.triggers.ids()) {
@@ -126,6 +126,9 @@ void whole_facts(Code& code, const CppEmission& e) {
   code.list("using Roots = director::Pack<", roots, ">;");
   code.list("using Triggers = director::Table<", triggers, ">;");
   code.list("using Providers = director::Table<", providers, ">;");
+  for (const GroupId id : e.model.groups.ids())
+    group_rows.push_back(fmt::format("director::Row<{}, {}>", group_name(e.model, id), id.value));
+  code.list("using Groups = director::Table<", group_rows, ">;");
   code.close("};");
   code.blank();
 }

@@ -52,6 +52,9 @@ const char* state(director::Index row);
 const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
 const char* trigger(director::Index row);
 const char* condition(director::Index row); ///< `Stability == standing`
+
+/// What `why` answered, as a line for people. Written into `room`, cut off where that is too small.
+const char* why(const director::Because& because, std::span<char> room);
 } // namespace names
 )");
   return code;
@@ -80,6 +83,11 @@ Code name_definitions(const CppEmission& e) {
   values(code, e.model);
   table(code, "trigger", triggers);
   table(code, "condition", conditions);
+  code.blank();
+  code.open("const char* why(const director::Because& because, std::span<char> room) {");
+  code.line("static constexpr director::Names all{&group, &provider, &edge, &condition};");
+  code.line("return director::to_text(because, all, room);");
+  code.close("}");
   code.blank();
   code.line("} // namespace names");
   return code;

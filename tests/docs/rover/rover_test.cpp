@@ -90,3 +90,26 @@ TEST_CASE("the rover of the pages stands still when it takes its picture, and dr
   CHECK(chassis.speed_ == 200);
   CHECK(behaviour.state<rover::Photograph>() == director::RunState::none);
 }
+
+TEST_CASE("the rover of the pages says why it takes no picture, also to another thread") {
+  Mission mission;
+  Chassis chassis;
+  rover::Behaviour behaviour{mission, chassis};
+  behaviour.request<rover::Explore>();
+  behaviour.step(0s);
+  behaviour.enable<rover::Drive::Braking>(false);
+  behaviour.request<rover::Photograph>();
+  behaviour.step(1s);
+
+  char room[200];
+  const std::string words = rover::names::why(behaviour.why<rover::Photograph>(), room);
+  CHECK(words == "Photograph waits (root>Photograph): until Motion == still, which only the outside can make true");
+
+  bool rolling = false;
+  rover::Behaviour::Snapshot snapshot;
+  behaviour.show(snapshot); // whoever steps: now and then, for instance after each step
+  std::thread([&] {
+    if (const auto look = snapshot.look()) rolling = (*look).state<rover::Explore>() == director::RunState::running;
+  }).join();
+  CHECK(rolling);
+}

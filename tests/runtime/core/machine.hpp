@@ -39,6 +39,7 @@ public:
   StepResult result() const { return result_; } ///< of the last step
 
   Engine& engine() { return *engine_; }
+  const Engine& engine() const { return *engine_; }
   Inbox& inbox() { return inbox_; }
   const compiler::Model& model() const { return compiled_.model; }
   const Tables& tables() const { return tables_; }

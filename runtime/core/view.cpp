@@ -1,0 +1,37 @@
+// Door: runtime/core/view.hpp. Test: tests/runtime/core/snapshot_test.cpp.
+
+#include "runtime/core/view.hpp"
+
+namespace director {
+
+RunState View::state(Index edge) const {
+  const Index group = tables->edges[edge].target;
+  if (granted(group) && holder(group) == edge) return RunState::running;
+  return requested(edge) ? RunState::queued : RunState::none;
+}
+
+Holding View::holding(Index group) const {
+  const Index edge = holder(group);
+  if (edge == nil) return {};
+  if (is_limbo(edge)) return {.by = Holding::By::limbo, .edge = edge};
+  const Index requester = tables->edges[edge].requester;
+  return {.by = requester == nil ? Holding::By::program : Holding::By::group,
+          .group = requester,
+          .edge = edge,
+          .granted = granted(group)};
+}
+
+View View::copy(std::byte* room) const {
+  View out = *this;
+  std::size_t at = 0;
+  out.each(Shape::of(*tables), [&]<class T>(const T*& array, std::size_t count) {
+    at = aligned<T>(at);
+    T* const to = reinterpret_cast<T*>(room + at); // the room's bytes become these arrays
+    for (std::size_t i = 0; i < count; ++i) to[i] = array[i];
+    array = to;
+    at += count * sizeof(T);
+  });
+  return out;
+}
+
+} // namespace director

@@ -1,0 +1,68 @@
+#pragma once
+// What holds at one moment between micro-steps, as far as one may ask from outside: who holds what, who asks for what,
+// the values. A view looks at the memory of an engine, or at a copy of it (snapshot.hpp).
+
+#include "runtime/core/state.hpp"
+
+namespace director {
+
+/// Who holds a group.
+struct Holding {
+  enum class By : std::uint8_t {
+    nobody,
+    program, ///< requested as a root task
+    group,   ///< requested or needed by `group`
+    limbo,   ///< nobody any more, but it is kept alive for who is about to ask for it
+  };
+  By by = By::nobody;
+  Index group = nil;
+  Index edge = nil;
+  bool granted = false; ///< false: it is only held for a need and was not asked for yet
+  constexpr bool operator==(const Holding&) const = default;
+};
+
+struct View {
+  const Tables* tables = nullptr;
+  Time now = 0;                 ///< the engine's time
+  std::uint64_t micro_step = 0; ///< how many were taken
+
+  // One row for each group, edge, provider or state; see State.
+  const std::uint64_t* stamp = nullptr;
+  const std::int32_t* values = nullptr;
+  const Index* request = nullptr;
+  const Standing* standing = nullptr;
+  const Queued* queued = nullptr;
+  const std::uint8_t* pending = nullptr;
+  const std::uint8_t* enabled = nullptr;
+
+  bool is_limbo(Index edge) const { return edge != nil && edge >= tables->edges.size(); }
+  Index holder(Index group) const { return standing[group].holder; }
+  bool granted(Index group) const { return standing[group].granted(); }
+  bool requested(Index edge) const { return request[edge] != nil; }
+  RunState state(Index edge) const; ///< of a request: running, queued or none
+  Holding holding(Index group) const;
+
+  /// Bytes that a copy takes, aligned to 8.
+  static constexpr std::size_t bytes(const Shape& shape) {
+    View view;
+    std::size_t size = 0;
+    view.each(shape, [&]<class T>(const T*, std::size_t count) { size = aligned<T>(size) + count * sizeof(T); });
+    return (size + 7) / 8 * 8;
+  }
+  /// A view of a copy in a room of that many bytes.
+  View copy(std::byte* room) const;
+
+private:
+  template <class T>
+  static constexpr std::size_t aligned(std::size_t at) {
+    return (at + alignof(T) - 1) / alignof(T) * alignof(T);
+  }
+  /// Calls visit(array, count) for every array.
+  template <class Visit>
+  constexpr void each(const Shape& n, Visit&& visit) {
+    visit(stamp, n.edges), visit(values, n.states), visit(request, n.edges), visit(standing, n.groups);
+    visit(queued, n.edges), visit(pending, n.groups), visit(enabled, n.providers);
+  }
+};
+
+} // namespace director

@@ -1,0 +1,65 @@
+#pragma once
+// Why does this group not run? Found from the tables and from what holds, without memory of its own. It tells of the
+// request that would be granted first, and of the first thing that keeps it: where there are alternatives, there may be
+// more in the way than what is told.
+
+#include "runtime/core/view.hpp"
+
+namespace director {
+
+/// By which rule of semantics.md 4.1 one task goes before another.
+enum class Precedence : std::uint8_t {
+  above,    ///< it requested the other, directly or not
+  optional, ///< the other is optional below the common requester
+  priority, ///< it has the higher priority there
+  equal,    ///< by none: equals never take from each other, and it was there first
+  limbo,    ///< the other belongs to what is only kept for an heir, which goes after everything
+};
+
+/// Where the chains of requesters of two rivals part.
+struct Rivalry {
+  Precedence won_by = Precedence::equal;
+  Index common = nil; ///< the closest common requester, a group; nil: the program
+  Index ours = nil;   ///< the edges of that requester that lead to the two; nil with Precedence::above
+  Index theirs = nil;
+  std::int32_t our_priority = 0;
+  std::int32_t their_priority = 0;
+  constexpr bool operator==(const Rivalry&) const = default;
+};
+
+struct Because {
+  enum class Kind : std::uint8_t {
+    running,       ///< it does run: for `edge`, in `provider`
+    not_requested, ///< neither the program nor a group that is live asks for it
+    no_provider,   ///< no provider of `group` is enabled (or what all of its providers need has none)
+    lost,          ///< `group`, the target of `member`, is held by `holder`, which goes first: `rivalry`
+    need_held,     ///< likewise, where `group` is something that `provider` of that target needs
+    together,      ///< what one unit asks for cannot be had together: its members need the same
+    condition, ///< `condition` is false; `causer` could make it true (nil: nobody but the outside), by a push or else
+    outdated,  ///< its requester has not run yet since its own task changed, and may not want it any more
+    deferred,  ///< somebody stronger is about to run, and may ask for what it needs
+    reserved,  ///< it is held for `holder`, whose requester needs it and did not ask for it yet
+    limbo,     ///< its requester is gone; it is kept for who is about to ask for it
+  };
+  Kind kind = Kind::not_requested;
+  Index asked = nil;     ///< the group that this is about
+  Index edge = nil;      ///< the request that it is about; nil: there is none
+  Index member = nil;    ///< of that request's unit (all or nothing), the edge that cannot be granted; often `edge`
+  Index group = nil;     ///< what is in the way, or lacks
+  Index provider = nil;  ///< running: the active one; need_held: that which has the need; condition: that which waits
+  Index holder = nil;    ///< edge that holds `group`
+  Index condition = nil; ///< the first that is false
+  Index causer = nil;    ///< the first enabled provider that promises it
+  Index causer_group = nil;
+  Rivalry rivalry{};
+  constexpr bool operator==(const Because&) const = default;
+};
+
+Because why(const View& view, Index group);
+
+/// All providers that promise a condition, enabled or not.
+inline std::span<const Index> causers(const Tables& tables, Index condition) {
+  return tables.list(tables.conditions[condition].causers);
+}
+
+} // namespace director

@@ -1,0 +1,103 @@
+// Door: runtime/core/why_text.hpp. Test: tests/runtime/core/why_test.cpp, tests/api/outside_test.cpp.
+
+#include "runtime/core/why_text.hpp"
+
+namespace director {
+
+namespace {
+
+using Kind = Because::Kind;
+
+class Writing {
+public:
+  Writing(const Names& names, std::span<char> room) : names_(names), room_(room) {}
+
+  Writing& operator<<(const char* text) {
+    for (; *text != 0 && at_ + 1 < room_.size(); ++text) room_[at_++] = *text;
+    room_[at_] = 0;
+    return *this;
+  }
+  Writing& operator<<(std::int32_t number) {
+    char digits[12];
+    char* first = digits + sizeof digits - 1;
+    *first = 0;
+    auto left = static_cast<std::uint32_t>(number < 0 ? -std::int64_t{number} : std::int64_t{number});
+    do *--first = static_cast<char>('0' + left % 10);
+    while ((left /= 10) != 0);
+    if (number < 0) *--first = '-';
+    return *this << first;
+  }
+
+  void tell(const Because& b) {
+    const char* const asked = names_.group(b.asked);
+    switch (b.kind) {
+    case Kind::running:
+      *this << asked << " runs (" << names_.edge(b.edge) << ") in " << names_.provider(b.provider);
+      return;
+    case Kind::not_requested: *this << "nobody asks for " << asked; return;
+    case Kind::reserved:
+      *this << asked << " is held for a need (" << names_.edge(b.holder) << "), and was not asked for yet";
+      return;
+    case Kind::limbo: *this << asked << " goes on for nobody: it is kept for who is about to ask for it"; return;
+    default: break;
+    }
+    *this << asked << " waits (" << names_.edge(b.edge) << "): ";
+    if (b.member != b.edge) *this << "it comes with " << names_.edge(b.member) << ", and ";
+    reason(b);
+  }
+
+private:
+  void reason(const Because& b) {
+    switch (b.kind) {
+    case Kind::no_provider: *this << "no provider of " << names_.group(b.group) << " is enabled"; return;
+    case Kind::lost:
+    case Kind::need_held:
+      *this << names_.group(b.group) << (b.kind == Kind::lost ? "" : ", which it needs,") << " is held by "
+            << names_.edge(b.holder) << ", ";
+      return rivalry(b.rivalry);
+    case Kind::together: *this << "what it takes cannot be had together"; return;
+    case Kind::condition:
+      *this << "until " << names_.condition(b.condition) << ", which ";
+      if (b.causer == nil) {
+        *this << "only the outside can make true";
+      } else {
+        *this << names_.group(b.causer_group) << "." << names_.provider(b.causer) << " could cause";
+      }
+      return;
+    case Kind::outdated: *this << "who asks for it is about to decide anew"; return;
+    default: *this << "somebody stronger is about to decide anew"; return;
+    }
+  }
+
+  void rivalry(const Rivalry& r) {
+    switch (r.won_by) {
+    case Precedence::above: *this << "which is above it"; return;
+    case Precedence::limbo: *this << "and who asks for it is only kept for somebody else"; return;
+    case Precedence::optional:
+      *this << "and " << names_.edge(r.ours) << " is optional, or leads through something optional, unlike "
+            << names_.edge(r.theirs);
+      return;
+    case Precedence::priority:
+      *this << "and " << names_.edge(r.theirs) << " (priority " << r.their_priority << ") goes before "
+            << names_.edge(r.ours) << " (priority " << r.our_priority << ")";
+      return;
+    case Precedence::equal:
+      *this << "and " << names_.edge(r.theirs) << " is the equal of " << names_.edge(r.ours) << " (priority "
+            << r.our_priority << ") and was there first";
+      return;
+    }
+  }
+
+  const Names& names_;
+  std::span<char> room_;
+  std::size_t at_ = 0;
+};
+
+} // namespace
+
+const char* to_text(const Because& because, const Names& names, std::span<char> room) {
+  Writing(names, room).tell(because);
+  return room.data();
+}
+
+} // namespace director

@@ -1,0 +1,216 @@
+// Door: tests/property/claims.hpp. Test: tests/property/property_test.cpp.
+#include "tests/property/claims.hpp"
+
+#include "tests/oracle/order.hpp"
+
+#include <algorithm>
+
+namespace director::property {
+
+namespace {
+
+using oracle::Chain;
+using oracle::ConditionId;
+using oracle::EdgeId;
+using oracle::GroupId;
+using oracle::Plan;
+using oracle::ProviderId;
+using Kind = Because::Kind;
+
+class Checking {
+public:
+  Checking(const Because& claim, const View& view, const Snapshot& now, const Compiled& compiled,
+           const oracle::Parts& parts)
+      : claim_(claim),
+        view_(view),
+        now_(now),
+        compiled_(compiled),
+        parts_(parts),
+        facts_(parts.model()),
+        held_(parts.model().groups.size()) {
+    for (const EdgeId e : model().edges.ids()) {
+      if (now.requests[e.value]) facts_.request[e] = oracle::Request{*now.requests[e.value], std::nullopt, 0};
+    }
+    for (const GroupId g : model().groups.ids()) {
+      const Snapshot::Group& row = now.groups[g.value];
+      if (row.holder) held_[g] = oracle::Held{*row.holder, row.granted, row.needed, false};
+    }
+  }
+
+  std::string wrong(bool at_rest) const {
+    const GroupId asked{claim_.asked};
+    const Snapshot::Group& it = group(asked);
+    bool requested = false;
+    for (const EdgeId e : model().edges.ids())
+      requested = requested || (model().edges[e].target == asked && now_.requests[e.value]);
+    const bool in_limbo = it.holder && parts_.is_limbo(*it.holder);
+    switch (claim_.kind) {
+    case Kind::running:
+      if (!it.granted) return "it does not run";
+      return it.holder == EdgeId{claim_.edge} && it.active == ProviderId{claim_.provider} ? "" : "for another";
+    case Kind::not_requested: return requested || it.holder ? "it is requested, or held" : "";
+    case Kind::reserved: return requested || !it.needed || in_limbo ? "it is not held for a need only" : "";
+    case Kind::limbo: return !in_limbo || at_rest ? "it is not in limbo" : "";
+    default: break;
+    }
+    if (it.granted) return "it runs";
+    const EdgeId edge{claim_.edge};
+    if (model().edges[edge].target != asked || !now_.requests[edge.value]) return "not the edge of a request for it";
+    if (!in_unit(EdgeId{claim_.member})) return "the member is not of the unit";
+    switch (claim_.kind) {
+    case Kind::outdated:
+    case Kind::deferred: return at_rest ? "nothing is about to change" : "";
+    case Kind::condition: return wrong_condition();
+    case Kind::no_provider: return choices(member_target()).empty() ? "" : "a provider is enabled";
+    case Kind::together: return wrong_together();
+    default: return wrong_holder();
+    }
+  }
+
+private:
+  using Choice = std::pair<ProviderId, const Plan*>;
+
+  const compiler::Model& model() const { return parts_.model(); }
+  const Snapshot::Group& group(GroupId g) const { return now_.groups[g.value]; }
+  GroupId member_target() const { return model().edges[EdgeId{claim_.member}].target; }
+  const oracle::Level& level(EdgeId edge) const { return model().edges[edge].levels[*now_.requests[edge.value]]; }
+  Chain chain(EdgeId edge) const { return oracle::chain_of(parts_, held_, edge); }
+
+  std::vector<EdgeId> unit() const {
+    const EdgeId edge{claim_.edge};
+    const std::optional<GroupId> requester = parts_.requester(edge);
+    if (!requester || level(edge).optional || level(edge).apart) return {edge};
+    std::vector<EdgeId> out;
+    for (const EdgeId e : model().groups[*requester].edges) {
+      if (now_.requests[e.value] && !level(e).optional && !level(e).apart) out.push_back(e);
+    }
+    return out;
+  }
+  bool in_unit(EdgeId member) const {
+    const std::vector<EdgeId> all = unit();
+    return std::find(all.begin(), all.end(), member) != all.end();
+  }
+
+  /// All enabled choices for a group.
+  std::vector<Choice> choices(GroupId of) const {
+    std::vector<Choice> out;
+    const auto enabled = [&](ProviderId p) { return view_.enabled[p.value] != 0; };
+    for (const ProviderId p : model().groups[of].providers) {
+      for (const Plan& plan : parts_.plans(p)) {
+        if (enabled(p) &&
+            std::all_of(plan.begin(), plan.end(), [&](const auto& entry) { return enabled(entry.provider); }))
+          out.emplace_back(p, &plan);
+      }
+    }
+    return out;
+  }
+
+  /// Somebody holds the group whom a claim by `edge`, below `member`, cannot take it from.
+  bool in_the_way(GroupId of, EdgeId edge, EdgeId member) const {
+    const std::optional<EdgeId> holder = group(of).holder;
+    if (!holder || *holder == edge || parts_.is_limbo(*holder)) return false;
+    return !oracle::Order(parts_, facts_).before(chain(member), chain(*holder));
+  }
+  bool can_be_had(const Choice& choice, EdgeId member) const {
+    if (in_the_way(parts_.target(member), member, member)) return false;
+    return std::none_of(choice.second->begin(), choice.second->end(),
+                        [&](const auto& entry) { return in_the_way(entry.group, entry.by, member); });
+  }
+  bool any_can_be_had(EdgeId member) const {
+    const std::vector<Choice> all = choices(parts_.target(member));
+    return std::any_of(all.begin(), all.end(), [&](const Choice& each) { return can_be_had(each, member); });
+  }
+
+  std::string wrong_together() const {
+    for (const EdgeId member : unit()) {
+      if (!any_can_be_had(member)) return "a member cannot be had alone: " + parts_.name(member);
+    }
+    return "";
+  }
+
+  std::string wrong_holder() const {
+    const EdgeId member{claim_.member}, holder{claim_.holder};
+    const GroupId what{claim_.group};
+    if (any_can_be_had(member)) return "nothing is in the way";
+    if (group(what).holder != holder) return "somebody else holds it";
+    if (claim_.kind == Kind::lost ? what != member_target() : !is_needed(what)) return "that is not what it takes";
+    const oracle::Order order(parts_, facts_);
+    const Chain ours = chain(member), theirs = chain(holder);
+    if (order.before(ours, theirs)) return "the holder goes behind";
+    const Rivalry& rivalry = claim_.rivalry;
+    if (rivalry.won_by == Precedence::limbo) return ours.complete ? "it does not belong to limbo" : "";
+    if (order.before(theirs, ours) == (rivalry.won_by == Precedence::equal)) return "they are not equal";
+    if (rivalry.won_by == Precedence::above) return ours.below(holder) ? "" : "the holder is not above";
+    return wrong_rivalry(ours, theirs);
+  }
+
+  bool is_needed(GroupId what) const {
+    for (const Choice& choice : choices(member_target())) {
+      for (const auto& entry : *choice.second) {
+        if (entry.group == what && parts_.group_of(ProviderId{claim_.provider}) == entry.needer) return true;
+      }
+    }
+    return false;
+  }
+
+  std::string wrong_rivalry(const Chain& ours, const Chain& theirs) const {
+    const Rivalry& rivalry = claim_.rivalry;
+    const EdgeId a{rivalry.ours}, b{rivalry.theirs};
+    const auto on = [](const Chain& chain, EdgeId edge) {
+      return std::find(chain.edges.begin(), chain.edges.end(), edge) != chain.edges.end();
+    };
+    if (a == b || !on(ours, a) || !on(theirs, b) || on(ours, b) || on(theirs, a)) return "they do not part there";
+    if (parts_.requester(a) != parts_.requester(b)) return "they have no common requester there";
+    const auto common = parts_.requester(a);
+    if (common ? rivalry.common != common->value : rivalry.common != nil) return "that is not the common requester";
+    const auto priority = [&](EdgeId edge) -> std::int64_t {
+      const auto& row = model().edges[edge];
+      if (now_.requests[edge.value]) return row.levels[*now_.requests[edge.value]].priority;
+      return row.levels.empty() ? 0 : row.levels.front().priority;
+    };
+    if (rivalry.our_priority != priority(a) || rivalry.their_priority != priority(b)) return "other priorities";
+    if (rivalry.won_by == Precedence::priority && rivalry.our_priority >= rivalry.their_priority)
+      return "the priority is not higher";
+    return "";
+  }
+
+  std::string wrong_condition() const {
+    const ConditionId id = compiled_.lowered.condition_ids[claim_.condition];
+    const compiler::Condition& condition = model().conditions[id];
+    const auto& value = now_.values[condition.state.value];
+    if (value && condition.accepts.contains(*value)) return "the condition holds";
+    const auto has = [&](ProviderId p) {
+      const auto& when = model().providers[p].when;
+      return std::any_of(when.begin(), when.end(), [&](const auto& use) { return use.id == id; });
+    };
+    const std::vector<Choice> all = choices(member_target());
+    const bool lacked = std::any_of(all.begin(), all.end(), [&](const Choice& choice) {
+      return has(choice.first) || std::any_of(choice.second->begin(), choice.second->end(),
+                                              [&](const auto& entry) { return has(entry.provider); });
+    });
+    if (!lacked || !has(ProviderId{claim_.provider})) return "nothing that it takes has that condition";
+    for (const ProviderId p : model().providers.ids()) {
+      if (view_.enabled[p.value] == 0 || !parts_.causes(p, id)) continue;
+      return claim_.causer == p.value && claim_.causer_group == parts_.group_of(p).value ? ""
+                                                                                         : "another could cause it";
+    }
+    return claim_.causer == nil ? "" : "nobody could cause it";
+  }
+
+  const Because& claim_;
+  const View& view_;
+  const Snapshot& now_;
+  const Compiled& compiled_;
+  const oracle::Parts& parts_;
+  oracle::Facts facts_;
+  oracle::Holders held_;
+};
+
+} // namespace
+
+std::string wrong_claim(const Because& claim, const View& view, const Snapshot& now, const Compiled& compiled,
+                        const oracle::Parts& parts, bool at_rest) {
+  return Checking(claim, view, now, compiled, parts).wrong(at_rest);
+}
+
+} // namespace director::property

@@ -1,0 +1,16 @@
+#pragma once
+// What `why` claims, held against what holds, by means of the oracle's order and plans.
+
+#include "runtime/core/why.hpp"
+#include "tests/property/compiled.hpp"
+#include "tests/property/snapshot.hpp"
+
+namespace director::property {
+
+inline constexpr std::size_t kinds_of_claims = static_cast<std::size_t>(Because::Kind::limbo) + 1;
+
+/// Of one group: empty, or what is wrong with the claim.
+std::string wrong_claim(const Because& claim, const View& view, const Snapshot& now, const Compiled& compiled,
+                        const oracle::Parts& parts, bool at_rest);
+
+} // namespace director::property
