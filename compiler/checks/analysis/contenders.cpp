@@ -15,8 +15,8 @@ namespace {
 
 using Entry = Chains::Entry;
 
-/// So many are looked at closely for one group.
-constexpr int most_candidates = 20;
+/// So many are looked at closely for one group; those with the shortest chains come first.
+constexpr std::size_t most_candidates = 8;
 
 class ContenderSearch {
 public:
@@ -33,20 +33,30 @@ public:
     for (const Entry& ours : chains.entries_above(own_)) {
       while (first != theirs.end() && first->together < ours.together) ++first;
       for (auto at = first; at != theirs.end() && at->together == ours.together; ++at) {
-        if (at->task->target != ours.task->target && at->task->target != own_ && left_ > 0) look_at(ours, *at);
+        if (at->task->target != ours.task->target && at->task->target != own_) look_at(ours, *at);
       }
     }
-    return std::move(best_);
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.steps < b.steps; });
+    if (candidates_.size() > most_candidates) candidates_.resize(most_candidates);
+    for (const Candidate& candidate : candidates_) {
+      if (auto contender = confirm(candidate)) return contender;
+    }
+    return std::nullopt;
   }
 
 private:
+  struct Candidate {
+    Meeting meeting;
+    Reach reach = Reach::own;
+    std::size_t steps = 0;
+  };
+
+  /// The nearest way of one entry, at whichever levels the two meet.
   void look_at(const Entry& ours, const Entry& theirs) {
     const Model& model = input_.model;
-    // Quick: is there a chain at all that leads past the provider?
-    const Claims& claims = input_.shared.claims(theirs.task->target, own_);
-    if (std::none_of(std::begin(all_reaches), std::end(all_reaches),
-                     [&](Reach reach) { return claims.find(group_, reach); }))
-      return;
+    const Claims& claims = input_.shared.claims(theirs.task->target);
+    std::optional<Candidate> best;
     for (const Task::NamedLevel& a : ours.task->levels) {
       for (const Task::NamedLevel& b : theirs.task->levels) {
         Meeting meeting{ours.together, ours.task, theirs.task, model.edges[ours.task->edge].levels[a.level],
@@ -54,21 +64,22 @@ private:
         // Where its own chain may be optional it is at its weakest.
         meeting.first_optional = meeting.first_level.optional || ours.optional;
         for (const Reach reach : all_reaches) {
+          const Claim* claim = claims.find(group_, reach);
+          if (claim == nullptr || (best && best->steps <= claim->steps) || !compatible(claim->region, region_))
+            continue;
           meeting.second_optional = meeting.second_level.optional || reach == Reach::optional;
           // What a unit holds from the beginning is another check's affair.
           if (meeting.first_goes_before() || (meeting.one_unit() && reach == Reach::own)) continue;
-          if (try_out(meeting, reach)) return;
+          best = Candidate{meeting, reach, claim->steps};
         }
       }
     }
+    if (best) candidates_.push_back(*best);
   }
 
-  bool try_out(const Meeting& meeting, Reach reach) {
-    const Claim* quick = input_.shared.claims(meeting.second->target, own_).find(group_, reach);
-    if (quick == nullptr || !compatible(quick->region, region_) || (best_ && quick->steps >= best_->path.size()))
-      return false;
-    // A group is held once: the two chains have nothing in common above.
-    --left_;
+  /// A group is held once: the two chains have nothing in common above.
+  std::optional<Contender> confirm(const Candidate& candidate) const {
+    const Meeting& meeting = candidate.meeting;
     const Claims& ours = input_.shared.claims(meeting.first->target);
     std::vector<GroupId> above{own_, meeting.first->target};
     for (const Reach how : all_reaches) {
@@ -76,20 +87,18 @@ private:
       for (const ClaimStep& step : ours.path(own_, how)) above.push_back(step.from);
       break;
     }
-    if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return false;
+    if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return std::nullopt;
     const Claims claims(input_.shared.branches(), meeting.second->target, above);
-    const Claim* claim = claims.find(group_, reach);
-    if (claim == nullptr || !compatible(claim->region, region_)) return false;
-    best_ = Contender{meeting, claims.path(group_, reach)};
-    return true;
+    const Claim* claim = claims.find(group_, candidate.reach);
+    if (claim == nullptr || !compatible(claim->region, region_)) return std::nullopt;
+    return Contender{meeting, claims.path(group_, candidate.reach)};
   }
 
   const Input& input_;
   GroupId own_;
   Region region_;
   GroupId group_;
-  std::optional<Contender> best_;
-  int left_ = most_candidates;
+  std::vector<Candidate> candidates_;
 };
 
 /// Groups that the provider holds from the beginning, whatever plan it has.
