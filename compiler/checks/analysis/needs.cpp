@@ -4,6 +4,7 @@
 #include "compiler/graph/algorithms.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace director::checks {
 
@@ -118,7 +119,21 @@ std::vector<ProviderId> find_need_conflicts(const Model& model, const Facts& fac
 
 std::vector<NeedStep> need_path(const Model& model, GroupId from, GroupId to) {
   if (from == to) return {};
-  return steps_along(model, shortest_path(arrows_of_needs(model), from.value, to.value));
+  // Asked for once a finding, so it looks at no more than it has to.
+  std::unordered_map<GroupId, GroupId> above;
+  std::vector<GroupId> open{from};
+  for (std::size_t next = 0; next < open.size() && above.count(to) == 0; ++next) {
+    for (const EdgeId id : model.groups[open[next]].edges) {
+      const Edge& edge = model.edges[id];
+      if (edge.needed && edge.target != from && above.try_emplace(edge.target, open[next]).second)
+        open.push_back(edge.target);
+    }
+  }
+  if (above.count(to) == 0) return {};
+  std::vector<NeedStep> out;
+  for (GroupId group = to; group != from; group = above[group]) out.push_back(step_between(model, above[group], group));
+  std::reverse(out.begin(), out.end());
+  return out;
 }
 
 } // namespace director::checks
