@@ -1,21 +1,119 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/check_test.cpp.
+#include "compiler/cli/goal.hpp"
 #include "compiler/cli/load.hpp"
+#include "compiler/cli/print_bounds.hpp"
+#include "compiler/cli/summary.hpp"
 #include "compiler/emit/findings_json.hpp"
+#include "compiler/emit/findings_sarif.hpp"
+#include "compiler/lower/lower.hpp"
+
+#include <fmt/format.h>
 
 namespace director::compiler::cli {
 
-int run(const Check& request, Console& console) {
-  dsl::Sources sources;
-  CheckOptions options;
-  options.selection = request.selection;
-  const std::optional<Checked> checked = load(request.file, options, sources, console);
-  if (!checked) return misused;
-  if (request.format == Format::json) {
-    console.out << to_lines(findings_json(checked->findings, sources));
-  } else {
-    print_findings(checked->findings, sources, console.out, console.out_colours);
+namespace {
+
+/// What was asked for with `--explain-reachable`.
+struct Explained {
+  std::string words;
+  std::optional<std::vector<dsl::Note>> steps; ///< nothing: it is not reachable
+
+  std::string told() const { return fmt::format("`{}` {}", words, steps ? "may be reached:" : "can never be reached"); }
+};
+
+std::string to_text(const Explained& explained, const dsl::Sources& sources) {
+  std::string out = explained.told() + "\n";
+  for (const dsl::Note& step : explained.steps.value_or(std::vector<dsl::Note>{})) {
+    const dsl::SourceFile& file = sources[step.span.file];
+    const dsl::Place place = file.place(step.span.begin);
+    out += fmt::format("  {}:{}:{}: {}\n", file.path(), place.line, place.column, step.message);
   }
-  return dsl::has_errors(checked->findings) ? found : clean;
+  return out;
 }
+
+Json to_json(const Explained& explained, const dsl::Sources& sources) {
+  Json steps = Json::list({});
+  for (const dsl::Note& step : explained.steps.value_or(std::vector<dsl::Note>{})) steps.add(note_json(step, sources));
+  Json out =
+      Json::object({{"of", Json::text(explained.words)}, {"reachable", Json::boolean(explained.steps.has_value())}});
+  out.add("steps", std::move(steps));
+  return out;
+}
+
+std::vector<SarifRule> rules() {
+  std::vector<SarifRule> out;
+  for (const checks::Registered& check : checks::registered())
+    out.push_back({std::string(check.id), checks::level_of(check), summary(check.page), std::string(check.page)});
+  return out;
+}
+
+class Checking {
+public:
+  Checking(const Check& request, Console& console) : request_(request), console_(console) {}
+
+  int run() {
+    CheckOptions options;
+    options.selection = request_.selection;
+    const std::optional<Checked> checked = load(request_.file, options, sources_, console_);
+    if (!checked) return misused;
+    if (!request_.reachable.empty()) {
+      if (const std::string wrong = explain(*checked); !wrong.empty()) {
+        console_.err << fmt::format("directorc: {}\n", wrong);
+        return misused;
+      }
+    }
+    if (request_.verbose && checked->lowerable)
+      bounds_ = checks::find_bounds(checked->model, lower(checked->model).view());
+    print(*checked);
+    const bool unreachable = explained_ && !explained_->steps;
+    return dsl::has_errors(checked->findings) || unreachable ? found : clean;
+  }
+
+private:
+  /// What is wrong with the question; empty where it has an answer, or where errors come before it.
+  std::string explain(const Checked& checked) {
+    if (!checked.resolved) return {};
+    if (!checked.model.deployment)
+      return fmt::format("`{}` has no `roots`: what can be reached in a module depends on who imports it",
+                         request_.file);
+    const ParsedGoal parsed = parse_goal(checked.model, request_.reachable);
+    if (!parsed.goal) return parsed.wrong;
+    const checks::Facts facts = checks::find_facts(checked.model, checked.graph);
+    explained_ = Explained{request_.reachable, checks::find_witness(checked.model, facts, *parsed.goal)};
+    return {};
+  }
+
+  void print(const Checked& checked) const {
+    switch (request_.format) {
+    case Format::json: {
+      Json out = findings_json(checked.findings, sources_);
+      if (explained_) out.add("reachable", to_json(*explained_, sources_));
+      if (bounds_) out.add("bounds", bounds_json(*bounds_));
+      console_.out << to_lines(out);
+      return;
+    }
+    case Format::sarif: {
+      std::vector<SarifWitness> witnesses;
+      if (explained_ && explained_->steps) witnesses.push_back({explained_->told(), *explained_->steps});
+      console_.out << to_lines(findings_sarif(checked.findings, witnesses, sources_, rules()));
+      return;
+    }
+    default: break;
+    }
+    print_findings(checked.findings, sources_, console_.out, console_.out_colours);
+    if (explained_) console_.out << to_text(*explained_, sources_);
+    if (bounds_) console_.out << bounds_text(*bounds_, checked.model.trials, shown_path(request_.file));
+  }
+
+  const Check& request_;
+  Console& console_;
+  dsl::Sources sources_;
+  std::optional<Explained> explained_;
+  std::optional<checks::Bounds> bounds_;
+};
+
+} // namespace
+
+int run(const Check& request, Console& console) { return Checking(request, console).run(); }
 
 } // namespace director::compiler::cli

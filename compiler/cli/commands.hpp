@@ -1,8 +1,7 @@
 #pragma once
 // The subcommands: what each is asked for, and what it does. One file each; compiler/cli/parse.cpp makes the requests
-// from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or too little that
-// scenarios cover; 2 wrong
-// usage, or a file named on the command line that cannot be read or written.
+// from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or too
+// little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written.
 
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/cli/console.hpp"
@@ -12,7 +11,7 @@
 
 namespace director::compiler::cli {
 
-enum class Format { text, json, dot, svg, mermaid };
+enum class Format { text, json, sarif, dot, svg, mermaid };
 
 inline constexpr int clean = 0, found = 1, misused = 2;
 
@@ -20,6 +19,8 @@ struct Check {
   std::string file;
   Format format = Format::text;
   checks::Selection selection;
+  std::string reachable; ///< empty: nothing is asked; else `Kick`, `Walk.halting`, `Pose == standing`
+  bool verbose = false;  ///< also memory and bounds
 };
 
 struct Generate {

@@ -30,6 +30,7 @@ std::optional<std::string> drawn(const Checked& checked, Format format, Console&
   case Format::svg: return svg(picture, console);
   case Format::mermaid: return mermaid(picture);
   case Format::dot:
+  case Format::sarif:
   case Format::text: break;
   }
   return dot(picture);

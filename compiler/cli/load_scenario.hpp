@@ -9,7 +9,7 @@
 namespace director::compiler::cli {
 
 struct LoadedScenario {
-  int status = clean; ///< not clean: it has been said why, and nothing else is good
+  int status = clean;    ///< not clean: it has been said why, and nothing else is good
   std::string behaviour; ///< the path of its file
   Model model;
   Graph graph;

@@ -37,11 +37,9 @@ struct Subcommand {
   Make (*options)(CLI::App& app);
 };
 
-const std::map<std::string, Format> formats{{"text", Format::text},
-                                            {"json", Format::json},
-                                            {"dot", Format::dot},
-                                            {"svg", Format::svg},
-                                            {"mermaid", Format::mermaid}};
+const std::map<std::string, Format> formats{{"text", Format::text},   {"json", Format::json},
+                                            {"sarif", Format::sarif}, {"dot", Format::dot},
+                                            {"svg", Format::svg},     {"mermaid", Format::mermaid}};
 
 /// `--format` with some of the formats.
 void add_format(CLI::App& app, Format& format, const std::vector<std::string>& names) {
@@ -100,8 +98,12 @@ Make check_options(CLI::App& app) {
   auto request = std::make_shared<Check>();
   auto words = std::make_shared<SelectionWords>();
   app.add_option("FILE", request->file, "the behaviour")->required();
-  add_format(app, request->format, {"text", "json"});
+  add_format(app, request->format, {"text", "json", "sarif"});
   add_selection(app, *words);
+  app.add_option("--explain-reachable", request->reachable,
+                 "also tell how a group, Walk.halting or 'Pose == standing' may be reached")
+      ->type_name("X");
+  app.add_flag("--verbose", request->verbose, "also print how much memory and work the engine may need");
   return [=]() -> Request {
     if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
     request->selection = selection_of(*words);
@@ -208,8 +210,8 @@ Request parse(const std::vector<std::string>& arguments) {
   app.require_subcommand(1);
   app.formatter(std::make_shared<Help>());
   app.footer("Exit status: 0 clean; 1 errors were found, a scenario does not hold, or too little is covered; 2 wrong "
-             "usage, or a file named on "
-             "the\ncommand line cannot be read or written. `directorc SUBCOMMAND --help` tells more.");
+             "usage, or\n"
+             "a file named on the command line cannot be read or written. `directorc SUBCOMMAND --help` tells more.");
   std::array<Make, subcommands.size()> make;
   std::array<CLI::App*, subcommands.size()> apps{};
   for (std::size_t i = 0; i < subcommands.size(); ++i) {

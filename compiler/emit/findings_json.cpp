@@ -22,18 +22,20 @@ Json finding_json(const dsl::Diagnostic& finding, const dsl::Sources& sources) {
   add_place(out, finding.span, sources);
   out.add("message", Json::text(finding.message));
   Json notes = Json::list({});
-  for (const dsl::Note& note : finding.notes) {
-    Json row = Json::object({});
-    add_place(row, note.span, sources);
-    row.add("message", Json::text(note.message));
-    notes.add(std::move(row));
-  }
+  for (const dsl::Note& note : finding.notes) notes.add(note_json(note, sources));
   out.add("notes", std::move(notes));
   if (!finding.help.empty()) out.add("help", Json::text(finding.help));
   return out;
 }
 
 } // namespace
+
+Json note_json(const dsl::Note& note, const dsl::Sources& sources) {
+  Json row = Json::object({});
+  add_place(row, note.span, sources);
+  row.add("message", Json::text(note.message));
+  return row;
+}
 
 Json findings_json(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources) {
   Json list = Json::list({});

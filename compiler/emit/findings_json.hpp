@@ -10,6 +10,9 @@
 namespace director::compiler {
 
 /// `{"findings": [...]}`
+/// A note: its place and what it says.
+Json note_json(const dsl::Note& note, const dsl::Sources& sources);
+
 Json findings_json(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources);
 
 } // namespace director::compiler

@@ -8,6 +8,7 @@ namespace director::oracle {
 
 Assignment arbitrate(const Parts& parts, const Facts& facts, const Assignment& last, Notes& notes) {
   for (std::set<EdgeId> forgotten;; ++notes.repetitions) {
+    notes.most_repetitions = std::max(notes.most_repetitions, static_cast<int>(forgotten.size()));
     Pass pass(parts, facts, last, forgotten, notes);
     pass.take_candidates();
     if (const std::optional<EdgeId> f = pass.wrongly_denied()) {

@@ -9,13 +9,14 @@ namespace director::oracle {
 
 /// What one arbitration met, for tests that want to know what they covered.
 struct Notes {
-  int denials = 0;     ///< a group was denied to an edge for an equal's sake
-  int repetitions = 0; ///< passes done again
-  int deferrals = 0;   ///< 4.4, Defer
-  int later_plans = 0; ///< a target was granted with a plan that is not its provider's first
-  int ladders = 0;     ///< a push was made whose chain is longer than one
-  int limbo = 0;       ///< hand-overs
-  int settling = 0;    ///< the most micro-steps in a row that only arbitrated once more
+  int denials = 0;          ///< a group was denied to an edge for an equal's sake
+  int repetitions = 0;      ///< passes done again
+  int deferrals = 0;        ///< 4.4, Defer
+  int later_plans = 0;      ///< a target was granted with a plan that is not its provider's first
+  int ladders = 0;          ///< a push was made whose chain is longer than one
+  int limbo = 0;            ///< hand-overs
+  int most_repetitions = 0; ///< of one arbitration
+  int settling = 0;         ///< the most micro-steps in a row that only arbitrated once more
 };
 
 /// The new assignment, after section 4 and before section 5.

@@ -1,6 +1,7 @@
 // Door: tests/property/compare.hpp. Test: tests/property/property_test.cpp.
 #include "tests/property/compare.hpp"
 
+#include "compiler/checks/analysis/bounds.hpp"
 #include "compiler/play/play.hpp"
 #include "tests/oracle/scripted.hpp"
 #include "tests/property/engine_run.hpp"
@@ -26,7 +27,8 @@ public:
   Comparing(const Compiled& compiled, bool leap)
       : c_(compiled),
         oracle_(compiled.model, compiled.spec, leap),
-        engine_(compiled, leap) {
+        engine_(compiled, leap),
+        bounds_(checks::find_bounds(compiled.model, compiled.lowered.view())) {
     last_ = snapshot_of(oracle_.behaviour());
   }
 
@@ -43,6 +45,8 @@ public:
     show(Show::alternative_plan, notes.later_plans > 0);
     show(Show::deferral, notes.deferrals > 0);
     out_.settling = static_cast<std::size_t>(notes.settling);
+    if (static_cast<std::int64_t>(notes.most_repetitions) > bounds_.repetitions)
+      fail("a pass is repeated more often than its bound says");
     if (out_.settling > c_.model.groups.size()) fail("it takes more passes to settle than there are groups");
     return out_;
   }
@@ -155,6 +159,7 @@ private:
   const Compiled& c_;
   oracle::Player oracle_;
   EngineRun engine_;
+  const checks::Bounds bounds_;
   Snapshot last_;
   Verdict out_;
 };

@@ -1,0 +1,17 @@
+#pragma once
+// What `--explain-reachable` is asked about: `Kick`, `Walk.halting`, `Pose == standing`.
+
+#include "compiler/checks/analysis/witness.hpp"
+
+#include <string>
+
+namespace director::compiler::cli {
+
+struct ParsedGoal {
+  std::optional<checks::Goal> goal;
+  std::string wrong; ///< why there is none
+};
+
+ParsedGoal parse_goal(const Model& model, const std::string& words);
+
+} // namespace director::compiler::cli

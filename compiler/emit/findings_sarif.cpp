@@ -1,0 +1,162 @@
+// Door: compiler/emit/findings_sarif.hpp. Test: tests/compiler/emit/findings_sarif_test.cpp.
+#include "compiler/emit/findings_sarif.hpp"
+
+#include "compiler/emit/sha256.hpp"
+#include "compiler/version.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace director::compiler {
+
+namespace {
+
+/// Their notes tell one thing after another: a way through the specification.
+constexpr std::array<std::string_view, 7> told_in_order{"equal_priority",     "import_cycle",       "needs_conflict",
+                                                        "needs_cycle",        "sibling_starvation", "task_cycle",
+                                                        "unreachable_causing"};
+
+Json number(std::size_t value) { return Json::number(static_cast<std::int64_t>(value)); }
+Json message(std::string_view text) { return Json::object({{"text", Json::text(text)}}); }
+
+std::string_view level_name(dsl::Level level) {
+  switch (level) {
+  case dsl::Level::error: return "error";
+  case dsl::Level::warning: return "warning";
+  case dsl::Level::lint: break;
+  }
+  return "note";
+}
+
+/// A path as a reference: what a URI does not have stands as %XX.
+std::string uri(std::string_view path) {
+  constexpr std::string_view plain = "-._~/!$&'()*+,;=@";
+  std::string out;
+  for (const char c : path) {
+    const bool letter = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    if (letter || plain.find(c) != std::string_view::npos) {
+      out += c;
+    } else {
+      out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return path.starts_with('/') ? "file://" + out : out;
+}
+
+class Writer {
+public:
+  explicit Writer(const dsl::Sources& sources) : sources_(sources) {}
+
+  Json result(const dsl::Diagnostic& finding, std::size_t rule) {
+    Json out = Json::object({{"ruleId", Json::text(finding.id)},
+                             {"ruleIndex", number(rule)},
+                             {"level", Json::text(level_name(finding.level))}});
+    out.add("message", message(finding.help.empty() ? finding.message : finding.message + "\nhelp: " + finding.help));
+    out.add("locations", Json::list({location(finding.span)}));
+    if (!finding.notes.empty()) {
+      Json related = Json::list({});
+      for (const dsl::Note& note : finding.notes) related.add(told(note));
+      out.add("relatedLocations", std::move(related));
+    }
+    if (finding.notes.size() > 1 &&
+        std::find(told_in_order.begin(), told_in_order.end(), finding.id) != told_in_order.end()) {
+      std::vector<dsl::Note> steps{{finding.span, finding.message}};
+      steps.insert(steps.end(), finding.notes.begin(), finding.notes.end());
+      out.add("codeFlows", flow(steps));
+    }
+    out.add("partialFingerprints", Json::object({{"director/v1", Json::text(fingerprint(finding))}}));
+    return out;
+  }
+
+  Json result(const SarifWitness& witness) {
+    Json out = Json::object({{"kind", Json::text("informational")}, {"level", Json::text("none")}});
+    out.add("message", message(witness.message));
+    out.add("locations", Json::list({location(witness.steps.back().span)}));
+    out.add("codeFlows", flow(witness.steps));
+    return out;
+  }
+
+private:
+  /// From bytes to characters; both count from 1.
+  static std::size_t character(const dsl::SourceFile& file, const dsl::Place& place) {
+    const std::string_view before = file.line_text(place.line).substr(0, place.column - 1);
+    return 1 + static_cast<std::size_t>(std::count_if(before.begin(), before.end(), [](char c) {
+             return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+           }));
+  }
+
+  Json location(const dsl::Span& span) const {
+    const dsl::SourceFile& file = sources_[span.file];
+    const dsl::Place begin = file.place(span.begin), end = file.place(span.end);
+    Json region = Json::object({{"startLine", Json::number(begin.line)},
+                                {"startColumn", number(character(file, begin))},
+                                {"endLine", Json::number(end.line)},
+                                {"endColumn", number(character(file, end))}});
+    Json physical = Json::object({{"artifactLocation", Json::object({{"uri", Json::text(uri(file.path()))}})}});
+    physical.add("region", std::move(region));
+    return Json::object({{"physicalLocation", std::move(physical)}});
+  }
+
+  Json told(const dsl::Note& note) const {
+    Json out = location(note.span);
+    out.add("message", message(note.message));
+    return out;
+  }
+
+  Json flow(const std::vector<dsl::Note>& steps) const {
+    Json locations = Json::list({});
+    for (const dsl::Note& step : steps) locations.add(Json::object({{"location", told(step)}}));
+    Json thread = Json::object({{"locations", std::move(locations)}});
+    return Json::list({Json::object({{"threadFlows", Json::list({std::move(thread)})}})});
+  }
+
+  /// Of several that agree in everything the second has another one than the first, in order of place.
+  std::string fingerprint(const dsl::Diagnostic& finding) {
+    const dsl::SourceFile& file = sources_[finding.span.file];
+    std::string_view line = file.line_text(file.place(finding.span.begin).line);
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    const std::string all = fmt::format("{}\n{}\n{}\n{}", finding.id, file.path(), line, finding.message);
+    return sha256(fmt::format("{}\n{}", all, seen_[all]++));
+  }
+
+  const dsl::Sources& sources_;
+  std::map<std::string, int> seen_;
+};
+
+Json rule_json(const SarifRule& rule) {
+  Json out = Json::object({{"id", Json::text(rule.id)}});
+  out.add("shortDescription", message(rule.summary));
+  out.add("help", Json::object({{"text", Json::text(rule.page)}, {"markdown", Json::text(rule.page)}}));
+  out.add("defaultConfiguration", Json::object({{"level", Json::text(level_name(rule.level))},
+                                                {"enabled", Json::boolean(rule.level != dsl::Level::lint)}}));
+  return out;
+}
+
+} // namespace
+
+Json findings_sarif(const std::vector<dsl::Diagnostic>& findings, const std::vector<SarifWitness>& witnesses,
+                    const dsl::Sources& sources, const std::vector<SarifRule>& rules) {
+  Writer writer(sources);
+  Json list = Json::list({}), results = Json::list({});
+  for (const SarifRule& rule : rules) list.add(rule_json(rule));
+  for (const dsl::Diagnostic& finding : findings) {
+    const auto rule =
+        std::find_if(rules.begin(), rules.end(), [&](const SarifRule& each) { return each.id == finding.id; });
+    results.add(writer.result(finding, static_cast<std::size_t>(rule - rules.begin())));
+  }
+  for (const SarifWitness& witness : witnesses) results.add(writer.result(witness));
+  Json driver = Json::object({{"name", Json::text("directorc")}, {"version", Json::text(version())}});
+  driver.add("rules", std::move(list));
+  Json run = Json::object({{"tool", Json::object({{"driver", std::move(driver)}})}});
+  run.add("columnKind", Json::text("unicodeCodePoints"));
+  run.add("results", std::move(results));
+  Json out = Json::object({{"$schema", Json::text("https://json.schemastore.org/sarif-2.1.0.json")}});
+  out.add("version", Json::text("2.1.0"));
+  out.add("runs", Json::list({std::move(run)}));
+  return out;
+}
+
+} // namespace director::compiler
