@@ -35,6 +35,7 @@ public:
     for (const ProviderId causer : want.causers) {
       if (model_.providers[causer].needs.empty()) continue;
       find_company(wanting.task, model_.providers[causer].group);
+      find_own(causer);
       for (const Use<GroupId>& need : model_.providers[causer].needs) {
         const auto& parts = shared_.indispensable().of(need.id);
         if (!parts || seen_.count({need.span, want.condition.span}) != 0) continue;
@@ -54,6 +55,15 @@ private:
       if (!company.find_bare_chain(request).empty()) return;
     }
     near_ = company.found_in();
+  }
+
+  /// What the pushed provider has in every plan. Such a group holds its own parts for whoever has it, so that only who
+  /// may have it can stand between.
+  void find_own(ProviderId causer) {
+    own_.clear();
+    for (const Use<GroupId>& need : model_.providers[causer].needs) {
+      if (const auto& parts = shared_.indispensable().of(need.id)) own_.insert(parts->begin(), parts->end());
+    }
   }
 
   /// The two meet where the pushed group is requested with the task, or further down.
@@ -150,8 +160,8 @@ private:
   /// It may hold the group while the task waits, and not only by a push of the same task.
   bool is_between(GroupId task, const Want& want, ProviderId causer, const Holder& holder) const {
     const GroupId pushed = model_.providers[causer].group;
-    if (holder.group == pushed || holder.group == task || hangs_on(holder.group, pushed) ||
-        hangs_on(holder.group, task))
+    if (holder.group == pushed || holder.group == task || own_.count(holder.group) != 0 ||
+        hangs_on(holder.group, pushed) || hangs_on(holder.group, task))
       return false;
     if (!holder.provider) return true;
     const ProviderId provider = *holder.provider;
@@ -214,6 +224,7 @@ private:
   const Shared& shared_;
   Findings& findings_;
   std::set<const std::vector<Task>*> near_; ///< of the push that is looked at; empty: they may meet anywhere
+  std::set<GroupId> own_;                   ///< of the provider that is pushed
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };
 
