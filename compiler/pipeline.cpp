@@ -2,6 +2,7 @@
 #include "compiler/pipeline.hpp"
 
 #include "compiler/checks/analysis/facts.hpp"
+#include "compiler/explore/refuted.hpp"
 #include "compiler/model/lost_names.hpp"
 #include "compiler/model/resolve.hpp"
 #include "dsl/read_behaviour.hpp"
@@ -60,6 +61,13 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
     append(out.findings, checks::run_checks(out.model, out.graph, facts));
   }
   out.lowerable = checkable && !stops_lowering(out.model, out.findings);
+
+  // Whether what its author relies on is true. Not asked of what is broken anyway.
+  if (options.decide && out.lowerable && !dsl::has_errors(out.findings) && !out.model.assertions.empty()) {
+    const std::vector<Verdict> verdicts = decide_assertions(out.model, states_of_check);
+    append(out.findings, refuted_assertions(out.model, verdicts));
+    out.undecided = undecided_assertions(out.model, verdicts);
+  }
 
   // What of all that is reported.
   out.findings = checks::apply_allowances(out.model, std::move(out.findings), checkable);

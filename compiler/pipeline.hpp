@@ -16,6 +16,7 @@ namespace director::compiler {
 struct CheckOptions {
   bool scanner = false; ///< C++ can be read here
   checks::Selection selection;
+  bool decide = false; ///< also whether the assertions are true
 };
 
 struct Checked {
@@ -25,6 +26,7 @@ struct Checked {
   bool resolved = false;                 ///< no errors of "Reading" and "Names and domains"
   bool lowerable = false;                ///< resolved, and nothing stands in the way of running it in the engine
   std::vector<dsl::Diagnostic> findings; ///< sorted by place
+  std::vector<std::string> undecided;    ///< assertions that are neither proven nor refuted, each in a line
 };
 
 Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sources, const CheckOptions& options = {});

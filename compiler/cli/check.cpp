@@ -53,6 +53,7 @@ public:
 
   int run() {
     CheckOptions options;
+    options.decide = true;
     options.selection = request_.selection;
     const std::optional<Checked> checked = load(request_.file, options, sources_, console_);
     if (!checked) return misused;
@@ -66,7 +67,8 @@ public:
       bounds_ = checks::find_bounds(checked->model, lower(checked->model).view());
     print(*checked);
     const bool unreachable = explained_ && !explained_->steps;
-    return dsl::has_errors(checked->findings) || unreachable ? found : clean;
+    if (dsl::has_errors(checked->findings) || unreachable) return found;
+    return print_undecided(*checked, console_) ? undecided : clean;
   }
 
 private:

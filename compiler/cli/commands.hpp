@@ -1,7 +1,8 @@
 #pragma once
 // The subcommands: what each is asked for, and what it does. One file each; compiler/cli/parse.cpp makes the requests
 // from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or too
-// little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written.
+// little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written; 3 an
+// assertion was not decided, or not everything was explored.
 
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/cli/console.hpp"
@@ -13,7 +14,7 @@ namespace director::compiler::cli {
 
 enum class Format { text, json, sarif, dot, svg, mermaid };
 
-inline constexpr int clean = 0, found = 1, misused = 2;
+inline constexpr int clean = 0, found = 1, misused = 2, undecided = 3;
 
 struct Check {
   std::string file;
@@ -60,6 +61,13 @@ struct Dump {
   std::string stage;
 };
 
+/// All states that the behaviour can be in.
+struct Explore {
+  std::string file;
+  std::size_t bound = 1'000'000; ///< states
+  std::string output;            ///< folder for scenarios; empty: none are written
+};
+
 int run(const Check& request, Console& console);
 int run(const Generate& request, Console& console);
 int run(const DrawGraph& request, Console& console);
@@ -68,5 +76,6 @@ int run(const ListChecks& request, Console& console);
 int run(const Simulate& request, Console& console);
 int run(const Test& request, Console& console);
 int run(const Dump& request, Console& console);
+int run(const Explore& request, Console& console);
 
 } // namespace director::compiler::cli

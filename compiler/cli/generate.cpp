@@ -23,11 +23,13 @@ bool wrote(const std::string& path, const std::optional<std::string>& fault, Con
 int run(const Generate& request, Console& console) {
   dsl::Sources sources;
   CheckOptions options;
+  options.decide = true;
   options.selection = request.selection;
   const std::optional<Checked> checked = load(request.file, options, sources, console);
   if (!checked) return misused;
   print_findings(checked->findings, sources, console.err, console.err_colours);
   if (dsl::has_errors(checked->findings)) return found;
+  if (print_undecided(*checked, console)) return undecided;
   if (!checked->model.deployment) {
     console.err << fmt::format(
         "directorc: `{}` has no `roots`: it is a module for others to import, and nothing can be "

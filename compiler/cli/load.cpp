@@ -41,6 +41,11 @@ void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sou
   out << dsl::render(findings, sources, options);
 }
 
+bool print_undecided(const Checked& checked, Console& console) {
+  for (const std::string& line : checked.undecided) console.err << fmt::format("directorc: not decided: {}\n", line);
+  return !checked.undecided.empty();
+}
+
 std::vector<dsl::Diagnostic> errors_of(const std::vector<dsl::Diagnostic>& findings) {
   std::vector<dsl::Diagnostic> errors;
   std::copy_if(findings.begin(), findings.end(), std::back_inserter(errors),

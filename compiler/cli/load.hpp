@@ -21,6 +21,9 @@ std::optional<Checked> load(const std::string& file, const CheckOptions& options
 void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, std::ostream& out,
                     bool colours);
 
+/// Assertions that were not decided, on the error stream. False if there are none.
+bool print_undecided(const Checked& checked, Console& console);
+
 /// Only the errors among them.
 std::vector<dsl::Diagnostic> errors_of(const std::vector<dsl::Diagnostic>& findings);
 

@@ -163,6 +163,16 @@ Make test_options(CLI::App& app) {
   return [=]() -> Request { return *request; };
 }
 
+Make explore_options(CLI::App& app) {
+  auto request = std::make_shared<Explore>();
+  app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
+  app.add_option("--bound", request->bound, "end after so many different states; without it 1000000")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
+  app.add_option("-o,--output", request->output, "folder for what is found, as scenarios")->type_name("FOLDER");
+  return [=]() -> Request { return *request; };
+}
+
 Make dump_options(CLI::App& app) {
   auto request = std::make_shared<Dump>();
   app.add_option("FILE", request->file, "the behaviour")->required();
@@ -175,7 +185,7 @@ Make dump_options(CLI::App& app) {
   return [=]() -> Request { return *request; };
 }
 
-const std::array<Subcommand, 8> subcommands{{
+const std::array<Subcommand, 9> subcommands{{
     {"check", "Look for mistakes in a behaviour", check_options},
     {"generate", "Write the C++ of a behaviour", generate_options},
     {"graph", "Draw a behaviour", graph_options},
@@ -183,6 +193,7 @@ const std::array<Subcommand, 8> subcommands{{
     {"checks", "List all checks", checks_options},
     {"simulate", "Play a scenario and print what happens", simulate_options},
     {"test", "Play scenarios and compare with what they expect", test_options},
+    {"explore", "Try everything that can happen, and decide the assertions", explore_options},
     {"dump", "Print what a stage of the compiler makes of a behaviour", dump_options},
 }};
 
@@ -209,9 +220,10 @@ Request parse(const std::vector<std::string>& arguments) {
   app.set_help_flag("--help,-h", "Print this help");
   app.require_subcommand(1);
   app.formatter(std::make_shared<Help>());
-  app.footer("Exit status: 0 clean; 1 errors were found, a scenario does not hold, or too little is covered; 2 wrong "
-             "usage, or\n"
-             "a file named on the command line cannot be read or written. `directorc SUBCOMMAND --help` tells more.");
+  app.footer(
+      "Exit status: 0 clean; 1 errors were found, a scenario does not hold, an assertion is refuted, or too little is\n"
+      "covered; 2 wrong usage, or a file named on the command line cannot be read or written; 3 not decided.\n"
+      "`directorc SUBCOMMAND --help` tells more.");
   std::array<Make, subcommands.size()> make;
   std::array<CLI::App*, subcommands.size()> apps{};
   for (std::size_t i = 0; i < subcommands.size(); ++i) {

@@ -1,6 +1,5 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp, tests/cli/coverage_test.cpp.
 #include "compiler/cli/load_scenario.hpp"
-#include "compiler/emit/findings_json.hpp"
 #include "compiler/play/coverage_watch.hpp"
 #include "compiler/play/print_coverage.hpp"
 #include "compiler/play/test_scenario.hpp"
@@ -41,19 +40,11 @@ public:
 private:
   bool text() const { return request_.format == Format::text; }
 
-  static Json with(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, Json row) {
-    Json list = Json::list({});
-    for (const dsl::Diagnostic& finding : findings) list.add(finding_json(finding, sources));
-    row.add("findings", std::move(list));
-    return row;
-  }
-
   int test(const std::string& file) {
     dsl::Sources sources;
     const LoadedScenario loaded = load_scenario(file, sources, console_);
     if (loaded.status != clean) {
-      Json row = Json::object({{"file", Json::text(shown_path(file))}, {"holds", Json::boolean(false)}});
-      rows_.push_back(with(loaded.findings, sources, std::move(row)));
+      rows_.push_back(Json::object({{"file", Json::text(shown_path(file))}, {"holds", Json::boolean(false)}}));
       return loaded.status;
     }
     const ScenarioResult result = play(loaded, sources);
@@ -63,13 +54,11 @@ private:
                                   title.empty() ? "" : ": " + title);
       console_.out << render(result, sources);
     }
-    std::vector<dsl::Diagnostic> findings = loaded.findings;
     if (result.played.refused) {
       console_.out.flush();
       print_findings({*result.played.refused}, sources, console_.err, console_.err_colours);
-      findings.push_back(*result.played.refused);
     }
-    rows_.push_back(with(findings, sources, to_json(result, shown_path(file), title, sources)));
+    rows_.push_back(to_json(result, shown_path(file), title, sources));
     return result.holds() ? clean : found;
   }
 

@@ -75,6 +75,7 @@ void try_out(const checks::Registered& check, const Specimen& specimen) {
   for (const auto& [path, text] : specimen.files) files.add(path, text);
   dsl::Sources sources;
   compiler::CheckOptions options;
+  options.decide = true;
   options.selection.lints.insert(std::string(check.id));
   compiler::Checked checked = compiler::check(std::string(main_file), files, sources, options);
   for (const auto& [path, text] : specimen.files) {

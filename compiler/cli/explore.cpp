@@ -1,0 +1,90 @@
+// Door: compiler/cli/commands.hpp. Test: tests/cli/explore_test.cpp.
+#include "compiler/cli/load.hpp"
+#include "compiler/explore/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+namespace director::compiler::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// From where scenarios are written to the behaviour.
+std::string path_from(const std::string& folder, const std::string& file) {
+  std::error_code error;
+  const fs::path from = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal();
+  const fs::path to = fs::absolute(file, error).lexically_normal();
+  const fs::path relative = to.lexically_relative(from);
+  return relative.empty() ? to.string() : relative.string();
+}
+
+/// One line that is written over again and again.
+class Progress {
+public:
+  explicit Progress(Console& console) : console_(console) {}
+  void show(std::size_t states, std::size_t waiting) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point now = Clock::now();
+    if (now - last_ < std::chrono::milliseconds(200)) return;
+    last_ = now;
+    console_.err << fmt::format("\r{} states, {} of them to be explored ", states, waiting) << std::flush;
+    shown_ = true;
+  }
+  void end() {
+    if (shown_) console_.err << "\r\x1b[K" << std::flush;
+  }
+
+private:
+  Console& console_;
+  std::chrono::steady_clock::time_point last_{};
+  bool shown_ = false;
+};
+
+bool any(const Exploration& exploration, Verdict::Kind kind) {
+  return std::any_of(exploration.verdicts.begin(), exploration.verdicts.end(),
+                     [&](const Verdict& verdict) { return verdict.kind == kind; });
+}
+
+} // namespace
+
+int run(const Explore& request, Console& console) {
+  dsl::Sources sources;
+  const std::optional<Checked> checked = load(request.file, {}, sources, console);
+  if (!checked) return misused;
+  if (!checked->lowerable) {
+    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours);
+    if (dsl::has_errors(checked->findings)) return found;
+    console.err << fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can "
+                               "be explored in it alone\n",
+                               shown_path(request.file));
+    return misused;
+  }
+  const Ground ground(checked->model);
+  Progress progress(console);
+  ExploreOptions options;
+  options.bound = request.bound;
+  options.behaviour = path_from(request.output, request.file);
+  if (console.err_colours)
+    options.progress = [&](std::size_t states, std::size_t waiting) { progress.show(states, waiting); };
+  const Exploration exploration = explore(ground, options);
+  progress.end();
+  console.out << to_text(exploration, ground);
+  for (const auto& [name, text] : scenarios_of(exploration, ground)) {
+    if (request.output.empty()) break;
+    const std::string path = (fs::path(request.output) / name).string();
+    if (const std::optional<std::string> fault = console.outputs.write(path, text)) {
+      console.err << fmt::format("directorc: cannot write `{}`: {}\n", path, *fault);
+      return misused;
+    }
+    console.out << fmt::format("wrote {}\n", path);
+  }
+  if (any(exploration, Verdict::Kind::refuted)) return found;
+  return any(exploration, Verdict::Kind::undecided) || !exploration.searched.complete ? undecided : clean;
+}
+
+} // namespace director::compiler::cli

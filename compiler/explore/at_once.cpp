@@ -1,0 +1,197 @@
+// Door: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+//
+// Proofs that need no exploration. Each says what it rests on; where none applies, the states decide.
+//
+// never_together: to be granted is to control a whole plan at once (4.4, Grant), so whatever is part of every plan of a
+// group is controlled for it for as long as it is granted. A group has one holder. Two groups that share such a part
+// can be granted together only if the part is held by one and the same edge for both, and following that edge's
+// requester upwards, only if one of the two is part of a plan of the other, which is ruled out.
+//
+// beats: a pass is greedy in order, so what a unit finds taken was taken by units that go before it. If both groups are
+// requested by root alone and neither leads to the other, any two edges of the two sides meet at root, where rules 3
+// and 4 of 4.1 compare the root edges: the winner's side always goes before, and never finds anything taken by the
+// loser's. (At rest nobody is stale, so nothing is kept against that order.)
+//
+// soft: what `to` may take by being granted are itself and what it may need. If `from` can neither ask for nor need any
+// of that, granting `to` takes nothing from it. Else a latch: `to` waits for a value of a state that is `of: from` and
+// does not begin with that value, that one causing provider of `from` alone ever sets, and that the `when` and `stay`
+// of all its other providers exclude. Then from the moment in which the causing provider set it the condition holds at
+// most for as long as `from` lives, and it is that provider which is active: a stop of `from` takes the value back
+// before anything else is decided.
+#include "compiler/checks/analysis/plans.hpp"
+#include "compiler/explore/verdict.hpp"
+#include "compiler/lower/plans.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+bool has(const std::vector<GroupId>& groups, GroupId group) {
+  return std::find(groups.begin(), groups.end(), group) != groups.end();
+}
+
+Verdict proven(std::string why) {
+  Verdict out;
+  out.kind = Verdict::Kind::proven;
+  out.why = std::move(why);
+  return out;
+}
+
+std::string quoted(const Model& model, GroupId group) { return fmt::format("`{}`", model.groups[group].name.value); }
+
+/// What both can only be granted with; nothing where there is no such thing.
+std::optional<GroupId> shared_part(const Model& model, const checks::Indispensable& parts, GroupId a, GroupId b) {
+  if (has(needed_by(model, a), b) || has(needed_by(model, b), a)) return {};
+  if (!parts.of(a) || !parts.of(b)) return {};
+  for (const GroupId part : *parts.of(a)) {
+    if (has(*parts.of(b), part)) return part;
+  }
+  return {};
+}
+
+std::optional<Verdict> never_together(const Assertion& assertion, const Model& model) {
+  const checks::Indispensable parts(model);
+  std::vector<std::string> shared;
+  for (std::size_t i = 0; i < assertion.groups.size(); ++i) {
+    for (std::size_t j = i + 1; j < assertion.groups.size(); ++j) {
+      const std::optional<GroupId> part = shared_part(model, parts, assertion.groups[i].id, assertion.groups[j].id);
+      if (!part) return {};
+      std::string word = quoted(model, *part);
+      if (std::find(shared.begin(), shared.end(), word) == shared.end()) shared.push_back(std::move(word));
+    }
+  }
+  return proven(
+      fmt::format("no two of them can be granted without {}, and a group has one holder", fmt::join(shared, " or ")));
+}
+
+/// All groups to which edges lead from this one, itself included.
+std::vector<GroupId> below(const Model& model, GroupId group) {
+  std::vector<GroupId> out{group};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    for (const EdgeId edge : model.groups[out[i]].edges) {
+      if (!has(out, model.edges[edge].target)) out.push_back(model.edges[edge].target);
+    }
+  }
+  return out;
+}
+
+/// The edge from root, if nobody else leads to it.
+std::optional<EdgeId> only_root_edge(const Model& model, GroupId group) {
+  const std::vector<EdgeId>& requesters = model.groups[group].requesters;
+  if (requesters.size() != 1 || model.edges[requesters.front()].requester) return {};
+  return requesters.front();
+}
+
+bool may_be_optional(const Edge& edge) {
+  return std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return level.optional; });
+}
+
+std::optional<Verdict> beats(const Assertion& assertion, const Model& model) {
+  const GroupId winner = assertion.groups.front().id, loser = assertion.groups.back().id;
+  const std::optional<EdgeId> first = only_root_edge(model, winner), second = only_root_edge(model, loser);
+  if (!first || !second || winner == loser) return {};
+  const auto priority = [](const Level& a, const Level& b) { return a.priority < b.priority; };
+  const std::vector<Level>&high = model.edges[*first].levels, &low = model.edges[*second].levels;
+  if (std::min_element(high.begin(), high.end(), priority)->priority <=
+      std::max_element(low.begin(), low.end(), priority)->priority)
+    return {};
+  const bool always_optional = std::all_of(low.begin(), low.end(), [](const Level& level) { return level.optional; });
+  bool optional = may_be_optional(model.edges[*first]);
+  for (const GroupId group : below(model, winner)) {
+    for (const EdgeId edge : model.groups[group].edges) optional = optional || may_be_optional(model.edges[edge]);
+  }
+  if (optional && !always_optional) return {};
+  return proven("both are requested by the program alone, and at root its side always goes first");
+}
+
+const ConditionUse* on_state(const Model& model, const std::vector<ConditionUse>& uses, StateId state) {
+  const auto at = std::find_if(uses.begin(), uses.end(),
+                               [&](const ConditionUse& use) { return model.conditions[use.id].state == state; });
+  return at == uses.end() ? nullptr : &*at;
+}
+
+bool may_set(const Model& model, const std::vector<ConditionUse>& uses, const Condition& wanted) {
+  return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) {
+    const Condition& set = model.conditions[use.id];
+    return set.state == wanted.state && !set.accepts.intersected(wanted.accepts).empty();
+  });
+}
+
+/// Whenever one of these is required, the condition is false.
+bool excludes(const Model& model, const std::vector<ConditionUse>& uses, const Condition& wanted) {
+  return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) {
+    const Condition& other = model.conditions[use.id];
+    return other.state == wanted.state && other.accepts.intersected(wanted.accepts).empty();
+  });
+}
+
+/// The provider of `from` that alone latches what is wanted; nothing if that is no latch.
+std::optional<ProviderId> latched_by(const Model& model, GroupId from, const Condition& wanted) {
+  const State& state = model.states[wanted.state];
+  if (!state.of || state.of->id != from || state.external || state.expires || !state.initial ||
+      wanted.accepts.contains(*state.initial))
+    return {};
+  std::optional<ProviderId> out;
+  for (const ProviderId id : model.providers.ids()) {
+    const Provider& provider = model.providers[id];
+    if (!may_set(model, provider.causing, wanted) && !may_set(model, provider.sets, wanted)) continue;
+    if (out || provider.group != from || on_state(model, provider.causing, wanted.state) == nullptr) return {};
+    out = id;
+  }
+  for (const Group& group : model.groups) {
+    for (const auto* handler : {&group.start, &group.stop}) {
+      if (*handler && may_set(model, (*handler)->sets, wanted)) return {};
+    }
+  }
+  for (const ProviderId id : model.groups[from].providers) {
+    const Provider& provider = model.providers[id];
+    const bool excluded =
+        excludes(model, provider.when, wanted) && (provider.stay.empty() || excludes(model, provider.stay, wanted));
+    if (id != out && !excluded) return {};
+  }
+  return out;
+}
+
+std::optional<Verdict> latch(const Model& model, GroupId from, GroupId to) {
+  std::optional<ProviderId> by;
+  for (const ProviderId id : model.groups[to].providers) {
+    std::optional<ProviderId> one;
+    for (const ConditionUse& use : model.providers[id].when) {
+      if (!one) one = latched_by(model, from, model.conditions[use.id]);
+    }
+    if (!one) return {};
+    by = one;
+  }
+  return proven(fmt::format("{} waits for what only `{}` sets, and only while that runs", quoted(model, to),
+                            model.full_name(*by)));
+}
+
+std::optional<Verdict> soft(const Assertion& assertion, const Model& model) {
+  const GroupId from = assertion.groups.front().id, to = assertion.groups.back().id;
+  std::vector<GroupId> takes = needed_by(model, to);
+  takes.push_back(to);
+  const std::vector<GroupId> has_all = below(model, from);
+  const bool apart = std::none_of(takes.begin(), takes.end(), [&](GroupId group) { return has(has_all, group); });
+  if (!apart) return latch(model, from, to);
+  return proven(
+      fmt::format("being granted, {} takes nothing that {} asks for or needs", quoted(model, to), quoted(model, from)));
+}
+
+} // namespace
+
+std::optional<Verdict> prove_at_once(const Assertion& assertion, const Model& model) {
+  switch (assertion.kind) {
+  case Assertion::Kind::never_together: return never_together(assertion, model);
+  case Assertion::Kind::beats: return beats(assertion, model);
+  case Assertion::Kind::soft: return soft(assertion, model);
+  case Assertion::Kind::can_run: break;
+  }
+  return {};
+}
+
+} // namespace director::compiler

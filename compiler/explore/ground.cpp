@@ -1,0 +1,280 @@
+// Door: compiler/explore/ground.hpp. Test: tests/compiler/explore/ground_test.cpp.
+#include "compiler/explore/ground.hpp"
+
+#include "compiler/lower/lower.hpp"
+#include "compiler/lower/steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace director::compiler {
+
+namespace {
+
+/// All ways to take one option at each place, the first of each place first. Nothing if there are too many.
+template <class T>
+std::optional<std::vector<std::vector<T>>> product(const std::vector<std::vector<std::optional<T>>>& places,
+                                                   std::size_t most) {
+  std::size_t count = 1;
+  for (const auto& options : places) {
+    count *= options.size();
+    if (count > most) return {};
+  }
+  std::vector<std::vector<T>> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<T>& row = out.emplace_back();
+    std::size_t rest = i;
+    for (const auto& options : places) {
+      if (const std::optional<T>& option = options[rest % options.size()]) row.push_back(*option);
+      rest /= options.size();
+    }
+  }
+  return out;
+}
+
+/// Where there are too many ways: the first of each place, none at all, and each option alone.
+template <class T>
+std::vector<std::vector<T>> few(const std::vector<std::vector<std::optional<T>>>& places) {
+  std::vector<std::vector<T>> out(1);
+  for (const auto& options : places) {
+    if (options.front()) out.front().push_back(*options.front());
+  }
+  out.emplace_back();
+  for (const auto& options : places) {
+    for (const std::optional<T>& option : options) {
+      if (option) out.push_back({*option});
+    }
+  }
+  return out;
+}
+
+class Builder {
+public:
+  explicit Builder(Ground& ground) : g_(ground), model_(ground.model) {}
+
+  void build() {
+    find_classes();
+    drop_time();
+    for (const ProviderId id : model_.providers.ids()) g_.bodies.push_back(body(id));
+    for (const Group& group : model_.groups) {
+      g_.starting.push_back(handler(group.start));
+      g_.stopping.push_back(handler(group.stop));
+    }
+    find_requests();
+    find_sets();
+    find_expiries();
+    if (kept_whole_) leave_out("a body that leaves out an optional entry of a pack");
+    if (few_tasks_)
+      leave_out(
+          fmt::format("more than one, but not all, of more than {} flat tasks, or of their levels", most_subsets_of));
+    if (few_values_) leave_out("a body that sets several states at once, where that has too many ways");
+    leave_out("an entry that is kept beside one that is new");
+    leave_out("providers that are disabled, steps whose budget runs out, bodies that throw");
+    leave_out("two timers that are due at the same microsecond");
+  }
+
+private:
+  void leave_out(std::string what) { g_.left_out.push_back(std::move(what)); }
+
+  void find_classes() {
+    for (Index s = 0; s < g_.lowered.states.size(); ++s) {
+      std::vector<const ValueSet*> conditions;
+      for (Index c = 0; c < g_.lowered.conditions.size(); ++c) {
+        if (g_.lowered.conditions[c].state == s)
+          conditions.push_back(&model_.conditions[g_.lowered.condition_ids[c]].accepts);
+      }
+      g_.classes.emplace_back(model_.states[StateId{s}], conditions);
+    }
+  }
+
+  void drop_time() {
+    Lowered& t = g_.lowered;
+    for (director::StateVariable& state : t.states) state.expires = 0;
+    for (const director::Promise& promise : t.promises) {
+      if (promise.trigger != nil && !t.triggers[promise.trigger].listeners.empty())
+        g_.broken.push_back({promise.provider, promise.trigger});
+    }
+    t.promises.clear();
+    for (Index i = 0; i < t.triggers.size(); ++i) {
+      if (!model_.triggers[TriggerId{i}].promise && !t.triggers[i].listeners.empty()) g_.triggers.push_back(i);
+    }
+    for (director::Provider& provider : t.providers) {
+      provider.promises = {};
+      provider.every = 0;
+    }
+    for (const director::Group& group : t.groups) {
+      std::vector<Index> listeners;
+      for (Index p = group.providers.begin; p != group.providers.end; ++p) listeners.push_back(p);
+      g_.wake.push_back(static_cast<Index>(t.triggers.size()));
+      director::Trigger trigger;
+      trigger.listeners = add_list(t, listeners);
+      t.triggers.push_back(trigger);
+    }
+  }
+
+  FreeBody body(ProviderId id) {
+    const Provider& provider = model_.providers[id];
+    FreeBody out;
+    for (const Pack& pack : provider.packs) {
+      std::vector<std::vector<std::optional<Ask>>> places;
+      for (const Task& task : pack.tasks) {
+        std::vector<std::optional<Ask>>& options = places.emplace_back();
+        const auto edge = static_cast<Index>(task.edge.value);
+        for (const Task::NamedLevel& level : task.levels) {
+          const auto row = static_cast<Index>(g_.lowered.edges[edge].levels.begin + level.level);
+          const bool twice =
+              std::any_of(options.begin(), options.end(), [&](const auto& o) { return o->level == row; });
+          if (!twice) options.push_back(Ask{edge, row});
+        }
+        kept_whole_ = kept_whole_ || (provider.has_packs && g_.lowered.levels[options.front()->level].optional);
+        if (!provider.has_packs) options.emplace_back();
+      }
+      auto all =
+          places.size() <= most_subsets_of || provider.has_packs ? product(places, most_combinations) : std::nullopt;
+      few_tasks_ = few_tasks_ || !all;
+      for (Asks& asks : all ? *all : few(places)) {
+        if (provider.has_packs && asks.size() < pack.tasks.size()) continue;
+        out.packs.push_back(std::move(asks));
+      }
+    }
+    if (provider.packs.empty()) out.packs.emplace_back();
+    out.puts = puts(provider.causing, provider.sets);
+    return out;
+  }
+
+  std::vector<Puts> handler(const std::optional<Handler>& handler) {
+    return puts(handler ? handler->sets : std::vector<ConditionUse>{}, {});
+  }
+
+  /// One place for each state; what is in `first` is usually set.
+  std::vector<Puts> puts(const std::vector<ConditionUse>& first, const std::vector<ConditionUse>& second) {
+    std::vector<StateId> states;
+    std::map<StateId, std::vector<std::optional<Put>>> options;
+    const auto add = [&](const std::vector<ConditionUse>& uses, bool usually) {
+      for (const ConditionUse& use : uses) {
+        const Condition& condition = model_.conditions[use.id];
+        const ValueClasses& classes = g_.classes[condition.state.value];
+        if (classes.count() < 2 && model_.states[condition.state].initial) continue; // no decision depends on it
+        auto [at, fresh] = options.try_emplace(condition.state);
+        if (fresh) states.push_back(condition.state);
+        if (fresh && !usually) at->second.emplace_back();
+        for (std::size_t c = 0; c < classes.count(); ++c) {
+          const ValueSet values = classes.values(c).intersected(condition.accepts);
+          const bool there = std::any_of(at->second.begin(), at->second.end(), [&](const std::optional<Put>& put) {
+            return put && classes.of(put->value) == c;
+          });
+          if (values.empty() || there) continue;
+          at->second.push_back(Put{row(condition.state), static_cast<std::int32_t>(values.intervals().front().low)});
+        }
+        if (fresh && usually) at->second.emplace_back();
+      }
+    };
+    add(first, true);
+    add(second, false);
+    std::vector<std::vector<std::optional<Put>>> places;
+    for (const StateId state : states) places.push_back(options[state]);
+    if (auto all = product(places, most_combinations)) return *all;
+    few_values_ = true;
+    return few(places);
+  }
+
+  void find_requests() {
+    std::vector<std::vector<std::optional<Ask>>> places;
+    for (const Task& root : model_.roots) {
+      std::vector<std::optional<Ask>>& options = places.emplace_back();
+      const auto edge = static_cast<Index>(root.edge.value);
+      const Range levels = g_.lowered.edges[edge].levels;
+      options.emplace_back();
+      for (Index level = levels.begin; level != levels.end; ++level) options.push_back(Ask{edge, level});
+    }
+    if (auto all = product(places, 32)) {
+      for (Asks& asks : *all) {
+        if (!asks.empty()) g_.requests.push_back(std::move(asks));
+      }
+      return;
+    }
+    for (const auto& options : places) {
+      for (std::size_t i = 1; i < options.size(); ++i) g_.requests.push_back({*options[i]});
+    }
+    leave_out("several root tasks in one input (they are queued one after another)");
+  }
+
+  void find_sets() {
+    std::vector<std::vector<std::optional<Put>>> places;
+    for (const StateId id : model_.states.ids()) {
+      const State& state = model_.states[id];
+      const ValueClasses& classes = g_.classes[id.value];
+      if (!state.external || (classes.count() < 2 && !state.may_be_unset())) continue;
+      std::vector<std::optional<Put>>& options = places.emplace_back();
+      options.emplace_back();
+      for (std::size_t c = 0; c < classes.count(); ++c) {
+        options.push_back(Put{row(id), static_cast<std::int32_t>(classes.values(c).intervals().front().low)});
+      }
+    }
+    for (const auto& options : places) {
+      for (std::size_t i = 1; i < options.size(); ++i) g_.sets.push_back({*options[i]});
+    }
+    const auto all = product(places, most_combinations);
+    for (std::size_t i = 0; all && i < all->size(); ++i) {
+      if ((*all)[i].size() > 1) g_.sets.push_back((*all)[i]);
+    }
+    if (!all) leave_out("several states that are set in one input (they are queued one after another)");
+  }
+
+  void find_expiries() {
+    for (const StateId id : model_.states.ids()) {
+      const State& state = model_.states[id];
+      if (!state.expires) continue;
+      if (state.external && state.expires->to) continue; // the outside may say the same
+      const std::int32_t to = state.expires->to ? static_cast<std::int32_t>(*state.expires->to) : unset;
+      g_.expiries.push_back({row(id), to});
+    }
+  }
+
+  Ground& g_;
+  const Model& model_;
+  bool kept_whole_ = false, few_tasks_ = false, few_values_ = false;
+};
+
+} // namespace
+
+ValueClasses::ValueClasses(const State& state, const std::vector<const ValueSet*>& conditions) {
+  begins_.push_back(state.low);
+  for (const ValueSet* accepts : conditions) {
+    for (const ValueSet::Interval& interval : accepts->intervals()) {
+      for (const std::int64_t at : {interval.low, interval.high + 1}) {
+        if (at > state.low && at <= state.high) begins_.push_back(at);
+      }
+    }
+  }
+  std::sort(begins_.begin(), begins_.end());
+  begins_.erase(std::unique(begins_.begin(), begins_.end()), begins_.end());
+  std::vector<std::vector<bool>> seen;
+  for (std::size_t i = 0; i < begins_.size(); ++i) {
+    std::vector<bool> satisfied;
+    for (const ValueSet* accepts : conditions) satisfied.push_back(accepts->contains(begins_[i]));
+    const auto at = std::find(seen.begin(), seen.end(), satisfied);
+    pieces_.push_back(static_cast<std::size_t>(at - seen.begin()));
+    if (at == seen.end()) {
+      seen.push_back(std::move(satisfied));
+      classes_.emplace_back();
+    }
+    const std::int64_t end = i + 1 < begins_.size() ? begins_[i + 1] - 1 : state.high;
+    classes_[pieces_.back()] = classes_[pieces_.back()].united(ValueSet::interval(begins_[i], end));
+  }
+}
+
+std::size_t ValueClasses::of(std::int32_t value) const {
+  if (value == unset) return classes_.size();
+  const auto at = std::upper_bound(begins_.begin(), begins_.end(), std::int64_t{value});
+  return pieces_[static_cast<std::size_t>(at - begins_.begin()) - 1];
+}
+
+Ground::Ground(const Model& of) : model(of), lowered(lower(of)) {
+  Builder(*this).build();
+  tables = lowered.view();
+}
+
+} // namespace director::compiler

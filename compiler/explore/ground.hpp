@@ -1,0 +1,81 @@
+#pragma once
+// What is explored: the tables of a behaviour without time, and everything that the program and the bodies may do in
+// it. Made once, then only read.
+//
+// Nobody knows what the C++ bodies do, so each may do all that it declares. Time is left out of the tables: a timer may
+// be due whenever nothing else is left to do, in any order, so that a state expires by an input that sets it, and a
+// wait, an `every` or a broken promise is a trigger that is fired. That is more than can happen; what is true of it is
+// true of the robot, and what is false of it is played again with real time before anybody is told.
+
+#include "compiler/lower/lowered.hpp"
+#include "compiler/model/model.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+/// The values of a state that no condition tells apart.
+class ValueClasses {
+public:
+  ValueClasses() = default;
+  ValueClasses(const State& state, const std::vector<const ValueSet*>& conditions);
+  std::size_t count() const { return classes_.size(); }
+  const ValueSet& values(std::size_t number) const { return classes_[number]; }
+  std::size_t of(std::int32_t value) const; ///< count(): unset
+
+private:
+  std::vector<ValueSet> classes_;
+  std::vector<std::int64_t> begins_; ///< of pieces of the domain, ascending
+  std::vector<std::size_t> pieces_;  ///< the class of each
+};
+
+struct Ask {
+  Index edge = 0, level = 0;
+};
+using Asks = std::vector<Ask>;
+
+struct Put {
+  Index state = 0;
+  std::int32_t value = unset;
+};
+using Puts = std::vector<Put>;
+
+/// What a body may answer. The first of each list is the usual one: the first pack or all tasks, and every promise
+/// kept.
+struct FreeBody {
+  std::vector<Asks> packs;
+  std::vector<Puts> puts;
+};
+
+struct Broken {
+  Index provider = 0, trigger = 0;
+};
+
+/// The limits of what is tried; beyond them it is less than everything, and `left_out` says so.
+inline constexpr std::size_t most_subsets_of = 8;     ///< flat tasks of which every subset is asked for
+inline constexpr std::size_t most_combinations = 256; ///< of values, levels or packs at one place
+
+struct Ground {
+  explicit Ground(const Model& model);
+  Ground(const Ground&) = delete;
+  Ground& operator=(const Ground&) = delete;
+
+  const Model& model;
+  Lowered lowered;                         ///< without time, and with a trigger for each group that wakes it
+  Tables tables;                           ///< of `lowered`
+  std::vector<ValueClasses> classes;       ///< state
+  std::vector<FreeBody> bodies;            ///< provider
+  std::vector<std::vector<Puts>> starting; ///< group: what its start handler may set
+  std::vector<std::vector<Puts>> stopping;
+  std::vector<Index> wake;           ///< group: its trigger
+  std::vector<Asks> requests;        ///< what the program may ask for in one input
+  std::vector<Puts> sets;            ///< what the outside may set in one input
+  std::vector<Index> triggers;       ///< that the outside may fire and somebody listens to
+  Puts expiries;                     ///< what a state expires to, where the outside cannot set it so
+  std::vector<Broken> broken;        ///< promises that somebody listens to
+  std::vector<std::string> left_out; ///< sentences without a full stop: what may happen and is not tried
+};
+
+} // namespace director::compiler

@@ -1,0 +1,110 @@
+#pragma once
+// The real engine, one micro-step at a time, with bodies that pick from a tape what they do. Its state can be taken
+// out, put back and told apart from others.
+
+#include "compiler/explore/ground.hpp"
+#include "compiler/explore/tape.hpp"
+#include "runtime/core/engine.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace director::compiler {
+
+/// What may happen next.
+struct Happens {
+  enum class Kind : std::uint8_t {
+    go,      ///< the engine goes on: a run, what handlers set, or one more arbitration
+    request, ///< `row` of Ground::requests
+    cancel,  ///< root edge `row`
+    set,     ///< `row` of Ground::sets
+    fire,    ///< trigger `row`
+    wake,    ///< a wait or `every` of group `row` is due
+    expire,  ///< `row` of Ground::expiries
+    breaks,  ///< `row` of Ground::broken
+  };
+  Kind kind = Kind::go;
+  Index row = 0;
+};
+
+/// What a body or handler did.
+struct Deed {
+  enum class Kind : std::uint8_t { run, start, stop };
+  enum class Answer : std::uint8_t { pack, kept, keep, done };
+  Kind kind = Kind::run;
+  Answer answer = Answer::pack;
+  Index group = 0, provider = nil;
+  std::size_t pack = 0; ///< of FreeBody::packs
+  std::size_t puts = 0; ///< of FreeBody::puts, Ground::starting or Ground::stopping
+};
+
+/// Between two micro-steps.
+enum class Phase : std::uint8_t {
+  rest,   ///< nothing is left to do without an input
+  open,   ///< an input was taken and nothing has run yet: more inputs may stand in the inbox
+  closed, ///< runs go on to the end before the next input
+};
+
+/// A state of the engine, packed.
+struct Packed {
+  std::vector<std::uint64_t> words;
+  Phase phase = Phase::rest;
+  std::uint64_t watch = 0; ///< what somebody remembers beside it (assertions)
+};
+
+/// How much of what may happen is tried.
+enum class Breadth : std::uint8_t {
+  all,
+  lean, ///< one input at a time, and each only at rest; nothing is kept. Fewer states, so that more of them can be seen
+};
+
+class Machine {
+public:
+  Machine(const Ground& ground, Breadth breadth);
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  void start(); ///< the first state, at rest
+  void pack(Packed& out) const;
+  void unpack(const Packed& packed); ///< and `again()` comes back to it
+  void again();
+
+  /// What may happen now, in a fixed order.
+  void list(std::vector<Happens>& out) const;
+  /// One micro-step; its bodies pick from the tape. What they did is in deeds().
+  void take(const Happens& happens, Tape& tape);
+  const std::vector<Deed>& deeds() const { return deeds_; }
+
+  /// Forgets what no decision depends on: how long ago requests were made. Then a number that is the same for states
+  /// that behave alike (and with a chance of 2^-64 for two that do not). Semantics: see key.cpp.
+  std::uint64_t key(std::uint64_t watch);
+
+  Phase phase() const { return phase_; }
+  const Engine& engine() const { return engine_; }
+  const Ground& ground() const { return ground_; }
+  std::size_t block_bytes() const { return block_; }
+
+private:
+  Outcome run(Run& run);
+  void handle(Handling& handling, Deed::Kind kind);
+  void post(const Happens& happens);
+  Bodies table();
+
+  const Ground& ground_;
+  Breadth breadth_;
+  std::vector<Outcome (*)(void*, Run&)> runs_;
+  std::vector<void (*)(void*, Handling&)> starts_, stops_;
+  std::vector<Inbox::Cell> cells_;
+  Inbox inbox_;
+  std::vector<std::uint64_t> memory_;
+  Engine engine_;
+  std::size_t block_; ///< bytes of the decision state
+  std::vector<std::uint64_t> first_, loaded_;
+  Phase phase_ = Phase::rest, loaded_phase_ = Phase::rest;
+  Tape* tape_ = nullptr;
+  std::vector<Deed> deeds_;
+  std::vector<Index> scratch_;
+};
+
+} // namespace director::compiler

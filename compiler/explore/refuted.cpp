@@ -1,0 +1,34 @@
+// Door: compiler/explore/refuted.hpp. Test: compiler/checks/assertion_failed.md.
+#include "compiler/explore/refuted.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler {
+
+std::vector<dsl::Diagnostic> refuted_assertions(const Model& model, const std::vector<Verdict>& verdicts) {
+  std::vector<dsl::Diagnostic> out;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i].kind != Verdict::Kind::refuted) continue;
+    const Assertion& assertion = model.assertions[i];
+    dsl::Diagnostic finding;
+    finding.id = "assertion_failed";
+    finding.level = dsl::Level::error;
+    finding.span = assertion.span;
+    finding.message = fmt::format("`{}` is not true: {}", words_of(assertion, model), verdicts[i].why);
+    if (verdicts[i].scenario) finding.help = "`directorc explore FILE --output FOLDER` writes a scenario that shows it";
+    out.push_back(std::move(finding));
+  }
+  return out;
+}
+
+std::vector<std::string> undecided_assertions(const Model& model, const std::vector<Verdict>& verdicts) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i].kind != Verdict::Kind::undecided) continue;
+    out.push_back(fmt::format("{}: {}; `directorc explore --bound N` tries more", words_of(model.assertions[i], model),
+                              verdicts[i].why));
+  }
+  return out;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,15 @@
+#pragma once
+// What a check says about assertions that are not true. Its page: compiler/checks/assertion_failed.md.
+
+#include "compiler/explore/verdict.hpp"
+#include "dsl/diagnostic.hpp"
+
+namespace director::compiler {
+
+/// assertion_failed, for each that is refuted.
+std::vector<dsl::Diagnostic> refuted_assertions(const Model& model, const std::vector<Verdict>& verdicts);
+
+/// Those that are not decided, each in a line that says why.
+std::vector<std::string> undecided_assertions(const Model& model, const std::vector<Verdict>& verdicts);
+
+} // namespace director::compiler

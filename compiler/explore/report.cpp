@@ -1,0 +1,144 @@
+// Door: compiler/explore/report.hpp. Test: tests/compiler/explore/search_test.cpp.
+#include "compiler/explore/report.hpp"
+
+#include "compiler/explore/write_scenario.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace director::compiler {
+
+namespace {
+
+std::string_view name_of(Verdict::Kind kind) {
+  switch (kind) {
+  case Verdict::Kind::proven: return "proven";
+  case Verdict::Kind::refuted: return "refuted";
+  case Verdict::Kind::undecided: break;
+  }
+  return "not decided";
+}
+
+std::string file_name(std::string words) {
+  std::string out;
+  for (const char c : words) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_')
+      out += c;
+    else if (!out.empty() && out.back() != '_')
+      out += '_';
+  }
+  while (!out.empty() && out.back() == '_') out.pop_back();
+  return out + ".scenario.yaml";
+}
+
+/// The groups that start or stop in a round, or else those that run.
+std::string moving(const std::vector<Taken>& round, const Model& model) {
+  std::set<std::string> names;
+  for (const Taken& taken : round) {
+    for (const Deed& deed : taken.deeds)
+      names.insert(deed.kind == Deed::Kind::run ? model.full_name(ProviderId{deed.provider})
+                                                : model.groups[GroupId{deed.group}].name.value);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Exploration::Oscillation oscillation(const Ground& ground, const Searched::Cycle& cycle, const std::string& behaviour) {
+  Exploration::Oscillation out;
+  Way way = cycle.way;
+  way.resize(way.size() + cycle.length, 0); // what is usual is the first thing that can happen
+  std::vector<Taken> all = follow(ground, way, Breadth::all);
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(cycle.way.size());
+  out.round.assign(begin, all.end());
+  out.way.assign(all.begin(), begin);
+  Telling telling;
+  telling.title = "it never comes to rest";
+  telling.doc = "The last step goes round for ever: " + moving(out.round, ground.model) + ".";
+  telling.behaviour = behaviour;
+  telling.round = out.round;
+  out.scenario = write_scenario(ground, out.way, telling);
+  return out;
+}
+
+std::string megabytes(std::size_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
+
+} // namespace
+
+Exploration explore(const Ground& ground, const ExploreOptions& options) {
+  const Model& model = ground.model;
+  SearchOptions how;
+  how.bound = options.bound;
+  how.threads = options.threads;
+  how.progress = options.progress;
+  std::vector<std::optional<Verdict>> early = decide_early(ground, how, options.behaviour);
+  how.assertions = without_verdict(early);
+  Exploration out{search(ground, how), {}, {}, {}, {}};
+  out.verdicts = decide_late(ground, std::move(early), out.searched, options.behaviour);
+  for (const ProviderId id : model.providers.ids()) {
+    if (!out.searched.happened.ran[id.value]) out.never_ran.push_back(id);
+  }
+  for (const EdgeId id : model.edges.ids()) {
+    const bool waits = out.searched.happened.asked[id.value] && !out.searched.happened.granted[id.value];
+    if (out.searched.complete && waits) out.starved.push_back(id);
+  }
+  std::set<std::string> told; // of several ways into one round the shortest is enough
+  for (const Searched::Cycle& cycle : out.searched.cycles) {
+    Exploration::Oscillation each = oscillation(ground, cycle, options.behaviour);
+    if (told.insert(moving(each.round, model)).second) out.oscillations.push_back(std::move(each));
+  }
+  return out;
+}
+
+std::string to_text(const Exploration& exploration, const Ground& ground) {
+  const Model& model = ground.model;
+  const Searched& searched = exploration.searched;
+  std::string out = fmt::format("{} states, {} of them explored ({}), {} micro-steps, {} at most\n", searched.states,
+                                searched.explored, searched.complete ? "all there are" : "the bound was reached",
+                                searched.micro_steps, megabytes(searched.most_bytes));
+  for (const RootSet& set : searched.root_sets) {
+    std::vector<std::string> names;
+    for (const Index edge : set.roots) names.push_back(model.groups[model.edges[EdgeId{edge}].target].name.value);
+    out += fmt::format("  requested {}: {} found, {:.1f} % explored\n",
+                       names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", ")), set.found,
+                       100.0 * static_cast<double>(set.explored) / static_cast<double>(set.found));
+  }
+  if (!exploration.verdicts.empty()) out += "Assertions\n";
+  for (std::size_t i = 0; i < exploration.verdicts.size(); ++i) {
+    const Verdict& verdict = exploration.verdicts[i];
+    out += fmt::format("  {}: {}: {}\n", name_of(verdict.kind), words_of(model.assertions[i], model), verdict.why);
+  }
+  const std::string_view so_far = searched.complete ? "" : " so far";
+  if (!exploration.never_ran.empty()) {
+    std::vector<std::string> names;
+    for (const ProviderId id : exploration.never_ran) names.push_back(model.full_name(id));
+    out += fmt::format("Never ran{}: {}\n", so_far, fmt::join(names, ", "));
+  }
+  for (const EdgeId id : exploration.starved)
+    out +=
+        fmt::format("Requested for ever: {} is never granted, though its conditions can be met\n", model.edge_name(id));
+  for (const Exploration::Oscillation& each : exploration.oscillations)
+    out += fmt::format("Never at rest: after {} it goes round in {} micro-steps: {}\n", in_words(ground, each.way),
+                       each.round.size(), moving(each.round, model));
+  out += "Not tried\n";
+  for (const std::string& what : ground.left_out) out += fmt::format("  - {}\n", what);
+  return out;
+}
+
+std::vector<std::pair<std::string, std::string>> scenarios_of(const Exploration& exploration, const Ground& ground) {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (std::size_t i = 0; i < exploration.verdicts.size(); ++i) {
+    const Verdict& verdict = exploration.verdicts[i];
+    if (verdict.scenario)
+      out.emplace_back(file_name(words_of(ground.model.assertions[i], ground.model)), *verdict.scenario);
+  }
+  for (std::size_t i = 0; i < exploration.oscillations.size(); ++i) {
+    if (exploration.oscillations[i].scenario)
+      out.emplace_back(file_name(fmt::format("never_at_rest_{}", i + 1)), *exploration.oscillations[i].scenario);
+  }
+  return out;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,59 @@
+#pragma once
+// Breadth first through all states, on all cores. Result and order depend on nothing but the behaviour and the bound.
+
+#include "compiler/explore/watch.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace director::compiler {
+
+struct SearchOptions {
+  std::size_t bound = 1'000'000;       ///< distinct states
+  unsigned threads = 0;                ///< 0: as many as there are cores
+  std::vector<std::size_t> assertions; ///< of the Model: to look at
+  Breadth breadth = Breadth::all;
+  bool only_assertions = false; ///< ends as soon as there is nothing left to see of them
+  std::function<void(std::size_t states, std::size_t waiting)> progress; ///< now and then
+};
+
+/// A way from the start: from each state the so-manieth of all that can happen in it.
+using Way = std::vector<std::uint32_t>;
+
+struct RootSet {
+  std::vector<Index> roots; ///< edges: those that are requested
+  std::size_t found = 0, explored = 0;
+};
+
+struct Searched {
+  std::size_t states = 0, explored = 0, micro_steps = 0;
+  Breadth breadth = Breadth::all;       ///< in which its ways can be followed
+  bool complete = false;                ///< with this breadth
+  std::vector<std::optional<Way>> seen; ///< assertion: the shortest way to what Watch looks for
+  Happened happened;
+  /// Micro-steps without an input that come back to where they began, where every body does what is usual: the way to
+  /// that state, and how many they are. At most a few.
+  struct Cycle {
+    Way way;
+    std::size_t length = 0;
+  };
+  std::vector<Cycle> cycles;
+  std::vector<RootSet> root_sets;
+  std::size_t most_bytes = 0; ///< that states took at one time
+
+  explicit Searched(const Tables& tables) : happened(tables) {}
+};
+
+Searched search(const Ground& ground, const SearchOptions& options);
+
+/// One micro-step of a way, played again.
+struct Taken {
+  Happens happens;
+  std::vector<Deed> deeds;
+  Phase before = Phase::rest, after = Phase::rest;
+};
+std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth);
+
+} // namespace director::compiler

@@ -1,0 +1,120 @@
+// Door: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+#include "compiler/explore/verdict.hpp"
+
+#include "compiler/explore/write_scenario.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace director::compiler {
+
+namespace {
+
+std::string refuted_by(const Assertion& assertion, const Model& model) {
+  const auto name = [&](std::size_t i) { return fmt::format("`{}`", model.groups[assertion.groups[i].id].name.value); };
+  switch (assertion.kind) {
+  case Assertion::Kind::never_together: return "two of them are granted";
+  case Assertion::Kind::beats:
+    return fmt::format("a task of {}, or below it, is blocked by a group that the side of {} holds", name(0), name(1));
+  case Assertion::Kind::soft:
+    return fmt::format("granting {} takes what {} holds, and none of its causing providers ran since {} was requested",
+                       name(1), name(0), name(1));
+  case Assertion::Kind::can_run: break;
+  }
+  return {};
+}
+
+Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched, const std::string& behaviour) {
+  const Assertion& assertion = ground.model.assertions[at];
+  const bool wanted = assertion.kind == Assertion::Kind::can_run;
+  Verdict out;
+  out.explored = true;
+  if (!searched.seen[at]) {
+    if (!searched.complete) {
+      out.why = fmt::format("not found in {} states, and there are more", searched.states);
+    } else {
+      out.kind = wanted ? Verdict::Kind::refuted : Verdict::Kind::proven;
+      out.why = wanted ? fmt::format("it runs in none of its {} states", searched.states)
+                       : fmt::format("it holds in all {} states", searched.states);
+    }
+    return out;
+  }
+  out.way = follow(ground, *searched.seen[at], searched.breadth);
+  Telling telling;
+  telling.title = fmt::format("{}: {}", wanted ? "it runs" : "refuted", words_of(assertion, ground.model));
+  for (char& c : telling.title) c = c == ':' ? ',' : c; // a plain YAML word
+  telling.doc = wanted ? "How it comes to run." : "In the last step " + refuted_by(assertion, ground.model) + ".";
+  telling.behaviour = behaviour;
+  out.scenario = write_scenario(ground, out.way, telling);
+  if (!out.scenario) {
+    out.why = "a way to it was found, but only with timers that are due in an order that could not be played";
+    out.way.clear();
+    return out;
+  }
+  out.kind = wanted ? Verdict::Kind::proven : Verdict::Kind::refuted;
+  out.why = wanted ? "it runs after: " + in_words(ground, out.way)
+                   : fmt::format("after {}, {}", in_words(ground, out.way), refuted_by(assertion, ground.model));
+  return out;
+}
+
+} // namespace
+
+std::string words_of(const Assertion& assertion, const Model& model) {
+  std::vector<std::string> names;
+  for (const Use<GroupId>& use : assertion.groups) names.push_back(model.groups[use.id].name.value);
+  switch (assertion.kind) {
+  case Assertion::Kind::never_together: return fmt::format("never_together [{}]", fmt::join(names, ", "));
+  case Assertion::Kind::beats: return fmt::format("beats {{{}: {}}}", names.front(), names.back());
+  case Assertion::Kind::soft: return fmt::format("soft {{from: {}, to: {}}}", names.front(), names.back());
+  case Assertion::Kind::can_run: break;
+  }
+  return "can_run " + names.front();
+}
+
+std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOptions options,
+                                                 const std::string& behaviour) {
+  std::vector<std::optional<Verdict>> out;
+  for (const Assertion& assertion : ground.model.assertions) out.push_back(prove_at_once(assertion, ground.model));
+  options.breadth = Breadth::lean;
+  options.only_assertions = true;
+  options.assertions = without_verdict(out);
+  if (options.assertions.empty()) return out;
+  const Searched searched = search(ground, options);
+  for (const std::size_t i : options.assertions) {
+    if (!searched.seen[i]) continue;
+    Verdict verdict = by_search(ground, i, searched, behaviour);
+    if (verdict.kind != Verdict::Kind::undecided) out[i] = std::move(verdict);
+  }
+  return out;
+}
+
+std::vector<std::size_t> without_verdict(const std::vector<std::optional<Verdict>>& verdicts) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (!verdicts[i]) out.push_back(i);
+  }
+  return out;
+}
+
+std::vector<Verdict> decide_late(const Ground& ground, std::vector<std::optional<Verdict>> early,
+                                 const Searched& searched, const std::string& behaviour) {
+  std::vector<Verdict> out;
+  for (std::size_t i = 0; i < early.size(); ++i) {
+    out.push_back(early[i] ? std::move(*early[i]) : by_search(ground, i, searched, behaviour));
+  }
+  return out;
+}
+
+std::vector<Verdict> decide_assertions(const Model& model, std::size_t bound) {
+  const Ground ground(model);
+  const std::string behaviour = model.name + ".yaml";
+  SearchOptions options;
+  options.bound = bound;
+  options.only_assertions = true;
+  std::vector<std::optional<Verdict>> early = decide_early(ground, options, behaviour);
+  options.assertions = without_verdict(early);
+  if (options.assertions.empty()) return decide_late(ground, std::move(early), Searched(ground.tables), behaviour);
+  return decide_late(ground, std::move(early), search(ground, options), behaviour);
+}
+
+} // namespace director::compiler

@@ -1,0 +1,197 @@
+// Door: compiler/explore/watch.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+#include "compiler/explore/watch.hpp"
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+void unite(std::vector<bool>& all, const std::vector<bool>& more) {
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || more[i];
+}
+
+} // namespace
+
+Happened::Happened(const Tables& tables)
+    : ran(tables.providers.size()),
+      granted(tables.edges.size()),
+      asked(tables.edges.size()) {}
+
+void Happened::add(const Happened& other) {
+  unite(ran, other.ran);
+  unite(granted, other.granted);
+  unite(asked, other.asked);
+}
+
+bool under(const Engine& engine, Index edge, Index group) {
+  const Tables& t = engine.tables();
+  for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) { // limbo ends it
+    const Index requester = t.edges[edge].requester;
+    if (requester == group) return true;
+    if (requester == nil) return false;
+    edge = engine.holder(requester);
+  }
+  return false;
+}
+
+Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
+    : happened(ground.tables),
+      ground_(ground),
+      before_(ground.tables.groups.size()) {
+  std::uint64_t bit = 1;
+  for (const std::size_t at : assertions) {
+    const Assertion& assertion = ground.model.assertions[at];
+    One one;
+    one.assertion = at;
+    one.kind = assertion.kind;
+    for (const Use<GroupId>& use : assertion.groups) one.groups.push_back(static_cast<Index>(use.id.value));
+    if (one.kind == Assertion::Kind::soft) {
+      if (bit == 0) continue;
+      one.ran_since = bit;
+      one.active_since = bit << 1;
+      bit <<= 2;
+    }
+    watched_.push_back(std::move(one));
+  }
+}
+
+void Watch::before(const Machine& machine, std::uint64_t bits) {
+  bits_ = bits;
+  const Engine& engine = machine.engine();
+  for (Index g = 0; g < before_.size(); ++g) before_[g] = {engine.holder(g), engine.active(g), engine.granted(g)};
+}
+
+std::uint64_t Watch::after(const Machine& machine, std::vector<std::size_t>& seen) {
+  std::uint64_t bits = bits_;
+  for (const One& one : watched_) {
+    bool is_seen = false;
+    switch (one.kind) {
+    case Assertion::Kind::never_together: is_seen = together(one, machine); break;
+    case Assertion::Kind::beats: is_seen = machine.phase() == Phase::rest && blocked(one, machine); break;
+    case Assertion::Kind::can_run:
+      is_seen = std::any_of(machine.deeds().begin(), machine.deeds().end(), [&](const Deed& deed) {
+        return deed.kind == Deed::Kind::run && deed.group == one.groups.front();
+      });
+      break;
+    case Assertion::Kind::soft:
+      bits = remember(one, machine, bits);
+      is_seen = (bits & (one.ran_since | one.active_since)) == 0 && hard_cut(one, machine);
+      if (machine.engine().granted(one.groups.back()) || !requested(one.groups.back(), machine)) bits &= ~one.ran_since;
+      if (machine.engine().active(one.groups.front()) != before_[one.groups.front()].active) bits &= ~one.active_since;
+      break;
+    }
+    if (is_seen) seen.push_back(one.assertion);
+  }
+  note(machine);
+  return bits;
+}
+
+bool Watch::together(const One& one, const Machine& machine) const {
+  return std::count_if(one.groups.begin(), one.groups.end(),
+                       [&](Index group) { return machine.engine().granted(group); }) > 1;
+}
+
+/// At rest: a task of the first one's side is blocked by a group that the second one's side holds.
+bool Watch::blocked(const One& one, const Machine& machine) const {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  for (Index edge = 0; edge < t.edges.size(); ++edge) {
+    if (engine.queued(edge).why != Why::blocked || engine.state(edge) != RunState::queued) continue;
+    if (t.edges[edge].target != one.groups.front() && !under(engine, edge, one.groups.front())) continue;
+    if (blocks(edge, one.groups.back(), machine)) return true;
+  }
+  return false;
+}
+
+/// Of what the edge's target or anything that it may need, transitively, is made of, the loser's side holds something.
+bool Watch::blocks(Index edge, Index loser, const Machine& machine) const {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  std::vector<Index> groups{t.edges[edge].target};
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const Index holder = engine.holder(groups[i]);
+    const bool theirs = holder != nil && holder != edge && (groups[i] == loser || under(engine, holder, loser));
+    if (theirs) return true;
+    for (Index p = t.groups[groups[i]].providers.begin; p != t.groups[groups[i]].providers.end; ++p) {
+      for (const Index need : t.list(t.providers[p].needs)) {
+        const Index target = t.edges[need].target;
+        if (std::find(groups.begin(), groups.end(), target) == groups.end()) groups.push_back(target);
+      }
+    }
+  }
+  return false;
+}
+
+bool Watch::requested(Index group, const Machine& machine) const {
+  const auto edges = ground_.tables.list(ground_.tables.groups[group].requesters);
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](Index edge) { return machine.engine().state(edge) != RunState::none; });
+}
+
+/// A causing provider of the first one ran while the second one is requested; or it set its state and is active since.
+std::uint64_t Watch::remember(const One& one, const Machine& machine, std::uint64_t bits) const {
+  for (const Deed& deed : machine.deeds()) {
+    if (deed.kind != Deed::Kind::run || deed.group != one.groups.front() || !causes(deed.provider)) continue;
+    if (requested(one.groups.back(), machine)) bits |= one.ran_since;
+    for (const Put& put : ground_.bodies[deed.provider].puts[deed.puts]) {
+      if (keeps_promise(deed.provider, put)) bits |= one.active_since;
+    }
+  }
+  return bits;
+}
+
+bool Watch::keeps_promise(Index provider, const Put& put) const {
+  const Model& model = ground_.model;
+  const std::vector<ConditionUse>& promises = model.providers[ProviderId{provider}].causing;
+  return std::any_of(promises.begin(), promises.end(), [&](const ConditionUse& promise) {
+    const Condition& condition = model.conditions[promise.id];
+    return condition.state.value == put.state && condition.accepts.contains(put.value);
+  });
+}
+
+/// The second one is granted, and with that something is taken that the first one, live, held: what it asked for or
+/// needs. Not where it holds that from now on by way of the second one.
+bool Watch::hard_cut(const One& one, const Machine& machine) const {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  const Index from = one.groups.front(), to = one.groups.back();
+  if (!engine.granted(to) || before_[to].granted || before_[from].active == nil) return false;
+  for (Index g = 0; g < t.groups.size(); ++g) {
+    const Index was = before_[g].holder, is = engine.holder(g);
+    if (was >= t.edges.size() || t.edges[was].requester != from || is == was || is >= t.edges.size()) continue;
+    if ((g == to || under(engine, is, to)) && !under(engine, is, from)) return true;
+  }
+  const Index is = engine.holder(from);
+  return before_[from].holder != is && is < t.edges.size() && under(engine, is, to) && engine.active(from) == nil;
+}
+
+void Watch::note(const Machine& machine) {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  for (const Deed& deed : machine.deeds()) {
+    if (deed.kind == Deed::Kind::run) happened.ran[deed.provider] = true;
+  }
+  const auto met = [&](Index provider) {
+    const auto conditions = t.list(t.providers[provider].when);
+    return std::all_of(conditions.begin(), conditions.end(), [&](Index c) {
+      const director::Condition& row = t.conditions[c];
+      const std::int32_t value = engine.value(row.state);
+      if (value == unset) return false;
+      for (Index i = row.accepts.begin; i != row.accepts.end; ++i) {
+        if (t.intervals[i].low <= value && value <= t.intervals[i].high) return true;
+      }
+      return false;
+    });
+  };
+  for (Index e = 0; e < t.edges.size(); ++e) {
+    if (happened.granted[e]) continue;
+    const RunState state = engine.state(e);
+    if (state == RunState::running) happened.granted[e] = true;
+    if (state != RunState::queued || happened.asked[e]) continue;
+    const Range providers = t.groups[t.edges[e].target].providers;
+    for (Index p = providers.begin; p != providers.end; ++p) happened.asked[e] = happened.asked[e] || met(p);
+  }
+}
+
+} // namespace director::compiler

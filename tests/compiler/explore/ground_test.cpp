@@ -1,0 +1,90 @@
+#include "compiler/explore/ground.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+using namespace director::compiler;
+
+namespace {
+
+/// `A B:2|A|` and so on: the packs of a provider, each edge with its target's name, levels counted from 0.
+std::string packs(const Ground& ground, std::size_t provider) {
+  std::string out;
+  for (const Asks& asks : ground.bodies[provider].packs) {
+    for (const Ask& ask : asks) {
+      const director::Edge& edge = ground.tables.edges[ask.edge];
+      out += ground.model.groups[GroupId{edge.target}].name.value;
+      if (ask.level != edge.levels.begin) out += ":" + std::to_string(ask.level - edge.levels.begin);
+      out += ' ';
+    }
+    out += '|';
+  }
+  return out;
+}
+
+std::string puts(const Ground& ground, const std::vector<Puts>& all) {
+  std::string out;
+  for (const Puts& each : all) {
+    for (const Put& put : each) {
+      const State& state = ground.model.states[StateId{put.state}];
+      out += state.name.value + "=" + state.value_text(put.value) + " ";
+    }
+    out += '|';
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("a range counts as the intervals that conditions cut") {
+  const auto compiled = director::tests::compile(R"(behaviour: b
+language: 1
+states: {Charge: {range: [0, 100], external: true}}
+roots: [A]
+groups: {A: {providers: [{name: x, when: [Charge > 50]}, {name: y, when: [Charge > 10, Charge != 70]}]}}
+)");
+  const Ground ground(compiled.model);
+  const ValueClasses& classes = ground.classes[0];
+  CHECK(classes.count() == 4);
+  CHECK(classes.of(0) == classes.of(10));
+  CHECK(classes.of(10) != classes.of(11));
+  CHECK(classes.of(51) == classes.of(100));
+  CHECK(classes.of(70) != classes.of(71));
+  CHECK(classes.of(director::unset) == 4);
+  CHECK(puts(ground, ground.sets) == "Charge=0 |Charge=11 |Charge=51 |Charge=70 |");
+}
+
+TEST_CASE("flat tasks are asked for in every subset, packs whole, both at each level") {
+  const auto compiled = director::tests::compile(R"(behaviour: b
+language: 1
+roots: [A, P]
+groups:
+  A: {tasks: {B: {}, C: {priority: {low: 1, high: 2}}}}
+  P: {packs: {both: {B: {}, C: {priority: {low: 1, high: 2}}}, none: {}}}
+  B: {}
+  C: {}
+)");
+  const Ground ground(compiled.model);
+  CHECK(packs(ground, 0) == "B C |C |B C:1 |C:1 |B ||");
+  CHECK(packs(ground, 1) == "B C |B C:1 ||");
+  CHECK(packs(ground, 2) == "|");
+}
+
+TEST_CASE("a body usually keeps its promise and sets nothing else") {
+  const auto compiled = director::tests::compile(R"(behaviour: b
+language: 1
+states:
+  X: {values: [a, b, c], initial: a}
+  Y: {values: [off, on], initial: off}
+roots: [W]
+groups:
+  W:
+    when: [Y == on]
+    causing: [X > a]
+    sets: [Y == off]
+    stop: {sets: [Y]}
+    tasks: [V]
+  V: {when: [X == b]}
+)");
+  const Ground ground(compiled.model);
+  CHECK(puts(ground, ground.bodies[0].puts) == "X=c |X=b ||X=c Y=off |X=b Y=off |Y=off |");
+  CHECK(puts(ground, ground.stopping[0]) == "Y=off |Y=on ||");
+}

@@ -1,0 +1,78 @@
+#include "compiler/explore/search.hpp"
+#include "tests/compiler/explore/explored.hpp"
+
+using namespace director::compiler;
+using director::tests::explore_all;
+
+namespace {
+
+const std::string walker = R"(behaviour: walker
+language: 1
+states: {Pose: {values: [moving, standing], external: true}}
+roots: {Walk: {priority: 10}, Kick: {priority: 20}}
+groups:
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
+  Kick: {when: [Pose == standing], needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
+
+} // namespace
+
+TEST_CASE("a small behaviour is explored to the end, and on any number of cores alike") {
+  const auto compiled = director::tests::compile(walker);
+  const Ground ground(compiled.model);
+  const Exploration one = explore_all(ground, 100'000, 1), three = explore_all(ground, 100'000, 3);
+  CHECK(one.searched.complete);
+  CHECK(one.searched.states == one.searched.explored);
+  CHECK(one.searched.states > 50);
+  CHECK(to_text(one, ground) == to_text(three, ground));
+}
+
+TEST_CASE("beyond its bound a search says that it is not complete") {
+  const auto compiled = director::tests::compile(walker);
+  const Ground ground(compiled.model);
+  SearchOptions options;
+  options.bound = 20;
+  const Searched searched = search(ground, options);
+  CHECK_FALSE(searched.complete);
+  CHECK(searched.states >= 20);
+  CHECK(searched.explored < searched.states);
+}
+
+TEST_CASE("a provider that never runs and a task that waits for ever are named") {
+  const auto compiled = director::tests::compile(R"(behaviour: b
+language: 1
+states: {S: {values: [x, y], initial: x}}
+roots: [A]
+groups:
+  A:
+    needs: [L]
+    packs: {both: {L: {priority: 2}, B: {priority: 1}}}
+  B: {needs: [L], tasks: [L]}
+  L: {providers: [{name: here, when: [S == x]}, {name: there, when: [S == y]}]}
+)");
+  const Ground ground(compiled.model);
+  const Exploration exploration = explore_all(ground);
+  REQUIRE(exploration.searched.complete);
+  CHECK(to_text(exploration, ground).find("Never ran: B, L.here, L.there\n") != std::string::npos);
+  CHECK(to_text(exploration, ground).find("Requested for ever: A>B is never granted") != std::string::npos);
+}
+
+TEST_CASE("two tasks that undo each other for ever are found, and can be played") {
+  const auto compiled = director::tests::compile(R"(behaviour: b
+language: 1
+states: {S: {values: [x, y], initial: x}}
+roots: {A: {priority: 20}, B: {priority: 10}}
+groups:
+  A: {when: [S == x], stop: {sets: [S == x]}, needs: [L], causing: [S == y], tasks: [L]}
+  B: {needs: [L], tasks: [L]}
+  L: {}
+)");
+  const Ground ground(compiled.model);
+  const Exploration exploration = explore_all(ground);
+  REQUIRE_FALSE(exploration.oscillations.empty());
+  CHECK(exploration.oscillations.front().scenario.has_value());
+}

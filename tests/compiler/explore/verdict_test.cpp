@@ -1,0 +1,129 @@
+#include "compiler/explore/verdict.hpp"
+#include "compiler/lower/lower.hpp"
+#include "compiler/play/resolve_scenario.hpp"
+#include "compiler/play/test_scenario.hpp"
+#include "dsl/read_scenario.hpp"
+#include "tests/compiler/explore/explored.hpp"
+
+using namespace director::compiler;
+using director::tests::explore_all;
+
+namespace {
+
+/// The verdict on the only assertion of a behaviour: `proven: why`. What is refuted is played.
+std::string verdict_of(const std::string& groups, const std::string& assertion, std::size_t bound = 100'000) {
+  const auto compiled =
+      director::tests::compile("behaviour: b\nlanguage: 1\n" + groups + "assertions: [" + assertion + "]\n");
+  const Ground ground(compiled.model);
+  const Verdict verdict = explore_all(ground, bound).verdicts.front();
+  if (verdict.kind == Verdict::Kind::undecided) return "not decided: " + verdict.why;
+  if (verdict.scenario) {
+    director::dsl::MemoryFiles files;
+    files.add("found.scenario.yaml", *verdict.scenario);
+    director::dsl::Sources sources;
+    const auto read = director::dsl::read_scenario("found.scenario.yaml", files, sources);
+    const ResolvedScenario resolved = resolve_scenario(read.scenario, compiled.model);
+    INFO(*verdict.scenario << director::dsl::render(resolved.findings, sources));
+    REQUIRE(resolved.findings.empty());
+    CHECK(test_scenario(resolved.scenario, compiled.model, lower(compiled.model)).holds());
+  }
+  return (verdict.kind == Verdict::Kind::proven ? "proven: " : "refuted: ") + verdict.why;
+}
+
+const std::string walker = R"(
+states: {Pose: {values: [moving, standing], initial: standing}}
+roots: {Walk: {priority: 10}, Kick: {priority: 20}}
+groups:
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
+  Kick: {when: [Pose == standing], needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
+
+const std::string two = R"(
+states: {S: {values: [x, y], initial: x, external: true}}
+roots: {A: {priority: 10}, B: {priority: 10}}
+groups:
+  A: {when: [S == x]}
+  B: {when: [S == y]}
+)";
+
+} // namespace
+
+TEST_CASE("two that need the same are never together") {
+  CHECK(verdict_of(walker, "{never_together: [Walk, Kick]}") ==
+        "proven: no two of them can be granted without `Legs`, and a group has one holder");
+}
+
+TEST_CASE("two whose conditions exclude each other are never together, in all states") {
+  CHECK(verdict_of(two, "{never_together: [A, B]}").find("proven: it holds in all ") == 0);
+}
+
+TEST_CASE("two that have nothing to do with each other can be together") {
+  CHECK(verdict_of("roots: [A, B]\ngroups: {A: {}, B: {}}\n", "{never_together: [A, B]}") ==
+        "refuted: after request A; request B, two of them are granted");
+}
+
+TEST_CASE("who goes first at root is never blocked by the other side") {
+  CHECK(verdict_of(walker, "{beats: {Kick: Walk}}") ==
+        "proven: both are requested by the program alone, and at root its side always goes first");
+  CHECK(verdict_of(walker, "{beats: {Walk: Kick}}").find("refuted: after ") == 0);
+}
+
+TEST_CASE("what can run is shown by how it comes to run") {
+  CHECK(verdict_of(two, "{can_run: B}") == "proven: it runs after: request B; set {S: y}");
+  CHECK(verdict_of("states: {S: {values: [x, y], initial: x}}\nroots: [A]\n"
+                   "groups: {A: {providers: [{name: p, when: [S == x], tasks: [B]}]}, B: {when: [S == y]}}\n",
+                   "{can_run: B}")
+            .find("refuted: it runs in none of its ") == 0);
+}
+
+TEST_CASE("a walk that does not say that it moves is cut off hard") {
+  CHECK(verdict_of(walker, "{soft: {from: Walk, to: Kick}}") ==
+        "refuted: after request Walk; request Kick, granting `Kick` takes what `Walk` holds, and none of its causing "
+        "providers ran since `Kick` was requested");
+}
+
+TEST_CASE("behind a latch a hand-over is soft") {
+  const std::string latched = R"(
+states: {Hold: {values: [free, held], initial: free, of: Walk}}
+roots: {Walk: {priority: 10}, Kick: {priority: 20}}
+groups:
+  Walk:
+    providers:
+      - {name: walking, when: [Hold == free], needs: [Legs], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Hold == held], sets: [Hold == free], tasks: [Legs]}
+  Kick: {when: [Hold == held], stay: [Hold == free|held], needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
+  CHECK(verdict_of(latched, "{soft: {from: Walk, to: Kick}}") ==
+        "proven: `Kick` waits for what only `Walk.halting` sets, and only while that runs");
+}
+
+TEST_CASE("the states say of a latch what its proof says") {
+  const auto compiled = director::tests::compile(R"(behaviour: b
+language: 1
+states: {Hold: {values: [free, held], initial: free, of: Walk}}
+roots: {Walk: {priority: 10}, Kick: {priority: 20}}
+groups:
+  Walk:
+    providers:
+      - {name: walking, when: [Hold == free], needs: [Legs], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Hold == held], sets: [Hold == free], tasks: [Legs]}
+  Kick: {when: [Hold == held], stay: [Hold == free|held], needs: [Legs], tasks: [Legs]}
+  Legs: {}
+assertions: [{soft: {from: Walk, to: Kick}}, {never_together: [Walk, Kick]}, {beats: {Kick: Walk}}]
+)");
+  const Ground ground(compiled.model);
+  SearchOptions options;
+  options.assertions = {0, 1, 2};
+  const Searched searched = search(ground, options);
+  CHECK(searched.complete);
+  for (const auto& way : searched.seen) CHECK_FALSE(way.has_value());
+}
+
+TEST_CASE("beyond the bound nothing is guessed") {
+  CHECK(verdict_of(two, "{never_together: [A, B]}", 5).find("not decided: not found in ") == 0);
+}
