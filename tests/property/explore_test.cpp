@@ -1,0 +1,151 @@
+// On random behaviours: what the checks call unreachable is reached nowhere, what is proven at once is refuted in no
+// state, what is refuted can be played, and what all states prove happens in no random scenario.
+//
+//   DIRECTOR_SEED   first seed, instead of 1
+//   DIRECTOR_CASES  how many, instead of as many as take half a minute
+#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/explore/verdict.hpp"
+#include "compiler/explore/write_scenario.hpp"
+#include "tests/property/engine_run.hpp"
+#include "tests/property/generate.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace {
+
+using namespace director::property;
+using namespace director;
+using compiler::Assertion;
+using compiler::GroupId;
+
+#ifdef NDEBUG
+constexpr std::uint64_t usual_cases = 150;
+#else
+constexpr std::uint64_t usual_cases = 20;
+#endif
+constexpr std::size_t bound = 4'000;
+
+std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
+  const char* text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::stoull(text);
+}
+
+/// Everything that could be asserted of two of its groups.
+void assert_all(compiler::Model& model) {
+  std::size_t soft = 0;
+  for (const GroupId a : model.groups.ids()) {
+    for (const GroupId b : model.groups.ids()) {
+      if (a == b) continue;
+      const auto add = [&](Assertion::Kind kind) {
+        Assertion assertion;
+        assertion.kind = kind;
+        assertion.groups = {{a, {}}, {b, {}}};
+        model.assertions.push_back(assertion);
+      };
+      if (a < b) add(Assertion::Kind::never_together);
+      add(Assertion::Kind::beats);
+      if (soft++ < compiler::most_soft) add(Assertion::Kind::soft);
+    }
+  }
+}
+
+struct Case {
+  std::unique_ptr<Compiled> compiled;
+  std::string text;
+};
+
+Case make(std::uint64_t seed) {
+  Random random(seed + 7'000'000);
+  const Flavour flavour = random_flavour(random);
+  const BehaviourDraft draft = random_behaviour(random, flavour, static_cast<std::size_t>(random.between(2, 4)));
+  Case out;
+  out.text = to_yaml(to_document(draft));
+  CompileResult result = compile(out.text, to_yaml(random_scenario(random, flavour, draft)));
+  if (result.compiled) assert_all(result.compiled->model);
+  out.compiled = std::move(result.compiled);
+  return out;
+}
+
+bool disables(const compiler::Scenario& scenario) {
+  for (const compiler::ScenarioStep& step : scenario.steps) {
+    for (const compiler::ScenarioInput& input : step.inputs) {
+      if (input.kind == dsl::InputSpec::Kind::disable) return true;
+    }
+  }
+  return false;
+}
+
+/// Of the assertions `never_together`, those that a scenario refutes.
+std::vector<std::size_t> refuted_by(const Compiled& compiled) {
+  std::vector<std::size_t> out;
+  EngineRun run(compiled, false);
+  const auto look = [&] {
+    for (std::size_t i = 0; i < compiled.model.assertions.size(); ++i) {
+      const Assertion& assertion = compiled.model.assertions[i];
+      if (assertion.kind != Assertion::Kind::never_together) continue;
+      if (run.engine().granted(assertion.groups[0].id.value) && run.engine().granted(assertion.groups[1].id.value))
+        out.push_back(i);
+    }
+  };
+  for (const compiler::ScenarioStep& step : compiled.scenario.steps) {
+    run.begin_step(step);
+    for (int i = 0; i < 2'000 && run.micro_step(); ++i) look();
+    look();
+  }
+  return out;
+}
+
+TEST_CASE("explorations agree with the checks, with proofs, and with what is played") {
+  const std::uint64_t first = number_from("DIRECTOR_SEED", 1), cases = number_from("DIRECTOR_CASES", usual_cases);
+  std::size_t complete = 0, proven = 0, refuted = 0, not_played = 0, states = 0, scenarios = 0;
+  for (std::uint64_t seed = first; seed < first + cases; ++seed) {
+    const Case each = make(seed);
+    if (!each.compiled) continue;
+    const compiler::Model& model = each.compiled->model;
+    INFO("DIRECTOR_SEED=" << seed << "\n" << each.text);
+    const compiler::Ground ground(model);
+    compiler::SearchOptions options;
+    options.bound = bound;
+    options.threads = 1;
+    for (std::size_t i = 0; i < model.assertions.size(); ++i) options.assertions.push_back(i);
+    const compiler::Searched searched = compiler::search(ground, options);
+    complete += searched.complete ? 1 : 0;
+    states += searched.states;
+
+    const checks::Facts facts = checks::find_facts(model, compiler::make_graph(model));
+    for (const compiler::ProviderId id : model.providers.ids()) {
+      if (!searched.happened.ran[id.value]) continue;
+      INFO(model.full_name(id) << " ran");
+      CHECK(facts.active.contains(id));
+    }
+    for (std::size_t i = 0; i < model.assertions.size(); ++i) {
+      const Assertion& assertion = model.assertions[i];
+      INFO(words_of(assertion, model));
+      if (compiler::prove_at_once(assertion, model)) {
+        ++proven;
+        CHECK_FALSE(searched.seen[i].has_value());
+      }
+      if (!searched.seen[i] || i % 5 != seed % 5) continue; // each is played; a fifth is enough
+      ++refuted;
+      const auto way = compiler::follow(ground, *searched.seen[i], searched.breadth);
+      if (!compiler::write_scenario(ground, way, {"found", "Played.", "behaviour.yaml", {}})) ++not_played;
+    }
+    if (!searched.complete || disables(each.compiled->scenario)) continue;
+    ++scenarios;
+    for (const std::size_t i : refuted_by(*each.compiled)) {
+      INFO(words_of(model.assertions[i], model));
+      CHECK(searched.seen[i].has_value());
+    }
+  }
+  std::cout << cases << " behaviours from seed " << first << ", " << complete << " explored to the end, " << states
+            << " states; " << proven << " assertions proven at once; " << refuted << " ways played, " << not_played
+            << " of them not as they were found; " << scenarios << " random scenarios beside complete explorations\n";
+  if (cases < usual_cases) return;
+  CHECK(complete * 4 >= cases);
+  CHECK(not_played * 20 <= refuted);
+}
+
+} // namespace
