@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <set>
 
 namespace director::checks {
 
@@ -126,6 +128,27 @@ void look_at(const Model& model, const Together& together, const Task& first, co
   }
 }
 
+/// Pairs of entries, the later one first, that have a priority in common and may come to hold the same group. Of many
+/// entries only few meet, so they are not all compared with each other.
+std::set<std::pair<std::size_t, std::size_t>> find_rivals(const Input& input, const std::vector<Task>& tasks) {
+  std::map<std::pair<GroupId, std::int32_t>, std::vector<std::size_t>> claimed_by;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    std::set<std::int32_t> priorities;
+    for (const Task::NamedLevel& named : tasks[i].levels)
+      priorities.insert(input.model.edges[tasks[i].edge].levels[named.level].priority);
+    for (const GroupId group : input.shared.claims(tasks[i].target).groups()) {
+      for (const std::int32_t priority : priorities) claimed_by[{group, priority}].push_back(i);
+    }
+  }
+  std::set<std::pair<std::size_t, std::size_t>> out;
+  for (const auto& [key, entries] : claimed_by) {
+    for (std::size_t b = 1; b < entries.size(); ++b) {
+      for (std::size_t a = 0; a < b; ++a) out.emplace(entries[b], entries[a]);
+    }
+  }
+  return out;
+}
+
 } // namespace
 
 void equal_priority(const Input& input, Findings& findings) {
@@ -133,12 +156,10 @@ void equal_priority(const Input& input, Findings& findings) {
   ContestSearch search(input.shared);
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
-    for (std::size_t j = 1; j < tasks.size(); ++j) {
-      for (std::size_t i = 0; i < j; ++i) {
-        // Asked at once, the edge that is declared first wins.
-        const bool swapped = tasks[j].edge < tasks[i].edge;
-        look_at(model, together, tasks[swapped ? j : i], tasks[swapped ? i : j], search, findings);
-      }
+    for (const auto& [j, i] : find_rivals(input, tasks)) {
+      // Asked at once, the edge that is declared first wins.
+      const bool swapped = tasks[j].edge < tasks[i].edge;
+      look_at(model, together, tasks[swapped ? j : i], tasks[swapped ? i : j], search, findings);
     }
   }
 }
