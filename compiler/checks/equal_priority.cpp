@@ -131,6 +131,7 @@ void look_at(const Model& model, const Together& together, const Task& first, co
 /// Pairs of entries, the later one first, that have a priority in common and may come to hold the same group. Of many
 /// entries only few meet, so they are not all compared with each other.
 std::set<std::pair<std::size_t, std::size_t>> find_rivals(const Input& input, const std::vector<Task>& tasks) {
+  if (tasks.size() < 2) return {};
   std::map<std::pair<GroupId, std::int32_t>, std::vector<std::size_t>> claimed_by;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     std::set<std::int32_t> priorities;

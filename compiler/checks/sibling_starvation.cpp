@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <unordered_map>
 
 namespace director::checks {
 
@@ -23,11 +25,20 @@ public:
   Starvation(const Input& input, Findings& findings) : input_(input), findings_(findings) {}
 
   void look_at(GroupId requester, const Pack& pack) {
+    std::unordered_map<GroupId, std::vector<const Task*>> wanted_by;
+    for (const Task& task : pack.tasks) {
+      if (pack.tasks.size() < 2 || !rank_in_unit(input_.model, task)) continue;
+      for (const GroupId group : input_.shared.claims(task.target, requester).groups())
+        wanted_by[group].push_back(&task);
+    }
     for (const Task& taker : pack.tasks) {
-      for (const Task& sibling : pack.tasks) {
-        const auto low = rank_in_unit(input_.model, taker), high = rank_in_unit(input_.model, sibling);
-        if (&taker == &sibling || !low || !high || *high < *low) continue;
-        report(requester, taker, sibling);
+      const auto low = rank_in_unit(input_.model, taker);
+      if (pack.tasks.size() < 2 || !low) continue;
+      std::set<const Task*> siblings; // in the order written
+      for (const GroupId group : input_.shared.claims(taker.target, requester).groups())
+        siblings.insert(wanted_by[group].begin(), wanted_by[group].end());
+      for (const Task* sibling : siblings) {
+        if (&taker != sibling && *rank_in_unit(input_.model, *sibling) >= *low) report(requester, taker, *sibling);
       }
     }
   }

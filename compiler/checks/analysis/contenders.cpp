@@ -17,6 +17,8 @@ using Entry = Chains::Entry;
 
 /// So many are looked at closely for one group; those with the shortest chains come first.
 constexpr std::size_t most_candidates = 8;
+/// So many are collected, in the order in which they are written.
+constexpr std::size_t most_collected = 64;
 
 class ContenderSearch {
 public:
@@ -33,7 +35,9 @@ public:
     for (const Entry& ours : chains.entries_above(own_)) {
       while (first != theirs.end() && first->together < ours.together) ++first;
       for (auto at = first; at != theirs.end() && at->together == ours.together; ++at) {
-        if (at->task->target != ours.task->target && at->task->target != own_) look_at(ours, *at);
+        if (at->task->target != ours.task->target && at->task->target != own_ && candidates_.size() < most_collected &&
+            may_win(ours, *at))
+          look_at(ours, *at);
       }
     }
     std::stable_sort(candidates_.begin(), candidates_.end(),
@@ -51,6 +55,18 @@ private:
     Reach reach = Reach::own;
     std::size_t steps = 0;
   };
+
+  /// At some levels the other one does not go after.
+  bool may_win(const Entry& ours, const Entry& theirs) const {
+    const std::vector<Level>& a = input_.model.edges[ours.task->edge].levels;
+    const std::vector<Level>& b = input_.model.edges[theirs.task->edge].levels;
+    return std::any_of(ours.task->levels.begin(), ours.task->levels.end(), [&](const Task::NamedLevel& own) {
+      return std::any_of(theirs.task->levels.begin(), theirs.task->levels.end(), [&](const Task::NamedLevel& other) {
+        const bool optional = a[own.level].optional || ours.optional;
+        return b[other.level].priority >= a[own.level].priority || (optional && !b[other.level].optional);
+      });
+    });
+  }
 
   /// The nearest way of one entry, at whichever levels the two meet.
   void look_at(const Entry& ours, const Entry& theirs) {

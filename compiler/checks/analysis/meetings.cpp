@@ -68,8 +68,9 @@ const std::vector<Chains::Entry>& Chains::entries_above(GroupId group, bool held
   std::vector<Entry>& out = at->second;
   if (!is_new) return out;
   for (const Above& here : above(group, held)) {
-    for (const auto& [together, task] : entries_[here.group.value])
-      out.push_back({together, task, !here.optional, here.optional});
+    for (const auto& [together, task] : entries_[here.group.value]) {
+      if (together->tasks->size() > 1) out.push_back({together, task, !here.optional, here.optional});
+    }
   }
   std::sort(out.begin(), out.end(),
             [](const Entry& a, const Entry& b) { return std::tie(a.together, a.task) < std::tie(b.together, b.task); });

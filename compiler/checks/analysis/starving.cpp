@@ -190,14 +190,28 @@ private:
     }
     if (!entry.together->whole || conflicts_.count(entry.together->tasks) != 0) return out;
     const Region region = active_region(input_.model, input_.model.providers[*entry.together->provider]);
-    for (const Task& other : *entry.together->tasks) {
-      if (other.target == entry.task->target || !always_before(other, *entry.task)) continue;
-      const Certain& certain = certainties_.of(other.target);
-      const Groups both = in_common(certain.all, wanted);
-      if (both.empty() || !certainties_.never_waits(other.target, region)) continue;
-      for (const GroupId group : both) out.emplace(group, Starver{&other, entry.task, group});
+    const Takers& takers = takers_of(*entry.together);
+    for (const GroupId group : wanted) {
+      const auto at = takers.find(group);
+      if (at == takers.end()) continue;
+      for (const Task* other : at->second) {
+        if (other->target == entry.task->target || !always_before(*other, *entry.task)) continue;
+        if (certainties_.never_waits(other->target, region)) out.emplace(group, Starver{other, entry.task, group});
+      }
     }
     return out;
+  }
+
+  /// Which entries of a pack are certain to take each group.
+  using Takers = std::unordered_map<GroupId, std::vector<const Task*>>;
+
+  const Takers& takers_of(const Together& together) {
+    const auto [at, is_new] = takers_.try_emplace(&together);
+    if (!is_new) return at->second;
+    for (const Task& task : *together.tasks) {
+      for (const GroupId group : certainties_.of(task.target).all) at->second[group].push_back(&task);
+    }
+    return at->second;
   }
 
   /// At whichever levels the two are requested.
@@ -255,6 +269,7 @@ private:
   IdTable<GroupId, std::vector<Entry>> entries_; ///< by target
   IdTable<GroupId, Taken> taken_;                ///< whenever the group is requested
   IdSet<GroupId> never_runs_;
+  std::map<const Together*, Takers> takers_;
   std::set<const std::vector<Task>*> conflicts_; ///< packs that are never granted anyway
   std::vector<StarvingTask> found_;
 };
