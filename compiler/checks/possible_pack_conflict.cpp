@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <set>
 
 namespace director::checks {
 
@@ -166,24 +168,29 @@ void report(const Input& input, const Task& first, const Task& second, const Cla
                              name_of(model, group));
 }
 
-bool meet_in_needs(Units& units, GroupId a, GroupId b) {
-  std::vector<GroupId> both;
-  const std::vector<GroupId>& first = units.needed(a);
-  const std::vector<GroupId>& second = units.needed(b);
-  std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
-  return !both.empty();
+/// Pairs of members, the later one first, that may come down to one group.
+std::set<std::pair<std::size_t, std::size_t>> find_rivals(Units& units, const std::vector<const Task*>& members) {
+  std::map<GroupId, std::vector<std::size_t>> needed_by;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    for (const GroupId group : units.needed(members[i]->target)) needed_by[group].push_back(i);
+  }
+  std::set<std::pair<std::size_t, std::size_t>> out;
+  for (const auto& [group, needing] : needed_by) {
+    for (std::size_t b = 1; b < needing.size(); ++b) {
+      for (std::size_t a = 0; a < b; ++a) out.emplace(needing[b], needing[a]);
+    }
+  }
+  return out;
 }
 
 void look_at(const Input& input, Units& units, const Pack& pack, Findings& findings) {
   const std::vector<const Task*> members = unit_members(input.model, pack);
-  for (std::size_t j = 1; j < members.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) {
-      if (!meet_in_needs(units, members[i]->target, members[j]->target)) continue;
-      const auto first = find_ways(units, members[i]->target), second = find_ways(units, members[j]->target);
-      if (!first || !second) continue;
-      if (const auto clash = PairSearch(input, *first, *second).run())
-        report(input, *members[i], *members[j], *clash, findings);
-    }
+  if (members.size() < 2) return;
+  for (const auto& [j, i] : find_rivals(units, members)) {
+    const auto first = find_ways(units, members[i]->target), second = find_ways(units, members[j]->target);
+    if (!first || !second) continue;
+    if (const auto clash = PairSearch(input, *first, *second).run())
+      report(input, *members[i], *members[j], *clash, findings);
   }
 }
 

@@ -151,6 +151,15 @@ std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId i
   const Provider& provider = model.providers[id];
   const std::vector<GroupId> reserved = reserved_groups(input, provider);
   const auto is_reserved = [&](GroupId group) { return std::binary_search(reserved.begin(), reserved.end(), group); };
+  /// Somebody asks for it who is not the provider itself, or part of the task.
+  const auto is_wanted_elsewhere = [&](GroupId group, const std::vector<GroupId>& parts) {
+    const std::vector<EdgeId>& requesters = model.groups[group].requesters;
+    return std::any_of(requesters.begin(), requesters.end(), [&](EdgeId edge) {
+      const std::optional<GroupId> requester = model.edges[edge].requester;
+      return !requester ||
+             (*requester != provider.group && !std::binary_search(parts.begin(), parts.end(), *requester));
+    });
+  };
   std::vector<ContendedTask> out;
   SparseSet<GroupId> seen;
   for (const Pack& pack : provider.packs) {
@@ -159,10 +168,10 @@ std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId i
       const auto& parts = input.shared.indispensable().of(task->target);
       if (!parts) continue;
       std::optional<ContendedTask> found;
-      if (auto contender = find_contender(input, id, task->target))
-        found = ContendedTask{task, task->target, std::move(*contender)};
-      for (const GroupId part : *parts) {
-        if (found || is_reserved(part) || part == task->target) continue;
+      std::vector<GroupId> wanted{task->target};
+      wanted.insert(wanted.end(), parts->begin(), parts->end());
+      for (const GroupId part : wanted) {
+        if (found || is_reserved(part) || !is_wanted_elsewhere(part, *parts)) continue;
         if (auto contender = find_contender(input, id, part)) found = ContendedTask{task, part, std::move(*contender)};
       }
       if (found) out.push_back(std::move(*found));

@@ -183,12 +183,16 @@ private:
   /// What is certain to be taken from this entry's task and all that is below it, whenever it is requested.
   Taken taken_at(const Entry& entry) {
     if (!entry.together->provider) return {};
+    const Taken& above = taken_[requester_of(entry)];
+    const bool has_company =
+        entry.together->whole && entry.together->tasks->size() > 1 && conflicts_.count(entry.together->tasks) == 0;
+    if (above.empty() && !has_company) return {};
     const Groups& wanted = input_.shared.claims(entry.task->target).groups();
     Taken out;
-    for (const auto& [group, starver] : taken_[requester_of(entry)]) {
+    for (const auto& [group, starver] : above) {
       if (has(wanted, group)) out.emplace(group, starver);
     }
-    if (!entry.together->whole || conflicts_.count(entry.together->tasks) != 0) return out;
+    if (!has_company) return out;
     const Region region = active_region(input_.model, input_.model.providers[*entry.together->provider]);
     const Takers& takers = takers_of(*entry.together);
     for (const GroupId group : wanted) {
