@@ -20,6 +20,19 @@ std::vector<const Task*> Company::find_bare_chain(const Request& request) {
   return {};
 }
 
+void Company::find_leading() {
+  std::vector<GroupId> open = wanted_;
+  while (!open.empty()) {
+    const GroupId group = open.back();
+    open.pop_back();
+    for (const Request& request : requests_.of(group)) {
+      if (!request.requester) continue;
+      const GroupId requester = model_.providers[*request.requester].group;
+      if (leading_.add(requester)) open.push_back(requester);
+    }
+  }
+}
+
 bool Company::is_wanted(GroupId group) const {
   return std::find(wanted_.begin(), wanted_.end(), group) != wanted_.end();
 }
@@ -37,6 +50,7 @@ bool Company::is_covered(const Request& request) {
 /// The entry is for a wanted group, or a mandatory one for a group that always requests one.
 bool Company::brings(const Task& entry) {
   if (is_wanted(entry.target)) return true;
+  if (!leading_.contains(entry.target)) return false;
   const bool mandatory = !model_.edges[entry.edge].levels[entry.levels.front().level].optional;
   return mandatory && always_requests(entry.target);
 }

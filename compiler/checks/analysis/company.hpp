@@ -2,6 +2,7 @@
 // Who is surely requested together with a task: by the same pack, or by one above it.
 
 #include "compiler/checks/analysis/requests.hpp"
+#include "compiler/checks/analysis/sparse_set.hpp"
 
 #include <map>
 #include <set>
@@ -17,7 +18,9 @@ public:
       : model_(model),
         facts_(facts),
         requests_(requests),
-        wanted_(std::move(wanted)) {}
+        wanted_(std::move(wanted)) {
+    find_leading();
+  }
 
   /// The entries from this one up to a root among which nothing requests any; empty: there is always one.
   std::vector<const Task*> find_bare_chain(const Request& request);
@@ -26,6 +29,7 @@ public:
   const std::set<const std::vector<Task>*>& found_in() const { return found_in_; }
 
 private:
+  void find_leading();
   bool is_wanted(GroupId group) const;
   bool is_covered(const Request& request);
   bool brings(const Task& entry);
@@ -35,6 +39,7 @@ private:
   const Facts& facts_;
   const Requests& requests_;
   std::vector<GroupId> wanted_;
+  SparseSet<GroupId> leading_; ///< from which requests lead to a wanted group: of many roots only few
   std::set<GroupId> visited_;
   std::map<GroupId, bool> always_;
   std::set<const std::vector<Task>*> found_in_;
