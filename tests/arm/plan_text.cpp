@@ -231,6 +231,7 @@ void PlanText::add(const std::string& title, const dsl::Sources& sources, const 
 
 std::string PlanText::text() const {
   Code code;
+  code.line("#include \"runtime/core/behaviour.hpp\""); // what generated code stands on
   code.line("#include \"tests/arm/target/plan.hpp\"");
   code.blank();
   code.line("#include <array>");
