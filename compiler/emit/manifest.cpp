@@ -1,6 +1,7 @@
 // Door: compiler/emit/manifest.hpp. Test: tests/compiler/emit/emit_test.cpp.
 #include "compiler/emit/manifest.hpp"
 
+#include "compiler/checks/analysis/bounds.hpp"
 #include "compiler/emit/json.hpp"
 #include "compiler/emit/sha256.hpp"
 #include "compiler/version.hpp"
@@ -31,10 +32,15 @@ Json memory(const Shape& shape) {
                        {"engine", number(director::State::bytes(shape))}});
 }
 
-Json bounds(const Deployment& from, const Shape& shape) {
-  return Json::object({{"runs_waiting", number(shape.groups)},
-                       {"edges_tried_in_a_pass", number(shape.edges)},
-                       {"combinations_tried_for_a_unit", Json::number(from.model.trials)}});
+/// What `directorc check --verbose` prints; docs/integration.md says why each is a bound.
+Json bounds(const Deployment& from, const Tables& tables) {
+  const checks::Bounds bounds = checks::find_bounds(from.model, tables);
+  return Json::object({{"runs_waiting", Json::number(bounds.runs_waiting)},
+                       {"trials_for_a_decision", Json::number(bounds.trials)},
+                       {"trials_in_a_pass", Json::number(bounds.trials_in_a_pass)},
+                       {"repeated_passes", Json::number(bounds.repetitions)},
+                       {"micro_steps_to_first_run", Json::number(bounds.to_first_run)},
+                       {"micro_steps_for_a_calm_input", Json::number(bounds.calm_input)}});
 }
 
 /// For each output: number of a line in it -> place in the specification.
@@ -72,7 +78,7 @@ std::string manifest(const Deployment& deployment, const std::vector<Written>& w
                                 {"states", number(shape.states)},
                                 {"conditions", number(shape.conditions)}}));
   out.add("bytes", memory(shape));
-  out.add("bounds", bounds(deployment, shape));
+  out.add("bounds", bounds(deployment, tables));
   out.add("places", places(deployment, written));
   return to_lines(out);
 }

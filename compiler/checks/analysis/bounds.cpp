@@ -13,7 +13,7 @@ namespace director::checks {
 namespace {
 
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t most_plans = 1'000'000; ///< of one group; who has more is told of by unbounded_choice
+constexpr std::int64_t most_plans = 100'000; ///< of one group; who has more is told of by unbounded_choice
 
 std::int64_t sum(std::int64_t a, std::int64_t b) { return a > most - b ? most : a + b; }
 std::int64_t product(std::int64_t a, std::int64_t b) { return b != 0 && a > most / b ? most : a * b; }
