@@ -57,10 +57,7 @@ struct Clash {
 
 class PairSearch {
 public:
-  PairSearch(const Input& input, const std::vector<Way>& first, const std::vector<Way>& second)
-      : input_(input),
-        first_(first),
-        second_(second) {
+  PairSearch(const Input& input, const std::vector<Way>& first, const std::vector<Way>& second) : input_(input) {
     for (const Way& a : first) {
       for (const Way& b : second) {
         Region region = a.combination.region;
@@ -106,8 +103,6 @@ private:
   }
 
   const Input& input_;
-  const std::vector<Way>& first_;
-  const std::vector<Way>& second_;
   std::vector<Pair> working_, clashing_;
 };
 
