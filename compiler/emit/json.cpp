@@ -20,7 +20,11 @@ struct JsonAccess {
     case Json::Kind::object: break;
     }
     nlohmann::ordered_json out = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < json.keys_.size(); ++i) out[json.keys_[i]] = convert(json.items_[i]);
+    // Not by key: the library would look for each among those before it.
+    using Members = nlohmann::ordered_json::object_t;
+    Members::Container& members = out.get_ref<Members&>();
+    members.reserve(json.keys_.size());
+    for (std::size_t i = 0; i < json.keys_.size(); ++i) members.emplace_back(json.keys_[i], convert(json.items_[i]));
     return out;
   }
 
