@@ -264,10 +264,11 @@ ValueClasses::ValueClasses(const State& state, const std::vector<const ValueSet*
     const std::int64_t end = i + 1 < begins_.size() ? begins_[i + 1] - 1 : state.high;
     classes_[pieces_.back()] = classes_[pieces_.back()].united(ValueSet::interval(begins_[i], end));
   }
+  for (std::int64_t v = state.low; v <= state.high && state.high - state.low < 256; ++v)
+    few_.push_back(piece_of(static_cast<std::int32_t>(v)));
 }
 
-std::size_t ValueClasses::of(std::int32_t value) const {
-  if (value == unset) return classes_.size();
+std::size_t ValueClasses::piece_of(std::int32_t value) const {
   const auto at = std::upper_bound(begins_.begin(), begins_.end(), std::int64_t{value});
   return pieces_[static_cast<std::size_t>(at - begins_.begin()) - 1];
 }

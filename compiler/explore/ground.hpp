@@ -23,12 +23,19 @@ public:
   ValueClasses(const State& state, const std::vector<const ValueSet*>& conditions);
   std::size_t count() const { return classes_.size(); }
   const ValueSet& values(std::size_t number) const { return classes_[number]; }
-  std::size_t of(std::int32_t value) const; ///< count(): unset
+  /// count(): unset
+  std::size_t of(std::int32_t value) const {
+    if (value == unset) return classes_.size();
+    const std::int64_t at = value - begins_.front();
+    return at < static_cast<std::int64_t>(few_.size()) ? few_[static_cast<std::size_t>(at)] : piece_of(value);
+  }
 
 private:
   std::vector<ValueSet> classes_;
   std::vector<std::int64_t> begins_; ///< of pieces of the domain, ascending
   std::vector<std::size_t> pieces_;  ///< the class of each
+  std::vector<std::size_t> few_;     ///< the class of each value, where they are few
+  std::size_t piece_of(std::int32_t value) const;
 };
 
 struct Ask {

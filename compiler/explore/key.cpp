@@ -24,6 +24,8 @@ public:
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
     sum_ = (z ^ (z >> 27)) * 0x94d049bb133111eb;
   }
+  /// What follows is of another kind: parts of different length must not be taken for one another.
+  void part() { add(0xfffffffeffffff00); }
   void add(std::uint32_t a, std::uint32_t b) { add(std::uint64_t{a} << 32 | b); }
   std::uint64_t sum() const { return sum_ == 0 ? 1 : sum_ ^ (sum_ >> 31); }
 
@@ -51,9 +53,16 @@ std::uint64_t Machine::key(std::uint64_t watch) {
     for (Index e = begin; e != end; ++e) {
       if (s.request[e] != nil) scratch_.push_back(e);
     }
-    std::sort(scratch_.begin(), scratch_.end(),
-              [&](Index a, Index b) { return s.stamp[a] != s.stamp[b] ? s.stamp[a] < s.stamp[b] : a < b; });
+    if (scratch_.size() > 1)
+      std::sort(scratch_.begin(), scratch_.end(),
+                [&](Index a, Index b) { return s.stamp[a] != s.stamp[b] ? s.stamp[a] < s.stamp[b] : a < b; });
     for (Index e = begin; e != end; ++e) s.stamp[e] = 0;
+    if (scratch_.size() == 1) {
+      s.stamp[scratch_.front()] = 1;
+      hash.add(scratch_.front(), 0);
+      hash.add(s.request[scratch_.front()]);
+    }
+    if (scratch_.size() < 2) return;
     for (std::size_t i = 0; i < scratch_.size(); ++i) s.stamp[scratch_[i]] = i + 1;
     for (Index e = begin; e != end; ++e) {
       if (s.request[e] == nil) continue;
@@ -72,6 +81,7 @@ std::uint64_t Machine::key(std::uint64_t watch) {
     if (!group.edges.empty()) ranked(group.edges.begin, group.edges.end);
   }
   s.counters->micro_step = t.edges.size();
+  hash.part();
 
   for (Index v = 0; v < t.states.size(); ++v) {
     if (ground_.classes[v].count() < 2 && !ground_.model.states[StateId{v}].may_be_unset()) continue;
@@ -79,6 +89,7 @@ std::uint64_t Machine::key(std::uint64_t watch) {
   }
 
   // Who has what.
+  hash.part();
   for (Index g = 0; g < t.groups.size(); ++g) {
     const Standing& stands = s.last[g];
     const std::uint32_t rest = stands.flags | (s.done[g] != 0 ? 0x100U : 0U) | class_of(s.pending[g]) << 16;
@@ -89,13 +100,16 @@ std::uint64_t Machine::key(std::uint64_t watch) {
     hash.add(stands.push.provider, stands.push.condition);
     hash.add(stands.serves.provider, stands.serves.condition);
   }
+  hash.part();
   for (Index slot = 0; slot < t.plan_groups.size(); ++slot) {
     if (s.last.plan[slot] != nil) hash.add(slot, s.last.plan[slot]);
   }
 
   // What is left to do.
+  hash.part();
   hash.add(static_cast<std::uint32_t>(phase_), s.counters->unsettled);
   for (Index g = s.counters->queue_first; g != nil; g = s.runs_before[g]) hash.add(g);
+  hash.part();
   for (Index v = 0; v < t.states.size() && s.counters->handlers_set != 0; ++v) {
     if (s.handler_values[v] != unset) hash.add(v, static_cast<std::uint32_t>(s.handler_values[v]));
   }

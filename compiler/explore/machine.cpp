@@ -43,7 +43,7 @@ Machine::Machine(const Ground& ground, Breadth breadth)
       block_(director::State::decision_bytes(Shape::of(ground.tables))) {
   engine_.set_budget(1);
   engine_.step(0);
-  first_.assign(memory_.begin(), memory_.begin() + static_cast<std::ptrdiff_t>(words(block_)));
+  read(first_);
 }
 
 Bodies Machine::table() {
@@ -107,21 +107,40 @@ void Machine::handle(Handling& handling, Deed::Kind kind) {
   deeds_.push_back(deed);
 }
 
+/// The decision state, and behind it why requests are queued: no decision depends on that, but assertions do, and the
+/// engine writes it only where it decides anew.
+void Machine::read(std::vector<std::uint64_t>& out) const {
+  const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
+  out.resize(words(block_) + words(queued));
+  out.back() = 0;
+  std::memcpy(out.data(), memory_.data(), block_);
+  if (queued != 0) std::memcpy(out.data() + words(block_), engine_.memory().queued, queued);
+}
+
+void Machine::write(const std::vector<std::uint64_t>& from) {
+  const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
+  std::memcpy(memory_.data(), from.data(), block_);
+  if (queued != 0) std::memcpy(static_cast<void*>(engine_.memory().queued), from.data() + words(block_), queued);
+}
+
 void Machine::start() {
-  std::copy(first_.begin(), first_.end(), memory_.begin());
+  write(first_);
   phase_ = Phase::rest;
 }
 
 /// What differs from the first state: a bit for each word, and those words.
 void Machine::pack(Packed& out) const {
+  read(now_);
   const std::size_t count = first_.size(), maps = (count + 63) / 64;
+  std::size_t differ = 0;
+  for (std::size_t i = 0; i < count; ++i) differ += now_[i] != first_[i] ? 1 : 0;
+  out.words.reserve(maps + differ);
   out.words.assign(maps, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    if (memory_[i] == first_[i]) continue;
+    if (now_[i] == first_[i]) continue;
     out.words[i / 64] |= std::uint64_t{1} << (i % 64);
-    out.words.push_back(memory_[i]);
+    out.words.push_back(now_[i]);
   }
-  out.words.shrink_to_fit();
   out.phase = phase_;
 }
 
@@ -137,7 +156,7 @@ void Machine::unpack(const Packed& packed) {
 }
 
 void Machine::again() {
-  std::copy(loaded_.begin(), loaded_.end(), memory_.begin());
+  write(loaded_);
   phase_ = loaded_phase_;
 }
 

@@ -83,12 +83,13 @@ public:
   Phase phase() const { return phase_; }
   const Engine& engine() const { return engine_; }
   const Ground& ground() const { return ground_; }
-  std::size_t block_bytes() const { return block_; }
 
 private:
   Outcome run(Run& run);
   void handle(Handling& handling, Deed::Kind kind);
   void post(const Happens& happens);
+  void read(std::vector<std::uint64_t>& out) const;
+  void write(const std::vector<std::uint64_t>& from);
   Bodies table();
 
   const Ground& ground_;
@@ -100,6 +101,7 @@ private:
   std::vector<std::uint64_t> memory_;
   Engine engine_;
   std::size_t block_; ///< bytes of the decision state
+  mutable std::vector<std::uint64_t> now_;
   std::vector<std::uint64_t> first_, loaded_;
   Phase phase_ = Phase::rest, loaded_phase_ = Phase::rest;
   Tape* tape_ = nullptr;

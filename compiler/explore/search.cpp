@@ -284,11 +284,14 @@ private:
 
 Searched search(const Ground& ground, const SearchOptions& options) { return Search(ground, options).run(); }
 
-std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth) {
+namespace {
+
+/// Plays a way again, from the start without a break; `before` and `after` are called around each micro-step of it.
+template <class Before, class After>
+void replay(const Ground& ground, const Way& way, Breadth breadth, Before&& before, After&& after) {
   Machine machine(ground, breadth);
   machine.start();
   machine.key(0);
-  std::vector<Taken> out;
   std::vector<Happens> happens;
   Packed here;
   Tape tape;
@@ -296,6 +299,7 @@ std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth)
     machine.pack(here);
     machine.unpack(here);
     machine.list(happens);
+    before(machine);
     std::uint32_t at = 0;
     bool found = false;
     for (std::size_t i = 0; i < happens.size() && !found; ++i) {
@@ -303,14 +307,38 @@ std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth)
       do {
         found = at++ == place;
         if (at != 1) machine.again();
-        const Phase before = machine.phase();
+        const Phase phase = machine.phase();
         machine.take(happens[i], tape);
-        if (found) out.push_back({happens[i], machine.deeds(), before, machine.phase()});
+        if (found) after(machine, happens[i], phase);
       } while (!found && tape.next());
     }
     machine.key(0);
   }
+}
+
+} // namespace
+
+std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth) {
+  std::vector<Taken> out;
+  replay(
+      ground, way, breadth, [](const Machine&) {},
+      [&](const Machine& machine, const Happens& happens, Phase before) {
+        out.push_back({happens, machine.deeds(), before, machine.phase()});
+      });
   return out;
+}
+
+bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion) {
+  Watch watch(ground, {assertion});
+  std::uint64_t remembered = 0;
+  std::vector<std::size_t> seen;
+  replay(
+      ground, way, breadth, [&](const Machine& machine) { watch.before(machine, remembered); },
+      [&](const Machine& machine, const Happens&, Phase) {
+        seen.clear();
+        remembered = watch.after(machine, seen);
+      });
+  return !seen.empty();
 }
 
 } // namespace director::compiler

@@ -55,5 +55,7 @@ struct Taken {
   Phase before = Phase::rest, after = Phase::rest;
 };
 std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth);
+/// Whether the last micro-step of a way shows what Watch looks for, seen without any state that was put away between.
+bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion);
 
 } // namespace director::compiler

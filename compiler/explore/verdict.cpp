@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <stdexcept>
+
 namespace director::compiler {
 
 namespace {
@@ -45,6 +47,8 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   for (char& c : telling.title) c = c == ':' ? ',' : c; // a plain YAML word
   telling.doc = wanted ? "How it comes to run." : "In the last step " + refuted_by(assertion, ground.model) + ".";
   telling.behaviour = behaviour;
+  if (!shows(ground, *searched.seen[at], searched.breadth, at))
+    throw std::logic_error("a way through the exploration does not show what was seen at its end");
   out.scenario = write_scenario(ground, out.way, telling);
   if (!out.scenario) {
     out.why = "a way to it was found, but only with timers that are due in an order that could not be played";

@@ -130,6 +130,7 @@ TEST_CASE("explorations agree with the checks, with proofs, and with what is pla
       }
       if (!searched.seen[i] || i % 5 != seed % 5) continue; // each is played; a fifth is enough
       ++refuted;
+      CHECK(compiler::shows(ground, *searched.seen[i], searched.breadth, i));
       const auto way = compiler::follow(ground, *searched.seen[i], searched.breadth);
       if (!compiler::write_scenario(ground, way, {"found", "Played.", "behaviour.yaml", {}})) ++not_played;
     }
