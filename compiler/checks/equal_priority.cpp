@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -93,12 +94,6 @@ private:
   const Shared& shared_;
 };
 
-void add_path(const Model& model, const std::vector<ClaimStep>& path, Diagnostic& finding) {
-  for (const ClaimStep& step : path)
-    finding.notes.push_back({step.span, fmt::format("{} {} {}", name_of(model, step.from),
-                                                    step.by_need ? "needs" : "requests", name_of(model, step.to))});
-}
-
 void report(const Model& model, const Meeting& meeting, const Contest& contest, Findings& findings) {
   const std::string first = name_of(model, meeting.first->target), second = name_of(model, meeting.second->target);
   Diagnostic& finding = findings.add(
@@ -108,8 +103,8 @@ void report(const Model& model, const Meeting& meeting, const Contest& contest, 
           first, second, name_of(model, contest.group), first));
   finding.notes.push_back({meeting.first->span, fmt::format("{} is requested here, with the same priority {}", first,
                                                             meeting.first_level.priority)});
-  add_path(model, contest.first_path, finding);
-  add_path(model, contest.second_path, finding);
+  add_chain(model, contest.first_path, finding);
+  add_chain(model, contest.second_path, finding);
   finding.help = "give one of them a higher priority";
 }
 

@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/hard_hand_over.md.
 #include "compiler/checks/analysis/choice.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -153,10 +154,7 @@ private:
     const Claims& claims = input_.shared.claims(from);
     for (const Reach reach : all_reaches) {
       if (claims.find(skill, reach) == nullptr) continue;
-      for (const ClaimStep& step : claims.path(skill, reach))
-        finding.notes.push_back(
-            {step.span, fmt::format("{} {} {}", name_of(input_.model, step.from), step.by_need ? "needs" : "requests",
-                                    name_of(input_.model, step.to))});
+      add_chain(input_.model, claims.path(skill, reach), finding);
       return;
     }
   }

@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/needs_conflict.md.
 #include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -44,12 +45,6 @@ std::optional<Clash> find_clash(const Model& model, const Provider& provider, co
   return best;
 }
 
-void add_chain(const Model& model, Diagnostic& finding, const std::vector<NeedStep>& chain) {
-  for (const NeedStep& step : chain)
-    finding.notes.push_back(
-        {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to))});
-}
-
 void report_clash(const Model& model, ProviderId id, const Clash& clash, Findings& findings) {
   const std::string provider = name_of(model, id);
   if (clash.first->id == clash.second->id) {
@@ -62,8 +57,8 @@ void report_clash(const Model& model, ProviderId id, const Clash& clash, Finding
                                                    provider, name_of(model, clash.first->id),
                                                    name_of(model, clash.second->id), name_of(model, clash.group)));
   finding.notes.push_back({clash.first->span, fmt::format("the other need is {}", name_of(model, clash.first->id))});
-  add_chain(model, finding, clash.from_first);
-  add_chain(model, finding, clash.from_second);
+  add_chain(model, clash.from_first, finding);
+  add_chain(model, clash.from_second, finding);
   finding.help =
       fmt::format("need only one of them, or give one a provider that does without {}", name_of(model, clash.group));
 }

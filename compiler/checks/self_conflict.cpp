@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/self_conflict.md.
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -35,9 +36,7 @@ private:
           findings_.add(task.span, fmt::format("{} requests {}, which wants {}, and keeps {} for itself", group,
                                                name_of(model, task.target), taken, taken));
       finding.notes.push_back({need.span, fmt::format("{} needs {}", group, taken)});
-      for (const ClaimStep& step : claims.path(need.id, reach))
-        finding.notes.push_back({step.span, fmt::format("{} {} {}", name_of(model, step.from),
-                                                        step.by_need ? "needs" : "requests", name_of(model, step.to))});
+      add_chain(model, claims.path(need.id, reach), finding);
       finding.help = fmt::format("need {} instead of {}, or nothing: what a task needs is held when it is granted",
                                  name_of(model, task.target), taken);
       return true;

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/sibling_starvation.md.
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -70,16 +71,9 @@ private:
                           name_of(model, group), other));
     finding.notes.push_back(
         {sibling.span, fmt::format("{} is granted together with {}", name_of(model, sibling.target), name)});
-    add_path(own.path(group, Reach::own), finding);
-    add_path(below.path(group, Reach::mandatory), finding);
+    add_chain(model, own.path(group, Reach::own), finding);
+    add_chain(model, below.path(group, Reach::mandatory), finding);
     finding.help = fmt::format("make {} `apart` or `optional`, or ask for it one level lower", name);
-  }
-
-  void add_path(const std::vector<ClaimStep>& path, dsl::Diagnostic& finding) const {
-    for (const ClaimStep& step : path)
-      finding.notes.push_back(
-          {step.span, fmt::format("{} {} {}", name_of(input_.model, step.from), step.by_need ? "needs" : "requests",
-                                  name_of(input_.model, step.to))});
   }
 
   const Input& input_;

@@ -1,6 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/undeclared_need.md.
 #include "compiler/checks/analysis/contenders.hpp"
 #include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -20,9 +21,7 @@ void undeclared_need(const Input& input, Findings& findings) {
                        fmt::format("{} needs {} and not {}, which it requests too: it can start and then be refused",
                                    name_of(model, id), name_of(model, need->id), task));
       finding.notes.push_back({need->span, fmt::format("{} needs {}", name_of(model, id), name_of(model, need->id))});
-      for (const NeedStep& step : need_path(model, contended.task->target, contended.group))
-        finding.notes.push_back(
-            {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to))});
+      add_chain(model, need_path(model, contended.task->target, contended.group), finding);
       add_contender(model, contended.contender, contended.group, finding);
       finding.help = fmt::format("need {} too, or make the request `apart` or `optional`", task);
     }

@@ -1,6 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unreserved_tasks.md.
 #include "compiler/checks/analysis/contenders.hpp"
 #include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -20,9 +21,7 @@ void unreserved_tasks(const Input& input, Findings& findings) {
         findings.add(contended.task->span,
                      fmt::format("{} needs none of its tasks: it can start, and then {} be refused", name_of(model, id),
                                  all.size() == 1 ? task + " can" : fmt::format("{} of them can", all.size())));
-    for (const NeedStep& step : need_path(model, contended.task->target, contended.group))
-      finding.notes.push_back(
-          {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to))});
+    add_chain(model, need_path(model, contended.task->target, contended.group), finding);
     add_contender(model, contended.contender, contended.group, finding);
     for (std::size_t i = 1; i < all.size(); ++i)
       finding.notes.push_back({all[i].task->span, fmt::format("the same for {}", name_of(model, all[i].task->target))});

@@ -2,6 +2,7 @@
 #include "compiler/checks/analysis/contenders.hpp"
 
 #include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/units.hpp"
 #include "compiler/checks/analysis/words.hpp"
 
@@ -141,9 +142,7 @@ void add_contender(const Model& model, const Contender& contender, GroupId group
        fmt::format("{} may hold {}, and {} {}", name_of(model, meeting.second->target),
                    meeting.second->target == group ? "this" : name_of(model, group),
                    meeting.equal() ? "has the same rank as" : "goes before", name_of(model, meeting.first->target))});
-  for (const ClaimStep& step : contender.path)
-    finding.notes.push_back({step.span, fmt::format("{} {} {}", name_of(model, step.from),
-                                                    step.by_need ? "needs" : "requests", name_of(model, step.to))});
+  add_chain(model, contender.path, finding);
 }
 
 std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId id) {

@@ -56,7 +56,8 @@ public:
     bool mandatory = false, optional = false;
   };
 
-  /// Of places where something else is asked for too, in order of place and task. `held`: also chains at whose end the group is only needed.
+  /// Of places where something else is asked for too, in order of place and task. `held`: also chains at whose end the
+  /// group is only needed.
   const std::vector<Entry>& entries_above(GroupId group, bool held = false) const;
 
   Chains(const Model& model, std::function<bool(ProviderId)> counts);

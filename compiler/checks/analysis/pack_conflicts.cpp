@@ -2,6 +2,7 @@
 #include "compiler/checks/analysis/pack_conflicts.hpp"
 
 #include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 
@@ -38,12 +39,6 @@ std::optional<SharedGroup> find_shared_group(const Input& input, GroupId a, Grou
       best = std::move(shared);
   }
   return best;
-}
-
-void add_chain(const Model& model, const std::vector<NeedStep>& chain, Diagnostic& finding) {
-  for (const NeedStep& step : chain)
-    finding.notes.push_back(
-        {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to))});
 }
 
 /// A state that the two can never agree about.

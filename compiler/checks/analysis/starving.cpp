@@ -1,14 +1,15 @@
 // Door: compiler/checks/analysis/starving.hpp. Test: compiler/checks/starved_task.md.
 #include "compiler/checks/analysis/starving.hpp"
 
+#include "compiler/checks/analysis/certainties.hpp"
 #include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -16,100 +17,6 @@
 namespace director::checks {
 
 namespace {
-
-using Groups = std::vector<GroupId>; ///< sorted, each once
-
-void sort_out(Groups& groups) {
-  std::sort(groups.begin(), groups.end());
-  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-}
-
-bool has(const Groups& groups, GroupId group) { return std::binary_search(groups.begin(), groups.end(), group); }
-
-Groups in_common(const Groups& a, const Groups& b) {
-  Groups out;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
-  return out;
-}
-
-/// What a granted task is certain to take.
-struct Certain {
-  Groups own;     ///< by its needs, from the beginning
-  Groups all;     ///< and by what it requests in every pack of every provider
-  Groups depends; ///< all groups that one way or the other have a part in that
-};
-
-/// What is certain of each group: what it takes, and whether it ever has to wait for a condition.
-class Certainties {
-public:
-  explicit Certainties(const Input& input) : input_(input) {}
-
-  const Certain& of(GroupId group) {
-    const auto [at, is_new] = certain_.try_emplace(group);
-    if (!is_new) return at->second; // on the way round a circle: nothing
-    Certain out;
-    if (const auto& parts = input_.shared.indispensable().of(group)) out.own = *parts;
-    out.depends = input_.shared.units().needed(group);
-    std::optional<Groups> requested;
-    for (const ProviderId id : input_.model.groups[group].providers) {
-      if (!input_.facts.active.contains(id)) continue;
-      Groups here = requested_by(input_.model.providers[id], out.depends);
-      requested = requested ? in_common(*requested, here) : std::move(here);
-    }
-    out.all = out.own;
-    if (requested) out.all.insert(out.all.end(), requested->begin(), requested->end());
-    sort_out(out.all);
-    sort_out(out.depends);
-    return certain_[group] = std::move(out);
-  }
-
-  /// Wherever the region holds some provider can run, as far as conditions go.
-  bool never_waits(GroupId group, const Region& region) {
-    std::vector<Region> providers;
-    for (const ProviderId id : input_.model.groups[group].providers) {
-      const Provider& provider = input_.model.providers[id];
-      if (input_.facts.active.contains(id) || input_.facts.capable.contains(id)) {
-        if (std::all_of(provider.needs.begin(), provider.needs.end(),
-                        [&](const Use<GroupId>& need) { return never_waits(need.id); }))
-          providers.push_back(region_of(input_.model, provider.when));
-      }
-    }
-    return !may_escape(input_.model, region, providers, input_.facts.values);
-  }
-
-private:
-  bool never_waits(GroupId group) {
-    const auto [at, is_new] = never_waits_.try_emplace(group, false);
-    if (!is_new) return at->second;
-    const bool out = never_waits(group, Region{});
-    return never_waits_[group] = out;
-  }
-
-  /// What it requests as a mandatory task, whichever pack it chooses.
-  Groups requested_by(const Provider& provider, Groups& depends) {
-    std::optional<Groups> out;
-    for (const Pack& pack : provider.packs) {
-      Groups here;
-      const std::vector<const Task*> members = unit_members(input_.model, pack);
-      // A unit is granted whole: where one of them has to wait, all of them do.
-      const bool never =
-          std::all_of(members.begin(), members.end(), [&](const Task* member) { return never_waits(member->target); });
-      for (const Task* member : members) {
-        if (!never || !provider.has_packs) break;
-        const Certain& below = of(member->target);
-        here.insert(here.end(), below.all.begin(), below.all.end());
-        depends.insert(depends.end(), below.depends.begin(), below.depends.end());
-      }
-      sort_out(here);
-      out = out ? in_common(*out, here) : std::move(here);
-    }
-    return out.value_or(Groups{});
-  }
-
-  const Input& input_;
-  std::map<GroupId, Certain> certain_; ///< a map: what `of` returned stays where it is
-  std::unordered_map<GroupId, bool> never_waits_;
-};
 
 class StarvationSearch {
 public:
@@ -302,12 +209,8 @@ void report_starving_task(const Input& input, const StarvingTask& starving, Find
                                                              name_of(model, starver.over->target), name)});
   const Claims& claims = input.shared.claims(starver.by->target);
   const Reach reach = claims.find(starver.group, Reach::own) != nullptr ? Reach::own : Reach::mandatory;
-  for (const ClaimStep& step : claims.path(starver.group, reach))
-    finding.notes.push_back({step.span, fmt::format("{} {} {}", name_of(model, step.from),
-                                                    step.by_need ? "needs" : "requests", name_of(model, step.to))});
-  for (const NeedStep& step : need_path(model, task.target, starver.group))
-    finding.notes.push_back(
-        {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to))});
+  add_chain(model, claims.path(starver.group, reach), finding);
+  add_chain(model, need_path(model, task.target, starver.group), finding);
   for (std::size_t i = 1; i < starving.places.size(); ++i) {
     const StarvingTask::Place& place = starving.places[i];
     finding.notes.push_back(
