@@ -32,8 +32,8 @@ missing_packages() {
   for entry in "$@"; do
     name=${entry#*:}
     [ "$entry" != "$name" ] && command -v "${entry%%:*}" >/dev/null && continue
-    case $(dpkg-query -W -f='${db:Status-Status} ' "$name" 2>/dev/null) in
-      *'installed '*) ;;
+    case " $(dpkg-query -W -f='${db:Status-Status} ' "$name" 2>/dev/null)" in # also: not-installed
+      *' installed '*) ;;
       *) printf '%s\n' "$name" ;;
     esac
   done

@@ -60,4 +60,10 @@ const Registered* find_registered(std::string_view id);
 /// What the page says behind `Level:`.
 dsl::Level level_of(const Registered& check);
 
+/// What it says behind `Certainty:`: `exact`, `may miss`, `may over-report`, or both of these. The page says why.
+std::string_view certainty_of(const Registered& check);
+
+/// The first sentence of the page.
+std::string summary_of(const Registered& check);
+
 } // namespace director::checks

@@ -35,6 +35,7 @@ public:
     for (const ProviderId causer : want.causers) {
       if (model_.providers[causer].needs.empty()) continue;
       find_company(wanting.task, model_.providers[causer].group);
+      find_own(causer);
       for (const Use<GroupId>& need : model_.providers[causer].needs) {
         const auto& parts = shared_.indispensable().of(need.id);
         if (!parts || seen_.count({need.span, want.condition.span}) != 0) continue;
@@ -56,6 +57,15 @@ private:
     near_ = company.found_in();
   }
 
+  /// What the pushed provider has in every plan. Such a group holds its own parts for whoever has it, so that only who
+  /// may have it can stand between.
+  void find_own(ProviderId causer) {
+    own_.clear();
+    for (const Use<GroupId>& need : model_.providers[causer].needs) {
+      if (const auto& parts = shared_.indispensable().of(need.id)) own_.insert(parts->begin(), parts->end());
+    }
+  }
+
   /// The two meet where the pushed group is requested with the task, or further down.
   bool is_near(const Meeting& meeting) const {
     if (near_.empty() || near_.count(meeting.together->tasks) != 0) return true;
@@ -71,30 +81,51 @@ private:
 
   bool look_at_need(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,
                     GroupId part) {
+    const std::vector<GroupId>& parts = *shared_.indispensable().of(need.id);
     for (const Holder& holder : holders_of(part)) {
+      // What the need itself comes down to holds it for the pushed provider.
+      if (!holder.root && std::binary_search(parts.begin(), parts.end(), holder.group)) continue;
       if (!is_between(wanting.task, want, causer, holder)) continue;
       const GroupId pushed = model_.providers[causer].group;
-      const std::optional<Meeting> above = meeting(wanting.task, holder.group, nullptr, holder.root, true);
-      const std::optional<Meeting> below = meeting(holder.group, pushed, holder.root, nullptr, false);
+      const std::optional<Meeting> above = find_above(wanting.task, holder, pushed);
+      const std::optional<Meeting> below = find_below(wanting.task, holder, pushed);
       if (!above || !below) continue;
-      const std::optional<Meeting> push = meeting(wanting.task, pushed, below->first, below->second, false);
-      report(wanting, want, causer, need, part, holder, *below, push.has_value());
+      bool one_side = false;
+      shared_.chains().visit(wanting.task, {pushed}, [&](const Meeting& found, GroupId) {
+        one_side = one_side || (found.first == below->first && found.second == below->second);
+      });
+      report(wanting, want, causer, need, part, holder, *below, one_side);
       return true;
     }
     return false;
   }
 
-  /// The first meeting in which `high` goes before `low`; by these entries, where they are given. `waits`: `high` is
-  /// not granted, and so nothing is that is in one unit with it.
-  std::optional<Meeting> meeting(GroupId high, GroupId low, const Task* first, const Task* second, bool waits) const {
+  /// Where the waiting task goes before the holder. Of what is in one unit with the task nothing is granted.
+  std::optional<Meeting> find_above(GroupId task, const Holder& holder, GroupId pushed) const {
     std::optional<Meeting> out;
-    shared_.chains().visit(high, {low}, [&](const Meeting& found, GroupId) {
-      if ((first != nullptr && found.first != first) || (second != nullptr && found.second != second)) return;
-      if (waits && found.one_unit() && found.first->target == high) return;
-      if (!waits && !is_near(found)) return;
-      if (!out && found.first_goes_before()) out = found;
+    shared_.chains().visit(task, {holder.group}, [&](const Meeting& found, GroupId) {
+      if (out || !found.first_goes_before() || (holder.root != nullptr && found.second != holder.root)) return;
+      if (found.one_unit() && found.first->target == task) return;
+      if (leads_to(*found.second, holder.group, task, pushed)) out = found;
     });
     return out;
+  }
+
+  /// Where the holder goes before the pushed group.
+  std::optional<Meeting> find_below(GroupId task, const Holder& holder, GroupId pushed) const {
+    std::optional<Meeting> out;
+    shared_.chains().visit(holder.group, {pushed}, [&](const Meeting& found, GroupId) {
+      if (out || !found.first_goes_before() || (holder.root != nullptr && found.first != holder.root)) return;
+      if (is_near(found) && leads_to(*found.first, holder.group, task, pushed)) out = found;
+    });
+    return out;
+  }
+
+  /// A chain of requests from the entry to the group passes neither the task that waits nor the one that is pushed.
+  bool leads_to(const Task& entry, GroupId group, GroupId task, GroupId pushed) const {
+    if (entry.target == task || entry.target == pushed) return false;
+    const Claims claims(shared_.branches(), entry.target, {task, pushed});
+    return std::binary_search(claims.groups().begin(), claims.groups().end(), group);
   }
 
   std::vector<Holder> holders_of(GroupId group) const {
@@ -129,8 +160,8 @@ private:
   /// It may hold the group while the task waits, and not only by a push of the same task.
   bool is_between(GroupId task, const Want& want, ProviderId causer, const Holder& holder) const {
     const GroupId pushed = model_.providers[causer].group;
-    if (holder.group == pushed || holder.group == task || hangs_on(holder.group, pushed) ||
-        hangs_on(holder.group, task))
+    if (holder.group == pushed || holder.group == task || own_.count(holder.group) != 0 ||
+        hangs_on(holder.group, pushed) || hangs_on(holder.group, task))
       return false;
     if (!holder.provider) return true;
     const ProviderId provider = *holder.provider;
@@ -193,6 +224,7 @@ private:
   const Shared& shared_;
   Findings& findings_;
   std::set<const std::vector<Task>*> near_; ///< of the push that is looked at; empty: they may meet anywhere
+  std::set<GroupId> own_;                   ///< of the provider that is pushed
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };
 

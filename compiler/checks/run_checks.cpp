@@ -47,6 +47,14 @@ Diagnostic unused(const Allowance& allowance) {
   return finding;
 }
 
+/// The rest of the line of the page's head that begins like this.
+std::string_view header_of(const Registered& check, std::string_view label) {
+  const std::size_t at = check.page.find(label);
+  if (at == std::string_view::npos) return {};
+  const std::string_view rest = check.page.substr(at + label.size());
+  return rest.substr(0, rest.find('\n'));
+}
+
 } // namespace
 
 const Registered* find_registered(std::string_view id) {
@@ -57,13 +65,29 @@ const Registered* find_registered(std::string_view id) {
 }
 
 Level level_of(const Registered& check) {
-  constexpr std::string_view label = "\nLevel: ";
-  const std::size_t at = check.page.find(label);
-  const std::string_view rest = at == std::string_view::npos ? "" : check.page.substr(at + label.size());
+  const std::string_view text = header_of(check, "\nLevel: ");
   for (const Level level : {Level::error, Level::warning, Level::lint}) {
-    if (rest.substr(0, dsl::name_of(level).size()) == dsl::name_of(level)) return level;
+    if (text == dsl::name_of(level)) return level;
   }
   throw std::logic_error(fmt::format("{}.md says no level", check.id));
+}
+
+std::string_view certainty_of(const Registered& check) {
+  const std::string_view text = header_of(check, "\nCertainty: ");
+  for (const std::string_view known : {"exact", "may miss", "may over-report", "may miss, may over-report"}) {
+    if (text == known) return text;
+  }
+  throw std::logic_error(fmt::format("{}.md does not say how certain it is", check.id));
+}
+
+std::string summary_of(const Registered& check) {
+  // The first paragraph behind the title and what is said in one word.
+  const std::size_t begin = check.page.find("\n\n");
+  const std::string_view rest = begin == std::string_view::npos ? "" : check.page.substr(begin + 2);
+  std::string out(rest.substr(0, rest.find("\n\n")));
+  std::replace(out.begin(), out.end(), '\n', ' ');
+  const std::size_t stop = out.find(". ");
+  return stop == std::string::npos ? out : out.substr(0, stop + 1);
 }
 
 std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts) {

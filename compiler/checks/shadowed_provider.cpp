@@ -25,11 +25,12 @@ void shadowed_provider(const Input& input, Findings& findings) {
   const Model& model = input.model;
   const Facts& facts = input.facts;
   const Rivals& rivals = input.shared.rivals();
-  const Promises& promises = input.shared.promises();
+  IdSet<ProviderId> explained = input.shared.promises().explained;
+  for (const Imprecise& fault : input.shared.imprecise()) explained.add(fault.causer);
   for (const ProviderId id : model.providers.ids()) {
     const Provider& provider = model.providers[id];
     if (!facts.requested.contains(provider.group) || !facts.capable.contains(id) || facts.active.contains(id)) continue;
-    if (promises.explained.contains(id)) continue;
+    if (explained.contains(id)) continue;
     std::vector<std::string> names;
     const std::vector<ProviderId> culprits = find_culprits(input, id, rivals.of(id));
     for (const ProviderId rival : culprits) names.push_back(name_of(model, rival));

@@ -4,18 +4,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 
 namespace director::checks {
 
 void unused_causing(const Input& input, Findings& findings) {
   const Model& model = input.model;
+  std::set<dsl::Span> waited;
+  for (const Graph::Causing& arrow : input.graph.causing) waited.insert(arrow.promise.span);
   for (const ProviderId id : model.providers.ids()) {
     for (const ConditionUse& use : model.providers[id].causing) {
-      const bool waited =
-          std::any_of(input.graph.causing.begin(), input.graph.causing.end(),
-                      [&](const Graph::Causing& arrow) { return arrow.causer == id && arrow.promise.id == use.id; });
-      if (waited) continue;
+      if (waited.count(use.span) != 0) continue;
       findings.add(use.span, fmt::format("nothing waits for {}", name_of(model, use.id))).help =
           "what a provider sets without a promise to anybody stands in `sets`";
     }

@@ -12,8 +12,8 @@ int run(const ListChecks&, Console& console) {
   std::size_t width = 0;
   for (const checks::Registered& check : checks::registered()) width = std::max(width, check.id.size());
   for (const checks::Registered& check : checks::registered()) {
-    console.out << fmt::format("{:<{}}  {:<7}  {}\n", check.id, width, dsl::name_of(checks::level_of(check)),
-                               summary(check.page));
+    console.out << fmt::format("{:<{}}  {:<7}  {:<25}  {}\n", check.id, width, dsl::name_of(checks::level_of(check)),
+                               checks::certainty_of(check), checks::summary_of(check));
   }
   return clean;
 }

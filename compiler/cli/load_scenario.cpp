@@ -41,6 +41,7 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   const auto stop = [&](int status, const Findings& findings) {
     print_findings(findings, sources, console.err, console.err_colours);
     out.status = status;
+    out.findings = findings;
   };
   const std::string path = shown_path(file);
   const dsl::ReadScenarioResult read = dsl::read_scenario(path, console.files, sources);
@@ -60,6 +61,7 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   ResolvedScenario resolved = resolve_scenario(read.scenario, out.model);
   if (dsl::has_errors(resolved.findings)) return stop(found, resolved.findings), out;
   print_findings(resolved.findings, sources, console.err, console.err_colours);
+  out.findings = resolved.findings;
   out.lowered = lower(out.model);
   out.scenario = std::move(resolved.scenario);
   return out;

@@ -9,8 +9,9 @@
 namespace director::compiler::cli {
 
 struct LoadedScenario {
-  int status = clean;    ///< not clean: it has been said why, and nothing else is good
-  std::string behaviour; ///< the path of its file
+  int status = clean;                    ///< not clean: it has been said why, and nothing else is good
+  std::vector<dsl::Diagnostic> findings; ///< that have been shown
+  std::string behaviour;                 ///< the path of its file
   Model model;
   Graph graph;
   Lowered lowered;

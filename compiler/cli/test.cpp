@@ -1,5 +1,6 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp, tests/cli/coverage_test.cpp.
 #include "compiler/cli/load_scenario.hpp"
+#include "compiler/emit/findings_json.hpp"
 #include "compiler/play/coverage_watch.hpp"
 #include "compiler/play/print_coverage.hpp"
 #include "compiler/play/test_scenario.hpp"
@@ -40,11 +41,19 @@ public:
 private:
   bool text() const { return request_.format == Format::text; }
 
+  static Json with(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, Json row) {
+    Json list = Json::list({});
+    for (const dsl::Diagnostic& finding : findings) list.add(finding_json(finding, sources));
+    row.add("findings", std::move(list));
+    return row;
+  }
+
   int test(const std::string& file) {
     dsl::Sources sources;
     const LoadedScenario loaded = load_scenario(file, sources, console_);
     if (loaded.status != clean) {
-      rows_.push_back(Json::object({{"file", Json::text(shown_path(file))}, {"holds", Json::boolean(false)}}));
+      Json row = Json::object({{"file", Json::text(shown_path(file))}, {"holds", Json::boolean(false)}});
+      rows_.push_back(with(loaded.findings, sources, std::move(row)));
       return loaded.status;
     }
     const ScenarioResult result = play(loaded, sources);
@@ -54,11 +63,13 @@ private:
                                   title.empty() ? "" : ": " + title);
       console_.out << render(result, sources);
     }
+    std::vector<dsl::Diagnostic> findings = loaded.findings;
     if (result.played.refused) {
       console_.out.flush();
       print_findings({*result.played.refused}, sources, console_.err, console_.err_colours);
+      findings.push_back(*result.played.refused);
     }
-    rows_.push_back(to_json(result, shown_path(file), title, sources));
+    rows_.push_back(with(findings, sources, to_json(result, shown_path(file), title, sources)));
     return result.holds() ? clean : found;
   }
 

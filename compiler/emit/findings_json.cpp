@@ -15,6 +15,15 @@ void add_place(Json& to, const dsl::Span& span, const dsl::Sources& sources) {
   to.add("end_column", Json::number(end.column));
 }
 
+} // namespace
+
+Json note_json(const dsl::Note& note, const dsl::Sources& sources) {
+  Json row = Json::object({});
+  add_place(row, note.span, sources);
+  row.add("message", Json::text(note.message));
+  return row;
+}
+
 Json finding_json(const dsl::Diagnostic& finding, const dsl::Sources& sources) {
   Json out = Json::object({});
   out.add("id", Json::text(finding.id));
@@ -26,15 +35,6 @@ Json finding_json(const dsl::Diagnostic& finding, const dsl::Sources& sources) {
   out.add("notes", std::move(notes));
   if (!finding.help.empty()) out.add("help", Json::text(finding.help));
   return out;
-}
-
-} // namespace
-
-Json note_json(const dsl::Note& note, const dsl::Sources& sources) {
-  Json row = Json::object({});
-  add_place(row, note.span, sources);
-  row.add("message", Json::text(note.message));
-  return row;
 }
 
 Json findings_json(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources) {

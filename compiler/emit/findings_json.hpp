@@ -13,6 +13,9 @@ namespace director::compiler {
 /// A note: its place and what it says.
 Json note_json(const dsl::Note& note, const dsl::Sources& sources);
 
+Json finding_json(const dsl::Diagnostic& finding, const dsl::Sources& sources);
+
+/// All of them, under the key `findings`.
 Json findings_json(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources);
 
 } // namespace director::compiler

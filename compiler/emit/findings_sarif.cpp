@@ -57,9 +57,12 @@ public:
     out.add("message", message(finding.help.empty() ? finding.message : finding.message + "\nhelp: " + finding.help));
     out.add("locations", Json::list({location(finding.span)}));
     if (!finding.notes.empty()) {
-      Json related = Json::list({});
-      for (const dsl::Note& note : finding.notes) related.add(told(note));
-      out.add("relatedLocations", std::move(related));
+      std::vector<Json> related; // each once: two chains may have a link in common
+      for (const dsl::Note& note : finding.notes) {
+        Json one = told(note);
+        if (std::find(related.begin(), related.end(), one) == related.end()) related.push_back(std::move(one));
+      }
+      out.add("relatedLocations", Json::list(std::move(related)));
     }
     if (finding.notes.size() > 1 &&
         std::find(told_in_order.begin(), told_in_order.end(), finding.id) != told_in_order.end()) {

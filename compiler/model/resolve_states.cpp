@@ -53,7 +53,8 @@ void declare_type(Resolver& r, State& state, const dsl::StateSpec& spec) {
         .notes.push_back({other->type->span, fmt::format("`{}` has it first", other->name.value)});
     break;
   }
-  if (!spec.values && !r.options.scanner) {
+  // Beside a `range` it is reported that the two exclude each other.
+  if (!spec.values && !spec.range && !r.options.scanner) {
     r.error("type_needs_scanner", spec.type->span,
             fmt::format("the values of `{}` are not known here: this directorc cannot read C++", *state.type))
         .help = fmt::format("list the values of `{}` beside its type: `values: [...]`", state.name.value);

@@ -6,6 +6,7 @@
 #include "runtime/core/heap_sort.hpp"
 #include "runtime/core/notes.hpp"
 #include "runtime/core/order.hpp"
+#include "runtime/core/planted.hpp"
 
 namespace director {
 
@@ -77,7 +78,9 @@ std::span<const Index> Engine::in_order(Index passes, bool before) {
 }
 
 void Engine::stop_group(Index group) {
-  for (const Index state : t_.list(t_.groups[group].owned)) { set_by_handler(state, t_.states[state].initial); }
+  for (const Index state : t_.list(t_.groups[group].owned)) {
+    if (!planted(Fault::owned_states_stay)) set_by_handler(state, t_.states[state].initial);
+  }
   handle(group, Reason::stopped);
   s_.pending[group] = s_.done[group] = 0;
   disarm(Due::wait, group);
@@ -85,7 +88,9 @@ void Engine::stop_group(Index group) {
   s_.data_from[group] = nil;
   const Range listens = t_.groups[group].listens, edges = t_.groups[group].edges;
   for (Index slot = listens.begin; slot != listens.end; ++slot) s_.fired[slot] = 0;
-  for (Index e = edges.begin; e != edges.end; ++e) s_.request[e] = nil;
+  for (Index e = edges.begin; e != edges.end; ++e) {
+    if (!planted(Fault::stopped_requests_stand)) s_.request[e] = nil;
+  }
 }
 
 /// Calls the start or stop handler.
@@ -112,8 +117,8 @@ void Engine::give_reasons(Index group) {
     handle(group, Reason::started);
     starting_ = nil;
   }
-  if (starts || !was_granted || s_.last[group].holder != holder || s_.anew[holder] != 0)
-    add_reason(group, Reason::new_task);
+  const bool handed_on = s_.last[group].holder != holder && !planted(Fault::a_new_holder_is_no_news);
+  if (starts || !was_granted || handed_on || s_.anew[holder] != 0) add_reason(group, Reason::new_task);
   if (s_.last[group].active != provider) {
     add_reason(group, (s_.now[group].flags & flag::in_force) != 0 ? Reason::pushed : Reason::new_task);
     const Time every = t_.providers[provider].every; // the period begins when the provider becomes active
@@ -121,7 +126,8 @@ void Engine::give_reasons(Index group) {
     if (every != 0) arm(Due::every, group, s_.counters->now + every);
   }
   const Service& serves = s_.now[group].serves;
-  if (serves.condition != nil && serves != s_.last[group].serves) add_reason(group, Reason::pushed);
+  const bool lost = serves.condition != nil && serves != s_.last[group].serves;
+  if (lost && !planted(Fault::a_lost_state_is_nobodys_concern)) add_reason(group, Reason::pushed);
   enqueue(group);
 }
 

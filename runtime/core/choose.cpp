@@ -6,6 +6,7 @@
 
 #include "runtime/core/arbitration.hpp"
 #include "runtime/core/marks.hpp"
+#include "runtime/core/planted.hpp"
 
 namespace director {
 
@@ -26,9 +27,9 @@ bool Pass::alive(Index edge) const {
 bool Pass::available(Index group, Index edge, bool record) {
   if (s_.now[group].holder != nil) return s_.now[group].holder == edge;
   const Index holder = s_.last[group].holder; // equals never take from each other
-  if (holder == nil || holder == edge || is_limbo(holder) || (s_.edge_marks[holder] & mark::refused) != 0 ||
-      (s_.group_marks[group] & mark::forgotten) != 0 || !alive(holder) ||
-      compare({edge, Along::now}, {holder, Along::last}, false) != 0)
+  if (holder == nil || holder == edge || is_limbo(holder) || planted(Fault::equals_take) ||
+      (s_.edge_marks[holder] & mark::refused) != 0 || (s_.group_marks[group] & mark::forgotten) != 0 ||
+      !alive(holder) || compare({edge, Along::now}, {holder, Along::last}, false) != 0)
     return true;
   depends_on_last_ = depends_on_stale_ = true;
   if (record && (s_.group_marks[group] & mark::denied) == 0) {
@@ -47,6 +48,7 @@ bool Pass::applies(const Push& push, Index edge) const {
 /// The provider that a push moves to the front for an edge that controls the group, or nil.
 Index Pass::pushed_first(Index group, Index edge) const {
   const Push& push = s_.now[group].push;
+  if (planted(Fault::pushes_move_nothing)) return nil;
   return push.edge != nil && applies(push, edge) ? push.provider : nil;
 }
 
@@ -66,7 +68,7 @@ bool Pass::holds(Index condition) const { return director::holds(t_, s_, conditi
 /// count.
 bool Pass::stays(Index provider) const {
   const Provider& row = t_.providers[provider];
-  if (row.stay.empty()) return false;
+  if (row.stay.empty() || planted(Fault::stay_is_ignored)) return false;
   depends_on_last_ = true;
   if (s_.last[row.group].active != provider || (s_.last[row.group].flags & flag::granted) == 0) return false;
   for (const Index condition : t_.list(row.stay)) {
@@ -79,6 +81,7 @@ bool Pass::stays(Index provider) const {
 bool Pass::waived(Index provider, Index condition, Index edge) const {
   const Index group = t_.providers[provider].group;
   const Push& push = s_.now[group].push;
+  if (planted(Fault::nothing_is_waived)) return false;
   if (push.edge == nil || push.provider != provider || (s_.last[group].flags & flag::in_force) == 0 ||
       s_.last[group].push.provider != provider)
     return false;
@@ -122,6 +125,7 @@ bool Pass::search_plan(Index provider, Index begin, Index& end, bool fresh, bool
   if (fresh) end = begin;
   for (bool back = !fresh;;) {
     while (back) {
+      if (planted(Fault::only_the_first_plan) && !fresh) drop_entries(begin, end), end = begin;
       if (end == begin) return false;
       const auto last = static_cast<Index>(end - 1);
       if (++s_.entry_choice[last] < t_.groups[s_.entry_group[last]].providers.size()) {
@@ -203,7 +207,9 @@ bool Pass::next_choice(Index at, bool fresh, bool with_conditions, bool record) 
   for (; place < providers.size(); ++place) {
     if (!found) {
       provider = preferred(group, place, edge);
-      if (s_.enabled[provider] == 0 || (as_it_is && provider != s_.last[group].active)) continue;
+      if ((s_.enabled[provider] == 0 && !planted(Fault::disabled_providers_run)) ||
+          (as_it_is && provider != s_.last[group].active))
+        continue;
       if (with_conditions && first_false(provider, edge) != nil) continue;
       found = search_plan(provider, begin, end, true, false);
     }

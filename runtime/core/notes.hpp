@@ -4,6 +4,7 @@
 
 #include "runtime/core/engine.hpp"
 #include "runtime/core/marks.hpp"
+#include "runtime/core/planted.hpp"
 
 namespace director {
 
@@ -37,7 +38,7 @@ inline void Engine::untouch(Index group) { s_.in_queue[group] &= static_cast<std
 
 inline void Engine::add_reason(Index group, Reason reason) {
   const auto bit = static_cast<std::uint8_t>(reason);
-  if (reason == Reason::new_task) s_.done[group] = 0;
+  if (reason == Reason::new_task && !planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
   if ((s_.pending[group] & bit) != 0) return;
   s_.pending[group] |= bit;
   touch(group);

@@ -7,6 +7,7 @@
 #include "runtime/core/order.hpp"
 
 #include "runtime/core/heap_sort.hpp"
+#include "runtime/core/planted.hpp"
 
 namespace director {
 
@@ -72,18 +73,21 @@ int Order::compare(Place a, Place b, bool in_order) const {
     climb(b, optional_b);
     if (at_a != at_b) sibling_a = at_a, sibling_b = at_b, below_a = optional_a, below_b = optional_b;
   }
+  if (sibling_a == nil && planted(Fault::ancestors_are_equals)) return 0;
   if (sibling_a == nil) return of_a.length < of_b.length ? -1 : of_a.length > of_b.length ? 1 : 0; // rule 1
   return compare_siblings({sibling_a, below_a}, {sibling_b, below_b}, in_order);
 }
 
 /// Rules 3 to 5 for two edges of one requester and what lies below them.
 int Order::compare_siblings(Side a, Side b, bool in_order) const {
-  if (a.optional != b.optional) return a.optional ? 1 : -1; // rule 3
+  if (a.optional != b.optional) return a.optional != planted(Fault::optional_goes_first) ? 1 : -1; // rule 3
   const Index urgency_a = urgency(a.edge), urgency_b = urgency(b.edge);
-  if (urgency_a != urgency_b) return urgency_a < urgency_b ? -1 : 1; // rule 4
+  if (urgency_a != urgency_b) // rule 4
+    return (urgency_a < urgency_b) != planted(Fault::priorities_are_reversed) ? -1 : 1;
   if (!in_order) return 0;
   const auto stamp = [&](Index edge) { return requested(edge) ? s_.stamp[edge] : ~std::uint64_t{0}; };
-  if (stamp(a.edge) != stamp(b.edge)) return stamp(a.edge) < stamp(b.edge) ? -1 : 1; // rule 5
+  if (stamp(a.edge) != stamp(b.edge)) // rule 5
+    return (stamp(a.edge) < stamp(b.edge)) != planted(Fault::younger_goes_first) ? -1 : 1;
   return a.edge < b.edge ? -1 : 1;
 }
 

@@ -4,6 +4,7 @@
 
 #include "runtime/core/arbitration.hpp"
 #include "runtime/core/marks.hpp"
+#include "runtime/core/planted.hpp"
 
 namespace director {
 
@@ -41,7 +42,7 @@ void Pass::clear() {
 bool Pass::denied_in_vain() {
   for (Index i = 0; i < denied_; ++i) {
     const Index group = s_.denied[i];
-    if (s_.now[group].holder == s_.last[group].holder) continue;
+    if (s_.now[group].holder == s_.last[group].holder || planted(Fault::denials_are_final)) continue;
     s_.group_marks[group] |= mark::forgotten;
     return true;
   }
@@ -91,7 +92,7 @@ bool Pass::may_ask(Index group) const {
 
 bool Pass::alone(Index edge) const {
   const Level& level = t_.levels[s_.request[edge]];
-  return requester(edge) == nil || level.optional || level.apart;
+  return requester(edge) == nil || level.optional || level.apart || planted(Fault::members_for_themselves);
 }
 
 /// Tries candidates, the first in order first, until none is left.
@@ -151,7 +152,7 @@ bool Pass::runs_for_now(Index edge) const {
 
 /// Something new on behalf of outdated orders.
 bool Pass::outdated_order(Index count) const {
-  if (!stale_requester(s_.member[0])) return false;
+  if (!stale_requester(s_.member[0]) || planted(Fault::outdated_orders_acquire)) return false;
   for (Index at = 0; at < count; ++at) {
     if (!runs_for_now(s_.member[at])) return true;
   }
@@ -196,7 +197,7 @@ void Pass::defer(Index count) {
 
 /// For a member that is new, the combination in hand claims what a stale group that goes before it may still ask for.
 bool Pass::premature(Index count) {
-  if (stale_granted_ == 0) return false;
+  if (stale_granted_ == 0 || planted(Fault::nothing_is_deferred)) return false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = s_.member[at];
     if (runs_for_now(edge)) continue;
@@ -249,7 +250,7 @@ void Pass::grant(Index count) {
     become_candidates(group);
     waken(entries_begin(at), s_.member_entries[at]);
   }
-  if (pushed_) keep_serving_pushes(count);
+  if (pushed_ && !planted(Fault::served_pushes_end)) keep_serving_pushes(count);
   // What serves one member of a unit serves all; below a stale group each member has only its own.
   depends_on_stale_ = depends_on_stale_ || (pushed_ && count > 1);
   leave_combination(count);
@@ -293,7 +294,10 @@ void Pass::refuse(Index count) {
     keep_pushes(count);
     return explain(count, Why::outdated);
   }
-  if (!combine(count, false)) return explain(count, Why::blocked);
+  if (!combine(count, false)) {
+    if (planted(Fault::blocked_units_push_on)) keep_pushes(count);
+    return explain(count, Why::blocked);
+  }
   depends_on_last_ = true;
   const Index unmet = collect_unmet(count);
   const bool early = stale_requester(s_.member[0]) || premature(count);
@@ -302,7 +306,8 @@ void Pass::refuse(Index count) {
   explain(count, Why::waiting, s_.unmet[0]);
   if (early) return keep_pushes(count);
   for (Index i = 0; i < unmet; ++i) {
-    if (!somebody_satisfies(s_.unmet[i])) return; // it waits for the outside, and holds nobody back
+    if (somebody_satisfies(s_.unmet[i]) || planted(Fault::pushes_though_the_outside_decides)) continue;
+    return; // it waits for the outside, and holds nobody back
   }
   push_for(count, unmet);
 }
@@ -315,7 +320,9 @@ void Pass::explain(Index count, Why why, Index condition) {
 void Pass::hand_over() {
   for (Index i = 0; i < s_.order_count[component_]; ++i) {
     const Index group = s_.order[c_.order + i];
-    if (s_.last[group].active == nil || s_.now[group].holder != nil || stale_granted_ == 0) continue;
+    if (s_.last[group].active == nil || s_.now[group].holder != nil || stale_granted_ == 0 ||
+        planted(Fault::nobody_inherits))
+      continue;
     s_.reach[0] = group;
     if (reached_from_stale(1, nil)) hand_over(group);
   }
@@ -371,7 +378,7 @@ void Pass::finish() {
     s_.next_order[c_.order + count++] = g;
     if (s_.now[g].active != nil || s_.last[g].active == nil) continue;
     depends_on_last_ = depends_on_stale_ = true;
-    if (stale(g)) s_.now[g].active = s_.last[g].active;
+    if (stale(g) || planted(Fault::unwanted_needs_live_on)) s_.now[g].active = s_.last[g].active;
   }
   s_.next_count[component_] = count;
   for (const Index g : t_.list(c_.groups)) {
@@ -379,7 +386,7 @@ void Pass::finish() {
     if (push.edge == nil) continue;
     depends_on_last_ = true;
     if (s_.now[g].holder == nil) {
-      if (!asked_for(g)) push = Push{};
+      if (!asked_for(g) && !planted(Fault::pushes_outlive_requests)) push = Push{};
       continue;
     }
     const bool was_in_force = (s_.last[g].flags & flag::in_force) != 0;

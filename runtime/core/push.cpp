@@ -6,6 +6,7 @@
 
 #include "runtime/core/arbitration.hpp"
 #include "runtime/core/marks.hpp"
+#include "runtime/core/planted.hpp"
 
 namespace director {
 
@@ -182,9 +183,10 @@ bool Pass::relax(Index provider) {
     if (length == endless) continue;
     for (const Index effect : t_.list(row.effects)) {
       const bool shorter = length < s_.cost[effect];
+      const Index other = s_.cost_at[effect];
+      const bool declared_first = planted(Fault::the_later_provider_is_pushed) ? provider > other : provider < other;
       const bool earlier =
-          length == s_.cost[effect] &&
-          (provider < s_.cost_at[effect] || (provider == s_.cost_at[effect] && plan < s_.cost_plan[effect]));
+          length == s_.cost[effect] && (declared_first || (provider == other && plan < s_.cost_plan[effect]));
       if (!shorter && !earlier) continue;
       s_.cost[effect] = length;
       s_.cost_at[effect] = provider;

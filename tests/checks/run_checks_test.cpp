@@ -74,10 +74,11 @@ TEST_CASE("an unused allowance may be allowed itself") {
         "main.yaml:5: `unused_allow` finds nothing here that could be allowed [unused_allow]\n");
 }
 
-TEST_CASE("every check has a level, and is found by its id") {
+TEST_CASE("every check has a level, says how certain it is, and is found by its id") {
   for (const checks::Registered& check : checks::registered()) {
     CHECK(checks::find_registered(check.id) == &check);
     CHECK_NOTHROW(checks::level_of(check));
+    CHECK_NOTHROW(checks::certainty_of(check));
   }
   CHECK(checks::find_registered("no_such_check") == nullptr);
 }

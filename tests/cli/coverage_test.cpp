@@ -12,6 +12,7 @@ World lamp() {
                                "  Lamp: {packs: {bright: {}, dim: {}}}\n");
   world.files.add("bright.yaml", "behaviour: lamp.yaml\nscript: {Lamp: {pack: bright}}\nsteps: [request: Lamp]\n");
   world.files.add("dim.yaml", "behaviour: lamp.yaml\nscript: {Lamp: {pack: dim}}\nsteps: [request: Lamp]\n");
+  world.files.add("broken.yaml", "steps: []\n");
   world.files.add("wrong.yaml", "scenario: it rings\nbehaviour: lamp.yaml\nsteps:\n  - request: Lamp\n"
                                 "    expect: run Bell new_task\n");
   return world;
@@ -47,14 +48,20 @@ TEST_CASE("too little that is covered is a failure where a minimum is asked for"
 
 TEST_CASE("results and coverage as JSON") {
   World world = lamp();
-  CHECK(world.directorc({"test", "--format=json", "--coverage", "bright.yaml", "wrong.yaml", "none.yaml"}) == 2);
-  CHECK(world.err == "directorc: cannot read `none.yaml`: No such file or directory\n");
+  CHECK(world.directorc(
+            {"test", "--format=json", "--coverage", "bright.yaml", "wrong.yaml", "none.yaml", "broken.yaml"}) == 2);
+  CHECK(world.err == "directorc: cannot read `none.yaml`: No such file or directory\n"
+                     "broken.yaml:1:1: error: a scenario file needs `behaviour` [missing_key]\n"
+                     "    1 | steps: []\n"
+                     "      | ^~~~~\n"
+                     "1 error\n");
   CHECK(world.out == R"({
   "scenarios": [
     {
       "file": "bright.yaml",
       "holds": true,
-      "mismatches": []
+      "mismatches": [],
+      "findings": []
     },
     {
       "file": "wrong.yaml",
@@ -76,11 +83,30 @@ TEST_CASE("results and coverage as JSON") {
             "run Lamp new_task"
           ]
         }
-      ]
+      ],
+      "findings": []
     },
     {
       "file": "none.yaml",
-      "holds": false
+      "holds": false,
+      "findings": []
+    },
+    {
+      "file": "broken.yaml",
+      "holds": false,
+      "findings": [
+        {
+          "id": "missing_key",
+          "level": "error",
+          "file": "broken.yaml",
+          "line": 1,
+          "column": 1,
+          "end_line": 1,
+          "end_column": 6,
+          "message": "a scenario file needs `behaviour`",
+          "notes": []
+        }
+      ]
     }
   ],
   "coverage": [

@@ -1,6 +1,7 @@
-# cmake -D VERDICTS=<program> -D NODE=<program> -D NPM=<program> -D FROM=<this folder> -D SCHEMAS=<folder> -D WORK=<folder> -P schemas.cmake
-# Installs the pinned npm packages in WORK, has VERDICTS read the corpus, and compares with the schemas.
-foreach(file package.json package-lock.json compare.mjs)
+# cmake -D DIRECTORC=<program> -D VERDICTS=<program> -D NODE=<program> -D NPM=<program> -D FROM=<this folder> -D SCHEMAS=<folder> -D WORK=<folder> -P schemas.cmake
+# Installs the pinned npm packages in WORK, has VERDICTS read the corpus, and compares with the schemas. Then holds what
+# DIRECTORC prints as SARIF against the schema of SARIF.
+foreach(file package.json package-lock.json compare.mjs sarif.mjs)
   file(COPY_FILE ${FROM}/${file} ${WORK}/${file} ONLY_IF_DIFFERENT)
 endforeach()
 if(NOT EXISTS ${WORK}/node_modules/ajv OR ${FROM}/package-lock.json IS_NEWER_THAN ${WORK}/installed)
@@ -21,4 +22,18 @@ endif()
 execute_process(COMMAND ${NODE} compare.mjs verdicts.jsonl ${SCHEMAS} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "the schemas and the reader disagree")
+endif()
+
+set(logs "")
+cmake_path(GET SCHEMAS PARENT_PATH root)
+file(GLOB behaviours RELATIVE ${root} ${root}/behaviours/robocup/*.yaml ${root}/behaviours/*/*.yaml)
+list(FILTER behaviours EXCLUDE REGEX "scenario")
+foreach(behaviour IN LISTS behaviours ITEMS tests/schemas/everything.yaml)
+  string(MAKE_C_IDENTIFIER ${behaviour} name)
+  execute_process(COMMAND ${DIRECTORC} check --lint --format=sarif ${behaviour} WORKING_DIRECTORY ${root} OUTPUT_FILE ${WORK}/${name}.sarif)
+  list(APPEND logs ${name}.sarif)
+endforeach()
+execute_process(COMMAND ${NODE} sarif.mjs ${logs} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "this is no SARIF")
 endif()

@@ -38,15 +38,17 @@ private:
   std::string columns_;
 };
 
-/// `name` of `count` rows; row(i) is the text of one, comment(i) what it is.
-template <class RowText, class Comment>
-void table(Code& code, std::string_view type, std::string_view name, std::size_t count, RowText row, Comment comment) {
-  if (count == 0) {
+/// `name` of these rows; row_text(row) is the text of one, comment(i) what the i-th one is.
+template <class Rows, class RowText, class Comment>
+void table(Code& code, std::string_view type, std::string_view name, const Rows& rows, RowText row_text,
+           Comment comment) {
+  if (rows.empty()) {
     code.line(fmt::format("constexpr std::array<director::{}, 0> {}{{}};", type, name));
     return;
   }
-  code.open(fmt::format("constexpr std::array<director::{}, {}> {}{{{{", type, count, name));
-  for (std::size_t i = 0; i < count; ++i) code.line(fmt::format("{}, // {}", row(i).text(), comment(i)));
+  code.open(fmt::format("constexpr std::array<director::{}, {}> {}{{{{", type, rows.size(), name));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    code.line(fmt::format("{}, // {}", row_text(rows[i]).text(), comment(i)));
   code.close("}};");
 }
 
@@ -54,6 +56,15 @@ void list(Code& code, std::string_view name, std::span<const Index> rows) {
   std::vector<std::string> numbers;
   for (const Index row : rows) numbers.push_back(std::to_string(row));
   code.list(fmt::format("constexpr std::array<director::Index, {}> {}{{", numbers.size(), name), numbers, "};");
+}
+
+/// For each row of a table that others have ranges of: whose it is. `range` is that column of an owner.
+template <class Owners, class Range>
+std::vector<std::uint32_t> owners_of(const Owners& owners, Range range, std::size_t count) {
+  std::vector<std::uint32_t> out(count);
+  for (std::uint32_t owner = 0; owner < owners.size(); ++owner)
+    for (Index i = (owners[owner].*range).begin; i < (owners[owner].*range).end; ++i) out[i] = owner;
+  return out;
 }
 
 // Each takes its row apart, so that a column which is new there is an error here until it is written too.
@@ -174,17 +185,9 @@ Code tables_part(const CppEmission& e) {
   const Tables& t = e.tables;
   const Model& m = e.model;
   const auto id = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
-  const auto edge_of_level = [&](std::size_t level) {
-    std::size_t edge = 0;
-    while (!(t.edges[edge].levels.begin <= level && level < t.edges[edge].levels.end)) ++edge;
-    return m.edge_name(EdgeId{id(edge)});
-  };
+  const auto edge_of_level = owners_of(t.edges, &director::Edge::levels, t.levels.size());
+  const auto condition_of_interval = owners_of(t.conditions, &director::Condition::accepts, t.intervals.size());
   const auto condition = [&](std::size_t i) { return m.conditions[e.from.lowered.condition_ids[i]].text; };
-  const auto condition_of_interval = [&](std::size_t interval) {
-    std::size_t row = 0;
-    while (!(t.conditions[row].accepts.begin <= interval && interval < t.conditions[row].accepts.end)) ++row;
-    return condition(row);
-  };
   const auto groups_of_component = [&](std::size_t i) {
     std::string names;
     for (const Index group : t.list(t.components[i].groups)) {
@@ -197,36 +200,25 @@ Code tables_part(const CppEmission& e) {
   code.comment("The tables; see runtime/core/tables.hpp. A column that is not named has its initial value.", "//");
   code.line("namespace {");
   code.blank();
-  table(
-      code, "Group", "groups", t.groups.size(), [&](std::size_t i) { return group_row(t.groups[i]); },
-      [&](std::size_t i) { return m.groups[GroupId{id(i)}].name.value; });
-  table(
-      code, "Provider", "providers", t.providers.size(), [&](std::size_t i) { return provider_row(t.providers[i]); },
-      [&](std::size_t i) { return m.full_name(ProviderId{id(i)}); });
-  table(
-      code, "Edge", "edges", t.edges.size(), [&](std::size_t i) { return edge_row(t.edges[i]); },
-      [&](std::size_t i) { return m.edge_name(EdgeId{id(i)}); });
-  table(
-      code, "Level", "levels", t.levels.size(), [&](std::size_t i) { return level_row(t.levels[i]); }, edge_of_level);
-  table(
-      code, "Condition", "conditions", t.conditions.size(),
-      [&](std::size_t i) { return condition_row(t.conditions[i]); }, condition);
-  table(
-      code, "Interval", "intervals", t.intervals.size(), [&](std::size_t i) { return interval_row(t.intervals[i]); },
-      condition_of_interval);
-  table(
-      code, "StateVariable", "states", t.states.size(), [&](std::size_t i) { return state_row(t.states[i]); },
-      [&](std::size_t i) { return m.states[StateId{id(i)}].name.value; });
-  table(
-      code, "Trigger", "triggers", t.triggers.size(), [&](std::size_t i) { return trigger_row(t.triggers[i]); },
-      [&](std::size_t i) { return m.triggers[TriggerId{id(i)}].name; });
-  table(
-      code, "Promise", "promises", t.promises.size(), [&](std::size_t i) { return promise_row(t.promises[i]); },
-      [&](std::size_t i) { return m.full_name(ProviderId{t.promises[i].provider}); });
+  const auto group = [&](std::size_t i) { return m.groups[GroupId{id(i)}].name.value; };
+  const auto provider = [&](std::size_t i) { return m.full_name(ProviderId{id(i)}); };
+  const auto edge = [&](std::size_t i) { return m.edge_name(EdgeId{id(i)}); };
+  const auto level = [&](std::size_t i) { return edge(edge_of_level[i]); };
+  const auto interval = [&](std::size_t i) { return condition(condition_of_interval[i]); };
+  const auto state = [&](std::size_t i) { return m.states[StateId{id(i)}].name.value; };
+  const auto trigger = [&](std::size_t i) { return m.triggers[TriggerId{id(i)}].name; };
+  const auto promise = [&](std::size_t i) { return provider(t.promises[i].provider); };
+  table(code, "Group", "groups", t.groups, group_row, group);
+  table(code, "Provider", "providers", t.providers, provider_row, provider);
+  table(code, "Edge", "edges", t.edges, edge_row, edge);
+  table(code, "Level", "levels", t.levels, level_row, level);
+  table(code, "Condition", "conditions", t.conditions, condition_row, condition);
+  table(code, "Interval", "intervals", t.intervals, interval_row, interval);
+  table(code, "StateVariable", "states", t.states, state_row, state);
+  table(code, "Trigger", "triggers", t.triggers, trigger_row, trigger);
+  table(code, "Promise", "promises", t.promises, promise_row, promise);
   list(code, "lists", t.lists);
-  table(
-      code, "Component", "components", t.components.size(),
-      [&](std::size_t i) { return component_row(t.components[i]); }, groups_of_component);
+  table(code, "Component", "components", t.components, component_row, groups_of_component);
   list(code, "plan_groups", t.plan_groups);
   list(code, "listened", t.listened);
   code.blank();

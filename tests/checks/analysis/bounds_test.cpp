@@ -72,7 +72,7 @@ TEST_CASE("a handler that sets, and a state of a group, cause inputs of their ow
 /// Root tasks that were granted at once, and how long each waits for its run.
 class FirstRuns {
 public:
-  FirstRuns(const Model& model, const Bounds& bounds) : model_(model), bounds_(bounds) {}
+  explicit FirstRuns(const Model& model) : model_(model) {}
 
   compiler::Onlooker onlooker() {
     return {[this](ProviderId provider, const compiler::Case*) { ran_ = model_.providers[provider].group; },
@@ -102,7 +102,6 @@ private:
   }
 
   const Model& model_;
-  const Bounds& bounds_;
   std::optional<GroupId> ran_;
   std::map<Index, std::uint64_t> since_;
   std::uint64_t last_ = 0;
@@ -123,7 +122,7 @@ TEST_CASE("no scenario of the project exceeds the bound on the way to a first ru
       const ResolvedScenario resolved = resolve_scenario(read.scenario, checked.model);
       const Lowered lowered = lower(checked.model);
       const Bounds bounds = find_bounds(checked.model, lowered.view());
-      FirstRuns runs(checked.model, bounds);
+      FirstRuns runs(checked.model);
       const Onlooker onlooker = runs.onlooker();
       play(resolved.scenario, checked.model, lowered, {false, &onlooker}, [](const Happening&) {});
       bool several = bounds.handlers_set; // inputs go before runs

@@ -1,0 +1,51 @@
+#pragma once
+// Faults that can be planted in the engine, to see that the random tests of tests/property find every one of them. In a
+// product planted() is false while compiling, and nothing of it is left. tests/planted builds the engine with
+// DIRECTOR_PLANTED_FAULTS and chooses one at a time.
+
+namespace director {
+
+enum class Fault : unsigned char {
+  none,
+  // semantics.md 4.1
+  ancestors_are_equals,
+  optional_goes_first,
+  priorities_are_reversed,
+  younger_goes_first,
+  // 4.2
+  equals_take,
+  denials_are_final,
+  // 4.3
+  only_the_first_plan,
+  disabled_providers_run,
+  stay_is_ignored,
+  pushes_move_nothing,
+  nothing_is_waived,
+  // 4.4
+  members_for_themselves,
+  outdated_orders_acquire,
+  nothing_is_deferred,
+  served_pushes_end,
+  blocked_units_push_on,
+  pushes_though_the_outside_decides,
+  the_later_provider_is_pushed,
+  nobody_inherits,
+  pushes_outlive_requests,
+  // 5
+  stopped_requests_stand,
+  owned_states_stay,
+  a_new_holder_is_no_news,
+  unwanted_needs_live_on,
+  a_lost_state_is_nobodys_concern,
+  done_outlives_a_new_task,
+  count
+};
+
+#ifdef DIRECTOR_PLANTED_FAULTS
+extern Fault planted_fault;
+inline bool planted(Fault fault) { return fault == planted_fault; }
+#else
+constexpr bool planted(Fault) { return false; }
+#endif
+
+} // namespace director

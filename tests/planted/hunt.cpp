@@ -1,0 +1,123 @@
+// Door: tests/planted/CMakeLists.txt. Test: itself.
+//
+// Plants one fault after the other in the engine and lets the random cases of tests/property look for it: each must
+// differ from the oracle, break an invariant or hang within a small part of the cases that a usual run has. Prints a
+// table.
+#include "runtime/core/planted.hpp"
+#include "tests/property/compare.hpp"
+#include "tests/property/generate.hpp"
+
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace director {
+Fault planted_fault = Fault::none;
+}
+
+namespace {
+
+using namespace director;
+
+constexpr std::uint64_t most_cases = 2'000; ///< of the 8,000 of a usual run of tests_property
+constexpr std::uint64_t sound_cases = 200;  ///< in which no fault must be found where none is
+constexpr unsigned most_seconds = 20;       ///< for one case; more counts as a hang
+
+struct Row {
+  const char* section;
+  const char* rule; ///< what the page says and the fault breaks
+};
+
+constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
+    {"", "none: the engine as it is"},
+    {"4.1", "an ancestor goes before what is below it"},
+    {"4.1", "a chain with an optional edge goes behind"},
+    {"4.1", "the higher priority goes first"},
+    {"4.1", "of equals the older request goes first"},
+    {"4.2", "equals never take from each other"},
+    {"4.2", "a denial for the sake of a holder that leaves is taken back"},
+    {"4.3", "all plans are tried, in order"},
+    {"4.3", "a provider that is not enabled is no choice"},
+    {"4.3", "while all of `stay` holds, `when` does not count"},
+    {"4.3", "a push moves its provider to the front"},
+    {"4.3", "a pushed provider's conditions on what it causes are waived"},
+    {"4.4", "members of a unit are granted together or not at all"},
+    {"4.4", "nothing new is acquired on outdated orders"},
+    {"4.4", "who may lose at once what it takes waits"},
+    {"4.4", "a granted unit's pushes stay as far as they serve"},
+    {"4.4", "a blocked unit loses its pushes"},
+    {"4.4", "who waits for the outside makes no pushes"},
+    {"4.4", "of chains of one length the earlier declared is pushed"},
+    {"4.4", "what an heir may ask for is kept alive"},
+    {"4.4", "a push on a group that nobody asks for is dropped"},
+    {"5", "what a stopped group requested is withdrawn"},
+    {"5", "states of a stopped group return to their initial values"},
+    {"5", "another holder is a new task"},
+    {"5", "what is needed and not asked for stops"},
+    {"5", "a state that is lost while its push serves runs the provider again"},
+    {"5", "a new task is not done"},
+}};
+
+/// The number of the case that shows the fault in hand; 0: none does.
+void hunt(volatile std::uint64_t& in_hand, volatile bool& found) {
+  const std::uint64_t cases = planted_fault == Fault::none ? sound_cases : most_cases;
+  for (std::uint64_t seed = 1; seed <= cases; ++seed) {
+    in_hand = seed;
+    ::alarm(most_seconds);
+    const property::Documents documents = property::generate(seed);
+    const auto result = property::compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
+    found = !result.compiled || !property::compare(*result.compiled, seed % 4 == 3).difference.empty();
+    if (found) return;
+  }
+}
+
+/// In a process of its own: a fault may make the engine hang or crash.
+struct Shared {
+  volatile std::uint64_t in_hand = 0;
+  volatile bool found = false;
+};
+
+std::string catch_fault(Shared& shared, Fault fault) {
+  shared.in_hand = 0;
+  shared.found = false;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    planted_fault = fault;
+    hunt(shared.in_hand, shared.found);
+    ::_exit(0);
+  }
+  int status = 0;
+  if (child < 0 || ::waitpid(child, &status, 0) != child) return "cannot be tried";
+  const std::string at = std::to_string(shared.in_hand);
+  if (WIFSIGNALED(status)) return at + (WTERMSIG(status) == SIGALRM ? ", by hanging" : ", by crashing");
+  return shared.found ? at : "not found";
+}
+
+std::string table(bool& all) {
+  void* const memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return "no memory to share\n";
+  Shared& shared = *new (memory) Shared;
+  std::ostringstream out;
+  out << "fault  section  rule that it breaks                                                     found by case\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string result = catch_fault(shared, static_cast<Fault>(i));
+    const bool found = result[0] >= '1' && result[0] <= '9';
+    all = all && found == (i != 0);
+    out << std::setw(5) << i << "  " << std::left << std::setw(7) << rows[i].section << "  " << std::setw(70)
+        << rows[i].rule << "  " << std::right << result << "\n";
+  }
+  return out.str();
+}
+
+} // namespace
+
+int main() {
+  bool all = true;
+  std::cout << table(all) << (all ? "" : "some are not found\n");
+  return all ? 0 : 1;
+}
