@@ -81,10 +81,7 @@ private:
 
   bool look_at_need(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,
                     GroupId part) {
-    const std::vector<GroupId>& parts = *shared_.indispensable().of(need.id);
     for (const Holder& holder : holders_of(part)) {
-      // What the need itself comes down to holds it for the pushed provider.
-      if (!holder.root && std::binary_search(parts.begin(), parts.end(), holder.group)) continue;
       if (!is_between(wanting.task, want, causer, holder)) continue;
       const GroupId pushed = model_.providers[causer].group;
       const std::optional<Meeting> above = find_above(wanting.task, holder, pushed);
@@ -160,10 +157,11 @@ private:
   /// It may hold the group while the task waits, and not only by a push of the same task.
   bool is_between(GroupId task, const Want& want, ProviderId causer, const Holder& holder) const {
     const GroupId pushed = model_.providers[causer].group;
-    if (holder.group == pushed || holder.group == task || own_.count(holder.group) != 0 ||
-        hangs_on(holder.group, pushed) || hangs_on(holder.group, task))
+    if (holder.group == pushed || holder.group == task || hangs_on(holder.group, pushed) ||
+        hangs_on(holder.group, task))
       return false;
     if (!holder.provider) return true;
+    if (own_.count(holder.group) != 0) return false;
     const ProviderId provider = *holder.provider;
     const bool by_push = !facts_.chosen.contains(provider) &&
                          std::any_of(shared_.wants().begin(), shared_.wants().end(), [&](const Wanting& other) {
@@ -195,10 +193,13 @@ private:
     seen_.insert({need.span, want.condition.span});
     const GroupId pushed = model_.providers[causer].group;
     const std::string task = name_of(model_, wanting.task), between = name_of(model_, holder.group);
-    dsl::Diagnostic& finding = findings_.add(
-        need.span, fmt::format("{} pushes {}, which needs {}, and {} may hold {}: it goes after {} and before {}", task,
-                               name_of(model_, causer), name_of(model_, need.id), between,
-                               part == need.id ? "that" : name_of(model_, part), task, name_of(model_, pushed)));
+    const std::string what = part == need.id ? "that" : name_of(model_, part);
+    const std::string holds = holder.provider ? fmt::format("{} may hold {}", between, what)
+                                              : fmt::format("{} may be requested by itself", name_of(model_, part));
+    dsl::Diagnostic& finding =
+        findings_.add(need.span, fmt::format("{} pushes {}, which needs {}, and {}: it goes after {} and before {}",
+                                             task, name_of(model_, causer), name_of(model_, need.id), holds, task,
+                                             name_of(model_, pushed)));
     finding.notes.push_back({want.condition.span, fmt::format("{} waits for {}", name_of(model_, want.waiter),
                                                               name_of(model_, want.condition.id))});
     if (holder.provider)

@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 #include "compiler/checks/analysis/gaps.hpp"
+#include "compiler/checks/analysis/self_defeats.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -29,6 +30,9 @@ public:
     for (const Clash& clash : shared_.clashes()) {
       explained_.add(clash.first_waiter);
       explained_.add(clash.second_waiter);
+    }
+    for (const SelfDefeat& fault : find_self_defeats(model_, facts_)) {
+      if (!fault.stop) explained_.add(fault.provider);
     }
     for (const Wanting& wanting : shared_.wants()) {
       for (const Want& want : wanting.wants) pushed_.insert({wanting.task, want.condition.id});
