@@ -233,7 +233,6 @@ std::string PlanText::text() const {
   Code code;
   code.line("#include \"runtime/core/behaviour.hpp\""); // what generated code stands on
   code.line("#include \"tests/arm/target/plan.hpp\"");
-  code.line("#include \"runtime/core/why_text.hpp\""); // what the names of generated code are for
   code.blank();
   code.line("#include <array>");
   code.blank();
