@@ -84,7 +84,11 @@ void Recorder::tell(const Event& event) {
   case Event::Kind::lose:
   case Event::Kind::refused:
   case Event::Kind::fault:
-  case Event::Kind::exhausted: return; // the page's format has no such event, or the player tells it itself
+  case Event::Kind::exhausted:
+  case Event::Kind::ask:
+  case Event::Kind::keep:
+  case Event::Kind::withdraw:
+  case Event::Kind::wait: return; // the page's format has no such event, or the player tells it itself
   }
   sink_(out);
 }

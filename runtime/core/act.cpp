@@ -97,13 +97,13 @@ void Engine::stop_group(Index group) {
 void Engine::handle(Index group, Reason reason) {
   const bool starts = reason == Reason::started;
   if (starts ? !t_.groups[group].start : !t_.groups[group].stop) return;
-  if (observed()) tell(event(starts ? Event::Kind::start : Event::Kind::stop, group));
+  report(starts ? Event::Kind::start : Event::Kind::stop, group);
   Handling handling(*this, group, Reasons{static_cast<std::uint8_t>(reason)});
   inside_ = true;
   (starts ? bodies_.start : bodies_.stop)[group](bodies_.self, handling);
   inside_ = false;
   if (!handling.faulted_) return;
-  tell(event(Event::Kind::fault, group));
+  report(Event::Kind::fault, group);
   faulted_ = true;
 }
 
@@ -184,6 +184,7 @@ void Engine::adopt(Index component) {
 }
 
 void Engine::report_decisions(Index component) const {
+  if (!observed()) return;
   const Component& row = t_.components[component];
   for (const Index g : t_.list(row.groups)) {
     if (s_.last[g].push.edge != nil && s_.now[g].push.edge == nil) tell(event(Event::Kind::release, g));

@@ -89,10 +89,6 @@ Event Engine::event(Event::Kind kind, Index group) const {
   return out;
 }
 
-void Engine::tell(const Event& event) const {
-  if (observed()) observer_.tell(observer_.self, event);
-}
-
 void Engine::report_set(Index state) const {
   if (!observed()) return;
   Event set = event(Event::Kind::set);
@@ -125,6 +121,7 @@ bool Run::triggered(Index trigger) const {
 }
 
 void Run::refuse(Index state, std::int32_t value) {
+  if (!engine_.observed()) return;
   Event event = engine_.event(Event::Kind::refused, group_);
   event.provider = provider_;
   event.state = state;
@@ -146,6 +143,7 @@ DataPlace Handling::data() const { return engine_.data_of(group_); }
 void Handling::set(Index state, std::int32_t value) { engine_.set_by_handler(state, value); }
 
 void Handling::refuse(Index state, std::int32_t value) {
+  if (!engine_.observed()) return;
   Event event = engine_.event(Event::Kind::refused, group_);
   event.state = state;
   event.value = value;

@@ -133,8 +133,12 @@ private:
   void handle(Index group, Reason reason);
 
   Event event(Event::Kind kind, Index group = nil) const;
-  void tell(const Event& event) const;
-  bool observed() const { return observer_.tell != nullptr; }
+  void report(Event::Kind kind, Index group = nil) const {
+    if (observed()) tell(event(kind, group));
+  }
+  void report_request(Event::Kind kind, Index edge, Index level = nil) const;
+  void tell(const Event& event) const { observer_.tell(observer_.self, event); } ///< only if observed()
+  bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 
   const Tables& t_;
@@ -143,9 +147,9 @@ private:
   Inbox& inbox_;
   Observer observer_;
   std::uint32_t budget_ = default_budget;
-  Index starting_ = nil;    ///< the group whose start handler runs: its data may still be staged
-  Index ran_ = nil;         ///< the group that ran in this micro-step
-  bool inside_ = false;     ///< a body or handler is running
+  Index starting_ = nil; ///< the group whose start handler runs: its data may still be staged
+  Index ran_ = nil;      ///< the group that ran in this micro-step
+  bool inside_ = false;  ///< a body or handler is running
   bool faulted_ = false;
 };
 

@@ -1,11 +1,18 @@
 #pragma once
 // What the engine tells about each of its decisions. An observer is a function and a pointer; it is called in the
-// middle of a micro-step and must not call the engine.
+// middle of a micro-step and must not call the engine. A program without one may define DIRECTOR_NO_OBSERVER, in every
+// file: then the engine is compiled without what it would tell.
 
 #include "runtime/core/tables.hpp"
 #include "runtime/core/words.hpp"
 
 namespace director {
+
+#ifdef DIRECTOR_NO_OBSERVER
+inline constexpr bool observable = false;
+#else
+inline constexpr bool observable = true;
+#endif
 
 struct Event {
   enum class Kind : std::uint8_t {
@@ -25,6 +32,10 @@ struct Event {
     broken,    ///< the promise of `provider` of `group` ran out
     fault,     ///< the body of `provider`, or a handler of `group`, threw
     exhausted, ///< the budget of one step ran out
+    ask,       ///< the run asked for `edge`, which leads to `group`, at `level`: a new task
+    keep,      ///< likewise, and a request of that level stays as it is
+    withdraw,  ///< the run did not ask for `edge` any more, which leads to `group`
+    wait,      ///< the run asked for another one of `group` at the time `due`
   };
   enum class Input : std::uint8_t { none, request, cancel, set, fire, enable, disable, expire, wait, within, every };
 
@@ -39,8 +50,10 @@ struct Event {
   Index state = nil;
   Index condition = nil;
   Index trigger = nil;
+  Index level = nil; ///< of Tables::levels
   std::int32_t value = unset;
-  Time time = 0;                ///< the engine's time
+  Time time = 0; ///< the engine's time
+  Time due = never;
   std::uint64_t micro_step = 0; ///< counts from 1
 };
 

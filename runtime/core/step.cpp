@@ -36,7 +36,7 @@ StepResult Engine::take_step(Time now) {
       return StepResult::quiescent;
     }
     if (!more) {
-      tell(event(Event::Kind::exhausted));
+      report(Event::Kind::exhausted);
       return StepResult::budget_exhausted;
     }
     if (faulted_) {
@@ -264,11 +264,18 @@ void Engine::commit(const Run& run, Outcome::Kind kind) {
       answer(group, kind == Outcome::Kind::failed);
   }
   if (fault) {
-    Event fault_event = event(Event::Kind::fault, group);
-    fault_event.provider = run.provider_;
-    tell(fault_event);
+    if (observed()) {
+      Event fault_event = event(Event::Kind::fault, group);
+      fault_event.provider = run.provider_;
+      tell(fault_event);
+    }
     faulted_ = true;
   } else if (run.wait_ > 0) {
+    if (observed()) {
+      Event wait = event(Event::Kind::wait, group);
+      wait.due = s_.counters->now + run.wait_;
+      tell(wait);
+    }
     arm(Due::wait, group, s_.counters->now + run.wait_);
   } else if (kind == Outcome::Kind::pack) {
     disarm(Due::wait, group);
@@ -281,16 +288,20 @@ void Engine::commit_pack(Range edges) {
     const Index level = s_.staged_level[at];
     s_.staged_level[at] = nil;
     if (level == nil) {
+      if (observed() && s_.request[e] != nil) report_request(Event::Kind::withdraw, e);
       withdraw(e);
     } else if (s_.staged_keep[at] == 0) {
+      if (observed()) report_request(Event::Kind::ask, e, level);
       request(e, level);
+    } else {
+      if (observed()) report_request(Event::Kind::keep, e, level);
     }
   }
 }
 
 void Engine::answer(Index group, bool failed) {
   s_.done[group] = failed ? result::done | result::failed : result::done;
-  tell(event(failed ? Event::Kind::failed : Event::Kind::done, group));
+  report(failed ? Event::Kind::failed : Event::Kind::done, group);
   const Index holder = s_.last[group].holder, requester = t_.edges[holder].requester;
   if (requester == nil) {
     withdraw(holder);
@@ -299,7 +310,16 @@ void Engine::answer(Index group, bool failed) {
   }
 }
 
+void Engine::report_request(Event::Kind kind, Index edge, Index level) const {
+  if (!observed()) return;
+  Event request = event(kind, t_.edges[edge].target);
+  request.edge = edge;
+  request.level = level;
+  tell(request);
+}
+
 void Engine::report_input(const Input& record) const {
+  if (!observed()) return;
   Event input = event(Event::Kind::input);
   constexpr Event::Input kinds[] = {Event::Input::request, Event::Input::cancel, Event::Input::set,
                                     Event::Input::fire,    Event::Input::enable, Event::Input::disable};

@@ -81,14 +81,17 @@ bool Engine::break_promise(Index promise) {
   const Index provider = t_.promises[promise].provider;
   const Range all = t_.providers[provider].promises;
   for (Index i = all.begin; i != all.end; ++i) disarm(Due::promise, i);
-  Event broken = event(Event::Kind::broken, t_.providers[provider].group);
-  broken.provider = provider;
-  tell(broken);
+  if (observed()) {
+    Event broken = event(Event::Kind::broken, t_.providers[provider].group);
+    broken.provider = provider;
+    tell(broken);
+  }
   const Index trigger = t_.promises[promise].trigger;
   return trigger != nil && fire(trigger);
 }
 
 void Engine::report_timer(Due kind, Index row) const {
+  if (!observed()) return;
   Event input = event(Event::Kind::input);
   switch (kind) {
   case Due::expiry:

@@ -66,7 +66,11 @@ void Timeline::tell(const Event& event) {
   case Kind::lose: return lose(event);
   case Kind::queue: return queue(event);
   case Kind::push: return push(event);
-  case Kind::release: return;
+  case Kind::release:
+  case Kind::ask:
+  case Kind::keep:
+  case Kind::withdraw:
+  case Kind::wait: return;
   case Kind::set: return set(event);
   case Kind::refused: return refused(event);
   case Kind::broken:

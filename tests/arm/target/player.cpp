@@ -263,7 +263,11 @@ private:
     case Kind::lose:
     case Kind::refused:
     case Kind::fault:
-    case Kind::exhausted: return;
+    case Kind::exhausted:
+    case Kind::ask:
+    case Kind::keep:
+    case Kind::withdraw:
+    case Kind::wait: return;
     }
     line_.end();
   }

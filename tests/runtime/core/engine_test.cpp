@@ -77,9 +77,7 @@ groups:
   machine.request("A");
   machine.request("B");
   machine.step(0);
-  SECTION("in one step") {
-    CHECK(machine.step(ms(100)) == Lines{"run B wait", "run A wait"});
-  }
+  SECTION("in one step") { CHECK(machine.step(ms(100)) == Lines{"run B wait", "run A wait"}); }
   SECTION("though the budget ends before it, or together with it") {
     machine.engine().set_budget(1);
     for (int step = 0; step < 10; ++step) machine.step(ms(100));
@@ -258,6 +256,25 @@ TEST_CASE("after a reset all is as at the start") {
   CHECK(machine.engine().state(machine.edge("root>Lead")) == RunState::none);
   machine.request("Lead");
   CHECK(machine.step() == first);
+}
+
+TEST_CASE("an observer is told what a run asks for, keeps and gives up, and when it wants to run again") {
+  Machine machine("{behaviour: b, language: 1, roots: {A: {}},"
+                  " groups: {A: {tasks: {B: {}, C: {}}}, B: {}, C: {}}}");
+  machine.requests = true;
+  int runs = 0;
+  machine.body("A", [&](Run& run) {
+    if (runs++ == 1) run.wait(5);
+    run.request(machine.edge("A>B"), machine.level(machine.edge("A>B")), true);
+    if (runs == 1) run.request(machine.edge("A>C"), machine.level(machine.edge("A>C")));
+    return run.pack();
+  });
+  machine.body("B", [](Run& run) { return run.keep(); });
+  machine.body("C", [](Run& run) { return run.keep(); });
+  machine.request("A");
+  CHECK(machine.step(10) == Lines{"run A new_task", "ask A>B", "ask A>C", "run B new_task", "run C new_task"});
+  machine.request("A");
+  CHECK(machine.step(20) == Lines{"run A new_task", "keep A>B", "withdraw A>C", "wait A 25"});
 }
 
 } // namespace

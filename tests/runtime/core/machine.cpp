@@ -160,6 +160,15 @@ void Machine::tell(const Event& event) {
   case Event::Kind::input: break;
   default: break;
   }
+  if (requests) {
+    switch (event.kind) {
+    case Event::Kind::ask: lines_.push_back("ask " + edge_name(event.edge)); break;
+    case Event::Kind::keep: lines_.push_back("keep " + edge_name(event.edge)); break;
+    case Event::Kind::withdraw: lines_.push_back("withdraw " + edge_name(event.edge)); break;
+    case Event::Kind::wait: lines_.push_back("wait " + group_name() + " " + std::to_string(event.due)); break;
+    default: break;
+    }
+  }
   if (!decisions) return;
   switch (event.kind) {
   case Event::Kind::queue: {

@@ -54,6 +54,7 @@ public:
   Outcome everything(Run& run) const;
 
   bool decisions = false; ///< also queue, push, release, grant and lose
+  bool requests = false;  ///< also what runs ask for
   Lines data_moves;       ///< `settle root>Kick`
 
 private:
