@@ -10,21 +10,19 @@
 
 namespace director {
 
-void Engine::act(Index passes) {
+void Engine::act(Index passes, bool stops) {
   Counters& c = *s_.counters;
   for (Index i = 0; i < passes && observed(); ++i) report_decisions(s_.work[i]);
-  for (const Index group : in_order(passes, true)) {
+  for (const Index group : stops ? in_order(passes, true) : std::span<const Index>{}) {
     if (s_.last[group].active != nil && s_.now[group].active == nil) stop_group(group);
   }
   for (const Index group : in_order(passes, false)) {
-    if (s_.now[group].granted()) give_reasons(group);
+    const bool other = (s_.group_marks[group] & mark::differs) != 0 || (s_.in_queue[group] & place::touched) != 0;
+    if (other && s_.now[group].granted()) give_reasons(group);
   }
   for (Index i = 0; i < c.touched_count; ++i) untouch(s_.touched[i]);
   c.touched_count = 0;
   for (Index i = 0; i < passes; ++i) adopt(s_.work[i]);
-  for (Index i = 0; i < passes; ++i) {
-    for (const Index group : t_.list(t_.components[s_.work[i]].groups)) keep_promises(group);
-  }
 }
 
 /// Nothing was arbitrated, so nothing starts, stops or changes hands: only what is granted can gain a reason to run.
@@ -169,10 +167,13 @@ void Engine::settle_data(Index edge) {
 void Engine::adopt(Index component) {
   const Component& row = t_.components[component];
   for (const Index g : t_.list(row.groups)) {
-    if (!s_.now[g].granted()) leave_queue(g);
-    s_.last[g] = s_.now[g];
-    const Range slots = t_.groups[g].slots;
-    for (Index slot = slots.begin; slot != slots.end; ++slot) s_.last.plan[slot] = s_.now.plan[slot];
+    if ((s_.group_marks[g] & mark::differs) != 0) {
+      if (!s_.now[g].granted()) leave_queue(g);
+      s_.last[g] = s_.now[g];
+      const Range slots = t_.groups[g].slots;
+      for (Index slot = slots.begin; slot != slots.end; ++slot) s_.last.plan[slot] = s_.now.plan[slot];
+    }
+    if (s_.promised_provider[g] != nil) keep_promises(g);
   }
   for (const Index e : t_.list(row.edges)) s_.queued[e] = s_.next_queued[e];
   const Index count = s_.order_count[component] = s_.next_count[component];

@@ -34,7 +34,13 @@ public:
 private:
   // choose.cpp: sections 4.2 and 4.3
   bool alive(Index edge) const;
-  bool available(Index group, Index edge, bool record);
+  bool available(Index group, Index edge, bool record) {
+    const Index claimant = s_.now[group].holder;
+    if (claimant != nil) return claimant == edge;
+    const Index before = s_.last[group].holder;
+    return before == nil || before == edge || is_limbo(before) || !kept_by_equal(group, edge, record);
+  }
+  bool kept_by_equal(Index group, Index edge, bool record);
   bool applies(const Push& push, Index edge) const;
   Index pushed_first(Index group, Index edge) const;
   Index preferred(Index group, Index place, Index edge) const;
@@ -42,6 +48,7 @@ private:
   bool stays(Index provider) const;
   bool waived(Index provider, Index condition, Index edge) const;
   Index first_false(Index provider, Index edge) const;
+  bool may_be_denied(Index member);
   bool combine(Index count, bool with_conditions);
   bool next_choice(Index at, bool fresh, bool with_conditions, bool record);
   bool plan_fits(Index at, bool with_conditions, bool record, Index& keep);
@@ -56,30 +63,45 @@ private:
   void clear();
   void sweep();
   bool denied_in_vain();
-  void become_candidate(Index edge);
+  void push_candidate(Index edge);
   void become_candidates(Index group);
+  void candidates_of(Index group);
+  bool stays_granted(Index edge) const;
+  void grant_again(Index edge);
+  void drop_candidates(Index edge);
+  void sort_roots();
   Index first_candidate();
+  Index first_of_heap();
+  bool goes_first(Index a, Index b) const { return compare({a, Along::now}, {b, Along::now}, true) < 0; }
   bool may_ask(Index group) const;
   bool alone(Index edge) const;
-  bool stale(Index group) const;
+  Index stale_source(Index group) const;
+  bool stale(Index group) const { return stale_source(group) != current; }
   bool stale_requester(Index edge) const;
   bool runs_for_now(Index edge) const;
   bool outdated_order(Index count) const;
   void try_unit(Index count);
+  bool try_simple(Index count, bool outdated);
   void try_members(Index count);
   bool premature(Index count);
   bool reached_from_stale(Index found, Index edge);
   void defer(Index count);
   void grant(Index count);
+  void claim(Index group, Index edge);
+  void now_granted(Index edge, Index provider);
+  void keep_own_pushes(Index count);
   void plan_for(Index owner, Index provider, Index begin, Index end);
   void claim_plan(Index begin, Index end);
   void waken(Index begin, Index end);
   void refuse(Index count);
   void explain(Index count, Why why, Index condition = nil);
+
+  // finish.cpp: section 4.4, Hand-over, and what follows from the claims
   void hand_over();
   void hand_over(Index group);
   Index recall_plan(Index group);
   void finish();
+  void finish_pushes();
   bool asked_for(Index group) const;
 
   // push.cpp: the pushes of a unit
@@ -96,10 +118,15 @@ private:
   bool can_be_pushed(Index provider, Index member) const;
   bool goes_before(Index member, Index edge) const;
 
+  static constexpr Index current = static_cast<Index>(nil - 1); ///< instead of a group: nobody's orders are outdated
+
   const Component& c_;
   Index component_;
-  Index candidates_ = 0, denied_ = 0, stale_granted_ = 0;
-  bool pushed_ = false; ///< there were pushes in the last assignment
+  Index candidates_ = 0, denied_ = 0, stale_granted_ = 0, claimed_ = 0, again_ = 0;
+  Index root_ = nil;     ///< the next candidate of root
+  Index next_ = nil;     ///< a candidate beside the heap
+  bool pushed_ = false;  ///< there were pushes in the last assignment
+  bool pushing_ = false; ///< there are in this one
   mutable bool depends_on_last_ = false, depends_on_stale_ = false;
 };
 

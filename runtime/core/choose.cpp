@@ -24,19 +24,19 @@ bool Pass::alive(Index edge) const {
   }
 }
 
-bool Pass::available(Index group, Index edge, bool record) {
-  if (s_.now[group].holder != nil) return s_.now[group].holder == edge;
-  const Index holder = s_.last[group].holder; // equals never take from each other
-  if (holder == nil || holder == edge || is_limbo(holder) || planted(Fault::equals_take) ||
-      (s_.edge_marks[holder] & mark::refused) != 0 || (s_.group_marks[group] & mark::forgotten) != 0 ||
-      !alive(holder) || compare({edge, Along::now}, {holder, Along::last}, false) != 0)
-    return true;
+/// Equals never take from each other. Its last holder is an edge, and another one.
+bool Pass::kept_by_equal(Index group, Index edge, bool record) {
+  const Index holder = s_.last[group].holder;
+  if (planted(Fault::equals_take) || (s_.edge_marks[holder] & mark::refused) != 0 ||
+      (s_.group_marks[group] & mark::forgotten) != 0 || !alive(holder) ||
+      compare({edge, Along::now}, {holder, Along::last}, false) != 0)
+    return false;
   depends_on_last_ = depends_on_stale_ = true;
   if (record && (s_.group_marks[group] & mark::denied) == 0) {
     s_.group_marks[group] |= mark::denied;
     s_.denied[denied_++] = group;
   }
-  return false;
+  return true;
 }
 
 /// The pusher goes before `edge`, and `edge` is not below it.
@@ -225,12 +225,42 @@ bool Pass::next_choice(Index at, bool fresh, bool with_conditions, bool record) 
   return false;
 }
 
+/// Can an equal stand in the way of a choice of this member, whatever is chosen? Only if something that one may claim
+/// was held by another edge, and if that edge may be equal to the member or to what would be below it.
+bool Pass::may_be_denied(Index member) {
+  const auto may = [&](Index group, Index edge) {
+    const Index holder = s_.last[group].holder;
+    return s_.now[group].holder == nil && holder != nil && holder != edge && !is_limbo(holder) &&
+           (s_.edge_marks[holder] & mark::refused) == 0 && alive(holder) &&
+           !never_equal({member, Along::now}, {holder, Along::last});
+  };
+  Index found = 0;
+  const auto reach = [&](Index edge) {
+    const Index group = t_.edges[edge].target;
+    if ((s_.group_marks[group] & mark::looked_at) == 0) s_.reach[found++] = group;
+    s_.group_marks[group] |= mark::looked_at;
+    return may(group, edge);
+  };
+  bool yes = reach(member);
+  for (Index i = 0; i < found && !yes; ++i) {
+    const Range providers = t_.groups[s_.reach[i]].providers;
+    for (Index p = providers.begin; p != providers.end; ++p) {
+      for (const Index need : t_.list(t_.providers[p].needs)) yes = yes || reach(need);
+    }
+  }
+  for (Index i = 0; i < found; ++i) s_.group_marks[s_.reach[i]] &= static_cast<std::uint8_t>(~mark::looked_at);
+  return yes;
+}
+
 /// The first combination of choices, lexicographically over the members, in which all claims are compatible. True: it
 /// is in hand (member_*, entry_*, trial) until leave_combination. Which holders stood in the way counts over all
-/// choices of each member, also those that are never needed: so each member's are looked at once, and then combined.
+/// choices of each member, also those that are never needed: so, where there can be any, each member's are looked at
+/// once, and then combined.
 bool Pass::combine(Index count, bool with_conditions) {
   if (count == 1 && t_.groups[target(s_.member[0])].single_choice()) return next_choice(0, true, with_conditions, true);
-  for (Index at = 0; at < count; ++at) {
+  bool deniable = false;
+  for (Index at = 0; at < count && !deniable; ++at) deniable = may_be_denied(s_.member[at]);
+  for (Index at = 0; deniable && at < count; ++at) {
     // Alone on the stack: entries_begin() of a later member is where the earlier one ends.
     if (at > 0) s_.member_entries[at - 1] = 0;
     bool any = false;

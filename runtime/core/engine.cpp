@@ -38,6 +38,15 @@ void Engine::reset() {
     s_.runs_after[g] = s_.runs_before[g] = nil;
     s_.promised_edge[g] = s_.promised_provider[g] = s_.data_from[g] = s_.trial[g] = nil;
   }
+  for (Index c = 0; c < t_.components.size(); ++c) {
+    Index* link = &s_.first_root[c];
+    for (const Index e : t_.list(t_.components[c].edges)) {
+      if (t_.edges[e].requester != nil) break; // edges of root come first
+      *link = e;
+      link = &s_.next_root[e];
+    }
+    *link = nil;
+  }
   starting_ = ran_ = nil;
   inside_ = faulted_ = false;
 }

@@ -115,11 +115,11 @@ private:
 
   // settle.cpp: after every micro-step
   void arbitrate();
-  bool changed(Index component, bool& decision) const;
+  bool changed(Index component, bool& stops);
   void forget_work();
 
   // act.cpp: section 5
-  void act(Index passes);
+  void act(Index passes, bool stops);
   void act_on_touched();
   void give_touched(Index group);
   std::span<const Index> in_order(Index passes, bool before);

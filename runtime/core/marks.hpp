@@ -16,10 +16,20 @@ inline constexpr std::uint8_t deferred = 8;
 inline constexpr std::uint8_t forgotten = 1; ///< its last holder no longer stands in an equal's way
 inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder
 inline constexpr std::uint8_t reached = 4;
-inline constexpr std::uint8_t busy = 8; ///< its push serves a condition of the unit in hand
+inline constexpr std::uint8_t busy = 8;       ///< its push serves a condition of the unit in hand
+inline constexpr std::uint8_t outdated = 16;  ///< it is granted, and its orders are outdated
+inline constexpr std::uint8_t differs = 32;   ///< it stands elsewhere than after the last pass
+inline constexpr std::uint8_t looked_at = 64; ///< set only while a member's choices are searched for equals
 // On conditions.
 inline constexpr std::uint8_t wanted = 1;
 } // namespace mark
+
+/// Bits of State::in_queue.
+namespace place {
+inline constexpr std::uint8_t queue = 1;   ///< it is to run
+inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched
+inline constexpr std::uint8_t counts = 4;  ///< that its orders were outdated made a difference in the last pass
+} // namespace place
 
 /// A condition on an unset state is false.
 inline bool accepts(const Tables& t, const Condition& condition, std::int32_t value) {

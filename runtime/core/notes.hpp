@@ -8,12 +8,6 @@
 
 namespace director {
 
-/// Bits of State::in_queue.
-namespace place {
-inline constexpr std::uint8_t queue = 1;   ///< it is to run
-inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched
-} // namespace place
-
 inline void Engine::mark(Index component, std::uint8_t bits) {
   std::uint8_t& all = s_.component[component];
   all |= bits;
@@ -25,7 +19,11 @@ inline void Engine::mark(Index component, std::uint8_t bits) {
 /// Whose orders are outdated may be another from now on.
 inline void Engine::mark_stale(Index group) {
   const Index component = t_.groups[group].component;
-  if ((s_.component[component] & work::stale_counts) != 0) mark(component, work::stale_changed);
+  if ((s_.in_queue[group] & place::counts) != 0) {
+    mark(component, work::changed);
+  } else if ((s_.component[component] & work::stale_counts) != 0) {
+    mark(component, work::stale_changed);
+  }
 }
 
 inline void Engine::touch(Index group) {

@@ -11,31 +11,18 @@
 
 namespace director {
 
-Index Order::target(Index edge) const {
-  return is_limbo(edge) ? static_cast<Index>(edge - t_.edges.size()) : t_.edges[edge].target;
-}
-
-bool Order::optional(Index edge) const { return requested(edge) && t_.levels[s_.request[edge]].optional; }
-
-Index Order::urgency(Index edge) const {
-  if (is_limbo(edge)) return 0;
-  return s_.request[edge] == nil ? t_.edges[edge].need_urgency : t_.levels[s_.request[edge]].urgency;
-}
-
-/// The edge that controls the requester of this one. A claim counts before a trial: a plan in hand may name a group
-/// that is claimed already, even one above it; it cannot be chosen, but it must not bend the chains.
-Index Order::above(Place place) const {
-  const Index group = requester(place.edge);
-  if (group == nil) return nil;
-  if (place.along == Along::last) return s_.last[group].holder;
-  return s_.now[group].holder != nil ? s_.now[group].holder : s_.trial[group];
-}
-
 Order::Chain Order::chain(Place place) const {
   Chain out;
   for (; place.edge != nil; place.edge = above(place)) {
     ++out.length;
-    if (requester(place.edge) == nil) out.top = place.edge;
+    const Index group = requester(place.edge);
+    if (group == nil) {
+      out.top = place.edge;
+    } else if (measured_ && place.along == Along::now && s_.now[group].holder != nil) {
+      out.length = static_cast<Index>(out.length + s_.depth[group]);
+      out.top = place.edge; // some edge that is not limbo: which one does not matter
+      break;
+    }
   }
   return out;
 }
@@ -47,48 +34,70 @@ bool Order::in_chain(Index edge, Place of) const {
   return false;
 }
 
-/// Negative: `a` goes first; 0: equal (by rules 1 to 4), or the same. `in_order`: with rule 5.
-int Order::compare(Place a, Place b, bool in_order) const {
-  if (a.along == b.along && requester(a.edge) == requester(b.edge) && !is_limbo(a.edge) && !is_limbo(b.edge)) {
-    if (a.edge == b.edge) return 0;
-    return compare_siblings({a.edge, optional(a.edge)}, {b.edge, optional(b.edge)}, in_order);
+/// Two edges whose requesters are claimed in this pass, or root: their depths are known, and chains that have met stay
+/// together.
+int Order::compare_claimed(Index a, Index b, bool in_order) const {
+  const Edge* const edges = t_.edges.data();
+  const Standing* const now = s_.now.group;
+  Index from_a = edges[a].requester, from_b = edges[b].requester;
+  Index depth_a = from_a == nil ? Index{0} : s_.depth[from_a], depth_b = from_b == nil ? Index{0} : s_.depth[from_b];
+  bool optional_a = optional(a), optional_b = optional(b);
+  const auto climb = [&](Index& edge, Index& from, bool& is_optional) {
+    edge = now[from].holder;
+    from = edges[edge].requester;
+    is_optional = is_optional || optional(edge);
+  };
+  const Index lower_a = depth_a, lower_b = depth_b;
+  for (; depth_a > depth_b; --depth_a) climb(a, from_a, optional_a);
+  for (; depth_b > depth_a; --depth_b) climb(b, from_b, optional_b);
+  if (a == b && planted(Fault::ancestors_are_equals)) return 0;
+  if (a == b) return lower_a < lower_b ? -1 : lower_a > lower_b ? 1 : 0; // rule 1
+  while (from_a != from_b) {
+    climb(a, from_a, optional_a);
+    climb(b, from_b, optional_b);
   }
-  const Chain of_a = chain(a), of_b = chain(b);
-  const bool limbo_a = is_limbo(of_a.top), limbo_b = is_limbo(of_b.top);
-  if (limbo_a != limbo_b) return limbo_a ? 1 : -1;
+  return compare_siblings({a, optional_a}, {b, optional_b}, in_order);
+}
 
+/// Where two chains part: the siblings below their closest common requester. Nil: one is a part of the other.
+Order::Parting Order::parting(Place a, Place b, Index length_a, Index length_b) const {
   bool optional_a = false, optional_b = false;
   const auto climb = [&](Place& place, bool& is_optional) {
     is_optional = is_optional || optional(place.edge);
     place.edge = above(place);
   };
-  for (Index i = of_b.length; i < of_a.length; ++i) climb(a, optional_a);
-  for (Index i = of_a.length; i < of_b.length; ++i) climb(b, optional_b);
-
-  Index sibling_a = nil, sibling_b = nil;
-  bool below_a = false, below_b = false; // something optional at the siblings or below them
+  for (Index i = length_b; i < length_a; ++i) climb(a, optional_a);
+  for (Index i = length_a; i < length_b; ++i) climb(b, optional_b);
+  Parting out{{nil, false}, {nil, false}};
   while (a.edge != nil) {
     const Index at_a = a.edge, at_b = b.edge;
+    if (at_a == at_b && a.along == b.along) break; // and so is all above
     climb(a, optional_a);
     climb(b, optional_b);
-    if (at_a != at_b) sibling_a = at_a, sibling_b = at_b, below_a = optional_a, below_b = optional_b;
+    if (at_a != at_b) out = {{at_a, optional_a}, {at_b, optional_b}};
   }
-  if (sibling_a == nil && planted(Fault::ancestors_are_equals)) return 0;
-  if (sibling_a == nil) return of_a.length < of_b.length ? -1 : of_a.length > of_b.length ? 1 : 0; // rule 1
-  return compare_siblings({sibling_a, below_a}, {sibling_b, below_b}, in_order);
+  return out;
 }
 
-/// Rules 3 to 5 for two edges of one requester and what lies below them.
-int Order::compare_siblings(Side a, Side b, bool in_order) const {
-  if (a.optional != b.optional) return a.optional != planted(Fault::optional_goes_first) ? 1 : -1; // rule 3
-  const Index urgency_a = urgency(a.edge), urgency_b = urgency(b.edge);
-  if (urgency_a != urgency_b) // rule 4
-    return (urgency_a < urgency_b) != planted(Fault::priorities_are_reversed) ? -1 : 1;
-  if (!in_order) return 0;
-  const auto stamp = [&](Index edge) { return requested(edge) ? s_.stamp[edge] : ~std::uint64_t{0}; };
-  if (stamp(a.edge) != stamp(b.edge)) // rule 5
-    return (stamp(a.edge) < stamp(b.edge)) != planted(Fault::younger_goes_first) ? -1 : 1;
-  return a.edge < b.edge ? -1 : 1;
+int Order::compare_chains(Place a, Place b, bool in_order) const {
+  if (measured_ && a.along == Along::now && b.along == Along::now && claimed(requester(a.edge)) &&
+      claimed(requester(b.edge)))
+    return compare_claimed(a.edge, b.edge, in_order);
+  const Chain of_a = chain(a), of_b = chain(b);
+  const bool limbo_a = is_limbo(of_a.top), limbo_b = is_limbo(of_b.top);
+  if (limbo_a != limbo_b) return limbo_a ? 1 : -1;
+  const Parting siblings = parting(a, b, of_a.length, of_b.length);
+  if (siblings.a.edge == nil && planted(Fault::ancestors_are_equals)) return 0;
+  if (siblings.a.edge == nil) return of_a.length < of_b.length ? -1 : of_a.length > of_b.length ? 1 : 0; // rule 1
+  return compare_siblings(siblings.a, siblings.b, in_order);
+}
+
+/// Neither they nor anything below one of them can be equal.
+bool Order::never_equal(Place a, Place b) const {
+  const Chain of_a = chain(a), of_b = chain(b);
+  if (is_limbo(of_a.top) || is_limbo(of_b.top)) return false;
+  const Parting siblings = parting(a, b, of_a.length, of_b.length);
+  return siblings.a.edge != nil && urgency(siblings.a.edge) != urgency(siblings.b.edge);
 }
 
 void Order::sort(std::span<Index> groups, Along along) const {

@@ -2,6 +2,7 @@
 // Section 4.1: the order between two edges, each with the chain of its holders up to root. It is keyed by chains that
 // move while the static ranks do not: the priority table of each requester (Level::urgency, Level::optional).
 
+#include "runtime/core/planted.hpp"
 #include "runtime/core/state.hpp"
 #include "runtime/core/tables.hpp"
 
@@ -19,13 +20,20 @@ public:
   };
 
   /// Negative: `a` goes first; 0: equal (by rules 1 to 4), or the same. `in_order`: with rule 5, total.
-  int compare(Place a, Place b, bool in_order) const;
+  int compare(Place a, Place b, bool in_order) const {
+    if (a.along != b.along || is_limbo(a.edge) || is_limbo(b.edge) ||
+        t_.edges[a.edge].requester != t_.edges[b.edge].requester)
+      return compare_chains(a, b, in_order);
+    return a.edge == b.edge ? 0 : compare_siblings({a.edge, optional(a.edge)}, {b.edge, optional(b.edge)}, in_order);
+  }
   bool before(Place a, Place b) const { return compare(a, b, false) < 0; }
   bool in_chain(Index edge, Place of) const;
 
   /// The edge that holds group `a` goes before the one that holds `b`, in order.
   bool before_in_order(Index a, Index b, Along along) const {
     const Assignment& held = along == Along::now ? s_.now : s_.last;
+    if (requester(held[b].holder) == a && !is_limbo(held[b].holder)) return true; // its own requester
+    if (requester(held[a].holder) == b && !is_limbo(held[a].holder)) return false;
     return compare({held[a].holder, along}, {held[b].holder, along}, true) < 0;
   }
   /// Sorts groups by the edges that hold them.
@@ -41,17 +49,52 @@ protected:
     Index edge;
     bool optional; ///< it, or something below it
   };
+  struct Parting {
+    Side a, b;
+  };
+  Parting parting(Place a, Place b, Index length_a, Index length_b) const;
+  bool never_equal(Place a, Place b) const;
+  int compare_chains(Place a, Place b, bool in_order) const;
+  int compare_claimed(Index a, Index b, bool in_order) const;
   int compare_siblings(Side a, Side b, bool in_order) const;
-  Index target(Index edge) const;
+  Index target(Index edge) const {
+    return is_limbo(edge) ? static_cast<Index>(edge - t_.edges.size()) : t_.edges[edge].target;
+  }
   Index requester(Index edge) const { return is_limbo(edge) ? nil : t_.edges[edge].requester; }
   bool requested(Index edge) const { return !is_limbo(edge) && s_.request[edge] != nil; }
-  Index above(Place place) const;
+  /// The edge that controls the requester of this one. A claim counts before a trial: a plan in hand may name a group
+  /// that is claimed already, even one above it; it cannot be chosen, but it must not bend the chains.
+  Index above(Place place) const {
+    const Index group = requester(place.edge);
+    if (group == nil) return nil;
+    if (place.along == Along::last) return s_.last[group].holder;
+    return s_.now[group].holder != nil ? s_.now[group].holder : s_.trial[group];
+  }
+  /// In this pass; root always is.
+  bool claimed(Index group) const { return group == nil || s_.now[group].holder != nil; }
   Chain chain(Place place) const;
-  bool optional(Index edge) const;
-  Index urgency(Index edge) const;
+  bool optional(Index edge) const { return requested(edge) && t_.levels[s_.request[edge]].optional; }
+  Index urgency(Index edge) const {
+    if (is_limbo(edge)) return 0;
+    return s_.request[edge] == nil ? t_.edges[edge].need_urgency : t_.levels[s_.request[edge]].urgency;
+  }
 
   const Tables& t_;
   State& s_;
+  bool measured_ = false; ///< State::depth holds for what is claimed now, and nothing of it is in limbo
 };
+
+/// Rules 3 to 5 for two edges of one requester and what lies below them.
+inline int Order::compare_siblings(Side a, Side b, bool in_order) const {
+  if (a.optional != b.optional) return a.optional != planted(Fault::optional_goes_first) ? 1 : -1; // rule 3
+  const Index urgency_a = urgency(a.edge), urgency_b = urgency(b.edge);
+  if (urgency_a != urgency_b) // rule 4
+    return (urgency_a < urgency_b) != planted(Fault::priorities_are_reversed) ? -1 : 1;
+  if (!in_order) return 0;
+  const auto stamp = [&](Index edge) { return requested(edge) ? s_.stamp[edge] : ~std::uint64_t{0}; };
+  if (stamp(a.edge) != stamp(b.edge)) // rule 5
+    return (stamp(a.edge) < stamp(b.edge)) != planted(Fault::younger_goes_first) ? -1 : 1;
+  return a.edge < b.edge ? -1 : 1;
+}
 
 } // namespace director

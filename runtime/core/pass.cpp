@@ -3,13 +3,20 @@
 // Section 4.4: the pass. Candidates are tried in order, unit by unit; what is granted adds the edges of its pack.
 
 #include "runtime/core/arbitration.hpp"
+#include "runtime/core/heap_sort.hpp"
 #include "runtime/core/marks.hpp"
 #include "runtime/core/planted.hpp"
 
 namespace director {
 
 void Pass::arbitrate() {
-  for (const Index g : t_.list(c_.groups)) s_.group_marks[g] = 0;
+  for (const Index g : t_.list(c_.groups)) {
+    s_.group_marks[g] = 0;
+    s_.in_queue[g] &= static_cast<std::uint8_t>(~place::counts);
+    pushed_ = pushed_ || s_.last[g].push.edge != nil;
+  }
+  depends_on_last_ = pushed_;
+  sort_roots();
   do {
     clear();
     sweep();
@@ -19,22 +26,50 @@ void Pass::arbitrate() {
 }
 
 void Pass::clear() {
-  candidates_ = denied_ = stale_granted_ = 0;
+  candidates_ = denied_ = stale_granted_ = claimed_ = 0;
+  next_ = nil;
+  measured_ = true;
+  pushing_ = false;
   for (const Index g : t_.list(c_.groups)) {
     s_.now[g] = Standing{};
     s_.group_marks[g] &= mark::forgotten;
     const Range slots = t_.groups[g].slots;
     for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
-    pushed_ = pushed_ || s_.last[g].push.edge != nil;
   }
-  depends_on_last_ = depends_on_last_ || pushed_;
+  root_ = s_.first_root[component_];
   for (const Index e : t_.list(c_.edges)) {
-    s_.edge_marks[e] = 0;
+    s_.edge_marks[e] = t_.edges[e].requester == nil ? mark::candidate : std::uint8_t{0};
     s_.next_queued[e] = Queued{};
   }
-  for (const Index e : t_.list(c_.edges)) {
-    if (t_.edges[e].requester != nil) break; // edges of root come first
-    become_candidate(e);
+}
+
+/// Edges of root stay linked in order from pass to pass: few are in another place than before.
+void Pass::sort_roots() {
+  const auto goes_first = [&](Index a, Index b) {
+    return compare_siblings({a, optional(a)}, {b, optional(b)}, true) < 0;
+  };
+  Index* link = &s_.first_root[component_];
+  Index last = nil, moved = 0;
+  for (Index e = *link; e != nil;) {
+    const Index following = s_.next_root[e];
+    if (last != nil && goes_first(e, last)) {
+      s_.candidate[moved++] = e;
+    } else {
+      *link = e;
+      link = &s_.next_root[e];
+      last = e;
+    }
+    e = following;
+  }
+  *link = nil;
+  heap_sort({s_.candidate, moved}, goes_first);
+  link = &s_.first_root[component_];
+  for (Index i = 0; i < moved; ++i) {
+    const Index e = s_.candidate[i];
+    while (*link != nil && goes_first(*link, e)) link = &s_.next_root[*link];
+    s_.next_root[e] = *link;
+    *link = e;
+    link = &s_.next_root[e];
   }
 }
 
@@ -49,35 +84,118 @@ bool Pass::denied_in_vain() {
   return false;
 }
 
-void Pass::become_candidate(Index edge) {
-  if (!requested(edge) || (s_.edge_marks[edge] & (mark::candidate | mark::tried)) != 0) return;
+/// Candidates are the edges of root, in order, a heap, and beside it the one that was put last: below what was just
+/// granted the order mostly goes on.
+void Pass::push_candidate(Index edge) {
   s_.edge_marks[edge] |= mark::candidate;
+  if (next_ == nil) {
+    next_ = edge;
+    return;
+  }
+  if (goes_first(edge, next_)) {
+    const Index later = next_;
+    next_ = edge;
+    edge = later;
+  }
   Index at = candidates_++;
   while (at > 0) {
     const auto parent = static_cast<Index>((at - 1) / 2);
-    if (compare({edge, Along::now}, {s_.candidate[parent], Along::now}, true) > 0) break;
+    if (!goes_first(edge, s_.candidate[parent])) break;
     s_.candidate[at] = s_.candidate[parent];
     at = parent;
   }
   s_.candidate[at] = edge;
 }
 
+/// The requested edges of a group become candidates, and those of what is granted at once.
 void Pass::become_candidates(Index group) {
-  const Range edges = t_.groups[group].edges;
-  for (Index e = edges.begin; e != edges.end; ++e) become_candidate(e);
+  again_ = 0;
+  candidates_of(group);
+  for (Index i = 0; i < again_; ++i) candidates_of(s_.reach[i]);
 }
 
-/// Takes the first in order off the heap.
+/// Edges that are one unit are looked for together, from the first of them: the others do not stand in the heap. Where
+/// nobody can say a word against it, they are granted before their turn.
+void Pass::candidates_of(Index group) {
+  const Range edges = t_.groups[group].edges;
+  Index first = nil;
+  bool there = false; // one of them is a candidate already
+  bool certain = true;
+  for (Index e = edges.begin; e != edges.end; ++e) {
+    if (s_.request[e] == nil || (s_.edge_marks[e] & mark::tried) != 0) continue;
+    const bool is_certain = stays_granted(e);
+    if ((s_.edge_marks[e] & mark::candidate) != 0) {
+      there = there || !alone(e);
+    } else if (!alone(e)) {
+      s_.edge_marks[e] |= mark::candidate;
+      certain = certain && is_certain;
+      if (first == nil || compare_siblings({e, false}, {first, false}, true) < 0) first = e;
+    } else if (is_certain) {
+      grant_again(e);
+    } else {
+      push_candidate(e);
+    }
+  }
+  if (first == nil || there) return;
+  if (!certain) return push_candidate(first);
+  for (Index e = edges.begin; e != edges.end; ++e) {
+    if ((s_.edge_marks[e] & mark::candidate) != 0 && !alone(e)) grant_again(e);
+  }
+}
+
+/// It was granted, there is one way to grant it, which has no conditions, and nobody else ever asks for its target or
+/// pushes it: so it will be granted, and nobody's decision depends on when.
+bool Pass::stays_granted(Index edge) const {
+  const Index group = t_.edges[edge].target;
+  const Group& row = t_.groups[group];
+  if (!runs_for_now(edge) || row.requesters.size() != 1 || row.providers.size() != 1) return false;
+  const Provider& provider = t_.providers[row.providers.begin];
+  return provider.needs.empty() && provider.when.empty() && provider.stay.empty() && provider.effects.empty() &&
+         s_.enabled[row.providers.begin] != 0;
+}
+
+void Pass::grant_again(Index edge) {
+  const Index group = t_.edges[edge].target;
+  s_.edge_marks[edge] = static_cast<std::uint8_t>((s_.edge_marks[edge] & ~mark::candidate) | mark::tried);
+  claim(group, edge);
+  now_granted(edge, t_.groups[group].providers.begin);
+  s_.reach[again_++] = group;
+}
+
+/// Its requester may not ask for anything; nor for what is one unit with it.
+void Pass::drop_candidates(Index edge) {
+  const auto drop = [&](Index e) { s_.edge_marks[e] &= static_cast<std::uint8_t>(~mark::candidate); };
+  drop(edge);
+  if (alone(edge)) return;
+  const Range siblings = t_.groups[requester(edge)].edges;
+  for (Index e = siblings.begin; e != siblings.end; ++e) {
+    if ((s_.edge_marks[e] & mark::candidate) != 0 && !alone(e)) drop(e);
+  }
+}
+
+/// Takes the first in order away; nil: there is none.
 Index Pass::first_candidate() {
+  while (root_ != nil && !requested(root_)) root_ = s_.next_root[root_];
+  Index first = root_;
+  if (next_ != nil && (first == nil || goes_first(next_, first))) first = next_;
+  if (candidates_ != 0 && (first == nil || goes_first(s_.candidate[0], first))) return first_of_heap();
+  if (first == root_) {
+    if (root_ != nil) root_ = s_.next_root[root_];
+  } else {
+    next_ = nil;
+  }
+  return first;
+}
+
+Index Pass::first_of_heap() {
   const Index first = s_.candidate[0], moved = s_.candidate[--candidates_];
   Index at = 0;
   for (;;) {
     auto child = static_cast<Index>(2 * at + 1);
     if (child >= candidates_) break;
     const auto other = static_cast<Index>(child + 1);
-    if (other < candidates_ && compare({s_.candidate[other], Along::now}, {s_.candidate[child], Along::now}, true) < 0)
-      child = other;
-    if (compare({moved, Along::now}, {s_.candidate[child], Along::now}, true) < 0) break;
+    if (other < candidates_ && goes_first(s_.candidate[other], s_.candidate[child])) child = other;
+    if (goes_first(moved, s_.candidate[child])) break;
     s_.candidate[at] = s_.candidate[child];
     at = child;
   }
@@ -97,18 +215,17 @@ bool Pass::alone(Index edge) const {
 
 /// Tries candidates, the first in order first, until none is left.
 void Pass::sweep() {
-  while (candidates_ != 0) {
-    const Index first = first_candidate();
+  for (Index first = first_candidate(); first != nil; first = first_candidate()) {
     if ((s_.edge_marks[first] & mark::candidate) == 0) continue; // it was tried as a member of a unit
     if (!may_ask(requester(first))) {
-      s_.edge_marks[first] &= static_cast<std::uint8_t>(~mark::candidate);
+      drop_candidates(first);
       continue;
     }
     Index count = 0;
     const auto join = [&](Index edge) {
       s_.edge_marks[edge] = static_cast<std::uint8_t>((s_.edge_marks[edge] & ~mark::candidate) | mark::tried);
       Index at = count++; // members in order
-      for (; at > 0 && compare({edge, Along::now}, {s_.unit[at - 1], Along::now}, true) < 0; --at)
+      for (; at > 0 && compare_siblings({edge, false}, {s_.unit[at - 1], false}, true) < 0; --at)
         s_.unit[at] = s_.unit[at - 1];
       s_.unit[at] = edge;
     };
@@ -123,19 +240,15 @@ void Pass::sweep() {
   }
 }
 
-/// A group whose orders are outdated.
-bool Pass::stale(Index group) const {
+/// A group's orders are outdated because of which granted group's; nil: because it is in limbo; `current`: they are
+/// not.
+Index Pass::stale_source(Index group) const {
   for (;;) {
-    const Index edge = s_.now[group].holder;
-    if (is_limbo(edge)) return true;
-    if ((s_.now[group].flags & flag::granted) != 0) {
-      constexpr auto outdating = static_cast<std::uint8_t>(static_cast<std::uint8_t>(Reason::new_task) |
-                                                           static_cast<std::uint8_t>(Reason::pushed));
-      return (s_.pending[group] & outdating) != 0 || s_.anew[edge] != 0 || edge != s_.last[group].holder ||
-             s_.now[group].active != s_.last[group].active;
-    }
-    group = requester(edge); // held only as a need: while its requester is stale
-    if (group == nil) return false;
+    const Standing& now = s_.now[group];
+    if (now.granted()) return (s_.group_marks[group] & mark::outdated) != 0 ? group : current;
+    if (is_limbo(now.holder)) return nil;
+    group = requester(now.holder); // held only as a need: while its requester is stale
+    if (group == nil) return current;
   }
 }
 
@@ -147,7 +260,7 @@ bool Pass::stale_requester(Index edge) const {
 /// Its target was granted to it before this pass.
 bool Pass::runs_for_now(Index edge) const {
   const Index group = target(edge);
-  return s_.last[group].holder == edge && (s_.last[group].flags & flag::granted) != 0;
+  return s_.last[group].holder == edge && s_.last[group].granted();
 }
 
 /// Something new on behalf of outdated orders.
@@ -160,17 +273,41 @@ bool Pass::outdated_order(Index count) const {
 }
 
 void Pass::try_unit(Index count) {
-  const bool outdated = stale_requester(s_.unit[0]);
-  depends_on_stale_ = depends_on_stale_ || outdated;
+  const Index from = requester(s_.unit[0]);
+  const Index source = from == nil ? current : stale_source(from);
+  const bool outdated = source != current;
+  if (outdated && source != nil) s_.in_queue[source] |= place::counts;
   if (count > 1 && outdated) {
     for (Index i = 0; i < count; ++i) { // each member for itself
       s_.member[0] = s_.unit[i];
-      try_members(1);
+      if (!try_simple(1, true)) try_members(1);
     }
     return;
   }
   for (Index i = 0; i < count; ++i) s_.member[i] = s_.unit[i];
-  try_members(count);
+  if (!try_simple(count, outdated)) try_members(count);
+}
+
+/// The same as try_members, where there is nothing to choose: each target has one provider, which needs nothing, and
+/// all goes well. False: it does not, and nothing was claimed.
+bool Pass::try_simple(Index count, bool outdated) {
+  for (Index at = 0; at < count; ++at) {
+    const Index edge = s_.member[at], group = t_.edges[edge].target;
+    const Range providers = t_.groups[group].providers;
+    if (providers.size() != 1 || !t_.providers[providers.begin].needs.empty()) return false;
+    if ((outdated || stale_granted_ != 0) && !runs_for_now(edge)) return false;
+    if (!available(group, edge, true) || s_.enabled[providers.begin] == 0 || first_false(providers.begin, edge) != nil)
+      return false;
+    s_.member_provider[at] = providers.begin;
+    s_.member_entries[at] = 0;
+  }
+  for (Index at = 0; at < count; ++at) {
+    claim(t_.edges[s_.member[at]].target, s_.member[at]);
+    now_granted(s_.member[at], s_.member_provider[at]);
+  }
+  for (Index at = 0; at < count; ++at) become_candidates(t_.edges[s_.member[at]].target);
+  if (pushed_) keep_own_pushes(count);
+  return true;
 }
 
 void Pass::try_members(Index count) {
@@ -236,24 +373,50 @@ bool Pass::reached_from_stale(Index found, Index edge) {
 
 void Pass::grant(Index count) {
   for (Index at = 0; at < count; ++at) {
-    const Index edge = s_.member[at], group = target(edge), begin = entries_begin(at), end = s_.member_entries[at];
-    s_.now[group].holder = edge;
-    s_.now[group].active = s_.member_provider[at];
-    s_.now[group].flags |= flag::granted;
+    const Index edge = s_.member[at], group = t_.edges[edge].target, begin = entries_begin(at),
+                end = s_.member_entries[at];
+    claim(group, edge);
+    now_granted(edge, s_.member_provider[at]);
     plan_for(group, s_.member_provider[at], begin, end);
-    for (Index i = begin; i < end; ++i) s_.now[s_.entry_group[i]].holder = s_.entry_need[i];
+    for (Index i = begin; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
     claim_plan(begin, end);
   }
   for (Index at = 0; at < count; ++at) {
-    const Index group = target(s_.member[at]);
-    if (stale(group)) ++stale_granted_;
-    become_candidates(group);
+    become_candidates(t_.edges[s_.member[at]].target);
     waken(entries_begin(at), s_.member_entries[at]);
   }
-  if (pushed_ && !planted(Fault::served_pushes_end)) keep_serving_pushes(count);
-  // What serves one member of a unit serves all; below a stale group each member has only its own.
-  depends_on_stale_ = depends_on_stale_ || (pushed_ && count > 1);
+  if (pushed_) keep_own_pushes(count);
   leave_combination(count);
+}
+
+/// The target of an edge, which is claimed, runs in the provider chosen.
+void Pass::now_granted(Index edge, Index provider) {
+  const Index group = t_.edges[edge].target;
+  Standing& now = s_.now[group];
+  const Standing& last = s_.last[group];
+  now.active = now.planned = provider;
+  now.flags |= flag::granted;
+  constexpr auto outdating = static_cast<std::uint8_t>(static_cast<std::uint8_t>(Reason::new_task) |
+                                                       static_cast<std::uint8_t>(Reason::pushed));
+  if ((s_.pending[group] & outdating) == 0 && s_.anew[edge] == 0 && edge == last.holder && provider == last.active)
+    return;
+  s_.group_marks[group] |= mark::outdated;
+  ++stale_granted_;
+}
+
+void Pass::keep_own_pushes(Index count) {
+  if (!planted(Fault::served_pushes_end)) keep_serving_pushes(count);
+  // What serves one member of a unit serves all; below a stale group each member has only its own.
+  depends_on_stale_ = depends_on_stale_ || count > 1;
+}
+
+void Pass::claim(Index group, Index edge) {
+  Standing& now = s_.now[group];
+  if (now.holder != nil) return; // for this very edge
+  now.holder = edge;
+  const Index from = requester(edge);
+  s_.depth[group] = from == nil ? Index{1} : static_cast<Index>(s_.depth[from] + 1);
+  s_.next_order[c_.order + claimed_++] = group;
 }
 
 /// The plan of `owner` for its provider is entries [begin, end).
@@ -314,98 +477,6 @@ void Pass::refuse(Index count) {
 
 void Pass::explain(Index count, Why why, Index condition) {
   for (Index at = 0; at < count; ++at) s_.next_queued[s_.member[at]] = {why, condition};
-}
-
-/// Live groups that nobody claims are kept for an heir that is about to run.
-void Pass::hand_over() {
-  for (Index i = 0; i < s_.order_count[component_]; ++i) {
-    const Index group = s_.order[c_.order + i];
-    if (s_.last[group].active == nil || s_.now[group].holder != nil || stale_granted_ == 0 ||
-        planted(Fault::nobody_inherits))
-      continue;
-    s_.reach[0] = group;
-    if (reached_from_stale(1, nil)) hand_over(group);
-  }
-}
-
-void Pass::hand_over(Index group) {
-  const Index end = recall_plan(group);
-  for (Index i = 0; i < end; ++i) {
-    if (s_.now[s_.entry_group[i]].holder != nil) return;
-  }
-  depends_on_last_ = depends_on_stale_ = true;
-  s_.now[group].holder = static_cast<Index>(t_.edges.size() + group);
-  s_.now[group].active = s_.last[group].active;
-  if (s_.last[group].planned != nil) plan_for(group, s_.last[group].planned, 0, end);
-  for (Index i = 0; i < end; ++i) s_.now[s_.entry_group[i]].holder = s_.entry_need[i];
-  claim_plan(0, end);
-  become_candidates(group);
-  waken(0, end);
-  sweep();
-}
-
-/// Writes the plan that a group had after the last pass as entries from 0 on; returns how many.
-Index Pass::recall_plan(Index group) {
-  if (s_.last[group].planned == nil) return 0;
-  Index end = 0;
-  for (Index parent = nil;;) {
-    const Index provider = parent == nil ? s_.last[group].planned : s_.entry_provider[parent];
-    Index place = 0;
-    Index owner = parent;
-    Index of = provider;
-    while (place >= t_.providers[of].needs.size()) { // the next need, depth first
-      if (owner == nil) return end;
-      place = static_cast<Index>(s_.entry_place[owner] + 1);
-      owner = s_.entry_parent[owner];
-      of = owner == nil ? s_.last[group].planned : s_.entry_provider[owner];
-    }
-    const Index need = t_.list(t_.providers[of].needs)[place], needed = t_.edges[need].target;
-    const Index slot = slot_of(group, needed);
-    s_.entry_group[end] = needed;
-    s_.entry_need[end] = need;
-    s_.entry_provider[end] = slot == nil ? t_.groups[needed].providers.begin : s_.last.plan[slot];
-    s_.entry_parent[end] = owner;
-    s_.entry_place[end] = place;
-    parent = end++;
-  }
-}
-
-/// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
-void Pass::finish() {
-  Index count = 0;
-  for (const Index g : t_.list(c_.groups)) {
-    if (s_.now[g].holder == nil) continue;
-    s_.next_order[c_.order + count++] = g;
-    if (s_.now[g].active != nil || s_.last[g].active == nil) continue;
-    depends_on_last_ = depends_on_stale_ = true;
-    if (stale(g) || planted(Fault::unwanted_needs_live_on)) s_.now[g].active = s_.last[g].active;
-  }
-  s_.next_count[component_] = count;
-  for (const Index g : t_.list(c_.groups)) {
-    Push& push = s_.now[g].push;
-    if (push.edge == nil) continue;
-    depends_on_last_ = true;
-    if (s_.now[g].holder == nil) {
-      if (!asked_for(g) && !planted(Fault::pushes_outlive_requests)) push = Push{};
-      continue;
-    }
-    const bool was_in_force = (s_.last[g].flags & flag::in_force) != 0;
-    if (s_.now[g].active != push.provider || ((s_.now[g].flags & flag::granted) == 0 && !was_in_force) ||
-        !applies(push, s_.now[g].holder))
-      continue;
-    s_.now[g].flags |= flag::in_force;
-    if (!holds(push.condition)) s_.now[g].serves = {push.provider, push.condition};
-  }
-  sort({s_.next_order + c_.order, count}, Along::now);
-}
-
-/// By root or a live group.
-bool Pass::asked_for(Index group) const {
-  for (const Index edge : t_.list(t_.groups[group].requesters)) {
-    const Index from = t_.edges[edge].requester;
-    if (requested(edge) && (from == nil || s_.now[from].active != nil)) return true;
-  }
-  return false;
 }
 
 } // namespace director

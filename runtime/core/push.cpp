@@ -58,7 +58,8 @@ void Pass::keep_pushes(Index count) {
   if (!pushed_) return;
   for (const Index g : t_.list(c_.groups)) {
     const Push& push = s_.last[g].push;
-    if (push.edge != nil && s_.now[g].push.edge == nil && in_unit(push.edge, count)) s_.now[g].push = push;
+    if (push.edge != nil && s_.now[g].push.edge == nil && in_unit(push.edge, count))
+      s_.now[g].push = push, pushing_ = true;
   }
 }
 
@@ -98,7 +99,7 @@ void Pass::keep_serving_pushes(Index count) {
         continue;
       s_.group_marks[g] |= mark::busy;
       want(t_.providers[push.provider].aims);
-      if (s_.now[g].push.edge == nil) s_.now[g].push = push;
+      if (s_.now[g].push.edge == nil) s_.now[g].push = push, pushing_ = true;
       more = true;
     }
   }
@@ -136,7 +137,7 @@ void Pass::push_for(Index count, Index unmet) {
     const bool free = (s_.group_marks[g] & mark::busy) == 0 && theirs(g).edge == nil;
     if (all_served && s_.first[g].edge != nil && free && s_.own[g].provider != s_.first[g].provider)
       s_.own[g] = s_.first[g];
-    if (s_.own[g].edge != nil && theirs(g).edge == nil) s_.now[g].push = s_.own[g];
+    if (s_.own[g].edge != nil && theirs(g).edge == nil) s_.now[g].push = s_.own[g], pushing_ = true;
   }
 }
 

@@ -21,19 +21,18 @@ void Engine::arbitrate() {
   Counters& c = *s_.counters;
   forget_work();
   const Index passes = c.work_count;
+  bool stops = false;
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
     Pass pass(t_, s_, component);
     pass.arbitrate();
-    bool decision = false;
-    const bool other = changed(component, decision);
-    if (decision) c.unsettled = 1;
+    const bool other = changed(component, stops);
     std::uint8_t bits = work::listed | work::passed;
     if (pass.depends_on_stale()) bits |= work::stale_counts;
     if (other && (pass.depends_on_last() || pass.depends_on_stale())) bits |= work::unsettled;
     s_.component[component] = bits;
   }
-  act(passes);
+  act(passes, stops);
   forget_work();
 }
 
@@ -53,19 +52,24 @@ void Engine::forget_work() {
   c.work_count = left;
 }
 
-/// Is the new assignment another one? `decision`: in what the page calls a change (holders, providers, who is granted,
-/// pushes), so that at rest it is arbitrated once more.
-bool Engine::changed(Index component, bool& decision) const {
-  bool other = false;
+/// Is the new assignment another one? In what the page calls a change (holders, providers, who is granted, pushes), it
+/// is arbitrated once more at rest. `stops`: a group is not live any more.
+bool Engine::changed(Index component, bool& stops) {
+  bool other = false, decision = false;
   for (const Index g : t_.list(t_.components[component].groups)) {
-    const Range slots = t_.groups[g].slots;
-    for (Index slot = slots.begin; slot != slots.end; ++slot) other = other || s_.now.plan[slot] != s_.last.plan[slot];
     const Standing &now = s_.now[g], &last = s_.last[g];
-    if (now == last) continue;
+    const Range slots = t_.groups[g].slots;
+    bool differs = now != last;
+    for (Index slot = slots.begin; slot != slots.end; ++slot)
+      differs = differs || s_.now.plan[slot] != s_.last.plan[slot];
+    if (!differs) continue;
     other = true;
+    s_.group_marks[g] |= mark::differs;
     decision = decision || now.holder != last.holder || now.active != last.active || now.granted() != last.granted() ||
                now.push != last.push;
+    stops = stops || (last.active != nil && now.active == nil);
   }
+  if (decision) s_.counters->unsettled = 1;
   return other;
 }
 

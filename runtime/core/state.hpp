@@ -154,6 +154,9 @@ struct State {
   Index* next_order = nullptr;             ///< as `order`
   Index* next_count = nullptr;             ///< as `order_count`
   Index* sorted = nullptr;                 ///< groups of several components, brought in order
+  Index* depth = nullptr;                  ///< group that is claimed: length of the chain of its holders
+  Index* first_root = nullptr;             ///< component: its first edge of root, in order; nil
+  Index* next_root = nullptr;              ///< edge of root: the next one of its component; nil
   Index* trial = nullptr;                  ///< group: edge that would claim it in the combination in hand
   Index* entry_group = nullptr;            ///< 2 * groups: plans of the members in hand, as stacks of entries
   Index* entry_need = nullptr;             ///< the edge by which an entry is needed
@@ -200,8 +203,9 @@ struct State {
     each_of(s.now, n, visit);
     visit(s.own, n.groups), visit(s.first, n.groups), visit(s.touched, n.groups), visit(s.staged, n.states);
     visit(s.asked, n.edges);
-    visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.sorted, n.groups),
-        visit(s.trial, n.groups);
+    visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.sorted, n.groups);
+    visit(s.depth, n.groups), visit(s.trial, n.groups);
+    visit(s.first_root, n.components), visit(s.next_root, n.edges);
     visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
     visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
     visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
