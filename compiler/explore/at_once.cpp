@@ -6,6 +6,8 @@
 // group is controlled for it for as long as it is granted. A group has one holder. Two groups that share such a part
 // can be granted together only if the part is held by one and the same edge for both, and following that edge's
 // requester upwards, only if one of the two is part of a plan of the other, which is ruled out.
+// Or their conditions exclude each other: after every micro-step the `when` or the `stay` of the active provider of a
+// granted group holds, save conditions on states that the provider itself causes (4.3), and both for the same values.
 //
 // beats: a pass is greedy in order, so what a unit finds taken was taken by units that go before it. If both groups are
 // requested by root alone and neither leads to the other, any two edges of the two sides meet at root, where rules 3
@@ -54,19 +56,63 @@ std::optional<GroupId> shared_part(const Model& model, const checks::Indispensab
   return {};
 }
 
+/// Some state would have to have two values.
+bool exclude(const Model& model, ProviderId p, const std::vector<ConditionUse>& of_p, ProviderId q,
+             const std::vector<ConditionUse>& of_q) {
+  const auto waived = [&](ProviderId id, StateId state) {
+    const std::vector<ConditionUse>& promises = model.providers[id].causing;
+    return std::any_of(promises.begin(), promises.end(),
+                       [&](const ConditionUse& use) { return model.conditions[use.id].state == state; });
+  };
+  for (const ConditionUse& a : of_p) {
+    for (const ConditionUse& b : of_q) {
+      const Condition &one = model.conditions[a.id], &other = model.conditions[b.id];
+      if (one.state == other.state && one.accepts.intersected(other.accepts).empty() && !waived(p, one.state) &&
+          !waived(q, one.state))
+        return true;
+    }
+  }
+  return false;
+}
+
+bool exclude(const Model& model, GroupId a, GroupId b) {
+  const auto never_both = [&](ProviderId p, ProviderId q) {
+    const Provider &one = model.providers[p], &other = model.providers[q];
+    for (const auto* of_p : {&one.when, &one.stay}) {
+      for (const auto* of_q : {&other.when, &other.stay}) {
+        const bool there = (of_p == &one.when || !of_p->empty()) && (of_q == &other.when || !of_q->empty());
+        if (there && !exclude(model, p, *of_p, q, *of_q)) return false;
+      }
+    }
+    return true;
+  };
+  for (const ProviderId p : model.groups[a].providers) {
+    for (const ProviderId q : model.groups[b].providers) {
+      if (!never_both(p, q)) return false;
+    }
+  }
+  return true;
+}
+
 std::optional<Verdict> never_together(const Assertion& assertion, const Model& model) {
   const checks::Indispensable parts(model);
   std::vector<std::string> shared;
+  bool excluded = false;
   for (std::size_t i = 0; i < assertion.groups.size(); ++i) {
     for (std::size_t j = i + 1; j < assertion.groups.size(); ++j) {
-      const std::optional<GroupId> part = shared_part(model, parts, assertion.groups[i].id, assertion.groups[j].id);
-      if (!part) return {};
+      const GroupId a = assertion.groups[i].id, b = assertion.groups[j].id;
+      const std::optional<GroupId> part = shared_part(model, parts, a, b);
+      if (!part && (a == b || !exclude(model, a, b))) return {};
+      excluded = excluded || !part;
+      if (!part) continue;
       std::string word = quoted(model, *part);
       if (std::find(shared.begin(), shared.end(), word) == shared.end()) shared.push_back(std::move(word));
     }
   }
-  return proven(
-      fmt::format("no two of them can be granted without {}, and a group has one holder", fmt::join(shared, " or ")));
+  const std::string conditions = "their conditions exclude each other";
+  if (shared.empty()) return proven(conditions);
+  return proven(fmt::format("{}no two of them can be granted without {}, and a group has one holder",
+                            excluded ? conditions + ", or " : "", fmt::join(shared, " or ")));
 }
 
 /// All groups to which edges lead from this one, itself included.

@@ -328,8 +328,8 @@ std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth)
   return out;
 }
 
-bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion) {
-  Watch watch(ground, {assertion});
+bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion, bool strict) {
+  Watch watch(ground, {assertion}, strict);
   std::uint64_t remembered = 0;
   std::vector<std::size_t> seen;
   replay(

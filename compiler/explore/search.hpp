@@ -56,6 +56,6 @@ struct Taken {
 };
 std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth);
 /// Whether the last micro-step of a way shows what Watch looks for, seen without any state that was put away between.
-bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion);
+bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion, bool strict = true);
 
 } // namespace director::compiler

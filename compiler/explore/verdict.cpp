@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <stdexcept>
-
 namespace director::compiler {
 
 namespace {
@@ -47,8 +45,13 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   for (char& c : telling.title) c = c == ':' ? ',' : c; // a plain YAML word
   telling.doc = wanted ? "How it comes to run." : "In the last step " + refuted_by(assertion, ground.model) + ".";
   telling.behaviour = behaviour;
-  if (!shows(ground, *searched.seen[at], searched.breadth, at))
-    throw std::logic_error("a way through the exploration does not show what was seen at its end");
+  if (!shows(ground, *searched.seen[at], searched.breadth, at)) {
+    out.why = fmt::format("after {}, a task of its side is blocked while the other side holds what it may take, but "
+                          "that may not be what blocks it",
+                          in_words(ground, out.way));
+    out.way.clear();
+    return out;
+  }
   out.scenario = write_scenario(ground, out.way, telling);
   if (!out.scenario) {
     out.why = "a way to it was found, but only with timers that are due in an order that could not be played";

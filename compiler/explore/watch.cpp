@@ -35,9 +35,10 @@ bool under(const Engine& engine, Index edge, Index group) {
   return false;
 }
 
-Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
+Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions, bool strict)
     : happened(ground.tables),
       ground_(ground),
+      strict_(strict),
       before_(ground.tables.groups.size()) {
   std::uint64_t bit = 1;
   for (const std::size_t at : assertions) {
@@ -99,9 +100,26 @@ bool Watch::blocked(const One& one, const Machine& machine) const {
   for (Index edge = 0; edge < t.edges.size(); ++edge) {
     if (engine.queued(edge).why != Why::blocked || engine.state(edge) != RunState::queued) continue;
     if (t.edges[edge].target != one.groups.front() && !under(engine, edge, one.groups.front())) continue;
+    if (strict_ && !alone(edge, machine)) continue;
     if (blocks(edge, one.groups.back(), machine)) return true;
   }
   return false;
+}
+
+/// No other request is granted or refused together with it.
+bool Watch::alone(Index edge, const Machine& machine) const {
+  const Tables& t = ground_.tables;
+  const director::State& s = machine.engine().memory();
+  const auto joins = [&](Index e) {
+    return s.request[e] != nil && !t.levels[s.request[e]].optional && !t.levels[s.request[e]].apart;
+  };
+  const Index requester = t.edges[edge].requester;
+  if (requester == nil || !joins(edge)) return true;
+  const Range edges = t.groups[requester].edges;
+  for (Index e = edges.begin; e != edges.end; ++e) {
+    if (e != edge && joins(e)) return false;
+  }
+  return true;
 }
 
 /// Of what the edge's target or anything that it may need, transitively, is made of, the loser's side holds something.
@@ -109,10 +127,13 @@ bool Watch::blocks(Index edge, Index loser, const Machine& machine) const {
   const Engine& engine = machine.engine();
   const Tables& t = ground_.tables;
   std::vector<Index> groups{t.edges[edge].target};
+  bool theirs = false, others = false;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const Index holder = engine.holder(groups[i]);
-    const bool theirs = holder != nil && holder != edge && (groups[i] == loser || under(engine, holder, loser));
-    if (theirs) return true;
+    const bool held = holder != nil && holder != edge;
+    const bool is_theirs = held && (groups[i] == loser || under(engine, holder, loser));
+    theirs = theirs || is_theirs;
+    others = others || (held && !is_theirs);
     for (Index p = t.groups[groups[i]].providers.begin; p != t.groups[groups[i]].providers.end; ++p) {
       for (const Index need : t.list(t.providers[p].needs)) {
         const Index target = t.edges[need].target;
@@ -120,7 +141,7 @@ bool Watch::blocks(Index edge, Index loser, const Machine& machine) const {
       }
     }
   }
-  return false;
+  return theirs && !(strict_ && others);
 }
 
 bool Watch::requested(Index group, const Machine& machine) const {

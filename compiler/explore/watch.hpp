@@ -25,7 +25,10 @@ inline constexpr std::size_t most_soft = 32;
 class Watch {
 public:
   /// `assertions`: of the Model, those to look at.
-  Watch(const Ground& ground, const std::vector<std::size_t>& assertions);
+  /// `strict`: of what may stand in a blocked task's way, nobody but the loser's side holds anything; and it
+  /// is a unit of its own, so it is surely that side which blocks it. Otherwise others may stand in its way as well, or
+  /// the members of its unit in each other's.
+  Watch(const Ground& ground, const std::vector<std::size_t>& assertions, bool strict = false);
 
   /// Before the micro-steps that all begin in this state.
   void before(const Machine& machine, std::uint64_t bits);
@@ -48,6 +51,7 @@ private:
   };
   bool together(const One& one, const Machine& machine) const;
   bool blocked(const One& one, const Machine& machine) const;
+  bool alone(Index edge, const Machine& machine) const;
   bool blocks(Index edge, Index loser, const Machine& machine) const;
   bool hard_cut(const One& one, const Machine& machine) const;
   std::uint64_t remember(const One& one, const Machine& machine, std::uint64_t bits) const;
@@ -57,6 +61,7 @@ private:
   void note(const Machine& machine);
 
   const Ground& ground_;
+  bool strict_;
   std::vector<One> watched_;
   std::vector<Held> before_;
   std::uint64_t bits_ = 0;
