@@ -53,7 +53,8 @@ bool Pass::can_be_pushed(ProviderId provider, const Chain& member, const std::ve
   if (push != now_.pushes.end() && push->second.to != provider && !contains(unit, push->second.by)) return false;
   const std::vector<EdgeId>& edges = parts_.model().groups[group].requesters;
   return std::any_of(edges.begin(), edges.end(), [&](EdgeId edge) {
-    if (!facts_.request[edge]) return false;
+    // No edge goes before itself, though the chain that it has now may go before the one that it had.
+    if (!facts_.request[edge] || edge == member.edge()) return false;
     const Chain asking = previous_chain(edge);
     return asking.complete && order_.before(member, asking) && !asking.below(member.edge());
   });
