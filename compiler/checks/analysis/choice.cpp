@@ -1,8 +1,6 @@
 // Door: compiler/checks/analysis/choice.hpp. Test: tests/checks/analysis/choice_test.cpp.
 #include "compiler/checks/analysis/choice.hpp"
 
-#include "compiler/checks/analysis/plans.hpp"
-
 #include <algorithm>
 
 namespace director::checks {
@@ -31,7 +29,6 @@ IdSet<GroupId> find_claimable(const Model& model, const Graph& graph) {
 struct Availability {
   const Model& model;
   IdSet<GroupId> claimable;
-  const Indispensable* indispensable; ///< nothing: nobody needs anything
 
   /// Somebody but `needer` may hold it.
   bool is_contended(GroupId group, GroupId needer) const {
@@ -50,9 +47,11 @@ struct Availability {
   }
 
   bool can_be_had(GroupId group, GroupId needer, ProviderId provider, std::vector<GroupId>& path) const {
+    // What that one needs itself it has by the same edge. What only a part of its plan needs does not count: an equal
+    // that lets that part have it may deny it to this one.
     const auto& needs = model.providers[provider].needs;
-    if (std::any_of(needs.begin(), needs.end(),
-                    [&](const auto& need) { return indispensable->contains(need.id, group); }))
+    if (needer == model.providers[provider].group &&
+        std::any_of(needs.begin(), needs.end(), [&](const auto& need) { return need.id == group; }))
       return true;
     if (is_contended(group, needer) || std::find(path.begin(), path.end(), group) != path.end()) return false;
     path.push_back(group);
@@ -112,10 +111,7 @@ private:
 } // namespace
 
 Rivals::Rivals(const Model& model, const Graph& graph) : rivals_(model.providers.size()) {
-  const bool any_needs = std::any_of(model.providers.begin(), model.providers.end(),
-                                     [](const Provider& provider) { return !provider.needs.empty(); });
-  const std::optional<Indispensable> indispensable = any_needs ? std::optional<Indispensable>(model) : std::nullopt;
-  const Availability availability{model, find_claimable(model, graph), indispensable ? &*indispensable : nullptr};
+  const Availability availability{model, find_claimable(model, graph)};
   for (const Group& group : model.groups) {
     // Two needs of one provider may come down to the same thing, and then a later choice has to serve.
     const bool is_needed = std::any_of(group.requesters.begin(), group.requesters.end(),

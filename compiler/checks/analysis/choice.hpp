@@ -9,7 +9,7 @@
 namespace director::checks {
 
 /// For each provider the earlier ones of its group that can run whenever their `when` holds and this one can run: what
-/// they need nobody else can hold, or this one needs it too.
+/// they need nobody else can hold, or this one needs it itself.
 class Rivals {
 public:
   Rivals(const Model& model, const Graph& graph);
