@@ -93,11 +93,10 @@ private:
       return length_theirs < length_ours;
     }
     out.common = requester(out.ours);
-    if (v_.is_limbo(out.ours)) {
-      out.won_by = Precedence::limbo;
-      return true;
+    if (v_.is_limbo(out.ours) || v_.is_limbo(out.theirs)) { // limbo goes after everything, and nobody is told of it
+      out.won_by = Precedence::optional;
+      return v_.is_limbo(out.ours);
     }
-    if (v_.is_limbo(out.theirs)) return false;
     out.our_priority = priority(out.ours);
     out.their_priority = priority(out.theirs);
     if (below_ours != below_theirs) {
@@ -149,10 +148,18 @@ private:
     return false;
   }
 
+  /// Somewhere above, the group is only kept for an heir. What stands below limbo is compared by no rule that would say
+  /// anything to people.
+  bool hangs_on_limbo(Index group) const {
+    while (group != nil && v_.holder(group) != nil && !v_.is_limbo(v_.holder(group)))
+      group = requester(v_.holder(group));
+    return group != nil && v_.holder(group) != nil;
+  }
+
   void explain(Because& out) {
     const Queued queued = v_.queued[out.edge];
     out.kind = Kind::outdated;
-    if (orders_change(requester(out.edge))) return;
+    if (orders_change(requester(out.edge)) || hangs_on_limbo(requester(out.edge))) return;
     switch (queued.why) {
     case Why::waiting: return waits(out, queued.condition);
     case Why::deferred: out.kind = Kind::deferred; return;

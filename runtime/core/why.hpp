@@ -13,7 +13,6 @@ enum class Precedence : std::uint8_t {
   optional, ///< the other is optional below the common requester
   priority, ///< it has the higher priority there
   equal,    ///< by none: equals never take from each other, and it was there first
-  limbo,    ///< the other belongs to what is only kept for an heir, which goes after everything
 };
 
 /// Where the chains of requesters of two rivals part.
@@ -36,7 +35,7 @@ struct Because {
     need_held,     ///< likewise, where `group` is something that `provider` of that target needs
     together,      ///< what one unit asks for cannot be had together: its members need the same
     condition, ///< `condition` is false; `causer` could make it true (nil: nobody but the outside), by a push or else
-    outdated,  ///< its requester has not run yet since its own task changed, and may not want it any more
+    outdated,  ///< its requester, or one above, has not run yet since its own task changed, or is only kept for an heir
     deferred,  ///< somebody stronger is about to run, and may ask for what it needs
     reserved,  ///< it is held for `holder`, whose requester needs it and did not ask for it yet
     limbo,     ///< its requester is gone; it is kept for who is about to ask for it

@@ -72,7 +72,6 @@ private:
   void rivalry(const Rivalry& r) {
     switch (r.won_by) {
     case Precedence::above: *this << "which is above it"; return;
-    case Precedence::limbo: *this << "and who asks for it is only kept for somebody else"; return;
     case Precedence::optional:
       *this << "and " << names_.edge(r.ours) << " is optional, or leads through something optional, unlike "
             << names_.edge(r.theirs);

@@ -138,7 +138,6 @@ private:
     const Chain ours = chain(member), theirs = chain(holder);
     if (order.before(ours, theirs)) return "the holder goes behind";
     const Rivalry& rivalry = claim_.rivalry;
-    if (rivalry.won_by == Precedence::limbo) return ours.complete ? "it does not belong to limbo" : "";
     if (order.before(theirs, ours) == (rivalry.won_by == Precedence::equal)) return "they are not equal";
     if (rivalry.won_by == Precedence::above) return ours.below(holder) ? "" : "the holder is not above";
     return wrong_rivalry(ours, theirs);
