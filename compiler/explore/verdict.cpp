@@ -42,7 +42,6 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   out.way = follow(ground, *searched.seen[at], searched.breadth);
   Telling telling;
   telling.title = fmt::format("{}: {}", wanted ? "it runs" : "refuted", words_of(assertion, ground.model));
-  for (char& c : telling.title) c = c == ':' ? ',' : c; // a plain YAML word
   telling.doc = wanted ? "How it comes to run." : "In the last step " + refuted_by(assertion, ground.model) + ".";
   telling.behaviour = behaviour;
   if (!shows(ground, *searched.seen[at], searched.breadth, at)) {

@@ -7,6 +7,7 @@
 #include "dsl/duration.hpp"
 #include "dsl/file_access.hpp"
 #include "dsl/read_scenario.hpp"
+#include "dsl/yaml_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,13 +46,13 @@ public:
   }
 
   std::string text(const Telling& telling, const std::vector<std::vector<std::string>>& expected) const {
-    std::string out = fmt::format("scenario: {}\ndoc: |\n", telling.title);
+    std::string out = fmt::format("scenario: {}\ndoc: |\n", dsl::yaml_word(telling.title));
     for (std::size_t at = 0; at < telling.doc.size();) {
       const std::size_t end = std::min(telling.doc.find('\n', at), telling.doc.size());
       out += fmt::format("  {}\n", telling.doc.substr(at, end - at));
       at = end + 1;
     }
-    out += fmt::format("behaviour: {}\n", telling.behaviour);
+    out += fmt::format("behaviour: {}\n", dsl::yaml_word(telling.behaviour));
     if (!script_.empty()) out += "script:\n";
     for (const auto& [name, cases] : script_) {
       out += fmt::format("  {}:\n", name);
