@@ -13,6 +13,7 @@
 // are of that kind, since a task that is asked for again changes no input of arbitration.
 
 #include "runtime/core/order.hpp"
+#include "runtime/core/planted.hpp"
 
 namespace director {
 
@@ -63,18 +64,6 @@ private:
   void clear();
   void sweep();
   bool denied_in_vain();
-  void push_candidate(Index edge);
-  void become_candidates(Index group);
-  void candidates_of(Index group);
-  bool stays_granted(Index edge) const;
-  void grant_again(Index edge);
-  void drop_candidates(Index edge);
-  void sort_roots();
-  Index first_candidate();
-  Index first_of_heap();
-  bool goes_first(Index a, Index b) const { return compare({a, Along::now}, {b, Along::now}, true) < 0; }
-  bool may_ask(Index group) const;
-  bool alone(Index edge) const;
   Index stale_source(Index group) const;
   bool stale(Index group) const { return stale_source(group) != current; }
   bool stale_requester(Index edge) const;
@@ -95,6 +84,23 @@ private:
   void waken(Index begin, Index end);
   void refuse(Index count);
   void explain(Index count, Why why, Index condition = nil);
+
+  // candidates.cpp: who is tried next
+  void push_candidate(Index edge);
+  void become_candidates(Index group);
+  void candidates_of(Index group);
+  bool stays_granted(Index edge) const;
+  void grant_again(Index edge);
+  void drop_candidates(Index edge);
+  void sort_roots();
+  Index first_candidate();
+  Index first_of_heap();
+  bool goes_first(Index a, Index b) const { return compare({a, Along::now}, {b, Along::now}, true) < 0; }
+  bool may_ask(Index group) const;
+  bool alone(Index edge) const {
+    const Level& level = t_.levels[s_.request[edge]];
+    return requester(edge) == nil || level.optional || level.apart || planted(Fault::members_for_themselves);
+  }
 
   // finish.cpp: section 4.4, Hand-over, and what follows from the claims
   void hand_over();
