@@ -18,6 +18,7 @@ Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, In
 }
 
 void Engine::reset() {
+  passes_ = 0;
   const Shape shape = Shape::of(t_);
   State::each(
       s_, shape,

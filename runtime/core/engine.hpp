@@ -52,7 +52,9 @@ public:
   Queued queued(Index edge) const { return s_.queued[edge]; }
   View view() const; ///< all that one may ask for; see why.hpp, snapshot.hpp
   Time now() const { return s_.counters->now; }
-  bool inside() const { return inside_; } ///< a body or handler is running; for the thread that calls step()
+  std::uint64_t micro_steps() const { return s_.counters->micro_step; } ///< so far
+  std::uint64_t passes() const { return passes_; } ///< of arbitration over a component, from nothing, so far
+  bool inside() const { return inside_; }          ///< a body or handler is running; for the thread that calls step()
   const Tables& tables() const { return t_; }
   const State& memory() const { return s_; }
 
@@ -146,6 +148,7 @@ private:
   Bodies bodies_;
   Inbox& inbox_;
   Observer observer_;
+  std::uint64_t passes_ = 0;
   std::uint32_t budget_ = default_budget;
   Index starting_ = nil; ///< the group whose start handler runs: its data may still be staged
   Index ran_ = nil;      ///< the group that ran in this micro-step

@@ -21,6 +21,7 @@ void Engine::arbitrate() {
   Counters& c = *s_.counters;
   forget_work();
   const Index passes = c.work_count;
+  passes_ += passes;
   bool stops = false;
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];

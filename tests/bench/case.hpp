@@ -14,10 +14,11 @@ class Case {
 public:
   virtual ~Case() = default;
   virtual void run(std::size_t times) = 0;
-  virtual std::uint64_t calls() const = 0; ///< of providers, so far
+  virtual std::uint64_t calls() const = 0;    ///< of providers, so far
+  virtual double passes() const { return 0; } ///< of arbitration a micro-step, so far
 };
 
-/// `It` has once(), and calls().
+/// `It` has once() and calls(), and may have passes().
 template <class It>
 class Repeated final : public Case {
 public:
@@ -30,6 +31,10 @@ public:
     }
   }
   std::uint64_t calls() const override { return it_.calls(); }
+  double passes() const override {
+    if constexpr (requires { it_.passes(); }) return it_.passes();
+    return 0;
+  }
 
 private:
   It it_;

@@ -38,6 +38,9 @@ public:
     robot_.step(static_cast<director::Time>(++ticks_) * tick);
   }
   std::uint64_t calls() const { return robot_.calls(); }
+  double passes() const {
+    return static_cast<double>(robot_.engine().passes()) / static_cast<double>(robot_.engine().micro_steps());
+  }
 
 private:
   /// Each pack in turn; what it promises or may set, the first value of each, in turn too.

@@ -56,6 +56,23 @@ TEST_CASE("a period that is late runs once and is next due at the first multiple
   CHECK(machine.engine().next_due() == ms(40));
 }
 
+TEST_CASE("what changes nobody's chances takes a run and no pass") {
+  Machine machine(timed);
+  machine.request("Look");
+  machine.step(0);
+  const std::uint64_t before = machine.engine().passes();
+  CHECK(before > 0);
+  machine.request("Look");
+  CHECK(machine.step(ms(1)) == Lines{"run Look new_task"});
+  machine.set("Ball", "near");
+  machine.step(ms(2));
+  CHECK(machine.engine().passes() == before);
+  machine.set("Ball", "far");
+  machine.step(ms(3));
+  CHECK(machine.engine().passes() > before);
+  CHECK(machine.engine().micro_steps() > machine.engine().passes());
+}
+
 TEST_CASE("what is due runs at its own time") {
   Machine machine(R"(
 behaviour: waits
