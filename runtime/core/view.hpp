@@ -42,6 +42,19 @@ struct View {
   RunState state(Index edge) const; ///< of a request: running, queued or none
   Holding holding(Index group) const;
 
+private:
+  template <class T>
+  static constexpr std::size_t aligned(std::size_t at) {
+    return (at + alignof(T) - 1) / alignof(T) * alignof(T);
+  }
+  /// Calls visit(array, count) for every array. Stands before who needs it while compiling: clang++ asks for that.
+  template <class Visit>
+  constexpr void each(const Shape& n, Visit&& visit) {
+    visit(stamp, n.edges), visit(values, n.states), visit(request, n.edges), visit(standing, n.groups);
+    visit(queued, n.edges), visit(pending, n.groups), visit(enabled, n.providers);
+  }
+
+public:
   /// Bytes that a copy takes, aligned to 8.
   static constexpr std::size_t bytes(const Shape& shape) {
     View view;
@@ -51,18 +64,6 @@ struct View {
   }
   /// A view of a copy in a room of that many bytes.
   View copy(std::byte* room) const;
-
-private:
-  template <class T>
-  static constexpr std::size_t aligned(std::size_t at) {
-    return (at + alignof(T) - 1) / alignof(T) * alignof(T);
-  }
-  /// Calls visit(array, count) for every array.
-  template <class Visit>
-  constexpr void each(const Shape& n, Visit&& visit) {
-    visit(stamp, n.edges), visit(values, n.states), visit(request, n.edges), visit(standing, n.groups);
-    visit(queued, n.edges), visit(pending, n.groups), visit(enabled, n.providers);
-  }
 };
 
 } // namespace director
