@@ -1,6 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
 #include "compiler/checks/analysis/company.hpp"
 #include "compiler/checks/analysis/gaps.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -85,11 +86,7 @@ private:
         request.task->span, fmt::format("{} may wait here for {}, and {}, which could cause it, need not be requested",
                                         name_of(model_, request.task->target), name_of(model_, use.id), group));
     finding.notes.push_back({use.span, fmt::format("{} waits for this", name_of(model_, waiter))});
-    for (const ProviderId id : causers) {
-      const ConditionUse& promise = promise_of(model_, id, use.id);
-      finding.notes.push_back(
-          {promise.span, fmt::format("{} causes {}", name_of(model_, id), name_of(model_, promise.id))});
-    }
+    for (const ProviderId id : causers) finding.notes.push_back(causes(model_, id, use.id));
     for (std::size_t i = 1; i < chain.size(); ++i)
       finding.notes.push_back(
           {chain[i]->span, fmt::format("{} is requested here, without {}", name_of(model_, chain[i]->target), group)});

@@ -103,8 +103,8 @@ void report(const Model& model, const Meeting& meeting, const Contest& contest, 
           first, second, name_of(model, contest.group), first));
   finding.notes.push_back({meeting.first->span, fmt::format("{} is requested here, with the same priority {}", first,
                                                             meeting.first_level.priority)});
-  add_chain(model, contest.first_path, finding);
-  add_chain(model, contest.second_path, finding);
+  add_chain(model, contest.first_path, finding.notes);
+  add_chain(model, contest.second_path, finding.notes);
   finding.help = "give one of them a higher priority";
 }
 

@@ -154,7 +154,7 @@ private:
     const Claims& claims = input_.shared.claims(from);
     for (const Reach reach : all_reaches) {
       if (claims.find(skill, reach) == nullptr) continue;
-      add_chain(input_.model, claims.path(skill, reach), finding);
+      add_chain(input_.model, claims.path(skill, reach), finding.notes);
       return;
     }
   }

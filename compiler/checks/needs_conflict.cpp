@@ -57,8 +57,8 @@ void report_clash(const Model& model, ProviderId id, const Clash& clash, Finding
                                                    provider, name_of(model, clash.first->id),
                                                    name_of(model, clash.second->id), name_of(model, clash.group)));
   finding.notes.push_back({clash.first->span, fmt::format("the other need is {}", name_of(model, clash.first->id))});
-  add_chain(model, clash.from_first, finding);
-  add_chain(model, clash.from_second, finding);
+  add_chain(model, clash.from_first, finding.notes);
+  add_chain(model, clash.from_second, finding.notes);
   finding.help =
       fmt::format("need only one of them, or give one a provider that does without {}", name_of(model, clash.group));
 }

@@ -36,7 +36,7 @@ private:
           findings_.add(task.span, fmt::format("{} requests {}, which wants {}, and keeps {} for itself", group,
                                                name_of(model, task.target), taken, taken));
       finding.notes.push_back({need.span, fmt::format("{} needs {}", group, taken)});
-      add_chain(model, claims.path(need.id, reach), finding);
+      add_chain(model, claims.path(need.id, reach), finding.notes);
       finding.help = fmt::format("need {} instead of {}, or nothing: what a task needs is held when it is granted",
                                  name_of(model, task.target), taken);
       return true;

@@ -71,8 +71,8 @@ private:
                           name_of(model, group), other));
     finding.notes.push_back(
         {sibling.span, fmt::format("{} is granted together with {}", name_of(model, sibling.target), name)});
-    add_chain(model, own.path(group, Reach::own), finding);
-    add_chain(model, below.path(group, Reach::mandatory), finding);
+    add_chain(model, own.path(group, Reach::own), finding.notes);
+    add_chain(model, below.path(group, Reach::mandatory), finding.notes);
     finding.help = fmt::format("make {} `apart` or `optional`, or ask for it one level lower", name);
   }
 

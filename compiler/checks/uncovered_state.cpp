@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 #include "compiler/checks/analysis/gaps.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/self_defeats.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
@@ -112,8 +113,7 @@ private:
       for (const ConditionUse& use : model_.providers[id].when) {
         if (states.count(model_.conditions[use.id].state) == 0 || !counts(task, id, use)) continue;
         any = true;
-        finding.notes.push_back(
-            {use.span, fmt::format("{} runs only while {}", name_of(model_, id), name_of(model_, use.id))});
+        finding.notes.push_back(runs_only_while(model_, id, use));
       }
       for (const Use<GroupId>& need : model_.providers[id].needs) {
         if (!add_conditions(task, need.id, states, seen, finding)) continue;

@@ -21,7 +21,7 @@ void undeclared_need(const Input& input, Findings& findings) {
                        fmt::format("{} needs {} and not {}, which it requests too: it can start and then be refused",
                                    name_of(model, id), name_of(model, need->id), task));
       finding.notes.push_back({need->span, fmt::format("{} needs {}", name_of(model, id), name_of(model, need->id))});
-      add_chain(model, need_path(model, contended.task->target, contended.group), finding);
+      add_chain(model, need_path(model, contended.task->target, contended.group), finding.notes);
       add_contender(model, contended.contender, contended.group, finding);
       finding.help = fmt::format("need {} too, or make the request `apart` or `optional`", task);
     }

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/undone_by_itself.md.
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/undoing.hpp"
 #include "compiler/checks/analysis/words.hpp"
@@ -61,16 +62,10 @@ private:
         findings_.add(entry.span, fmt::format("{} may {} {}, and then {} is cut off until {} causes {} again",
                                               name_of(model_, setter), promised ? "cause" : "set",
                                               name_of(model_, entry.id), waiter, name_of(model_, *causer), condition));
-    finding.notes.push_back({want.condition.span, fmt::format("{} runs only while {}", waiter, condition)});
-    for (const ClaimStep& step : path)
-      finding.notes.push_back({step.span, fmt::format("{} {} {}", name_of(model_, step.from),
-                                                      step.by_need ? "needs" : "requests", name_of(model_, step.to))});
-    const ConditionUse& promise = promise_of(model_, *causer, want.condition.id);
-    finding.notes.push_back(
-        {promise.span, fmt::format("{} causes {}", name_of(model_, *causer), name_of(model_, promise.id))});
-    const State& state = model_.states[set.state];
-    finding.help = fmt::format("give {} a `stay` under which {} may be {}", waiter, name_of(model_, set.state),
-                               values_in_words(state, values));
+    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
+    add_chain(model_, path, finding.notes);
+    finding.notes.push_back(causes(model_, *causer, want.condition.id));
+    finding.help = stay_help(model_, want, values);
   }
 
   const Model& model_;

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/undone_by_stop.md.
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/undoing.hpp"
 #include "compiler/checks/analysis/words.hpp"
@@ -109,9 +110,7 @@ private:
       }
       for (const Reach reach : all_reaches) {
         if (claims.find(*taken, reach) == nullptr) continue;
-        for (const ClaimStep& step : claims.path(*taken, reach))
-          out.push_back({step.span, fmt::format("{} {} {}", name_of(model_, step.from),
-                                                step.by_need ? "needs" : "requests", name_of(model_, step.to))});
+        add_chain(model_, claims.path(*taken, reach), out);
         return out;
       }
     }
@@ -121,19 +120,14 @@ private:
   void report(const Wanting& wanting, const Want& want, ProviderId causer, const StopValue& stop,
               const ValueSet& values, std::vector<dsl::Note> how) {
     seen_.insert({stop.span, want.condition.span});
-    const std::string waiter = name_of(model_, want.waiter), condition = name_of(model_, want.condition.id);
-    const StateId state = model_.conditions[want.condition.id].state;
-    dsl::Diagnostic& finding =
-        findings_.add(stop.span, fmt::format("{}, and it is stopped when {} is granted, which waits for {}: the two go "
-                                             "round",
-                                             stop.what, name_of(model_, wanting.task), condition));
-    finding.notes.push_back({want.condition.span, fmt::format("{} runs only while {}", waiter, condition)});
-    const ConditionUse& promise = promise_of(model_, causer, want.condition.id);
-    finding.notes.push_back(
-        {promise.span, fmt::format("{} causes {}", name_of(model_, causer), name_of(model_, promise.id))});
+    dsl::Diagnostic& finding = findings_.add(
+        stop.span, fmt::format("{}, and it is stopped when {} is granted, which waits for {}: the two go "
+                               "round",
+                               stop.what, name_of(model_, wanting.task), name_of(model_, want.condition.id)));
+    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
+    finding.notes.push_back(causes(model_, causer, want.condition.id));
     for (dsl::Note& note : how) finding.notes.push_back(std::move(note));
-    finding.help = fmt::format("give {} a `stay` under which {} may be {}", waiter, name_of(model_, state),
-                               values_in_words(model_.states[state], values));
+    finding.help = stay_help(model_, want, values);
   }
 
   const Model& model_;

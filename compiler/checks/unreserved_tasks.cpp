@@ -21,7 +21,7 @@ void unreserved_tasks(const Input& input, Findings& findings) {
         findings.add(contended.task->span,
                      fmt::format("{} needs none of its tasks: it can start, and then {} be refused", name_of(model, id),
                                  all.size() == 1 ? task + " can" : fmt::format("{} of them can", all.size())));
-    add_chain(model, need_path(model, contended.task->target, contended.group), finding);
+    add_chain(model, need_path(model, contended.task->target, contended.group), finding.notes);
     add_contender(model, contended.contender, contended.group, finding);
     for (std::size_t i = 1; i < all.size(); ++i)
       finding.notes.push_back({all[i].task->span, fmt::format("the same for {}", name_of(model, all[i].task->target))});

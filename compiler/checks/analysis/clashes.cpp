@@ -2,6 +2,7 @@
 #include "compiler/checks/analysis/clashes.hpp"
 
 #include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/sources.hpp"
 #include "compiler/checks/analysis/words.hpp"
@@ -151,7 +152,7 @@ private:
       const StateId state = condition(use).state;
       const auto at = caused.states.find(state);
       if (at == caused.states.end() || !at->second.intersected(region.states.at(state)).empty()) continue;
-      return Note{use.span, fmt::format("{} runs only while {}", name_of(model_, provider), name_of(model_, use.id))};
+      return runs_only_while(model_, provider, use);
     }
     return std::nullopt;
   }
@@ -163,8 +164,7 @@ private:
     const auto at = region.states.find(wanted.state);
     if (at == region.states.end() || !at->second.intersected(wanted.accepts).empty()) return std::nullopt;
     for (const ConditionUse& use : row(causer).when) {
-      if (condition(use).state == wanted.state)
-        return Note{use.span, fmt::format("{} runs only while {}", name_of(model_, causer), name_of(model_, use.id))};
+      if (condition(use).state == wanted.state) return runs_only_while(model_, causer, use);
     }
     return std::nullopt;
   }
@@ -342,7 +342,7 @@ private:
       }
       for (const ConditionUse& use : row(b).when) {
         if (condition(use).state != state) continue;
-        out.push_back({use.span, fmt::format("{} runs only while {}", name_of(model_, b), name_of(model_, use.id))});
+        out.push_back(runs_only_while(model_, b, use));
       }
       return out;
     }
@@ -379,11 +379,7 @@ void add_parties(const Model& model, const Clash& clash, dsl::Diagnostic& findin
          fmt::format("{} waits for {} as well", name_of(model, clash.first_waiter), name_of(model, clash.first.id))});
     promises.insert(promises.begin(), {clash.first_causer, clash.first});
   }
-  for (const auto& [causer, condition] : promises) {
-    const ConditionUse& promise = promise_of(model, causer, condition.id);
-    finding.notes.push_back(
-        {promise.span, fmt::format("{} causes {}", name_of(model, causer), name_of(model, promise.id))});
-  }
+  for (const auto& [causer, condition] : promises) finding.notes.push_back(causes(model, causer, condition.id));
   finding.notes.insert(finding.notes.end(), clash.because.begin(), clash.because.end());
 }
 

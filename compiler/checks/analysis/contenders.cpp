@@ -142,7 +142,7 @@ void add_contender(const Model& model, const Contender& contender, GroupId group
        fmt::format("{} may hold {}, and {} {}", name_of(model, meeting.second->target),
                    meeting.second->target == group ? "this" : name_of(model, group),
                    meeting.equal() ? "has the same rank as" : "goes before", name_of(model, meeting.first->target))});
-  add_chain(model, contender.path, finding);
+  add_chain(model, contender.path, finding.notes);
 }
 
 std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId id) {

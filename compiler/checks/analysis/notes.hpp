@@ -1,5 +1,5 @@
 #pragma once
-// Chains as notes: one for each step, at the place where it is written.
+// What several checks tell in notes, each at the place where it is written.
 
 #include "compiler/checks/analysis/claims.hpp"
 #include "compiler/checks/analysis/needs.hpp"
@@ -9,7 +9,14 @@
 
 namespace director::checks {
 
-void add_chain(const Model& model, const std::vector<ClaimStep>& chain, dsl::Diagnostic& finding);
-void add_chain(const Model& model, const std::vector<NeedStep>& chain, dsl::Diagnostic& finding);
+/// A chain: one note for each step.
+void add_chain(const Model& model, const std::vector<ClaimStep>& chain, std::vector<dsl::Note>& notes);
+void add_chain(const Model& model, const std::vector<NeedStep>& chain, std::vector<dsl::Note>& notes);
+
+/// The provider promises what satisfies the condition.
+dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition);
+
+/// The condition is one of the provider's `when`.
+dsl::Note runs_only_while(const Model& model, ProviderId provider, const ConditionUse& condition);
 
 } // namespace director::checks

@@ -158,8 +158,8 @@ void report_pack_conflict(const Input& input, Units& units, const PackConflict& 
   }
   add_other_members();
   if (shared) {
-    add_chain(model, shared->first, *finding);
-    add_chain(model, shared->second, *finding);
+    add_chain(model, shared->first, finding->notes);
+    add_chain(model, shared->second, finding->notes);
   } else if (state) {
     add_conditions(model, units, a, *state, *finding);
     add_conditions(model, units, b, *state, *finding);

@@ -209,8 +209,8 @@ void report_starving_task(const Input& input, const StarvingTask& starving, Find
                                                              name_of(model, starver.over->target), name)});
   const Claims& claims = input.shared.claims(starver.by->target);
   const Reach reach = claims.find(starver.group, Reach::own) != nullptr ? Reach::own : Reach::mandatory;
-  add_chain(model, claims.path(starver.group, reach), finding);
-  add_chain(model, need_path(model, task.target, starver.group), finding);
+  add_chain(model, claims.path(starver.group, reach), finding.notes);
+  add_chain(model, need_path(model, task.target, starver.group), finding.notes);
   for (std::size_t i = 1; i < starving.places.size(); ++i) {
     const StarvingTask::Place& place = starving.places[i];
     finding.notes.push_back(

@@ -2,6 +2,9 @@
 #include "compiler/checks/analysis/undoing.hpp"
 
 #include "compiler/checks/analysis/region.hpp"
+#include "compiler/checks/analysis/words.hpp"
+
+#include <fmt/format.h>
 
 namespace director::checks {
 
@@ -21,6 +24,12 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
     if (other != provider && compatible(here, region)) accept(region);
   }
   return out;
+}
+
+std::string stay_help(const Model& model, const Want& want, const ValueSet& values) {
+  const StateId state = model.conditions[want.condition.id].state;
+  return fmt::format("give {} a `stay` under which {} may be {}", name_of(model, want.waiter), name_of(model, state),
+                     values_in_words(model.states[state], values));
 }
 
 } // namespace director::checks
