@@ -128,19 +128,25 @@ void Machine::start() {
   phase_ = Phase::rest;
 }
 
-/// What differs from the first state: a bit for each word, and those words.
+/// What differs from the first state: a bit for each word, and those words. Each word is written whether it differs or
+/// not, since a branch that nobody can foresee costs more.
 void Machine::pack(Packed& out) const {
   read(now_);
   const std::size_t count = first_.size(), maps = (count + 63) / 64;
-  std::size_t differ = 0;
-  for (std::size_t i = 0; i < count; ++i) differ += now_[i] != first_[i] ? 1 : 0;
-  out.words.reserve(maps + differ);
-  out.words.assign(maps, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (now_[i] == first_[i]) continue;
-    out.words[i / 64] |= std::uint64_t{1} << (i % 64);
-    out.words.push_back(now_[i]);
+  differs_.resize(maps + count);
+  std::size_t end = maps;
+  for (std::size_t map = 0; map < maps; ++map) {
+    const std::size_t begin = map * 64, size = std::min<std::size_t>(64, count - begin);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint64_t word = now_[begin + i], differs = word != first_[begin + i] ? 1 : 0;
+      differs_[end] = word;
+      end += differs;
+      bits |= differs << i;
+    }
+    differs_[map] = bits;
   }
+  out.words.assign(differs_.begin(), differs_.begin() + static_cast<std::ptrdiff_t>(end));
   out.phase = phase_;
 }
 

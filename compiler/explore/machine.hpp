@@ -101,7 +101,7 @@ private:
   std::vector<std::uint64_t> memory_;
   Engine engine_;
   std::size_t block_; ///< bytes of the decision state
-  mutable std::vector<std::uint64_t> now_;
+  mutable std::vector<std::uint64_t> now_, differs_;
   std::vector<std::uint64_t> first_, loaded_;
   Phase phase_ = Phase::rest, loaded_phase_ = Phase::rest;
   Tape* tape_ = nullptr;

@@ -35,6 +35,10 @@ public:
     if (++count_ * 2 > slots_.size()) grow();
     put(key, number);
   }
+  void clear() {
+    std::fill(slots_.begin(), slots_.end(), Slot{});
+    count_ = 0;
+  }
   std::size_t bytes() const { return slots_.size() * sizeof(Slot); }
 
 private:
@@ -98,6 +102,8 @@ public:
       : machine(ground, options.breadth),
         watch(ground, options.assertions) {}
 
+  void begin_slice() { mine_.clear(); }
+
   void expand(const Packed& from, const Known& known, Expansion& out) {
     out.steps.clear();
     out.seen.clear();
@@ -117,8 +123,10 @@ public:
         step.key = machine.key(remembered);
         step.place = place;
         step.usual = happens.kind == Happens::Kind::go && tape_.usual();
-        const bool fresh = known.find(step.key) == none;
+        // What this worker found before in the slice stands before this in it, too, and with its state.
+        const bool fresh = known.find(step.key) == none && mine_.find(step.key) == none;
         if (fresh) {
+          mine_.add(step.key, 0);
           machine.pack(step.state);
           step.state.watch = remembered;
           step.roots = roots_of(machine);
@@ -137,6 +145,7 @@ private:
   std::vector<Happens> happens_;
   std::vector<std::size_t> seen_;
   Tape tape_;
+  Known mine_; ///< found in this slice
 };
 
 class Search {
@@ -192,6 +201,7 @@ private:
     expansions_.resize(std::max(expansions_.size(), count));
     std::atomic<std::size_t> next{0};
     const auto work = [&](Worker& worker) {
+      worker.begin_slice();
       for (std::size_t i = next++; i < count; i = next++) worker.expand(frontier_[i].state, known_, expansions_[i]);
     };
     std::vector<std::thread> helpers;
