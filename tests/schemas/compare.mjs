@@ -13,9 +13,21 @@ const beyond = [
 ];
 
 const [verdicts, schemas] = process.argv.slice(2);
-const validators = ['behaviour', 'scenario'].map((kind) =>
-  new Ajv({ strict: true, allowUnionTypes: true, strictRequired: false, strictTypes: false }).compile(
-    JSON.parse(readFileSync(`${schemas}/${kind}.schema.json`, 'utf8'))));
+const texts = ['behaviour', 'scenario'].map((kind) => JSON.parse(readFileSync(`${schemas}/${kind}.schema.json`, 'utf8')));
+const validators = texts.map((text) =>
+  new Ajv({ strict: true, allowUnionTypes: true, strictRequired: false, strictTypes: false }).compile(text));
+
+// What an editor shows when the pointer rests on a key.
+const undescribed = [];
+const visit = (node, path) => {
+  for (const [key, value] of Object.entries(node ?? {})) {
+    if (typeof value !== 'object' || key === 'not') continue;
+    if (path.endsWith('/properties') && typeof value.description !== 'string') undescribed.push(`${path}/${key}`);
+    visit(value, `${path}/${key}`);
+  }
+};
+texts.forEach((text, i) => visit(text, i === 0 ? 'behaviour' : 'scenario'));
+if (undescribed.length > 0) console.log(`no description: ${undescribed.join(', ')}`);
 
 const count = { files: 0, accepted: 0, refused: 0, 'not for a schema': 0, 'no YAML': 0, 'beyond a schema': 0 };
 const reasons = Object.fromEntries(seen.map((id) => [id, 0]));
@@ -57,4 +69,4 @@ console.log(`refused for one reason alone: ${seen.map((id) => `${id}: ${reasons[
 if (wrong > 0) console.log(`${wrong} disagree`);
 const untried = seen.filter((id) => reasons[id] === 0);
 if (untried.length > 0) console.log(`no file is refused for ${untried.join(', ')} alone`);
-process.exit(wrong === 0 && untried.length === 0 && count.accepted > 0 ? 0 : 1);
+process.exit(undescribed.length === 0 && wrong === 0 && untried.length === 0 && count.accepted > 0 ? 0 : 1);
