@@ -2,6 +2,7 @@
 // The world as a subcommand sees it: two streams, files to read, files to write. Behind it the terminal and the disk
 // for main, strings and maps for tests.
 
+#include "compiler/facts/programs.hpp"
 #include "dsl/file_access.hpp"
 
 #include <map>
@@ -24,22 +25,6 @@ protected:
   ~Outputs() = default;
 };
 
-/// What another program answered.
-struct Answer {
-  bool started = false; ///< false: there is no such program
-  int status = 0;
-  std::string output;
-};
-
-class Programs {
-public:
-  /// Runs a program from the search path with `input` on its standard input; its errors go to ours.
-  virtual Answer run(const std::vector<std::string>& command, const std::string& input) = 0;
-
-protected:
-  ~Programs() = default;
-};
-
 struct Console {
   std::ostream& out;
   std::ostream& err;
@@ -48,6 +33,7 @@ struct Console {
   dsl::FileAccess& files;
   Outputs& outputs;
   Programs& programs;
+  std::string scanner = "director-clang"; ///< the program that reads C++, or where it should be
 };
 
 class DiskOutputs final : public Outputs {

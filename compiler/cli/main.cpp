@@ -1,11 +1,13 @@
 // Door: the command line. Test: tests/cli/parse_test.cpp.
 #include "compiler/cli/parse.hpp"
+#include "compiler/facts/scanner.hpp"
 
 #include <unistd.h>
 
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 namespace {
 
 using namespace director;
+using namespace director::compiler;
 using namespace director::compiler::cli;
 
 bool wants_colours(int stream) {
@@ -20,6 +23,12 @@ bool wants_colours(int stream) {
   const char* const terminal = std::getenv("TERM");
   if (no_colour != nullptr && *no_colour != '\0') return false;
   return ::isatty(stream) == 1 && terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
+}
+
+std::string scanner() {
+  std::error_code unknown;
+  const char* const chosen = std::getenv("DIRECTOR_CLANG");
+  return find_scanner(std::filesystem::read_symlink("/proc/self/exe", unknown).string(), chosen ? chosen : "");
 }
 
 int act(const Say& say, Console& console) {
@@ -39,8 +48,8 @@ int main(int count, char** words) {
     dsl::DiskFiles files;
     DiskOutputs outputs;
     ChildPrograms programs;
-    Console console{std::cout, std::cerr, wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO), files,
-                    outputs,   programs};
+    Console console{std::cout, std::cerr, wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO), files, outputs,
+                    programs,  scanner()};
     const Request request = parse({words + (count > 0 ? 1 : 0), words + count});
     const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
     std::cout.flush();

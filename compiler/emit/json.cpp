@@ -28,6 +28,20 @@ struct JsonAccess {
     return out;
   }
 
+  static Json convert(const nlohmann::ordered_json& from) {
+    if (from.is_boolean()) return Json::boolean(from.get<bool>());
+    if (from.is_number()) return Json::number(from.get<std::int64_t>());
+    if (from.is_string()) return Json::text(from.get_ref<const std::string&>());
+    Json out = from.is_array() ? Json::list({}) : from.is_object() ? Json::object({}) : Json{};
+    out.items_.reserve(from.size());
+    if (from.is_array()) {
+      for (const auto& item : from) out.add(convert(item));
+    } else if (from.is_object()) {
+      for (const auto& item : from.items()) out.add(item.key(), convert(item.value()));
+    }
+    return out;
+  }
+
   static std::string dump(const Json& json, int indent) {
     return convert(json).dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   }
@@ -79,8 +93,22 @@ Json& Json::add(Json item) & {
   return *this;
 }
 
+const Json& Json::operator[](std::string_view key) const {
+  static const Json none;
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    if (keys_[i] == key) return items_[i];
+  }
+  return none;
+}
+
 std::string to_line(const Json& json) { return JsonAccess::dump(json, -1); }
 
 std::string to_lines(const Json& json) { return JsonAccess::dump(json, 2) + "\n"; }
+
+std::optional<Json> parse_json(std::string_view text) {
+  const auto parsed = nlohmann::ordered_json::parse(text, nullptr, false);
+  if (parsed.is_discarded()) return {};
+  return JsonAccess::convert(parsed);
+}
 
 } // namespace director::compiler

@@ -2,6 +2,7 @@
 // JSON as a value: what is built comes out in the order in which it was built. The library behind it stays in json.cpp.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,19 @@ public:
   Json& add(std::string_view key, Json value) &;
   Json& add(Json item) &;
 
+  // Looking at it. What is of another kind is empty, 0 or false, so that a reader need not ask at each step.
+  const std::string& as_text() const { return text_; }
+  std::int64_t as_number() const { return kind_ == Kind::number ? number_ : 0; }
+  bool as_boolean() const { return kind_ == Kind::boolean && number_ != 0; }
+  const std::vector<Json>& items() const { return items_; }      ///< of a list; the values of an object
+  const std::vector<std::string>& keys() const { return keys_; } ///< of an object
+  bool is_null() const { return kind_ == Kind::null; }
+  bool is_object() const { return kind_ == Kind::object; }
+  bool is_list() const { return kind_ == Kind::list; }
+  bool is_text() const { return kind_ == Kind::text; }
+  /// null where there is no such key.
+  const Json& operator[](std::string_view key) const;
+
   bool operator==(const Json&) const = default;
 
 private:
@@ -42,5 +56,8 @@ std::string to_line(const Json& json);
 
 /// On many lines, indented by two, with a line break at the end.
 std::string to_lines(const Json& json);
+
+/// Nothing where the text is no JSON. A number that is not whole is rounded towards 0.
+std::optional<Json> parse_json(std::string_view text);
 
 } // namespace director::compiler

@@ -5,6 +5,7 @@
 
 namespace {
 
+using namespace director::compiler;
 using namespace director::compiler::cli;
 namespace fs = std::filesystem;
 
@@ -29,7 +30,7 @@ TEST_CASE("a file on the disk that has its text already is not touched") {
 TEST_CASE("a child gets its input and gives its output, however much there is") {
   ChildPrograms programs;
   const std::string much(3'000'000, 'x');
-  const Answer echo = programs.run({"cat"}, much);
+  const director::compiler::Answer echo = programs.run({"cat"}, much);
   CHECK(echo.started);
   CHECK(echo.status == 0);
   CHECK(echo.output == much);

@@ -8,14 +8,14 @@
 namespace director::tests {
 
 /// A child that answers what it is told to, and remembers what it was asked.
-class FakePrograms final : public compiler::cli::Programs {
+class FakePrograms final : public compiler::Programs {
 public:
-  compiler::cli::Answer run(const std::vector<std::string>& words, const std::string& text) override {
+  compiler::Answer run(const std::vector<std::string>& words, const std::string& text) override {
     command = words;
     input = text;
     return answer;
   }
-  compiler::cli::Answer answer{true, 0, "<svg/>"};
+  compiler::Answer answer{true, 0, "<svg/>"};
   std::vector<std::string> command;
   std::string input;
 };

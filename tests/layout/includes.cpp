@@ -43,8 +43,8 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> all{
       {"yaml-cpp/", {"dsl/yaml_tree.cpp"}}, {"fmt/", {"dsl/", "compiler/", "tests/"}},
       {"CLI/", {"compiler/cli/"}},          {"nlohmann/", {"compiler/emit/json.hpp", "compiler/emit/json.cpp"}},
-      {"boost/", {"compiler/graph/"}},      {"clang/", {"compiler/facts/"}},
-      {"llvm/", {"compiler/facts/"}},       {"catch2/", {"tests/"}},
+      {"boost/", {"compiler/graph/"}},      {"clang/", {"compiler/clang/"}},
+      {"llvm/", {"compiler/clang/"}},       {"catch2/", {"tests/"}},
       {"rapidcheck", {"tests/"}},           {"benchmark/", {"tests/bench/"}},
   };
   return all;

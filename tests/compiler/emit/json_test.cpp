@@ -22,3 +22,20 @@ TEST_CASE("for people it is indented") {
   list.add(Json::object({{"a", Json::boolean(false)}}));
   CHECK(to_lines(list) == "[\n  1,\n  {\n    \"a\": false\n  }\n]\n");
 }
+
+TEST_CASE("what was written is read again") {
+  const Json json = Json::object(
+      {{"a", Json::list({Json::number(-3), Json{}})}, {"b", Json::text("\"ä\"")}, {"c", Json::boolean(true)}});
+  CHECK(director::compiler::parse_json(to_lines(json)) == json);
+  CHECK_FALSE(director::compiler::parse_json("{\"a\": }"));
+  CHECK_FALSE(director::compiler::parse_json("{} {}"));
+}
+
+TEST_CASE("what is of another kind, or is not there, is empty") {
+  const Json json = *director::compiler::parse_json(R"({"a": 1.5, "b": {"c": "d"}})");
+  CHECK(json["a"].as_number() == 1);
+  CHECK(json["a"].as_text().empty());
+  CHECK(json["b"]["c"].as_text() == "d");
+  CHECK(json["x"]["y"].is_null());
+  CHECK(json["b"].keys() == std::vector<std::string>{"c"});
+}

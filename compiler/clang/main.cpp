@@ -1,0 +1,62 @@
+// Door: the command line of director-clang. Test: tests/clang.
+//
+// Reads C++ for directorc, which calls it; nobody else has to. A word says what is asked, the rest is JSON on standard
+// input and output.
+#include "compiler/clang/subcommands.hpp"
+#include "compiler/version.hpp"
+
+#include <array>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace {
+
+using namespace director::scanning;
+
+struct Subcommand {
+  std::string_view name;
+  std::string_view summary;
+  Json (*answer)(const Json& request);
+};
+
+constexpr std::array subcommands{
+    Subcommand{"version", "what this program is made of", tell_version},
+};
+
+Json error(std::string_view message) { return Json::object({{"error", Json::text(message)}}); }
+
+int say(const Json& answer) {
+  std::cout << to_line(answer) << "\n" << std::flush;
+  return answer["error"].is_null() ? 0 : 1;
+}
+
+std::string help() {
+  std::string out = "director-clang reads C++ for directorc: JSON on standard input and output.\n\n"
+                    "Usage: director-clang SUBCOMMAND <REQUEST\n\n";
+  for (const Subcommand& each : subcommands) {
+    out += "  " + std::string(each.name) + std::string(12 - each.name.size(), ' ') + std::string(each.summary) + "\n";
+  }
+  return out;
+}
+
+} // namespace
+
+int main(int count, char** words) {
+  const std::string_view word = count > 1 ? words[1] : "--help";
+  if (word == "--help" || word == "-h") return std::cout << help(), count > 1 ? 0 : 2;
+  if (word == "--version") return std::cout << "director-clang " << director::compiler::version() << "\n", 0;
+  try {
+    for (const Subcommand& each : subcommands) {
+      if (each.name != word) continue;
+      const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+      const auto request = director::compiler::parse_json(text);
+      if (!request) return say(error("the request is no JSON"));
+      return say(each.answer(*request));
+    }
+    std::cerr << "director-clang: there is no subcommand `" << word << "`\n\n" << help();
+    return 2;
+  } catch (const std::exception& fault) { return say(error(std::string("internal error: ") + fault.what())), 70; }
+}

@@ -1,0 +1,14 @@
+// Door: compiler/clang/subcommands.hpp. Test: tests/clang.
+#include "compiler/version.hpp"
+
+#include "compiler/clang/subcommands.hpp"
+
+#include <clang/Basic/Version.h>
+
+namespace director::scanning {
+
+Json tell_version(const Json&) {
+  return Json::object({{"director", Json::text(compiler::version())}, {"clang", Json::text(CLANG_VERSION_STRING)}});
+}
+
+} // namespace director::scanning

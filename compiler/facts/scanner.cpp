@@ -1,0 +1,65 @@
+// Door: compiler/facts/scanner.hpp. Test: tests/compiler/facts/scanner_test.cpp.
+#include "compiler/facts/scanner.hpp"
+
+#include "compiler/version.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+namespace director::compiler {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* name = "director-clang";
+
+ScanFault absent() {
+  return {true,
+          "director-clang is not installed, and without it nothing can be read in C++: no `verify`, no `stubs`, and a "
+          "state with a `type` needs its `values`; it is the package director-clang"};
+}
+
+} // namespace
+
+std::string find_scanner(const std::string& directorc, const std::string& chosen) {
+  if (!chosen.empty()) return chosen;
+  const fs::path bin = fs::path(directorc).parent_path();
+  if (bin.empty()) return name;
+  std::vector<fs::path> places{bin / name, bin / "../libexec/director" / name, bin / "../lib/director" / name};
+  std::error_code fault;
+  for (const fs::directory_entry& entry : fs::directory_iterator(bin / "../lib", fault))
+    places.push_back(entry.path() / "director" / name);
+  std::sort(places.begin() + 3, places.end());
+  for (const fs::path& place : places) {
+    if (fs::is_regular_file(place, fault)) return place.lexically_normal().string();
+  }
+  return name;
+}
+
+Scan Scanner::ask(const std::string& subcommand, const Json& request) {
+  const Answer answer = programs_.run({program_, subcommand}, to_line(request) + "\n");
+  if (!answer.started) return absent();
+  const std::optional<Json> json = parse_json(answer.output);
+  if (!json || !json->is_object())
+    return ScanFault{false, fmt::format("`{} {}` failed with exit status {}", program_, subcommand, answer.status)};
+  const std::string& error = (*json)["error"].as_text();
+  if (!error.empty()) return ScanFault{false, fmt::format("director-clang: {}", error)};
+  return *json;
+}
+
+Scan Scanner::version() {
+  if (version_) return *version_;
+  Scan answer = ask("version", Json::object({}));
+  if (answer && answer.value()["director"].as_text() != compiler::version()) {
+    answer = ScanFault{false, fmt::format("`{}` is of version {}, and directorc of {}: install both of one version",
+                                          program_, answer.value()["director"].as_text(), compiler::version())};
+  }
+  version_ = answer;
+  return answer;
+}
+
+} // namespace director::compiler
