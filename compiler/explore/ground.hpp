@@ -76,7 +76,7 @@ struct Ground {
   std::vector<FreeBody> bodies;            ///< provider
   std::vector<std::vector<Puts>> starting; ///< group: what its start handler may set
   std::vector<std::vector<Puts>> stopping;
-  std::vector<Index> wake;           ///< group: its trigger
+  std::vector<Index> wake;           ///< group: its trigger; nil: nobody wakes it
   std::vector<Asks> requests;        ///< what the program may ask for in one input
   std::vector<Puts> sets;            ///< what the outside may set in one input
   std::vector<Index> triggers;       ///< that the outside may fire and somebody listens to

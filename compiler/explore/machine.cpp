@@ -199,7 +199,7 @@ void Machine::list(std::vector<Happens>& out) const {
   }
   if (phase_ != Phase::rest) return;
   for (Index g = 0; g < t.groups.size(); ++g) {
-    if (engine_.active(g) != nil && engine_.granted(g)) out.push_back({Kind::wake, g});
+    if (ground_.wake[g] != nil && engine_.active(g) != nil && engine_.granted(g)) out.push_back({Kind::wake, g});
   }
   for (Index i = 0; i < ground_.expiries.size(); ++i) {
     if (engine_.value(ground_.expiries[i].state) != ground_.expiries[i].value) out.push_back({Kind::expire, i});

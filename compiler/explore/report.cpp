@@ -1,6 +1,7 @@
 // Door: compiler/explore/report.hpp. Test: tests/compiler/explore/search_test.cpp.
 #include "compiler/explore/report.hpp"
 
+#include "compiler/explore/focus.hpp"
 #include "compiler/explore/write_scenario.hpp"
 
 #include <fmt/format.h>
@@ -63,6 +64,21 @@ Exploration::Oscillation oscillation(const Ground& ground, const Searched::Cycle
   return out;
 }
 
+/// What a search that was cut off did not come to: each provider by itself, as far as a few states tell.
+void look_for_those_that_never_ran(const Model& model, SearchOptions how, Happened& happened) {
+  how.breadth = Breadth::lean;
+  how.assertions.clear();
+  how.bound = std::min(how.bound, states_of_focus);
+  std::size_t tries = 64;
+  for (const ProviderId id : model.providers.ids()) {
+    if (happened.ran[id.value]) continue;
+    if (tries-- == 0) return;
+    Ground focused(model);
+    focus_on(focused, {{}, {id}});
+    happened.add(search(focused, how).happened);
+  }
+}
+
 std::string megabytes(std::size_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
 
 } // namespace
@@ -77,6 +93,7 @@ Exploration explore(const Ground& ground, const ExploreOptions& options) {
   how.assertions = without_verdict(early);
   Exploration out{search(ground, how), {}, {}, {}, {}};
   out.verdicts = decide_late(ground, std::move(early), out.searched, options.behaviour);
+  if (!out.searched.complete) look_for_those_that_never_ran(model, how, out.searched.happened);
   for (const ProviderId id : model.providers.ids()) {
     if (!out.searched.happened.ran[id.value]) out.never_ran.push_back(id);
   }

@@ -1,6 +1,7 @@
 // Door: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 #include "compiler/explore/verdict.hpp"
 
+#include "compiler/explore/focus.hpp"
 #include "compiler/explore/write_scenario.hpp"
 
 #include <fmt/format.h>
@@ -83,14 +84,30 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
   for (const Assertion& assertion : ground.model.assertions) out.push_back(prove_at_once(assertion, ground.model));
   options.breadth = Breadth::lean;
   options.only_assertions = true;
-  options.assertions = without_verdict(out);
-  if (options.assertions.empty()) return out;
-  const Searched searched = search(ground, options);
-  for (const std::size_t i : options.assertions) {
-    if (!searched.seen[i]) continue;
-    Verdict verdict = by_search(ground, i, searched, behaviour);
-    if (verdict.kind != Verdict::Kind::undecided) out[i] = std::move(verdict);
+  const auto look = [&](const Ground& where, std::vector<std::size_t> at, std::size_t bound) {
+    options.assertions = std::move(at);
+    options.bound = bound;
+    if (options.assertions.empty()) return true;
+    const Searched searched = search(where, options);
+    for (const std::size_t i : options.assertions) {
+      if (!searched.seen[i]) continue;
+      Verdict verdict = by_search(where, i, searched, behaviour);
+      if (verdict.kind != Verdict::Kind::undecided) out[i] = std::move(verdict);
+    }
+    return searched.complete;
+  };
+  // The shortest way where it is short; else one that leads there straight; else far and wide.
+  const std::size_t bound = options.bound, few = std::min(bound, states_of_focus);
+  const bool all = look(ground, without_verdict(out), few);
+  for (const std::size_t i : without_verdict(out)) {
+    if (all) break;
+    Ground focused(ground.model);
+    Goal goal;
+    for (const Use<GroupId>& use : ground.model.assertions[i].groups) goal.groups.push_back(use.id);
+    focus_on(focused, goal);
+    look(focused, {i}, few);
   }
+  if (!all && few < bound) look(ground, without_verdict(out), bound);
   return out;
 }
 

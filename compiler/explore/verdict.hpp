@@ -27,8 +27,9 @@ std::string words_of(const Assertion& assertion, const Model& model);
 /// Without exploring anything, from needs and priorities alone; nothing where that does not tell.
 std::optional<Verdict> prove_at_once(const Assertion& assertion, const Model& model);
 
-/// Of each assertion of the Model: at once, else by a lean exploration, which finds what can happen sooner than one of
-/// everything does, and so can refute and find what runs, but prove nothing else. Nothing where that does not tell.
+/// Of each assertion of the Model: at once, else by lean explorations, of everything and of what leads to its groups,
+/// which find what can happen sooner than one of everything does, and so can refute and find what runs, but prove
+/// nothing else. Nothing where that does not tell.
 std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOptions options,
                                                  const std::string& behaviour);
 std::vector<std::size_t> without_verdict(const std::vector<std::optional<Verdict>>& verdicts);
@@ -36,6 +37,9 @@ std::vector<std::size_t> without_verdict(const std::vector<std::optional<Verdict
 /// The others by an exploration of everything that looked at them.
 std::vector<Verdict> decide_late(const Ground& ground, std::vector<std::optional<Verdict>> early,
                                  const Searched& searched, const std::string& behaviour);
+
+/// States that are looked through for one assertion or one provider alone.
+inline constexpr std::size_t states_of_focus = 20'000;
 
 /// States that `check` and `generate` explore at most, twice.
 inline constexpr std::size_t states_of_check = 100'000;

@@ -1,38 +1,9 @@
-#include "compiler/explore/ground.hpp"
+#include "tests/compiler/explore/ground_words.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
 using namespace director::compiler;
-
-namespace {
-
-/// `A B:2|A|` and so on: the packs of a provider, each edge with its target's name, levels counted from 0.
-std::string packs(const Ground& ground, std::size_t provider) {
-  std::string out;
-  for (const Asks& asks : ground.bodies[provider].packs) {
-    for (const Ask& ask : asks) {
-      const director::Edge& edge = ground.tables.edges[ask.edge];
-      out += ground.model.groups[GroupId{edge.target}].name.value;
-      if (ask.level != edge.levels.begin) out += ":" + std::to_string(ask.level - edge.levels.begin);
-      out += ' ';
-    }
-    out += '|';
-  }
-  return out;
-}
-
-std::string puts(const Ground& ground, const std::vector<Puts>& all) {
-  std::string out;
-  for (const Puts& each : all) {
-    for (const Put& put : each) {
-      const State& state = ground.model.states[StateId{put.state}];
-      out += state.name.value + "=" + state.value_text(put.value) + " ";
-    }
-    out += '|';
-  }
-  return out;
-}
-
-} // namespace
+using director::tests::packs;
+using director::tests::puts;
 
 TEST_CASE("a range counts as the intervals that conditions cut") {
   const auto compiled = director::tests::compile(R"(behaviour: b

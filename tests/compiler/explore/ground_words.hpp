@@ -1,0 +1,37 @@
+#pragma once
+// A Ground in words, for tests.
+
+#include "compiler/explore/ground.hpp"
+
+#include <string>
+
+namespace director::tests {
+
+/// `A B:2|A|` and so on: the packs of a provider, each edge with its target's name, levels counted from 0.
+inline std::string packs(const compiler::Ground& ground, std::size_t provider) {
+  std::string out;
+  for (const compiler::Asks& asks : ground.bodies[provider].packs) {
+    for (const compiler::Ask& ask : asks) {
+      const Edge& edge = ground.tables.edges[ask.edge];
+      out += ground.model.groups[compiler::GroupId{edge.target}].name.value;
+      if (ask.level != edge.levels.begin) out += ":" + std::to_string(ask.level - edge.levels.begin);
+      out += ' ';
+    }
+    out += '|';
+  }
+  return out;
+}
+
+inline std::string puts(const compiler::Ground& ground, const std::vector<compiler::Puts>& all) {
+  std::string out;
+  for (const compiler::Puts& each : all) {
+    for (const compiler::Put& put : each) {
+      const compiler::State& state = ground.model.states[compiler::StateId{put.state}];
+      out += state.name.value + "=" + state.value_text(put.value) + " ";
+    }
+    out += '|';
+  }
+  return out;
+}
+
+} // namespace director::tests
