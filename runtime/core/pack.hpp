@@ -53,6 +53,11 @@ struct Pack : Members... {
   template <class... Given>
   static constexpr bool once = ((detail::times<TaskOf<Given>, Given...> == 1) && ...);
 
+  /// The task that this edge leads to is one of the pack's and carries no data.
+  static constexpr bool bare_at(Index edge) {
+    return ((Members::edge == edge && !has_data<typename Members::Task>) || ...);
+  }
+
   template <class Task>
   using For = decltype(detail::member_for<Task>(std::declval<const Pack&>()));
 };

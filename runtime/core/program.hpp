@@ -99,7 +99,33 @@ public:
     return inbox_->post({&input, 1});
   }
 
+  // By number, for whoever meets names only while the program runs, such as a bridge to other processes.
+
+  /// Root tasks that carry no data. False: there is no such edge, the task carries data, or the level is not the
+  /// edge's.
+  bool request_row(Index edge, Index level) const {
+    if (!Roots::bare_at(edge) || !has_level(edge, level)) return false;
+    Input input{.kind = Input::Kind::request, .thing = edge, .level = level};
+    return inbox_->insist({&input, 1});
+  }
+  bool cancel_row(Index edge) const {
+    if (edge >= Roots::size) return false;
+    Input input{.kind = Input::Kind::cancel, .thing = edge};
+    return inbox_->insist({&input, 1});
+  }
+  /// False also for a state that is not external.
+  bool set_row(Index state, std::int32_t value) const {
+    if (state >= States::domains.size() || !States::domains[state].external) return false;
+    const Input input{.kind = Input::Kind::set, .thing = state, .value = value};
+    return States::domains[state].has(value) && inbox_->post({&input, 1});
+  }
+
 private:
+  static bool has_level(Index edge, Index level) {
+    const Range levels = Facts::tables().edges[edge].levels;
+    return levels.begin <= level && level < levels.end;
+  }
+
   template <std::size_t count>
   static void link(std::array<Input, count>& records) {
     for (std::size_t i = 0; i + 1 < count; ++i) records[i].more = true;

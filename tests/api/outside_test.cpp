@@ -182,4 +182,36 @@ TEST_CASE("rows have names, and what is no row has an empty one") {
   CHECK(std::string(names::group(director::nil)).empty());
 }
 
+TEST_CASE("who meets names only at run time posts by number, and no further than by type") {
+  Office office;
+  const auto post = office.behaviour.post();
+  const auto edge = [](const char* name) {
+    Index row = 0;
+    while (std::string(courier::names::edge(row)) != name) ++row;
+    return row;
+  };
+  const auto state = [](const char* name) {
+    Index row = 0;
+    while (std::string(courier::names::state(row)) != name) ++row;
+    return row;
+  };
+  const Index level = office.behaviour.engine().tables().edges[edge("root>Rest")].levels.begin;
+  CHECK(post.request_row(edge("root>Rest"), level));
+  CHECK(post.set_row(state("Battery"), 40));
+  office.behaviour.step(0s);
+  CHECK(office.behaviour.state<Rest>() == RunState::running);
+  CHECK(office.behaviour.engine().value(state("Battery")) == 40);
+  CHECK(post.cancel_row(edge("root>Rest")));
+  office.behaviour.step(0s);
+  CHECK(office.behaviour.state<Rest>() == RunState::none);
+
+  CHECK_FALSE(post.request_row(edge("root>Rest"), level + 100));
+  CHECK_FALSE(post.request_row(edge("root>Deliver"), 0)); // it carries data
+  CHECK_FALSE(post.request_row(edge("Rest>Walk"), level));
+  CHECK_FALSE(post.cancel_row(edge("Rest>Walk")));
+  CHECK_FALSE(post.set_row(state("Battery"), 101));
+  CHECK_FALSE(post.set_row(state("Door"), 1)); // not external
+  CHECK_FALSE(post.set_row(99, 1));
+}
+
 } // namespace
