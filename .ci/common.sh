@@ -23,6 +23,7 @@ packages_test=(catch2 librapidcheck-dev nm:binutils make:make ccache:ccache)
 packages_arm=(arm-none-eabi-g++:gcc-arm-none-eabi libstdc++-arm-none-eabi-dev libnewlib-dev qemu-system-arm:qemu-system-arm)
 packages_schemas=(node:nodejs npm:npm)
 packages_bench=(libbenchmark-dev valgrind:valgrind)
+packages_dds=(cyclonedds-dev idlc:cyclonedds-tools)
 packages_asan=(clang++-19:clang-19 libclang-rt-19-dev)
 
 # missing_packages <package>...: those that are not installed, one a line. Without dpkg nobody can tell, so nothing is missing: CMake will say.

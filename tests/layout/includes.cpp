@@ -22,13 +22,14 @@ const std::vector<Room>& rooms() {
   static const std::vector<Room> all{
       {"runtime/core/", {"runtime/core/"}},
       {"runtime/hosted/", {"runtime/core/", "runtime/hosted/"}},
+      {"runtime/dds/", {"runtime/core/", "runtime/dds/"}},
       {"schemas/", {}},
       {"dsl/", {"dsl/", "schemas/"}},
       {"compiler/", {"compiler/", "dsl/", "runtime/core/", "runtime/hosted/"}},
       {"generated/", {"runtime/core/", "behaviours/"}},
-      {"behaviours/", {"behaviours/", "runtime/core/", "runtime/hosted/"}},
+      {"behaviours/", {"behaviours/", "runtime/core/", "runtime/hosted/", "runtime/dds/"}},
       {"tests/oracle/", {"tests/oracle/", "tests/support/", "dsl/", "compiler/model/"}},
-      {"tests/", {"tests/", "compiler/", "dsl/", "runtime/core/", "runtime/hosted/", "behaviours/"}},
+      {"tests/", {"tests/", "compiler/", "dsl/", "runtime/core/", "runtime/hosted/", "runtime/dds/", "behaviours/"}},
   };
   return all;
 }
@@ -41,11 +42,17 @@ struct Library {
 // One library, one place: what each costs the compiler is paid once.
 const std::vector<Library>& libraries() {
   static const std::vector<Library> all{
-      {"yaml-cpp/", {"dsl/yaml_tree.cpp"}}, {"fmt/", {"dsl/", "compiler/", "tests/"}},
-      {"CLI/", {"compiler/cli/"}},          {"nlohmann/", {"compiler/emit/json.hpp", "compiler/emit/json.cpp"}},
-      {"boost/", {"compiler/graph/"}},      {"clang/", {"compiler/clang/"}},
-      {"llvm/", {"compiler/clang/"}},       {"catch2/", {"tests/"}},
-      {"rapidcheck", {"tests/"}},           {"benchmark/", {"tests/bench/"}},
+      {"yaml-cpp/", {"dsl/yaml_tree.cpp"}},
+      {"fmt/", {"dsl/", "compiler/", "tests/"}},
+      {"CLI/", {"compiler/cli/"}},
+      {"nlohmann/", {"compiler/emit/json.hpp", "compiler/emit/json.cpp"}},
+      {"boost/", {"compiler/graph/"}},
+      {"clang/", {"compiler/clang/"}},
+      {"llvm/", {"compiler/clang/"}},
+      {"catch2/", {"tests/"}},
+      {"rapidcheck", {"tests/"}},
+      {"benchmark/", {"tests/bench/"}},
+      {"dds/", {"runtime/dds/", "tests/dds/"}},
   };
   return all;
 }
@@ -77,7 +84,8 @@ std::string angled_fault(std::string_view path, std::string_view name) {
     return header + " may be included only in " + std::string(library.places.front());
   }
   // What remains is the operating system: the terminal and child processes, and what runs on a computer.
-  if (starts_with_one_of(path, {"compiler/cli/", "runtime/hosted/", "behaviours/soccer/program.hpp", "tests/"}))
+  if (starts_with_one_of(
+          path, {"compiler/cli/", "runtime/hosted/", "runtime/dds/", "behaviours/soccer/program.hpp", "tests/"}))
     return {};
   return header + " belongs to no library that this room may know";
 }

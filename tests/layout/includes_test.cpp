@@ -44,6 +44,8 @@ TEST_CASE("the include rules know each room") {
   CHECK(quoted("runtime/core/step.hpp", "runtime/core/tables.hpp").empty());
   CHECK(quoted("runtime/core/step.hpp", "runtime/hosted/trace.hpp") ==
         "\"runtime/hosted/trace.hpp\" is a room that runtime/core must not know");
+  CHECK(quoted("runtime/hosted/trace.hpp", "runtime/dds/bridge.hpp") ==
+        "\"runtime/dds/bridge.hpp\" is a room that runtime/hosted must not know");
   CHECK(quoted("dsl/spec.cpp", "compiler/model/ids.hpp") ==
         "\"compiler/model/ids.hpp\" is a room that dsl must not know");
   CHECK(quoted("compiler/pipeline.cpp", "dsl/spec.hpp").empty());
@@ -76,6 +78,8 @@ TEST_CASE("the include rules know where each library lives") {
   CHECK(angled("compiler/checks/needs_cycle.cpp", "boost/graph/adjacency_list.hpp") ==
         "<boost/graph/adjacency_list.hpp> may be included only in compiler/graph/");
   CHECK(angled("runtime/core/step.cpp", "fmt/format.h") == "<fmt/format.h> may be included only in dsl/");
+  CHECK(angled("runtime/dds/entity.hpp", "dds/dds.h").empty());
+  CHECK(angled("behaviours/team/main.cpp", "dds/dds.h") == "<dds/dds.h> may be included only in runtime/dds/");
   CHECK(angled("compiler/cli/child.cpp", "sys/wait.h").empty());
   CHECK(angled("dsl/spec.cpp", "unistd.h") == "<unistd.h> belongs to no library that this room may know");
 }

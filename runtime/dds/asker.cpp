@@ -1,0 +1,123 @@
+// Door: runtime/dds/asker.hpp. Test: tests/dds/request_test.cpp.
+//
+// A request names the session of the robot that it is meant for. Whoever was started again meanwhile has forgotten what
+// it did, so it does not take a request to the one before: the asker hears of that, and decides.
+#include "runtime/dds/asker.hpp"
+
+#include "runtime/dds/entity.hpp"
+
+#include <map>
+#include <optional>
+
+namespace director::dds {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+constexpr auto repeat_after = 200ms;
+
+} // namespace
+
+struct Asker::Parts {
+  Parts(std::string given, std::uint32_t domain)
+      : name(std::move(given)),
+        participant(join(domain)),
+        members(make_reader<Member>(participant)),
+        answers(make_reader<Answer>(participant)),
+        requests(make_writer<Request>(participant)),
+        waiting(dds_create_waitset(participant.get()), "a waitset") {
+    for (const Entity* one : {&members, &answers})
+      check(dds_waitset_attach(waiting.get(), one->get(), 0), "the waitset");
+  }
+
+  Reply ask(const To& to, Request request, std::chrono::milliseconds patience);
+  void hear_members();
+  std::optional<Reply> answer_to(std::uint64_t asked);
+
+  const std::string name;
+  const std::uint64_t session = new_session();
+  std::uint64_t number = 0;
+  Entity participant, members, answers, requests, waiting;
+  std::map<std::array<std::string, 2>, std::uint64_t> sessions;
+};
+
+void Asker::Parts::hear_members() {
+  take<Member>(members, [this](const Member& sample, const dds_sample_info_t& info) {
+    std::uint64_t& known = sessions[{sample.robot, sample.behaviour}];
+    if (info.valid_data) known = sample.session;
+    if (info.instance_state != DDS_IST_ALIVE) known = 0;
+  });
+}
+
+std::optional<Reply> Asker::Parts::answer_to(std::uint64_t asked) {
+  std::optional<Reply> found;
+  take<Answer>(answers, [&](const Answer& sample, const dds_sample_info_t& info) {
+    if (info.valid_data && name == sample.asker && sample.asker_session == session && sample.number == asked &&
+        sample.reply < static_cast<std::uint8_t>(Reply::unanswered))
+      found = static_cast<Reply>(sample.reply);
+  });
+  return found;
+}
+
+Reply Asker::Parts::ask(const To& to, Request request, std::chrono::milliseconds patience) {
+  const auto end = Clock::now() + patience;
+  const std::array<std::string, 2> key{to.robot, to.behaviour};
+  request.robot = text(to.robot);
+  request.behaviour = text(to.behaviour);
+  request.asker = text(name);
+  request.asker_session = session;
+  request.number = ++number;
+  auto next = Clock::now();
+  for (auto at = next; at < end; at = Clock::now()) {
+    hear_members();
+    if (request.session == 0) request.session = sessions[key];
+    if (request.session != 0 && at >= next) {
+      write(requests, request); // if it is not taken, it is said again
+      next = at + repeat_after;
+    }
+    const auto until = request.session == 0 ? end : std::min(end, next);
+    dds_waitset_wait(waiting.get(), nullptr, 0,
+                     std::chrono::duration_cast<std::chrono::nanoseconds>(until - Clock::now()).count());
+    if (const auto reply = answer_to(request.number)) return *reply;
+  }
+  return Reply::unanswered;
+}
+
+Asker::Asker(std::string name, std::uint32_t domain) : parts_(std::make_unique<Parts>(std::move(name), domain)) {}
+
+Asker::~Asker() = default;
+
+Reply Asker::request(const To& to, const std::string& task, std::chrono::milliseconds patience,
+                     const std::string& level, std::span<const std::byte> data) {
+  Request request{};
+  request.task = text(task);
+  request.level = text(level);
+  request.data._length = request.data._maximum = static_cast<std::uint32_t>(data.size());
+  request.data._buffer = reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(data.data())); // only read
+  return parts_->ask(to, request, patience);
+}
+
+Reply Asker::cancel(const To& to, const std::string& task, std::chrono::milliseconds patience) {
+  const std::string none;
+  Request request{};
+  request.kind = 1;
+  request.task = text(task);
+  request.level = text(none);
+  return parts_->ask(to, request, patience);
+}
+
+const char* to_text(Reply reply) {
+  switch (reply) {
+  case Reply::taken: return "taken";
+  case Reply::unknown_task: return "unknown task";
+  case Reply::refused: return "refused";
+  case Reply::too_old: return "too old";
+  case Reply::another_session: return "meant for another session";
+  case Reply::unanswered: return "unanswered";
+  }
+  return "";
+}
+
+} // namespace director::dds

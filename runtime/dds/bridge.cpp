@@ -1,0 +1,42 @@
+// Door: runtime/dds/bridge.hpp. Test: tests/dds/bridge_test.cpp.
+#include "runtime/dds/bridge.hpp"
+
+#include "runtime/dds/listener.hpp"
+#include "runtime/dds/speaker.hpp"
+
+namespace director::dds {
+
+/// In the order in which they need each other.
+struct Bridge::Parts {
+  Parts(Plug given_plug, Outbox& outbox, Settings given)
+      : settings(std::move(given)),
+        plug(std::move(given_plug)),
+        plan(resolve(settings, plug)),
+        notes(settings.notice),
+        session(new_session()),
+        participant(join(settings.domain)),
+        speaker(participant, settings, plug, plan, outbox, notes, session),
+        listener(participant, settings, plug, plan, notes, session) {}
+
+  const Settings settings;
+  const Plug plug;
+  const Plan plan;
+  Notes notes;
+  const std::uint64_t session;
+  const Entity participant;
+  Speaker speaker;
+  Listener listener;
+};
+
+Bridge::Bridge(Plug plug, Outbox& outbox, Settings settings)
+    : parts_(std::make_unique<Parts>(std::move(plug), outbox, std::move(settings))) {}
+
+Bridge::~Bridge() = default;
+
+void Bridge::stepped() { parts_->speaker.stepped(); }
+
+Counts Bridge::counts() const { return parts_->notes.counts(); }
+
+std::uint64_t Bridge::session() const { return parts_->session; }
+
+} // namespace director::dds

@@ -1,0 +1,132 @@
+// Door: runtime/dds/decision.hpp. Test: tests/dds/decision_test.cpp.
+#include "runtime/dds/decision.hpp"
+
+#include <array>
+#include <utility>
+
+namespace director::dds {
+
+namespace {
+
+std::string reasons_of(Reasons reasons) {
+  static constexpr std::array all{std::pair{Reason::new_task, "new_task"}, std::pair{Reason::pushed, "pushed"},
+                                  std::pair{Reason::subtask_done, "subtask_done"}, std::pair{Reason::wait, "wait"},
+                                  std::pair{Reason::trigger, "trigger"}};
+  std::string out;
+  for (const auto& [reason, name] : all) {
+    if (reasons.has(reason)) out += (out.empty() ? "" : "+") + std::string(name);
+  }
+  return out;
+}
+
+const char* kind_of(Event::Kind kind) {
+  switch (kind) {
+  case Event::Kind::input: return "input";
+  case Event::Kind::run: return "run";
+  case Event::Kind::start: return "start";
+  case Event::Kind::stop: return "stop";
+  case Event::Kind::done: return "done";
+  case Event::Kind::failed: return "failed";
+  case Event::Kind::grant: return "grant";
+  case Event::Kind::lose: return "lose";
+  case Event::Kind::queue: return "queue";
+  case Event::Kind::push: return "push";
+  case Event::Kind::release: return "release";
+  case Event::Kind::set: return "set";
+  case Event::Kind::refused: return "refused";
+  case Event::Kind::broken: return "broken";
+  case Event::Kind::fault: return "fault";
+  case Event::Kind::exhausted: return "exhausted";
+  case Event::Kind::ask: return "ask";
+  case Event::Kind::keep: return "keep";
+  case Event::Kind::withdraw: return "withdraw";
+  case Event::Kind::wait: return "wait";
+  }
+  return "";
+}
+
+const char* why_of(Why why) {
+  switch (why) {
+  case Why::none: return "";
+  case Why::blocked: return "blocked";
+  case Why::waiting: return "waiting";
+  case Why::outdated: return "outdated";
+  case Why::deferred: return "deferred";
+  }
+  return "";
+}
+
+} // namespace
+
+Decision decision_of(const Event& event, const Plug& plug) {
+  const Tables& t = plug.tables();
+  Decision out{.kind = kind_of(event.kind), .group = {}, .provider = {}, .requester = {}, .reason = {}};
+  if (event.group < t.groups.size()) out.group = plug.names.group(event.group);
+  if (event.provider < t.providers.size()) out.provider = plug.names.provider(event.provider);
+  if (event.edge < t.edges.size()) {
+    const Edge& edge = t.edges[event.edge];
+    out.requester = edge.requester == nil ? "root" : plug.names.group(edge.requester);
+    if (out.group.empty()) out.group = plug.names.group(edge.target);
+  } else if (event.edge != nil) {
+    out.requester = "limbo";
+  }
+  const std::string condition = event.condition < t.conditions.size() ? plug.names.condition(event.condition) : "";
+  switch (event.kind) {
+  case Event::Kind::run: out.reason = reasons_of(event.reasons); break;
+  case Event::Kind::queue:
+    out.reason = why_of(event.why);
+    if (!condition.empty()) out.reason += ": " + condition;
+    break;
+  case Event::Kind::push: out.reason = condition; break;
+  case Event::Kind::grant:
+  case Event::Kind::lose:
+    if (event.other < t.edges.size()) out.reason = "from " + std::string(plug.names.edge(event.other));
+    break;
+  case Event::Kind::refused:
+    if (event.state < t.states.size()) {
+      const std::string name = plug.names.value(event.state, event.value);
+      out.reason =
+          std::string(plug.names.state(event.state)) + " " + (name.empty() ? std::to_string(event.value) : name);
+    }
+    break;
+  default: break;
+  }
+  return out;
+}
+
+std::optional<Kept> Promises::hear(const Event& event) {
+  const Tables& t = plug_.tables();
+  if (event.kind == Event::Kind::run) {
+    running_ = event.provider;
+    micro_step_ = event.micro_step;
+  } else if (event.kind == Event::Kind::broken) {
+    std::string promised;
+    const Range rows = t.providers[event.provider].promises;
+    for (Index row = rows.begin; row != rows.end; ++row)
+      promised += (promised.empty() ? "" : ", ") + std::string(plug_.names.condition(t.promises[row].condition));
+    return ended(event.provider, false, promised);
+  } else if (event.kind == Event::Kind::set && running_ != nil && event.micro_step == micro_step_) {
+    for (const Index row : t.list(t.providers[running_].effects)) {
+      const Condition& condition = t.conditions[row];
+      if (condition.state == event.state && accepts(condition, event.value))
+        return ended(running_, true, plug_.names.condition(row));
+    }
+  }
+  return {};
+}
+
+bool Promises::accepts(const Condition& condition, std::int32_t value) const {
+  for (const Interval& interval : plug_.tables().intervals.subspan(condition.accepts.begin, condition.accepts.size())) {
+    if (interval.low <= value && value <= interval.high) return true;
+  }
+  return false;
+}
+
+Kept Promises::ended(Index provider, bool kept, std::string condition) const {
+  return {.group = plug_.names.group(plug_.tables().providers[provider].group),
+          .provider = plug_.names.provider(provider),
+          .kept = kept,
+          .condition = std::move(condition)};
+}
+
+} // namespace director::dds

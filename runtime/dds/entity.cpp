@@ -1,0 +1,126 @@
+// Door: runtime/dds/entity.hpp. Test: tests/dds/bridge_test.cpp.
+#include "runtime/dds/entity.hpp"
+
+#include "runtime/dds/qualities.hpp"
+
+#include <chrono>
+#include <random>
+
+namespace director::dds {
+
+namespace {
+
+// The names of ROS 2 for /director/...
+template <class Sample>
+struct TopicOf;
+template <>
+struct TopicOf<Member> {
+  static constexpr const char* name = "rt/director/member";
+  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Member__desc;
+};
+template <>
+struct TopicOf<State> {
+  static constexpr const char* name = "rt/director/state";
+  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__State__desc;
+};
+template <>
+struct TopicOf<DecisionSample> {
+  static constexpr const char* name = "rt/director/decision";
+  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Decision__desc;
+};
+template <>
+struct TopicOf<PromiseSample> {
+  static constexpr const char* name = "rt/director/promise";
+  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Promise__desc;
+};
+template <>
+struct TopicOf<Request> {
+  static constexpr const char* name = "rt/director/request";
+  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Request__desc;
+};
+template <>
+struct TopicOf<Answer> {
+  static constexpr const char* name = "rt/director/answer";
+  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Answer__desc;
+};
+
+/// Deleted with its participant.
+template <class Sample>
+dds_entity_t topic(const Entity& participant) {
+  using Topic = TopicOf<Sample>;
+  const dds_entity_t topic = dds_create_topic(participant.get(), Topic::type, Topic::name, nullptr, nullptr);
+  check(topic, std::string("the topic ") + Topic::name);
+  return topic;
+}
+
+} // namespace
+
+Entity::Entity(dds_entity_t handle, const std::string& what) : handle_(handle) {
+  if (handle < 0) check(std::exchange(handle_, 0), what);
+}
+
+Entity::~Entity() {
+  if (handle_ > 0) dds_delete(handle_);
+}
+
+void check(dds_return_t answer, const std::string& what) {
+  if (answer < 0) throw Failure("dds: " + what + " cannot be had: " + dds_strretcode(answer));
+}
+
+Entity join(std::uint32_t domain) {
+  constexpr std::uint32_t highest = 232; // the last one whose ports exist
+  if (domain > highest)
+    throw Failure("dds: there is no domain " + std::to_string(domain) + "; the highest is " + std::to_string(highest));
+  const dds_entity_t handle = dds_create_participant(domain, nullptr, nullptr);
+  if (handle < 0)
+    throw Failure("dds: no way into domain " + std::to_string(domain) + ": " + dds_strretcode(handle) +
+                  ". Is the network there that CYCLONEDDS_URI names, and not every participant's port taken?");
+  return {handle, "a participant"};
+}
+
+template <class Sample>
+Entity make_writer(const Entity& participant, std::chrono::milliseconds say_again) {
+  const Quality quality = quality_to_offer<Sample>(say_again);
+  return {dds_create_writer(participant.get(), topic<Sample>(participant), quality.get(), nullptr),
+          std::string("a writer of ") + TopicOf<Sample>::name};
+}
+
+template <class Sample>
+Entity make_reader(const Entity& participant) {
+  const Quality quality = quality_to_ask_for<Sample>();
+  Entity reader{dds_create_reader(participant.get(), topic<Sample>(participant), quality.get(), nullptr),
+                std::string("a reader of ") + TopicOf<Sample>::name};
+  check(dds_set_status_mask(reader.get(), DDS_DATA_AVAILABLE_STATUS | DDS_REQUESTED_INCOMPATIBLE_QOS_STATUS),
+        "what a reader wakes for");
+  return reader;
+}
+
+template Entity make_writer<Member>(const Entity&, std::chrono::milliseconds);
+template Entity make_writer<State>(const Entity&, std::chrono::milliseconds);
+template Entity make_writer<DecisionSample>(const Entity&, std::chrono::milliseconds);
+template Entity make_writer<PromiseSample>(const Entity&, std::chrono::milliseconds);
+template Entity make_writer<Request>(const Entity&, std::chrono::milliseconds);
+template Entity make_writer<Answer>(const Entity&, std::chrono::milliseconds);
+template Entity make_reader<Member>(const Entity&);
+template Entity make_reader<State>(const Entity&);
+template Entity make_reader<DecisionSample>(const Entity&);
+template Entity make_reader<PromiseSample>(const Entity&);
+template Entity make_reader<Request>(const Entity&);
+template Entity make_reader<Answer>(const Entity&);
+
+Stamp now() {
+  using namespace std::chrono;
+  const auto since = system_clock::now().time_since_epoch();
+  const auto whole = duration_cast<seconds>(since);
+  return {.sec = static_cast<std::int32_t>(whole.count()),
+          .nanosec = static_cast<std::uint32_t>(duration_cast<nanoseconds>(since - whole).count())};
+}
+
+std::uint64_t new_session() {
+  std::random_device draw;
+  std::uint64_t session = 0;
+  while (session == 0) session = (std::uint64_t{draw()} << 32) | draw();
+  return session;
+}
+
+} // namespace director::dds

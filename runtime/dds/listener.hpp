@@ -1,0 +1,54 @@
+#pragma once
+// The half of a bridge that listens: a thread of its own takes what others say, posts the states that the plan knows
+// and the requests that are new, and answers these.
+
+#include "runtime/dds/entity.hpp"
+#include "runtime/dds/notes.hpp"
+#include "runtime/dds/once.hpp"
+#include "runtime/dds/plan.hpp"
+#include "runtime/dds/reply.hpp"
+
+#include <atomic>
+#include <thread>
+
+namespace director::dds {
+
+class Listener {
+public:
+  Listener(const Entity& participant, const Settings& settings, const Plug& plug, const Plan& plan, Notes& notes,
+           std::uint64_t session);
+  ~Listener();
+
+private:
+  void listen();
+  void hear_incompatible(const Entity& reader, const char* what);
+  void hear_member(const Member& sample, const dds_sample_info_t& info);
+  void hear_state(const State& sample, const dds_sample_info_t& info);
+  void post_value(const State& sample, const Taken& taken);
+  void post(const Taken& taken, std::int32_t value, std::string_view robot);
+  void hear_request(const Request& sample, const dds_sample_info_t& info);
+  Reply obey(const Request& sample);
+  void answer(const Request& sample, Reply reply);
+  void bad(std::string_view robot, const std::string& what);
+
+  struct Known {
+    std::uint64_t session = 0;
+    bool there = false;
+  };
+
+  const Settings& settings_;
+  const Plug& plug_;
+  const Plan& plan_;
+  Notes& notes_;
+  const std::uint64_t session_;
+  const std::string specification_;
+  Entity members_, states_, requests_; // readers
+  Entity answers_;                     // a writer
+  Entity waiting_, stop_;
+  std::map<std::array<std::string, 2>, Known> known_;
+  Once once_;
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+} // namespace director::dds

@@ -1,0 +1,42 @@
+// Door: runtime/dds/outbox.hpp. Test: tests/dds/outbox_test.cpp.
+#include "runtime/dds/outbox.hpp"
+
+#include <bit>
+
+namespace director::dds {
+
+Outbox::Outbox(std::size_t room, Observer next) : ring_(std::bit_ceil(room < 2 ? 2 : room)), next_(next) {}
+
+void Outbox::hear(void* self, const Event& event) {
+  Outbox& out = *static_cast<Outbox*>(self);
+  if (out.next_.tell != nullptr) out.next_.tell(out.next_.self, event);
+  switch (event.kind) {
+  case Event::Kind::input: // what comes in, and what bodies ask for, others need not hear: they see what follows
+  case Event::Kind::ask:
+  case Event::Kind::keep:
+  case Event::Kind::withdraw:
+  case Event::Kind::wait: return;
+  case Event::Kind::set: return out.put(event, 0); // for the promises
+  default: return out.put(event, ++out.number_);
+  }
+}
+
+void Outbox::put(const Event& event, std::uint64_t number) {
+  const std::uint64_t end = end_.load(std::memory_order_relaxed);
+  if (end - begin_.load(std::memory_order_acquire) == ring_.size()) {
+    lost_.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  ring_[end & (ring_.size() - 1)] = {event, number};
+  end_.store(end + 1, std::memory_order_release);
+}
+
+bool Outbox::take(Told& out) {
+  const std::uint64_t begin = begin_.load(std::memory_order_relaxed);
+  if (begin == end_.load(std::memory_order_acquire)) return false;
+  out = ring_[begin & (ring_.size() - 1)];
+  begin_.store(begin + 1, std::memory_order_release);
+  return true;
+}
+
+} // namespace director::dds

@@ -1,0 +1,180 @@
+// Door: runtime/dds/plan.hpp. Test: tests/dds/plan_test.cpp.
+#include "runtime/dds/plan.hpp"
+
+namespace director::dds {
+
+namespace {
+
+using Name = const char* (*)(Index);
+
+/// Rows end where names do: beyond them they are empty.
+std::string listed(Name name, Index count) {
+  std::string out;
+  for (Index row = 0; row < count; ++row) out += (row == 0 ? "" : ", ") + std::string(name(row));
+  return out.empty() ? "none" : out;
+}
+
+class Resolving {
+public:
+  Resolving(const Settings& settings, const Plug& plug) : settings_(settings), plug_(plug) {}
+
+  Plan plan() {
+    if (settings_.robot.empty()) mistake("the robot needs a name");
+    if (plug_.behaviour.empty()) mistake("the behaviour needs a name");
+    if (settings_.say_again.count() <= 0) mistake("say_again must be above 0");
+    for (const std::string& name : settings_.publish) {
+      if (const Index row = state(name); row != nil) plan_.published.push_back(row);
+    }
+    for (const TakeIn& entry : settings_.take_in) take_in(entry);
+    for (const Offer& entry : settings_.offer) offer(entry);
+    if (!mistakes_.empty()) throw Failure("dds: " + mistakes_);
+    return std::move(plan_);
+  }
+
+private:
+  void take_in(const TakeIn& entry) {
+    const Index row = state(entry.into);
+    if (row == nil) return;
+    if (!plug_.domains[row].external)
+      return mistake("the state " + entry.into + " is not external, so nothing from outside can become its value");
+    const std::string& behaviour = entry.behaviour.empty() ? plug_.behaviour : entry.behaviour;
+    if (entry.robot == settings_.robot && behaviour == plug_.behaviour)
+      return mistake("the state " + entry.into + " is to be taken in from this robot itself");
+    Taken taken{.state = row, .values = {}, .domain = plug_.domains[row]};
+    for (std::int32_t value = taken.domain.low; value <= taken.domain.high; ++value) {
+      const std::string name = plug_.names.value(row, value);
+      if (name.empty()) break;
+      taken.values.emplace(name, value);
+    }
+    const StateVariable& variable = plug_.tables().states[row];
+    if (variable.expires != 0) taken.silent = variable.expires_to;
+    plan_.taken[{entry.robot, behaviour, entry.state}].push_back(std::move(taken));
+  }
+
+  void offer(const Offer& entry) {
+    const Tables& tables = plug_.tables();
+    Index edge = 0;
+    while (edge < tables.root_edges && plug_.names.group(tables.edges[edge].target) != entry.task) ++edge;
+    if (edge == tables.root_edges) {
+      std::string roots;
+      for (Index e = 0; e < tables.root_edges; ++e)
+        roots += (e == 0 ? "" : ", ") + std::string(plug_.names.group(tables.edges[e].target));
+      return mistake("the behaviour " + plug_.behaviour + " has no root task " + entry.task + "; it has " +
+                     (roots.empty() ? "none" : roots));
+    }
+    if (!entry.take && !plug_.bare(edge))
+      return mistake("the task " + entry.task + " carries data, so its offer needs a function that reads them");
+    if (!plan_.offered.emplace(entry.task, Offered{edge, entry.take}).second)
+      mistake("the task " + entry.task + " is offered twice");
+  }
+
+  Index state(const std::string& name) {
+    const auto count = static_cast<Index>(plug_.tables().states.size());
+    for (Index row = 0; row < count; ++row) {
+      if (plug_.names.state(row) == name) return row;
+    }
+    mistake("the behaviour " + plug_.behaviour + " has no state " + name + "; it has " +
+            listed(plug_.names.state, count));
+    return nil;
+  }
+
+  void mistake(const std::string& text) { mistakes_ += (mistakes_.empty() ? "" : "\ndds: ") + text; }
+
+  const Settings& settings_;
+  const Plug& plug_;
+  Plan plan_;
+  std::string mistakes_;
+};
+
+/// FNV-1a over numbers and texts.
+class Hash {
+public:
+  void add(std::uint64_t number) {
+    for (int i = 0; i < 8; ++i) byte(static_cast<std::uint8_t>(number >> (8 * i)));
+  }
+  void add(const char* text) {
+    for (; *text != 0; ++text) byte(static_cast<std::uint8_t>(*text));
+    byte(0);
+  }
+  void add_row(Index row) { add(row == nil ? ~std::uint64_t{0} : std::uint64_t{row}); }
+  void add(Range range) { add_row(range.begin), add_row(range.end); }
+  std::string text() const {
+    std::string out(16, '0');
+    for (std::size_t i = 0; i < 16; ++i) out[i] = "0123456789abcdef"[value_ >> (60 - 4 * i) & 15];
+    return out;
+  }
+
+private:
+  void byte(std::uint8_t value) { value_ = (value_ ^ value) * 0x100000001b3U; }
+  std::uint64_t value_ = 0xcbf29ce484222325U;
+};
+
+template <class Row>
+std::uint64_t count(const Row& rows) {
+  return rows.size();
+}
+
+} // namespace
+
+Plan resolve(const Settings& settings, const Plug& plug) { return Resolving(settings, plug).plan(); }
+
+std::optional<std::int32_t> number_of(const Taken& taken, std::string_view name) {
+  const auto found = taken.values.find(name);
+  return found == taken.values.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::int32_t> number_of(const Taken& taken, std::int32_t number) {
+  return taken.values.empty() && taken.domain.has(number) ? std::optional(number) : std::nullopt;
+}
+
+std::string specification_of(const Plug& plug) {
+  const Tables& t = plug.tables();
+  Hash hash;
+  hash.add(count(t.groups));
+  for (Index row = 0; row < t.groups.size(); ++row) {
+    const Group& group = t.groups[row];
+    hash.add(plug.names.group(row));
+    hash.add(group.providers), hash.add(group.edges), hash.add(group.owned);
+    hash.add(std::uint64_t{group.start} + 2 * std::uint64_t{group.stop});
+  }
+  hash.add(count(t.providers));
+  for (Index row = 0; row < t.providers.size(); ++row) {
+    const Provider& provider = t.providers[row];
+    hash.add(plug.names.provider(row));
+    for (const Range range : {provider.when, provider.stay, provider.needs, provider.triggers, provider.effects,
+                              provider.causing, provider.promises})
+      hash.add(range);
+    hash.add(static_cast<std::uint64_t>(provider.every));
+  }
+  hash.add(count(t.edges));
+  for (const Edge& edge : t.edges) hash.add_row(edge.requester), hash.add_row(edge.target), hash.add(edge.levels);
+  hash.add(count(t.levels));
+  for (const Level& level : t.levels) {
+    hash.add(static_cast<std::uint64_t>(level.priority));
+    hash.add(std::uint64_t{level.optional} + 2 * std::uint64_t{level.apart});
+  }
+  hash.add(count(t.conditions));
+  for (Index row = 0; row < t.conditions.size(); ++row) hash.add(plug.names.condition(row));
+  hash.add(count(t.states));
+  for (Index row = 0; row < t.states.size(); ++row) {
+    const StateVariable& state = t.states[row];
+    const Domain& domain = plug.domains[row];
+    hash.add(plug.names.state(row));
+    for (const std::int32_t number : {domain.low, domain.high, state.initial, state.expires_to})
+      hash.add(static_cast<std::uint64_t>(number));
+    for (std::int32_t value = domain.low; value <= domain.high && *plug.names.value(row, value) != 0; ++value)
+      hash.add(plug.names.value(row, value));
+    hash.add(static_cast<std::uint64_t>(state.expires));
+    hash.add(std::uint64_t{state.external});
+  }
+  hash.add(count(t.promises));
+  for (const Promise& promise : t.promises) {
+    hash.add_row(promise.provider), hash.add_row(promise.condition);
+    hash.add(static_cast<std::uint64_t>(promise.within));
+  }
+  hash.add(count(t.lists));
+  for (const Index row : t.lists) hash.add_row(row);
+  return hash.text();
+}
+
+} // namespace director::dds

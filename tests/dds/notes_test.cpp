@@ -1,0 +1,30 @@
+#include "runtime/dds/notes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+using namespace director::dds;
+
+TEST_CASE("what would be said again and again is said once") {
+  std::vector<std::string> told;
+  Notes notes([&](const Notice& notice) { told.push_back(notice.robot + ": " + notice.text); });
+  for (int i = 0; i < 3; ++i) notes.tell_once(Notice::Kind::bad_sample, "two", "nonsense");
+  notes.tell_once(Notice::Kind::bad_sample, "three", "nonsense");
+  notes.tell(Notice::Kind::joined, "two", "there");
+  notes.tell(Notice::Kind::joined, "two", "there");
+  CHECK(told == std::vector<std::string>{"two: nonsense", "three: nonsense", "two: there", "two: there"});
+}
+
+TEST_CASE("whoever invents mistakes fills no memory") {
+  int told = 0;
+  Notes notes([&](const Notice&) { ++told; });
+  for (int i = 0; i < 5000; ++i) notes.tell_once(Notice::Kind::bad_sample, "two", std::to_string(i));
+  CHECK(told == 1000);
+}
+
+TEST_CASE("what comes from the network is shown short and harmless") {
+  CHECK(shown("striking") == "striking");
+  CHECK(shown("a\x1b[2Jb\n") == "a?[2Jb?");
+  CHECK(shown(std::string(70, 'x')) == std::string(60, 'x') + "...");
+}
