@@ -24,6 +24,9 @@ public:
         findings_(findings),
         ways_(model_, facts_, false, [](ProviderId, const ConditionUse&) { return true; }) {
     for (const NeverKept& promise : shared_.promises().never_kept) explained_.insert(promise.causer);
+    for (const Clash& clash : shared_.clashes()) {
+      if (clash.kind == Clash::Kind::vain) in_vain_.insert({clash.second_waiter, clash.second.id});
+    }
   }
 
   void run() {
@@ -35,6 +38,7 @@ public:
 
 private:
   void look_at(ProviderId waiter, const ConditionUse& use) {
+    if (in_vain_.count({waiter, use.id}) != 0) return;
     const GroupId task = model_.providers[waiter].group;
     std::vector<ProviderId> causers;
     std::vector<GroupId> groups;
@@ -101,6 +105,7 @@ private:
   Findings& findings_;
   Ways ways_;
   std::set<ProviderId> explained_;
+  std::set<std::pair<ProviderId, ConditionId>> in_vain_;
 };
 
 } // namespace

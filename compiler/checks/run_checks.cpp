@@ -33,11 +33,15 @@ void drop_covered(const Model& model, std::vector<Diagnostic>& findings, std::ve
   findings.erase(std::remove_if(findings.begin(), findings.end(), is_covered), findings.end());
 }
 
+bool names_error(const Allowance& allowance) {
+  const Registered* check = find_registered(allowance.id.value);
+  return check != nullptr && level_of(*check) == Level::error;
+}
+
 Diagnostic unused(const Allowance& allowance) {
   const std::string& id = allowance.id.value;
-  const Registered* check = find_registered(id);
   Diagnostic finding{"unused_allow", Level::warning, allowance.id.span, {}, {}, {}};
-  if (check != nullptr && level_of(*check) == Level::error) {
+  if (names_error(allowance)) {
     finding.message = fmt::format("`{}` is an error, which no `allow` covers", id);
     finding.help = "mend what it reports and remove this";
   } else {
@@ -108,12 +112,15 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
   std::vector<bool> used(model.allowances.size(), false);
   drop_covered(model, findings, used);
   if (!all_checks_ran) return findings;
+  // An error may keep to itself what a warning would have said.
+  const bool errors = dsl::has_errors(findings);
   // An `allow: [unused_allow]` is looked at last: what it covers is known only now.
   std::vector<Diagnostic> leftover;
   const auto collect = [&](bool last) {
     for (std::size_t i = 0; i < used.size(); ++i) {
       const Allowance& allowance = model.allowances[i];
-      if (!used[i] && (allowance.id.value == "unused_allow") == last) leftover.push_back(unused(allowance));
+      if (used[i] || (allowance.id.value == "unused_allow") != last) continue;
+      if (!errors || names_error(allowance)) leftover.push_back(unused(allowance));
     }
   };
   collect(false);

@@ -23,7 +23,12 @@ std::optional<std::int32_t> rank_in_unit(const Model& model, const Task& task) {
 
 class Starvation {
 public:
-  Starvation(const Input& input, Findings& findings) : input_(input), findings_(findings) {}
+  Starvation(const Input& input, Findings& findings) : input_(input), findings_(findings) {
+    for (const PackConflict& conflict : input.shared.pack_conflicts()) {
+      for (const Task* member : conflict.members)
+        conflicts_[member].insert(conflict.members.begin(), conflict.members.end());
+    }
+  }
 
   void look_at(GroupId requester, const Pack& pack) {
     std::unordered_map<GroupId, std::vector<const Task*>> wanted_by;
@@ -39,12 +44,19 @@ public:
       for (const GroupId group : input_.shared.claims(taker.target, requester).groups())
         siblings.insert(wanted_by[group].begin(), wanted_by[group].end());
       for (const Task* sibling : siblings) {
-        if (&taker != sibling && *rank_in_unit(input_.model, *sibling) >= *low) report(requester, taker, *sibling);
+        if (&taker == sibling || exclude(taker, *sibling)) continue;
+        if (*rank_in_unit(input_.model, *sibling) >= *low) report(requester, taker, *sibling);
       }
     }
   }
 
 private:
+  /// That the two are never granted together is a finding of its own.
+  bool exclude(const Task& a, const Task& b) const {
+    const auto at = conflicts_.find(&a);
+    return at != conflicts_.end() && at->second.count(&b) != 0;
+  }
+
   void report(GroupId requester, const Task& taker, const Task& sibling) {
     const Model& model = input_.model;
     const Claims& below = input_.shared.claims(sibling.target, requester);
@@ -78,6 +90,7 @@ private:
 
   const Input& input_;
   Findings& findings_;
+  std::unordered_map<const Task*, std::set<const Task*>> conflicts_;
 };
 
 } // namespace

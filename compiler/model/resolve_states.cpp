@@ -13,6 +13,8 @@ namespace director::compiler {
 namespace {
 
 void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
+  if (spec.range && spec.values)
+    return; // that they exclude each other is reported, and which one is meant nobody knows
   if (spec.range) {
     state.is_range = true;
     state.low = spec.range->low.value;
@@ -103,7 +105,7 @@ std::optional<std::int64_t> find_value(Resolver& r, const State& state, const Wo
   }
   const auto at = std::find(state.values.begin(), state.values.end(), text);
   if (at != state.values.end()) return at - state.values.begin();
-  if (state.type && state.values.empty()) return std::nullopt; // what it lacks is reported at its type
+  if (state.values.empty()) return std::nullopt; // that it has none is reported where it is declared
   Diagnostic& finding = r.error(
       "value_outside_domain", value.span,
       fmt::format("`{}` is no value of the state `{}`: its values are {}", text, name, fmt::join(state.values, ", ")));
