@@ -1,0 +1,427 @@
+// Door: tests/defects/planter.hpp. Test: itself.
+//
+// Promises, and pushes for them.
+#include "tests/defects/gadgets.hpp"
+#include "tests/defects/planter.hpp"
+
+namespace director::defects {
+
+namespace {
+
+/// A group that goes on, and can be pushed to cause that the state has the value.
+std::string causer(Robot& robot, const std::string& state, const std::string& value, const std::string& before) {
+  return make(robot, "{providers: [{name: going, sets: [$0 == $2]}, {name: coming, causing: [$0 == $1]}]}",
+              {state, value, before});
+}
+
+// unreachable_causing
+
+void nobody_asks(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "loose", "tight");
+  const std::string waits = make_root(robot, "{when: [$0 == tight]}", {state});
+  const std::string causes = make(
+      robot, "{providers: [{name: going, sets: [$0 == loose]}, {name: coming, causing: [@$0 == tight]}]}", {state});
+  if (!defect) robot.add_root(causes, robot.below());
+  (void)waits;
+}
+void never_its_turn(Robot& robot, bool defect) {
+  const std::string first = make_state(robot, "shut", "open"), second = make_state(robot, "dark", "bright");
+  const std::string waits = make(robot, "{when: [$0 == open]}", {first});
+  const std::string causes = make(robot, "{when: [$0 == bright], causing: [@$1 == open]}", {second, first});
+  const std::string lamp = make(robot, "{sets: [$0 == bright]}", {second});
+  ask_for_both(robot, waits, causes);
+  if (!defect) robot.add_root(lamp, robot.above());
+  if (!defect)
+    robot.group(causes).add("allow", flow("[uncovered_state]")), robot.group(causes).add("because", "the lamp decides");
+}
+void the_lowest_one(Robot& robot, bool defect) {
+  const std::string first = make_state(robot, "shut", "open"), second = make_state(robot, "lost", "found");
+  const std::string waits = make(robot, "{when: [$0 == open]}", {first});
+  const std::string middle = make(robot, "{when: [$0 == found], causing: [$1 == open]}", {second, first});
+  const std::string last = make(robot, "{causing: [@$0 == found]}", {second});
+  ask_for_both(robot, waits, middle);
+  if (!defect) robot.add_root(last, robot.above());
+}
+void only_below_itself(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "shut", "open");
+  const std::string winch = make(robot, "{causing: [@$0 == open]}", {state});
+  make_root(robot, "{when: [$0 == open], tasks: [$1]}", {state, winch});
+  if (!defect) robot.add_root(winch, robot.below());
+}
+
+// unpushable_causing
+
+void goes_before(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing");
+  const std::string waits = make(robot, "{when: [$0 == standing]}", {state});
+  const std::string walk = make(
+      robot, "{providers: [{name: going, sets: [$0 == moving]}, {name: coming, causing: [@$0 == standing]}]}", {state});
+  const int low = robot.above(), high = robot.above();
+  robot.add_root(waits, defect ? low : high);
+  robot.add_root(walk, defect ? high : low);
+}
+void one_unit(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing");
+  const std::string waits = make(robot, "{when: [$0 == standing]}", {state});
+  const std::string aim = make(robot, "{tasks: [$0]}", {waits});
+  const std::string walk = make(
+      robot, "{providers: [{name: going, sets: [$0 == moving]}, {name: coming, causing: [@$0 == standing]}]}", {state});
+  make_root(robot,
+            defect ? "{packs: {both: {$0: {priority: 10}, $1: {priority: 20}}}}"
+                   : "{packs: {both: {$0: {priority: 10, apart: true}, $1: {priority: 20}}}}",
+            {walk, aim});
+}
+void below_the_task(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing");
+  const std::string walk = make(
+      robot, "{providers: [{name: going, sets: [$0 == moving]}, {name: coming, causing: [@$0 == standing]}]}", {state});
+  make_root(robot, "{providers: [{name: kicking, when: [$0 == standing]}, {name: stepping, tasks: [$1]}]}",
+            {state, walk});
+  if (!defect) robot.add_root(walk, robot.below());
+}
+void siblings_of_one_pack(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing");
+  const std::string waits = make(robot, "{when: [$0 == standing]}", {state});
+  const std::string walk = make(
+      robot, "{providers: [{name: going, sets: [$0 == moving]}, {name: coming, causing: [@$0 == standing]}]}", {state});
+  make_root(robot,
+            defect ? "{packs: {both: {$0: {priority: 20}, $1: {priority: 10, apart: true}}}}"
+                   : "{packs: {both: {$0: {priority: 10, apart: true}, $1: {priority: 20}}}}",
+            {walk, waits});
+}
+
+// causer_not_running
+
+/// Of its own: a root that leads to the causing group makes it the program's affair.
+Pair new_pair(Robot& robot) {
+  Pair out;
+  out.part = robot.parts[robot.part()];
+  out.state = make_state(robot, "moving", "standing");
+  out.delicate = make(robot, "{when: [$0 == standing], needs: [$1], tasks: [$1]}", {out.state, out.part});
+  out.resting = make(robot,
+                     "{providers: [{name: going, needs: [$1], sets: [$0 == moving], tasks: [$1]}, "
+                     "{name: halting, needs: [$1], causing: [$0 == standing], tasks: [$1]}]}",
+                     {out.state, out.part});
+  return out;
+}
+void alone_in_a_pack(Robot& robot, bool defect) {
+  const Pair pair = new_pair(robot);
+  make_root(robot,
+            defect ? "{packs: {go: {$0: {priority: 20}, $1: {priority: 10, apart: true}}, shoot: {@$0: {}}}}"
+                   : "{packs: {go: {@$0: {priority: 20}, $1: {priority: 10, apart: true}}}}",
+            {pair.delicate, pair.resting});
+}
+void alone_further_down(Robot& robot, bool defect) {
+  const Pair pair = new_pair(robot);
+  const std::string shoot = make(robot, "{packs: {now: {@$0: {}}}}", {pair.delicate});
+  make_root(robot,
+            defect ? "{packs: {go: {$0: {priority: 20}, $1: {priority: 10, apart: true}}, alone: {$0: {}}}}"
+                   : "{packs: {go: {$0: {priority: 20}, $1: {priority: 10, apart: true}}}}",
+            {shoot, pair.resting});
+}
+void in_a_flat_list(Robot& robot, bool defect) {
+  const Pair pair = new_pair(robot);
+  make_root(robot,
+            defect ? "{tasks: {@$0: {priority: 20}, $1: {priority: 10, apart: true}}}"
+                   : "{packs: {go: {@$0: {priority: 20}, $1: {priority: 10, apart: true}}}}",
+            {pair.delicate, pair.resting});
+}
+
+// imprecise_causing, unused_causing
+
+void says_too_little(Robot& robot, bool defect) {
+  const std::string state = robot.name("Bearing");
+  robot.add_state(state, "{values: [moving, swaying, standing], initial: moving}");
+  const std::string waits = make(robot, "{when: [$0 == standing]}", {state});
+  const std::string walk =
+      make(robot, "{providers: [{name: going, sets: [$0 == moving]}, {name: coming, causing: [@$0 $1]}]}",
+           {state, defect ? robot.r.one_of({"> moving", "!= moving", "== swaying|standing"}) : "== standing"});
+  ask_for_both(robot, waits, walk);
+}
+void promises_a_wide_range(Robot& robot, bool defect) {
+  const std::string state = robot.name("Pressure");
+  robot.add_state(state, "{range: [0, 100], initial: 0}");
+  const std::string waits = make(robot, "{when: [$0 > 80]}", {state});
+  const std::string pump =
+      make(robot, "{providers: [{name: going, sets: [$0 == 0]}, {name: filling, causing: [@$0 $1]}]}",
+           {state, defect ? "> 70" : "> 80"});
+  ask_for_both(robot, waits, pump);
+}
+void nobody_waits(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "loose", "tight");
+  const std::string waits = make(robot, "{when: [$0 == tight]}", {state});
+  const std::string causes =
+      make(robot,
+           defect ? "{providers: [{name: going, causing: [@$0 == loose]}, {name: coming, causing: [$0 == tight]}]}"
+                  : "{providers: [{name: going, sets: [@$0 == loose]}, {name: coming, causing: [$0 == tight]}]}",
+           {state});
+  ask_for_both(robot, waits, causes);
+}
+
+// incompatible_pushes, push_cycle
+
+void each_shuts_the_other_out(Robot& robot, bool defect) {
+  const std::string arm = make_state(robot, "folded", "stretched"), head = make_state(robot, "low", "high");
+  const std::string waits = make(robot, "{when: [$0 == stretched, @$1 == high]}", {arm, head});
+  const std::string pose =
+      make(robot,
+           defect ? "{providers: [{name: going}, {name: stretching, when: [$1 == low], causing: [$0 == stretched]}, "
+                    "{name: rising, when: [$0 == folded], causing: [$1 == high]}]}"
+                  : "{providers: [{name: going}, {name: stretching, causing: [$0 == stretched]}, "
+                    "{name: rising, causing: [$1 == high]}]}",
+           {arm, head});
+  ask_for_both(robot, waits, pose);
+}
+void for_what_it_needs(Robot& robot, bool defect) {
+  const std::string gas = robot.name("Pressure");
+  robot.add_state(gas, "{range: [0, 100], initial: 0}");
+  const std::string door = make_state(robot, "open", "shut");
+  const std::string torch = make(robot, "{when: [$0 > 50, @$1 == shut]}", {gas, door});
+  const std::string weld = make(robot, "{needs: [$0], tasks: [$0]}", {torch});
+  const std::string cell =
+      make(robot,
+           defect ? "{providers: [{name: going}, {name: filling, when: [$1 == open], causing: [$0 > 80]}, "
+                    "{name: shutting, when: [$0 < 10], causing: [$1 == shut]}]}"
+                  : "{providers: [{name: going}, {name: filling, causing: [$0 > 80]}, "
+                    "{name: shutting, causing: [$1 == shut]}]}",
+           {gas, door});
+  ask_for_both(robot, weld, cell);
+}
+void three_in_a_pack(Robot& robot, const std::string& first, const std::string& second, const std::string& third) {
+  if (robot.r.chance(0.5)) {
+    robot.add_root(third, robot.above());
+    robot.add_root(second, robot.above());
+    robot.add_root(first, robot.above());
+  } else {
+    make_root(robot,
+              "{packs: {go: {$0: {priority: 30}, $1: {priority: 20, apart: true}, $2: {priority: 10, apart: true}}}}",
+              {first, second, third});
+  }
+}
+void each_undoes_the_other(Robot& robot, bool defect) {
+  const std::string lamp = make_state(robot, "dark", "lit"), battery = make_state(robot, "low", "full");
+  const std::string film = make(robot, "{when: [$0 == lit, @$1 == full]}", {lamp, battery});
+  const std::string light = make(
+      robot, "{providers: [{name: going}, {name: shining, causing: [$0 == lit], sets: [$1 == low]}]}", {lamp, battery});
+  const std::string power =
+      make(robot,
+           defect ? "{providers: [{name: going}, {name: charging, causing: [$1 == full, $0 == dark]}]}"
+                  : "{providers: [{name: going}, {name: charging, causing: [$1 == full]}]}",
+           {lamp, battery});
+  three_in_a_pack(robot, film, light, power);
+}
+void cannot_run_after(Robot& robot, bool defect) {
+  const std::string feet = make_state(robot, "moving", "standing"), arm = make_state(robot, "down", "up");
+  const std::string cast = make(robot, "{when: [$0 == standing, @$1 == up]}", {feet, arm});
+  const std::string walk = make(
+      robot, "{providers: [{name: going, sets: [$0 == moving]}, {name: halting, causing: [$0 == standing]}]}", {feet});
+  const std::string swing =
+      make(robot,
+           defect ? "{providers: [{name: going}, {name: lifting, when: [$0 == moving], causing: [$1 == up]}]}"
+                  : "{providers: [{name: going}, {name: lifting, causing: [$1 == up]}]}",
+           {feet, arm});
+  three_in_a_pack(robot, cast, walk, swing);
+}
+
+// push_in_vain
+
+void takes_the_request(Robot& robot, bool defect) {
+  const std::string one = make_state(robot, "loose", "tight"), two = make_state(robot, "low", "high");
+  const std::string waits = make(robot, "{when: [$0 == tight, @$1 == high]}", {one, two});
+  const std::string child = make(robot, "{causing: [$0 == high]}", {two});
+  const std::string k =
+      make(robot,
+           defect ? "{providers: [{name: going, packs: {play: {$1: {}}}}, {name: coming, causing: [$0 == tight]}]}"
+                  : "{providers: [{name: going, packs: {play: {$1: {}}}}, {name: coming, causing: [$0 == tight], "
+                    "packs: {hold_on: {$1: {}}}}]}",
+           {one, child});
+  ask_for_both(robot, waits, k);
+}
+void takes_the_group(Robot& robot, bool defect) {
+  const std::string feet = make_state(robot, "moving", "standing"), arm = make_state(robot, "down", "up");
+  const std::string hips = robot.add_part(), other = robot.add_part();
+  const std::string torso = make(robot, "{needs: [$0]}", {defect ? hips : other});
+  const std::string cast = make(robot, "{when: [@$0 == up, $1 == standing]}", {arm, feet});
+  const std::string walk = make(
+      robot,
+      "{providers: [{name: going, sets: [$0 == moving]}, {name: halting, needs: [$1], causing: [$0 == standing]}]}",
+      {feet, hips});
+  const std::string swing =
+      make(robot, "{providers: [{name: going}, {name: lifting, needs: [$1], causing: [$0 == up]}]}", {arm, torso});
+  robot.add_root(swing, robot.above());
+  robot.add_root(walk, robot.above());
+  robot.add_root(cast, robot.above());
+}
+void takes_the_state(Robot& robot, bool defect) {
+  const std::string door = make_state(robot, "shut", "open"), light = make_state(robot, "dark", "bright"),
+                    power = make_state(robot, "up", "down");
+  const std::string enter = make(robot, "{when: [$0 == open, @$1 == bright]}", {door, light});
+  const std::string lock =
+      make(robot,
+           defect ? "{providers: [{name: going}, {name: opening, causing: [$0 == open], sets: [$1 == down]}]}"
+                  : "{providers: [{name: going}, {name: opening, causing: [$0 == open]}]}",
+           {door, power});
+  const std::string lamp =
+      make(robot, "{providers: [{name: going}, {name: shining, when: [$0 == up], causing: [$1 == bright]}]}",
+           {power, light});
+  three_in_a_pack(robot, enter, lock, lamp);
+}
+void kept_above(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "loose", "tight"), hand = robot.add_part();
+  const std::string waits = make(robot, "{when: [@$0 == tight]}", {state});
+  const std::string k = make(
+      robot,
+      "{providers: [{name: going, packs: {hold_on: {$1: {}}}}, {name: coming, causing: [$0 == tight], needs: [$1]}]}",
+      {state, hand});
+  const std::string chief =
+      make(robot, "{needs: [$0], packs: {ask: {$1: {}}}}", {defect ? hand : robot.add_part(), waits});
+  robot.add_root(k, robot.above());
+  robot.add_root(chief, robot.above());
+}
+
+// push_inversion
+
+void somebody_between(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing"), legs = robot.add_part();
+  const std::string kick = make(robot, "{when: [$0 == standing]}", {state});
+  const std::string dance = make(robot, "{needs: [$0]}", {legs});
+  const std::string walk = make(
+      robot,
+      "{providers: [{name: going, sets: [$0 == moving]}, {name: halting, needs: [@$1], causing: [$0 == standing]}]}",
+      {state, legs});
+  const int low = robot.above(), middle = robot.above(), high = robot.above();
+  robot.add_root(walk, defect ? low : middle);
+  robot.add_root(dance, defect ? middle : low);
+  robot.add_root(kick, high);
+}
+void something_below_between(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing"), knees = robot.add_part();
+  const std::string legs = make(robot, "{needs: [$0]}", {knees});
+  const std::string stretch = make(robot, "{packs: {bend: {$0: {}}}}", {defect ? knees : robot.add_part()});
+  const std::string kick = make(robot, "{when: [$0 == standing]}", {state});
+  const std::string play =
+      make(robot, "{packs: {shoot: {$0: {priority: 20}, $1: {priority: 10, apart: true}}}}", {kick, stretch});
+  const std::string walk = make(
+      robot,
+      "{providers: [{name: going, sets: [$0 == moving]}, {name: halting, needs: [@$1], causing: [$0 == standing]}]}",
+      {state, legs});
+  robot.add_root(walk, robot.above());
+  robot.add_root(play, robot.above());
+}
+void a_root_of_its_own(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing"), legs = robot.add_part();
+  const std::string kick = make(robot, "{when: [$0 == standing]}", {state});
+  const std::string walk = make(
+      robot,
+      "{providers: [{name: going, sets: [$0 == moving]}, {name: halting, needs: [@$1], causing: [$0 == standing]}]}",
+      {state, legs});
+  const int lowest = robot.above();
+  robot.add_root(walk, robot.above());
+  robot.add_root(legs, defect ? robot.above() : lowest);
+  robot.add_root(kick, robot.above());
+}
+
+// self_defeating_handler, undone_by_stop, undone_by_itself
+
+void start_shuts_itself_out(Robot& robot, bool defect) {
+  const std::string grip = make_state(robot, "open", "closed");
+  make_root(robot,
+            defect ? "{when: [$0 == open], start: {sets: [@$0 == closed]}}"
+                   : "{when: [$0 == open], stay: [$0 == open|closed], start: {sets: [@$0 == closed]}}",
+            {grip});
+}
+void stop_lets_itself_in(Robot& robot, bool defect) {
+  const std::string balance = robot.name("Balance");
+  robot.add_state(balance, "{values: [fallen, standing], initial: standing, external: true}");
+  make_root(robot, "{when: [$0 == standing], stop: {sets: [@$0 == $1]}, allow: [uncovered_state], because: it waits}",
+            {balance, defect ? "standing" : "fallen"});
+}
+void stop_takes_it_back(Robot& robot, bool defect) {
+  const std::string feet = robot.name("Feet"), legs = robot.add_part();
+  robot.add_state(feet, "{values: [unknown, moving, standing], unordered: [unknown], initial: unknown}");
+  const std::string kick =
+      make(robot,
+           defect ? "{when: [$0 == standing], needs: [$1], tasks: [$1]}"
+                  : "{when: [$0 == standing], stay: [$0 == standing|unknown], needs: [$1], tasks: [$1]}",
+           {feet, legs});
+  const std::string walk = make(
+      robot,
+      "{stop: {sets: [@$0 == unknown]}, providers: [{name: going, needs: [$1], sets: [$0 == moving], tasks: [$1]}, "
+      "{name: halting, needs: [$1], causing: [$0 == standing], tasks: [$1]}]}",
+      {feet, legs});
+  ask_for_both(robot, kick, walk);
+}
+void it_belongs_to_the_group(Robot& robot, bool defect) {
+  const std::string feet = robot.name("Feet"), legs = robot.add_part(), walk = robot.verb();
+  robot.add_state(feet, "{values: [far, near], initial: far, @of: $0}", {walk});
+  robot.add_group(walk, "{needs: [$0], causing: [$1 == near]}", {legs, feet});
+  const std::string kick = make(robot, "{needs: [$0]}", {legs});
+  const std::string play = make(robot,
+                                defect ? "{when: [$0 == near], packs: {shoot: {$1: {}}}}"
+                                       : "{when: [$0 == near], stay: [$0 == near|far], packs: {shoot: {$1: {}}}}",
+                                {feet, kick});
+  ask_for_both(robot, play, walk);
+}
+void unsettles_itself(Robot& robot, bool defect) {
+  const std::string feet = make_state(robot, "moving", "standing");
+  const std::string kick =
+      make(robot,
+           defect ? "{when: [$0 == standing], sets: [@$0 == moving]}"
+                  : "{when: [$0 == standing], stay: [$0 == moving|standing], sets: [@$0 == moving]}",
+           {feet});
+  const std::string walk =
+      make(robot, "{providers: [{name: going}, {name: halting, causing: [$0 == standing]}]}", {feet});
+  ask_for_both(robot, kick, walk);
+}
+void unsettled_by_a_task(Robot& robot, bool defect) {
+  const std::string feet = make_state(robot, "moving", "standing");
+  const std::string leg = make(robot, "{sets: [@$0 == moving]}", {feet});
+  const std::string kick = make(robot, "{packs: {swing: {$0: {}}}}", {leg});
+  const std::string play =
+      make(robot,
+           defect ? "{when: [$0 == standing], packs: {shoot: {$1: {}}}}"
+                  : "{when: [$0 == standing], stay: [$0 == moving|standing], packs: {shoot: {$1: {}}}}",
+           {feet, kick});
+  const std::string walk = causer(robot, feet, "standing", "moving");
+  ask_for_both(robot, play, walk);
+}
+
+constexpr Planter planters[]{
+    {"unreachable_causing", "nobody asks", nobody_asks},
+    {"unreachable_causing", "never its turn", never_its_turn},
+    {"unreachable_causing", "the lowest one", the_lowest_one},
+    {"unreachable_causing", "only below itself", only_below_itself},
+    {"unpushable_causing", "goes before", goes_before},
+    {"unpushable_causing", "one unit", one_unit},
+    {"unpushable_causing", "below the task", below_the_task},
+    {"unpushable_causing", "siblings", siblings_of_one_pack},
+    {"causer_not_running", "alone in a pack", alone_in_a_pack},
+    {"causer_not_running", "further down", alone_further_down},
+    {"causer_not_running", "a flat list", in_a_flat_list},
+    {"imprecise_causing", "says too little", says_too_little},
+    {"imprecise_causing", "a wide range", promises_a_wide_range},
+    {"unused_causing", "nobody waits", nobody_waits},
+    {"incompatible_pushes", "each shuts the other out", each_shuts_the_other_out},
+    {"incompatible_pushes", "for what it needs", for_what_it_needs},
+    {"push_cycle", "each undoes the other", each_undoes_the_other},
+    {"push_cycle", "cannot run after", cannot_run_after},
+    {"push_in_vain", "takes the request", takes_the_request},
+    {"push_in_vain", "takes the group", takes_the_group},
+    {"push_in_vain", "takes the state", takes_the_state},
+    {"push_in_vain", "kept above", kept_above},
+    {"push_inversion", "somebody between", somebody_between},
+    {"push_inversion", "something below", something_below_between},
+    {"push_inversion", "a root of its own", a_root_of_its_own},
+    {"self_defeating_handler", "start", start_shuts_itself_out},
+    {"self_defeating_handler", "stop", stop_lets_itself_in},
+    {"undone_by_stop", "its handler", stop_takes_it_back},
+    {"undone_by_stop", "of the group", it_belongs_to_the_group},
+    {"undone_by_itself", "the task", unsettles_itself},
+    {"undone_by_itself", "a task below", unsettled_by_a_task},
+};
+
+} // namespace
+
+std::span<const Planter> push_planters() { return planters; }
+
+} // namespace director::defects

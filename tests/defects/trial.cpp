@@ -1,0 +1,98 @@
+// Door: tests/defects/trial.hpp. Test: tests/defects/measure.cpp.
+#include "tests/defects/trial.hpp"
+
+#include "compiler/lower/lower.hpp"
+#include "compiler/pipeline.hpp"
+#include "compiler/play/play.hpp"
+#include "compiler/play/resolve_scenario.hpp"
+#include "dsl/read_scenario.hpp"
+#include "dsl/render.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace director::defects {
+
+namespace {
+
+constexpr std::string_view scenario = "trial.scenario.yaml";
+
+void without_signs(std::string& word) { word.erase(std::remove(word.begin(), word.end(), '@'), word.end()); }
+
+void without_signs(Node& node) {
+  without_signs(node.word);
+  for (std::string& key : node.keys) without_signs(key);
+  for (Node& item : node.items) without_signs(item);
+}
+
+/// Another robot for each check.
+std::uint64_t mixed(std::string_view id, std::uint64_t seed) {
+  for (const char c : id) seed = seed * 31 + static_cast<unsigned char>(c);
+  return seed;
+}
+
+/// What is like a defect and is none makes it harder to be right.
+void add_near_misses(Robot& robot, const Planter& planter) {
+  std::vector<const Planter*> all;
+  for (const auto& some : {resource_planters(), condition_planters(), push_planters(), priority_planters()}) {
+    for (const Planter& each : some) {
+      const std::string_view id = each.id;
+      if (id != planter.id && id != "assertion_failed" && id != "undeclared_state_write") all.push_back(&each);
+    }
+  }
+  for (const Planter* each : robot.r.some(all, 0, 3)) each->plant(robot, false);
+  for (File& file : robot.files) without_signs(file.node);
+}
+
+std::vector<dsl::Diagnostic> play(const compiler::Model& model, dsl::FileAccess& files, dsl::Sources& sources) {
+  const dsl::ReadScenarioResult read = dsl::read_scenario(std::string(scenario), files, sources);
+  if (dsl::has_errors(read.diagnostics)) return read.diagnostics;
+  const compiler::ResolvedScenario resolved = compiler::resolve_scenario(read.scenario, model);
+  if (dsl::has_errors(resolved.findings)) return resolved.findings;
+  const compiler::Lowered lowered = compiler::lower(model);
+  const compiler::Played played =
+      compiler::play(resolved.scenario, model, lowered, {}, [](const compiler::Happening&) {});
+  if (played.refused) return {*played.refused};
+  return {};
+}
+
+} // namespace
+
+Outcome try_out(const Case& one, bool defect) {
+  const std::string id = one.planter->id;
+  const bool asserted = id == "assertion_failed"; // decided by trying everything: of a small robot
+  Outcome out;
+  Random random(mixed(id, one.seed));
+  Robot robot(random);
+  grow(robot, asserted ? -1 : one.size);
+  if (!asserted) add_near_misses(robot, *one.planter);
+  one.planter->plant(robot, defect);
+  std::vector<Mark> marks;
+  out.texts = robot.render(marks);
+  out.expected.insert(marks.begin(), marks.end());
+
+  dsl::MemoryFiles files;
+  for (const auto& [path, text] : out.texts) files.add(path, text);
+  dsl::Sources sources;
+  compiler::CheckOptions options;
+  options.decide = asserted;
+  options.selection.lints.insert(id);
+  compiler::Checked checked = compiler::check(robot.files.front().path, files, sources, options);
+  if (out.texts.count(std::string(scenario)) != 0 && checked.lowerable) {
+    for (dsl::Diagnostic& each : play(checked.model, files, sources)) checked.findings.push_back(std::move(each));
+  }
+  out.report = dsl::render(checked.findings, sources);
+  for (const dsl::Diagnostic& finding : checked.findings) {
+    const dsl::SourceFile& file = sources[finding.span.file];
+    const bool expected = out.expected.count({file.path(), file.place(finding.span.begin).line}) != 0;
+    const bool same = finding.id == id;
+    out.found = out.found || (same && expected);
+    out.elsewhere = out.elsewhere || (same && !expected && finding.level != dsl::Level::lint);
+    out.others += !same;
+    out.findings += finding.level != dsl::Level::lint;
+  }
+  out.elsewhere = out.elsewhere && !out.found;
+  return out;
+}
+
+} // namespace director::defects
