@@ -28,6 +28,7 @@ struct Generate {
   std::string file;
   std::string folder;
   std::string depfile; ///< empty: none
+  std::string target;  ///< what the depfile makes depend on what was read; empty: all that is generated
   checks::Selection selection;
 };
 

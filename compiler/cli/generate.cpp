@@ -45,7 +45,7 @@ int run(const Generate& request, Console& console) {
     if (!wrote(paths.back(), console.outputs.write(paths.back(), artefact.text), console)) return misused;
   }
   if (request.depfile.empty()) return clean;
-  const std::string text = depfile(paths, sources);
+  const std::string text = depfile(request.target.empty() ? paths : std::vector{request.target}, sources);
   return wrote(request.depfile, console.outputs.renew(request.depfile, text), console) ? clean : misused;
 }
 

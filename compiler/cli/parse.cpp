@@ -116,7 +116,12 @@ Make generate_options(CLI::App& app) {
   auto words = std::make_shared<SelectionWords>();
   app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
   app.add_option("-o,--output", request->folder, "folder for what is generated")->type_name("FOLDER")->required();
-  app.add_option("--depfile", request->depfile, "also write what was read, for Make and Ninja")->type_name("FILE");
+  CLI::Option* depfile = app.add_option("--depfile", request->depfile, "also write what was read, for Make and Ninja");
+  depfile->type_name("FILE");
+  app.add_option("--depfile-target", request->target,
+                 "what depends on it there; without it, everything that is generated")
+      ->type_name("FILE")
+      ->needs(depfile);
   add_selection(app, *words);
   return [=]() -> Request {
     if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;

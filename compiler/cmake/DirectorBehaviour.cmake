@@ -1,44 +1,151 @@
-# director_add_behaviour(<target> <file.yaml>)
+# director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY] [STUBS <folder>])
 #
 # Checks the behaviour with directorc, generates its C++ into the build tree and makes it part of <target>: its sources, its include path (so that
 # `#include "<behaviour>.hpp"` finds the header) and the runtime. Findings of level error stop the build. The C++ is generated again when the file,
-# anything it imports, or directorc itself changes, and only then.
+# anything it imports, or directorc itself changes, and only then; what is the same afterwards is not compiled again. A target may have several
+# behaviours, and a behaviour may be part of several targets.
+#
+#   WERROR          warnings stop the build as errors do
+#   VERIFY          after <target> is compiled, its bodies are held against the behaviour (directorc verify); errors stop the build
+#   STUBS <folder>  the target <target>_stubs, to be built when wanted, writes into <folder> what bodies are missing (directorc stubs). A build does
+#                   not: it writes nothing outside of its tree
+#
+# VERIFY and STUBS need director-clang, and a generator that writes compile_commands.json: Ninja or Makefiles.
 #
 # The behaviour's name, which names the outputs, is read from the file's key `behaviour` when CMake configures.
-function(director_add_behaviour target file)
+
+# Not those of whoever calls: how a depfile is read depends on them.
+cmake_policy(PUSH)
+cmake_policy(VERSION 3.20...3.25)
+
+function(director_add_behaviour)
+  set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY] [STUBS <folder>])")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "WERROR;VERIFY" "STUBS" "")
+  list(LENGTH arg_UNPARSED_ARGUMENTS count)
+  if(count LESS 2)
+    message(FATAL_ERROR "director_add_behaviour: the target and the behaviour's file are needed: ${usage}")
+  endif()
+  if(count GREATER 2)
+    list(SUBLIST arg_UNPARSED_ARGUMENTS 2 -1 unknown)
+    list(JOIN unknown " " unknown)
+    message(FATAL_ERROR "director_add_behaviour: unknown: ${unknown}; it is ${usage}, called once for each behaviour")
+  endif()
+  if("STUBS" IN_LIST arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "director_add_behaviour: STUBS needs the folder that the stubs go to: ${usage}")
+  endif()
+  list(GET arg_UNPARSED_ARGUMENTS 0 target)
+  list(GET arg_UNPARSED_ARGUMENTS 1 given)
+
   if(NOT TARGET ${target})
     message(FATAL_ERROR "director_add_behaviour: there is no target ${target}; add_executable or add_library comes first")
   endif()
-  cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+  get_target_property(aliased ${target} ALIASED_TARGET)
+  if(aliased)
+    message(FATAL_ERROR "director_add_behaviour: ${target} is only another name; say ${aliased}")
+  endif()
+  get_target_property(type ${target} TYPE)
+  get_target_property(imported ${target} IMPORTED)
+  if(imported OR NOT type MATCHES "^(EXECUTABLE|(STATIC|SHARED|MODULE|OBJECT)_LIBRARY)$")
+    message(FATAL_ERROR "director_add_behaviour: ${target} compiles nothing, so that nothing can be added to it; it takes an executable or a library with sources")
+  endif()
+
+  cmake_path(ABSOLUTE_PATH given BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE OUTPUT_VARIABLE file)
   if(NOT EXISTS ${file})
-    message(FATAL_ERROR "director_add_behaviour: there is no file ${file}")
+    message(FATAL_ERROR "director_add_behaviour: there is no file ${file}; a relative path begins at the folder of the CMakeLists.txt that calls")
+  endif()
+  if(IS_DIRECTORY ${file})
+    message(FATAL_ERROR "director_add_behaviour: ${file} is a folder; name the behaviour's file in it")
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-  file(STRINGS ${file} keys REGEX "^behaviour[ \t]*:")
-  string(REGEX MATCH "^behaviour[ \t]*:[ \t]*[\"']?([A-Za-z_][A-Za-z0-9_]*)" found "${keys}")
+  file(STRINGS ${file} keys REGEX "^(behaviour|\"behaviour\"|'behaviour')[ \t]*:")
+  string(REGEX MATCH "^[\"']?behaviour[\"']?[ \t]*:[ \t]*[\"']?([A-Za-z_][A-Za-z0-9_]*)" found "${keys}")
   if(NOT found)
     message(FATAL_ERROR "director_add_behaviour: ${file} has no key behaviour at its top level; only a behaviour can be generated, not a module alone")
   endif()
   set(behaviour ${CMAKE_MATCH_1})
 
+  get_target_property(others ${target} DIRECTOR_BEHAVIOURS)
+  if(others AND behaviour IN_LIST others)
+    message(FATAL_ERROR "director_add_behaviour: ${target} has a behaviour ${behaviour} already; two of one name would be one header and one namespace")
+  endif()
+  set_property(TARGET ${target} APPEND PROPERTY DIRECTOR_BEHAVIOURS ${behaviour})
+
+  if(NOT TARGET Director::directorc)
+    message(FATAL_ERROR "director_add_behaviour: there is no directorc; find_package(Director COMPONENTS compiler runtime REQUIRED) finds it")
+  endif()
+  set(werror "")
+  if(arg_WERROR)
+    set(werror --werror)
+  endif()
+
+  # directorc leaves a file alone that says the same already, so what tells that it ran is a file of its own.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/director/${target}/${behaviour})
   set(outputs ${folder}/${behaviour}.hpp ${folder}/${behaviour}.cpp ${folder}/manifest.json)
-  set(depfile ${folder}/${behaviour}.d)
-  # directorc leaves a file alone that says the same already. Ninja remembers that it looked; Make only knows what is newer.
-  set(renew "")
-  if(NOT CMAKE_GENERATOR MATCHES Ninja)
-    set(renew COMMAND ${CMAKE_COMMAND} -E touch_nocreate ${outputs})
-  endif()
+  set(stamp ${folder}/generated)
   add_custom_command(
-    OUTPUT ${outputs}
+    OUTPUT ${stamp}
+    BYPRODUCTS ${outputs}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND Director::directorc generate ${file} -o ${folder} --depfile ${depfile}
-    ${renew}
+    COMMAND Director::directorc generate ${file} -o ${folder} --depfile ${stamp}.d --depfile-target ${stamp} ${werror}
+    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${file} $<TARGET_FILE:Director::directorc>
-    DEPFILE ${depfile}
+    DEPFILE ${stamp}.d
     COMMENT "Generating the behaviour ${behaviour}"
     VERBATIM)
-  target_sources(${target} PRIVATE ${outputs})
-  target_include_directories(${target} PUBLIC ${folder})
+  get_target_property(home ${target} SOURCE_DIR)
+  if(home STREQUAL CMAKE_CURRENT_SOURCE_DIR)
+    target_sources(${target} PRIVATE ${outputs} ${stamp})
+  else()
+    # Only targets of one folder share commands.
+    add_custom_target(${target}_${behaviour}_generated DEPENDS ${stamp})
+    add_dependencies(${target} ${target}_${behaviour}_generated)
+    target_sources(${target} PRIVATE ${outputs})
+    set_source_files_properties(${outputs} TARGET_DIRECTORY ${target} PROPERTIES GENERATED TRUE)
+  endif()
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
   target_link_libraries(${target} PUBLIC Director::core)
+
+  if(arg_VERIFY OR arg_STUBS)
+    director_need_clang_(${target})
+  endif()
+  if(arg_VERIFY)
+    # Objects are compiled again whenever a body, or what it includes, changes; so is this done again.
+    set(verified ${folder}/verified)
+    add_custom_command(
+      OUTPUT ${verified}
+      COMMAND Director::directorc verify ${file} -p ${CMAKE_BINARY_DIR} --generated ${folder} ${werror}
+      COMMAND ${CMAKE_COMMAND} -E touch ${verified}
+      DEPENDS ${file} ${stamp} $<TARGET_OBJECTS:${target}> $<TARGET_FILE:Director::directorc> $<TARGET_FILE:Director::director-clang>
+      COMMENT "Verifying the bodies of the behaviour ${behaviour}"
+      VERBATIM COMMAND_EXPAND_LISTS)
+    add_custom_target(${target}_${behaviour}_verified ALL DEPENDS ${verified})
+    add_dependencies(${target}_${behaviour}_verified ${target})
+  endif()
+  if(arg_STUBS)
+    cmake_path(ABSOLUTE_PATH arg_STUBS BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE OUTPUT_VARIABLE stubs)
+    add_custom_target(
+      ${target}_${behaviour}_stubs
+      COMMAND Director::directorc stubs ${file} -o ${stubs} -p ${CMAKE_BINARY_DIR}
+      DEPENDS ${stamp}
+      COMMENT "Writing what bodies of the behaviour ${behaviour} are missing into ${stubs}"
+      USES_TERMINAL VERBATIM)
+    if(NOT TARGET ${target}_stubs)
+      add_custom_target(${target}_stubs)
+    endif()
+    add_dependencies(${target}_stubs ${target}_${behaviour}_stubs)
+  endif()
 endfunction()
+
+# What reads C++ needs director-clang, and to know how the target's files are compiled.
+function(director_need_clang_ target)
+  if(NOT TARGET Director::director-clang)
+    message(FATAL_ERROR "director_add_behaviour: VERIFY and STUBS read C++, which director-clang does; install it (the package director-clang, or Director "
+                        "built where Clang 19 is)")
+  endif()
+  if(NOT CMAKE_GENERATOR MATCHES "Ninja|Makefiles")
+    message(FATAL_ERROR "director_add_behaviour: VERIFY and STUBS need compile_commands.json, which CMake writes for Ninja and Makefiles only, not for ${CMAKE_GENERATOR}")
+  endif()
+  set_property(TARGET ${target} PROPERTY EXPORT_COMPILE_COMMANDS ON)
+endfunction()
+
+cmake_policy(POP)

@@ -1,21 +1,46 @@
 # What another CMake project finds with find_package(Director): directorc, the runtime, director_add_behaviour. It works from an installed tree
-# (CMAKE_PREFIX_PATH) and from a build tree (Director_DIR=<build>/cmake) alike.
+# (CMAKE_PREFIX_PATH), wherever that is moved to, and from a build tree (Director_DIR=<build>/cmake) alike. A component is an export of its own, so that
+# each can be installed alone.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Director)
-set(package_targets director_core director_hosted)
+set(build_folder ${PROJECT_BINARY_DIR}/cmake)
+
+# director_install(<component> <name of the export> <target>...)
+function(director_install component export)
+  install(TARGETS ${ARGN} EXPORT ${export}
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component}
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component})
+  install(EXPORT ${export} NAMESPACE Director:: DESTINATION ${package_folder} COMPONENT ${component})
+  export(EXPORT ${export} NAMESPACE Director:: FILE ${build_folder}/${export}.cmake)
+endfunction()
+
+director_install(runtime DirectorRuntimeTargets director_core director_hosted)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.hpp)
+# For machines that the library is not made for.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_DATADIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.cpp)
 if(TARGET directorc)
-  list(APPEND package_targets directorc)
+  director_install(compiler DirectorCompilerTargets directorc)
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/DirectorBehaviour.cmake DESTINATION ${package_folder} COMPONENT compiler)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/DirectorBehaviour.cmake ${build_folder}/DirectorBehaviour.cmake COPYONLY)
+endif()
+if(TARGET director-clang)
+  install(TARGETS director-clang EXPORT DirectorClangTargets RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/director COMPONENT clang)
+  install(EXPORT DirectorClangTargets NAMESPACE Director:: DESTINATION ${package_folder} COMPONENT clang)
+  export(EXPORT DirectorClangTargets NAMESPACE Director:: FILE ${build_folder}/DirectorClangTargets.cmake)
 endif()
 
-install(TARGETS ${package_targets} EXPORT DirectorTargets)
-install(EXPORT DirectorTargets NAMESPACE Director:: DESTINATION ${package_folder})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/director FILES_MATCHING PATTERN *.hpp)
-
-set(build_folder ${PROJECT_BINARY_DIR}/cmake)
-file(CONFIGURE OUTPUT ${build_folder}/DirectorConfig.cmake @ONLY CONTENT
-     "include(\${CMAKE_CURRENT_LIST_DIR}/DirectorTargets.cmake)\ninclude(\${CMAKE_CURRENT_LIST_DIR}/DirectorBehaviour.cmake)\n")
-configure_file(${CMAKE_CURRENT_LIST_DIR}/DirectorBehaviour.cmake ${build_folder}/DirectorBehaviour.cmake COPYONLY)
-write_basic_package_version_file(${build_folder}/DirectorConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${build_folder}/DirectorConfig.cmake ${build_folder}/DirectorConfigVersion.cmake ${build_folder}/DirectorBehaviour.cmake
-        DESTINATION ${package_folder})
-export(EXPORT DirectorTargets NAMESPACE Director:: FILE ${build_folder}/DirectorTargets.cmake)
+set(DIRECTOR_SOURCES ${CMAKE_INSTALL_DATADIR}/director)
+set(DIRECTOR_INCLUDES ${CMAKE_INSTALL_INCLUDEDIR}/director)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/DirectorConfig.cmake.in ${build_folder}/installed/DirectorConfig.cmake
+                              INSTALL_DESTINATION ${package_folder} PATH_VARS DIRECTOR_SOURCES DIRECTOR_INCLUDES
+                              NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+set(DIRECTOR_SOURCES ${PROJECT_SOURCE_DIR})
+set(DIRECTOR_INCLUDES ${PROJECT_SOURCE_DIR})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/DirectorConfig.cmake.in ${build_folder}/DirectorConfig.cmake
+                              INSTALL_DESTINATION ${build_folder} INSTALL_PREFIX ${PROJECT_BINARY_DIR} PATH_VARS DIRECTOR_SOURCES DIRECTOR_INCLUDES
+                              NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+# Whatever it is found for: where the library does not fit, its sources do.
+write_basic_package_version_file(${build_folder}/DirectorConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES ${build_folder}/installed/DirectorConfig.cmake ${build_folder}/DirectorConfigVersion.cmake DESTINATION ${package_folder}
+        COMPONENT runtime)

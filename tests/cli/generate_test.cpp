@@ -28,6 +28,12 @@ TEST_CASE("header, source, manifest and what they depend on are written") {
   CHECK(world.err.empty());
 }
 
+TEST_CASE("a build that looks at a stamp of its own names it in the depfile") {
+  World world = lit();
+  CHECK(world.directorc({"generate", "lamp.yaml", "-o", "out", "--depfile", "lamp.d", "--depfile-target", "stamp"}) == 0);
+  CHECK(world.outputs.files.at("lamp.d") == "stamp: \\\n  lamp.yaml \\\n  parts/my\\ bulb.yaml\n");
+}
+
 TEST_CASE("what has not changed is not written again") {
   World world = lit();
   world.directorc({"generate", "lamp.yaml", "-o", "out"});

@@ -1,0 +1,6 @@
+#include "lighthouse.hpp" // what a library generates, its users see
+#include "watch.hpp"
+
+#include <cstdio>
+
+int main() { std::printf("%s\n", watch() > 0 ? "events are told" : "no events"); }

@@ -1,0 +1,4 @@
+#pragma once
+
+/// Steps both behaviours once; the number of events that they told of.
+int watch();

@@ -1,0 +1,54 @@
+# cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P mistakes.cmake
+# What a project is told that calls director_add_behaviour, or asks for Director, in a wrong way: whole messages, with white space as CMake does not break it.
+file(REMOVE_RECURSE ${WORK})
+foreach(component runtime compiler)
+  execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --component ${component} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+set(wrong "")
+
+function(mistake calls expected)
+  cmake_parse_arguments(PARSE_ARGV 2 it "" "COMPONENTS" "")
+  if(NOT it_COMPONENTS)
+    set(it_COMPONENTS runtime compiler)
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/prefix
+                          -D "CALLS=${calls}" "-DCOMPONENTS=${it_COMPONENTS}" --no-warn-unused-cli
+                  RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
+  string(REGEX REPLACE "[ \n]+" " " said "${said}")
+  string(REPLACE "${SOURCE}/" "" said "${said}")
+  string(REPLACE "${WORK}/" "" said "${said}")
+  if(status EQUAL 0)
+    set(said "nothing")
+  else()
+    string(REGEX REPLACE "^.*(director_add_behaviour:.*) Call Stack.*$" "\\1" said "${said}")
+    string(REGEX REPLACE "^.*NOT FOUND. Reason given by package: (.*[^ ]) *$" "\\1" said "${said}")
+  endif()
+  if(NOT said STREQUAL expected)
+    set(wrong "${wrong}\n(${calls})\n  says:   ${said}\n  not:    ${expected}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY] [STUBS <folder>])")
+mistake("robot" "director_add_behaviour: the target and the behaviour's file are needed: ${usage}")
+mistake("robot kiosk.yaml counter.yaml" "director_add_behaviour: unknown: counter.yaml; it is ${usage}, called once for each behaviour")
+mistake("robot kiosk.yaml VERFY" "director_add_behaviour: unknown: VERFY; it is ${usage}, called once for each behaviour")
+mistake("robot kiosk.yaml STUBS" "director_add_behaviour: STUBS needs the folder that the stubs go to: ${usage}")
+mistake("robt kiosk.yaml" "director_add_behaviour: there is no target robt; add_executable or add_library comes first")
+mistake("other_name kiosk.yaml" "director_add_behaviour: other_name is only another name; say robot")
+mistake("headers kiosk.yaml"
+        "director_add_behaviour: headers compiles nothing, so that nothing can be added to it; it takes an executable or a library with sources")
+mistake("robot kiosc.yaml"
+        "director_add_behaviour: there is no file kiosc.yaml; a relative path begins at the folder of the CMakeLists.txt that calls")
+mistake("robot ../mistakes" "director_add_behaviour: ${SOURCE} is a folder; name the behaviour's file in it")
+mistake("robot counter.yaml"
+        "director_add_behaviour: counter.yaml has no key behaviour at its top level; only a behaviour can be generated, not a module alone")
+mistake("robot kiosk.yaml|robot kiosk.yaml"
+        "director_add_behaviour: robot has a behaviour kiosk already; two of one name would be one header and one namespace")
+mistake("robot kiosk.yaml VERIFY"
+        "director_add_behaviour: VERIFY and STUBS read C++, which director-clang does; install it (the package director-clang, or Director built where Clang 19 is)")
+mistake("" "the component clang is not installed: it is the package director-clang." COMPONENTS "clang")
+mistake("" "there is no component robots; there are runtime, compiler and clang." COMPONENTS "runtime;robots")
+mistake("robot kiosk.yaml WERROR" "nothing")
+if(wrong)
+  message(FATAL_ERROR "${wrong}")
+endif()
