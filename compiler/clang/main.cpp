@@ -23,6 +23,8 @@ struct Subcommand {
 };
 
 constexpr std::array subcommands{
+    Subcommand{"declarations", "which classes implement the modules of a behaviour", read_declarations},
+    Subcommand{"format", "how text that was put into files is laid out", format_parts},
     Subcommand{"version", "what this program is made of", tell_version},
 };
 

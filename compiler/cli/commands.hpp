@@ -69,6 +69,17 @@ struct Explore {
   std::string output;            ///< folder for scenarios; empty: none are written
 };
 
+/// What a behaviour wants in C++, where the program does not have it yet.
+struct Stubs {
+  std::string file;
+  std::string folder;
+  std::string build;                 ///< folder with compile_commands.json; empty: looked for above `folder`
+  std::vector<std::string> includes; ///< folders to include from, where there is none
+  bool main = false;                 ///< also a main.cpp
+  bool dry_run = false;              ///< print a diff, write nothing
+  bool check = false;                ///< only say whether something is missing
+};
+
 int run(const Check& request, Console& console);
 int run(const Generate& request, Console& console);
 int run(const DrawGraph& request, Console& console);
@@ -78,5 +89,6 @@ int run(const Simulate& request, Console& console);
 int run(const Test& request, Console& console);
 int run(const Dump& request, Console& console);
 int run(const Explore& request, Console& console);
+int run(const Stubs& request, Console& console);
 
 } // namespace director::compiler::cli

@@ -1,6 +1,7 @@
 // Door: compiler/cli/console.hpp. Test: tests/cli/disk_test.cpp.
 #include "compiler/cli/console.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -40,6 +41,25 @@ std::optional<std::string> DiskOutputs::renew(const std::string& path, const std
   return {};
 }
 
+std::optional<std::string> DiskOutputs::change(const std::vector<Change>& changes) { return apply_on_disk(changes); }
+
+std::vector<std::string> DiskOutputs::list(const std::string& folder) {
+  std::vector<std::string> out;
+  std::error_code error;
+  const auto deny = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator at(folder, deny, error), end; !error && at != end; at.increment(error)) {
+    const bool hidden = at->path().filename().string().starts_with('.');
+    std::error_code unknown;
+    if (at->is_directory(unknown)) {
+      if (hidden || fs::exists(at->path() / "CMakeCache.txt", unknown)) at.disable_recursion_pending();
+    } else if (!hidden && at->is_regular_file(unknown)) {
+      out.push_back(at->path().string());
+    }
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 std::optional<std::string> MemoryOutputs::write(const std::string& path, const std::string& text) {
   const auto at = files.find(path);
   if (at != files.end() && at->second == text) return {};
@@ -50,6 +70,23 @@ std::optional<std::string> MemoryOutputs::renew(const std::string& path, const s
   files[path] = text;
   written.push_back(path);
   return {};
+}
+
+std::optional<std::string> MemoryOutputs::change(const std::vector<Change>& changes) {
+  for (const Change& each : changes) {
+    const auto at = files.find(each.path);
+    const std::optional<std::string> now = at == files.end() ? std::nullopt : std::optional(at->second);
+    if (now != each.before) return "`" + each.path + "`: it has changed meanwhile; run this again";
+  }
+  for (const Change& each : changes) renew(each.path, each.after);
+  return {};
+}
+
+std::vector<std::string> MemoryOutputs::list(const std::string& folder) {
+  std::vector<std::string> out;
+  for (const auto& [path, text] : files)
+    if (path.starts_with(folder + "/")) out.push_back(path);
+  return out;
 }
 
 } // namespace director::compiler::cli

@@ -2,6 +2,7 @@
 // The world as a subcommand sees it: two streams, files to read, files to write. Behind it the terminal and the disk
 // for main, strings and maps for tests.
 
+#include "compiler/cli/change.hpp"
 #include "compiler/facts/programs.hpp"
 #include "dsl/file_access.hpp"
 
@@ -20,6 +21,10 @@ public:
   virtual std::optional<std::string> write(const std::string& path, const std::string& text) = 0;
   /// Likewise, and the file is newer than everything afterwards, whatever text it had.
   virtual std::optional<std::string> renew(const std::string& path, const std::string& text) = 0;
+  /// Files of the user: all of the changes, or none and what is wrong.
+  virtual std::optional<std::string> change(const std::vector<Change>& changes) = 0;
+  /// The files below a folder, by their whole paths, sorted; without hidden ones and what lies in build trees.
+  virtual std::vector<std::string> list(const std::string& folder) = 0;
 
 protected:
   ~Outputs() = default;
@@ -40,12 +45,16 @@ class DiskOutputs final : public Outputs {
 public:
   std::optional<std::string> write(const std::string& path, const std::string& text) override;
   std::optional<std::string> renew(const std::string& path, const std::string& text) override;
+  std::optional<std::string> change(const std::vector<Change>& changes) override;
+  std::vector<std::string> list(const std::string& folder) override;
 };
 
 class MemoryOutputs final : public Outputs {
 public:
   std::optional<std::string> write(const std::string& path, const std::string& text) override;
   std::optional<std::string> renew(const std::string& path, const std::string& text) override;
+  std::optional<std::string> change(const std::vector<Change>& changes) override;
+  std::vector<std::string> list(const std::string& folder) override;
   std::map<std::string, std::string> files;
   std::vector<std::string> written; ///< paths in order, each time that a file changed
 };

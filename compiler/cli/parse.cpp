@@ -190,7 +190,32 @@ Make dump_options(CLI::App& app) {
   return [=]() -> Request { return *request; };
 }
 
-const std::array<Subcommand, 9> subcommands{{
+Make stubs_options(CLI::App& app) {
+  auto request = std::make_shared<Stubs>();
+  app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
+  app.add_option("-o,--output", request->folder,
+                 "folder of the program's C++; what its files say stays as it is, more is only put between")
+      ->type_name("FOLDER")
+      ->required();
+  app.add_option("-p,--build", request->build,
+                 "folder with compile_commands.json, which says how the program is compiled; without it, the first "
+                 "one above FOLDER, or in a folder `build` there")
+      ->type_name("FOLDER");
+  app.add_option("-I,--include", request->includes, "a folder to include from, where there is no such file")
+      ->type_name("FOLDER")
+      ->expected(1)
+      ->take_all();
+  app.add_flag("--main", request->main, "also write a main.cpp, if there is none");
+  CLI::Option* dry_run = app.add_flag("--dry-run", request->dry_run, "write nothing, print it as a diff");
+  app.add_flag("--check", request->check, "write nothing; exit status 1 if something is missing")->excludes(dry_run);
+  app.footer(
+      "Each module gets a class in a .hpp and a .cpp. Where the program has one already, only the functions that\n"
+      "it lacks are added; what nothing asks for any more is reported. To read what is there, director-clang is\n"
+      "needed.");
+  return [=]() -> Request { return *request; };
+}
+
+const std::array<Subcommand, 10> subcommands{{
     {"check", "Look for mistakes in a behaviour", check_options},
     {"generate", "Write the C++ of a behaviour", generate_options},
     {"graph", "Draw a behaviour", graph_options},
@@ -199,6 +224,7 @@ const std::array<Subcommand, 9> subcommands{{
     {"simulate", "Play a scenario and print what happens", simulate_options},
     {"test", "Play scenarios and compare with what they expect", test_options},
     {"explore", "Try everything that can happen, and decide the assertions", explore_options},
+    {"stubs", "Write the C++ that is for you to fill in, or add to it what is missing", stubs_options},
     {"dump", "Print what a stage of the compiler makes of a behaviour", dump_options},
 }};
 

@@ -15,7 +15,7 @@ struct Say {
   bool wrong = false;
 };
 
-using Request = std::variant<Say, Check, Generate, DrawGraph, Explain, ListChecks, Simulate, Test, Dump, Explore>;
+using Request = std::variant<Say, Check, Generate, DrawGraph, Explain, ListChecks, Simulate, Test, Dump, Explore, Stubs>;
 
 /// `arguments`: without the program's name.
 Request parse(const std::vector<std::string>& arguments);

@@ -734,7 +734,7 @@ public:
 /// Brings both feet together. Never anybody's first choice, so it runs when somebody who goes first waits for what it
 /// promises. (locomotion.yaml:21)
 /// - needs: LeftLeg, RightLeg
-/// - causing: Stability == standing within 2000000 us
+/// - causing: Stability == standing within 2 s
 /// - uses: LeftLeg, RightLeg
 /// - tasks: LeftLeg, RightLeg
 class Walk::Halting final : public director::Body<detail::Facts<Walk::Halting>> {
@@ -982,7 +982,7 @@ public:
 };
 
 /// (strategy.yaml:69)
-/// - triggers: every 600000 us
+/// - triggers: every 600 ms
 class Look::Sweeping final : public director::Body<detail::Facts<Look::Sweeping>> {
 public:
   using director::Body<detail::Facts<Look::Sweeping>>::Body;

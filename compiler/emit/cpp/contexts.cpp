@@ -9,14 +9,11 @@ namespace director::compiler {
 
 namespace {
 
-std::string conditions_text(const Model& model, const std::vector<ConditionUse>& uses) {
-  std::string out;
-  for (const ConditionUse& use : uses) {
-    if (!out.empty()) out += ", ";
-    out += model.conditions[use.id].text;
-    if (use.within) out += fmt::format(" within {} us", *use.within);
-  }
-  return out;
+/// In the largest unit that leaves no rest.
+std::string time_text(Microseconds time) {
+  if (time % 1'000'000 == 0) return fmt::format("{} s", time / 1'000'000);
+  if (time % 1'000 == 0) return fmt::format("{} ms", time / 1'000);
+  return fmt::format("{} us", time);
 }
 
 std::string groups_text(const Model& model, const std::vector<Use<GroupId>>& uses) {
@@ -28,23 +25,13 @@ std::string groups_text(const Model& model, const std::vector<Use<GroupId>>& use
 std::string triggers_text(const Model& model, const Provider& provider) {
   std::string out;
   for (const Use<TriggerId>& use : provider.triggers) out += (out.empty() ? "" : ", ") + model.triggers[use.id].name;
-  if (provider.every) out += fmt::format("{}every {} us", out.empty() ? "" : ", ", *provider.every);
+  if (provider.every) out += fmt::format("{}every {}", out.empty() ? "" : ", ", time_text(*provider.every));
   return out;
 }
 
 /// What the specification says of it, a line for each word.
 void describe(Code& code, const Model& model, const Provider& provider) {
-  const auto say = [&](std::string_view word, const std::string& text) {
-    if (!text.empty()) code.comment(fmt::format("- {}: {}", word, text));
-  };
-  say("when", conditions_text(model, provider.when));
-  say("stay", conditions_text(model, provider.stay));
-  say("needs", groups_text(model, provider.needs));
-  say("causing", conditions_text(model, provider.causing));
-  say("sets", conditions_text(model, provider.sets));
-  say("uses", groups_text(model, provider.uses));
-  say("triggers", triggers_text(model, provider));
-  if (!provider.has_packs && !provider.packs.empty()) say("tasks", tasks_text(model, provider.packs.front().tasks));
+  for (const std::string& line : words_of(model, provider)) code.comment(line);
 }
 
 std::string and_list(const CppEmission& e, const std::vector<Task>& tasks) {
@@ -115,6 +102,32 @@ void define_handler(Code& code, const CppEmission& e, GroupId group, const std::
 }
 
 } // namespace
+
+std::string conditions_text(const Model& model, const std::vector<ConditionUse>& uses) {
+  std::string out;
+  for (const ConditionUse& use : uses) {
+    if (!out.empty()) out += ", ";
+    out += model.conditions[use.id].text;
+    if (use.within) out += fmt::format(" within {}", time_text(*use.within));
+  }
+  return out;
+}
+
+std::vector<std::string> words_of(const Model& model, const Provider& provider) {
+  std::vector<std::string> lines;
+  const auto say = [&](std::string_view word, const std::string& text) {
+    if (!text.empty()) lines.push_back(fmt::format("- {}: {}", word, text));
+  };
+  say("when", conditions_text(model, provider.when));
+  say("stay", conditions_text(model, provider.stay));
+  say("needs", groups_text(model, provider.needs));
+  say("causing", conditions_text(model, provider.causing));
+  say("sets", conditions_text(model, provider.sets));
+  say("uses", groups_text(model, provider.uses));
+  say("triggers", triggers_text(model, provider));
+  if (!provider.has_packs && !provider.packs.empty()) say("tasks", tasks_text(model, provider.packs.front().tasks));
+  return lines;
+}
 
 Code contexts_part(const CppEmission& e) {
   Code code;

@@ -1,12 +1,13 @@
 #pragma once
-// The parts of the generated C++, one file each. Only compiler/emit/cpp includes this; header.cpp and source.cpp put
-// the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp, body.hpp, program.hpp.
+// The parts of the generated C++, one file each. Only compiler/emit/cpp and compiler/stubs include this; header.cpp and
+// source.cpp put the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp, body.hpp, program.hpp.
 
 #include "compiler/emit/code.hpp"
 #include "compiler/emit/deployment.hpp"
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace director::compiler {
 
@@ -34,6 +35,10 @@ bool may_be_omitted(const Model& model, const Task& task);
 std::string member_text(const CppEmission& e, const Task& task);
 /// Words for a comment: "LeftLeg, LeftArm (optional)".
 std::string tasks_text(const Model& model, const std::vector<Task>& tasks);
+/// Likewise: "Stability == standing within 2 s".
+std::string conditions_text(const Model& model, const std::vector<ConditionUse>& uses);
+/// What the specification says of a provider, a line for each word: "- needs: LeftLeg, RightLeg".
+std::vector<std::string> words_of(const Model& model, const Provider& provider);
 
 // What the header consists of.
 Code states_part(const CppEmission& e);

@@ -1,0 +1,20 @@
+#pragma once
+// Files of the user with something put into them, which is not on the disk.
+
+#include "compiler/emit/json.hpp"
+#include "compiler/stubs/insertion.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::scanning {
+
+using compiler::Json;
+
+/// Joined.
+std::vector<compiler::stubs::Insertion> insertions_in(const Json& list);
+
+/// Throws where the file cannot be read.
+compiler::stubs::Applied user_text(const std::string& path, const std::vector<compiler::stubs::Insertion>& insertions);
+
+} // namespace director::scanning

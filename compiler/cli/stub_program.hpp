@@ -1,0 +1,34 @@
+#pragma once
+// The C++ that `directorc stubs` finds: the texts below a folder, and how to read those that may concern the behaviour.
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/stubs/insertion.hpp"
+#include "compiler/stubs/relevance.hpp"
+#include "compiler/stubs/scan.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::compiler::cli {
+
+/// How one file is compiled.
+struct Compiled {
+  std::string path;
+  std::string directory;
+  std::vector<std::string> flags; ///< without the compiler, the file, and where the result goes
+};
+
+struct Program {
+  std::string folder;             ///< its whole path, behind symbolic links
+  stubs::Texts texts;             ///< all C++ below it, by whole paths
+  std::vector<Compiled> compiled; ///< what compile_commands.json says
+  std::vector<std::string> default_flags;
+  std::vector<stubs::Unit> units; ///< to be read: sources first, then headers that none of them may include
+};
+
+Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console& console);
+
+/// How a file is read: as it is compiled, or else as the nearest one is that is.
+stubs::Unit unit_for(const Program& program, const std::string& path);
+
+} // namespace director::compiler::cli

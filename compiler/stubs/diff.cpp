@@ -1,0 +1,125 @@
+// Door: compiler/stubs/insertion.hpp. Test: tests/stubs/diff_test.cpp.
+//
+// What is inserted is known, so no lines need to be compared: a line that something is put into is gone and comes back
+// in several; one that something is put behind stays.
+#include "compiler/stubs/insertion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::compiler::stubs {
+
+namespace {
+
+constexpr std::size_t context = 3; ///< lines shown around a difference
+
+/// With their line breaks; the last one may have none.
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    out.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return out;
+}
+
+struct Edit {
+  char sign; ///< ' ', '-' or '+'
+  std::string line;
+};
+
+/// What becomes of one line: what it begins and ends with stays where it is a whole line again.
+void edit_line(std::vector<Edit>& edits, std::string_view old, std::string_view fresh) {
+  const std::vector<std::string_view> lines = lines_of(fresh);
+  const bool first = lines.front() == old;
+  const bool last = !first && lines.back() == old;
+  if (!first && !last) edits.push_back({'-', std::string(old)});
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool stays = (first && i == 0) || (last && i + 1 == lines.size());
+    edits.push_back({stays ? ' ' : '+', std::string(lines[i])});
+  }
+}
+
+std::vector<Edit> edits_of(std::string_view text, const std::vector<Insertion>& insertions) {
+  std::vector<Edit> out;
+  std::size_t begin = 0, next = 0;
+  const auto edit = [&](std::string_view line, bool is_last) {
+    const std::size_t end = begin + line.size();
+    std::string fresh;
+    std::size_t done = begin;
+    for (; next < insertions.size() && (insertions[next].offset < end || is_last); ++next) {
+      fresh += text.substr(done, insertions[next].offset - done);
+      fresh += insertions[next].text;
+      done = insertions[next].offset;
+    }
+    fresh += text.substr(done, end - done);
+    if (fresh.empty()) return;
+    if (fresh == line) {
+      out.push_back({' ', fresh});
+    } else if (line.empty()) {
+      for (const std::string_view added : lines_of(fresh)) out.push_back({'+', std::string(added)});
+    } else {
+      edit_line(out, line, fresh);
+    }
+    begin = end;
+  };
+  const std::vector<std::string_view> lines = lines_of(text);
+  const bool ends = text.empty() || text.ends_with('\n'); // then what stands behind the last line has one of its own
+  for (std::size_t i = 0; i < lines.size(); ++i) edit(lines[i], !ends && i + 1 == lines.size());
+  if (ends) edit({}, true);
+  return out;
+}
+
+std::string line_text(const Edit& edit) {
+  const bool whole = edit.line.ends_with('\n');
+  return fmt::format("{}{}{}", edit.sign, edit.line, whole ? "" : "\n\\ No newline at end of file\n");
+}
+
+/// `4,7`, as a hunk counts lines; the line before where there are none.
+std::string extent(std::size_t first, std::size_t count) {
+  return fmt::format("{},{}", count == 0 ? first - 1 : first, count);
+}
+
+std::string hunks(const std::vector<Edit>& edits) {
+  const auto changes = [&](std::size_t i) { return edits[i].sign != ' '; };
+  std::string out;
+  std::size_t old_line = 1, new_line = 1, counted = 0;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    if (!changes(i)) continue;
+    const std::size_t begin = std::max(i - std::min(i, context), counted);
+    std::size_t last = i;
+    for (std::size_t j = i; j < edits.size() && j <= last + 2 * context; ++j)
+      if (changes(j)) last = j;
+    const std::size_t end = std::min(last + context + 1, edits.size());
+    for (; counted < begin; ++counted) ++old_line, ++new_line;
+    std::size_t removed = 0, added = 0;
+    std::string body;
+    for (; counted < end; ++counted) {
+      removed += edits[counted].sign != '+' ? 1 : 0;
+      added += edits[counted].sign != '-' ? 1 : 0;
+      body += line_text(edits[counted]);
+    }
+    out += fmt::format("@@ -{} +{} @@\n{}", extent(old_line, removed), extent(new_line, added), body);
+    old_line += removed;
+    new_line += added;
+    i = end - 1;
+  }
+  return out;
+}
+
+std::string_view path_in_diff(std::string_view path) { return path.substr(path.starts_with('/') ? 1 : 0); }
+
+} // namespace
+
+std::string diff(const std::string& path, std::string_view text, const std::vector<Insertion>& insertions) {
+  const std::string_view name = path_in_diff(path);
+  return fmt::format("--- a/{0}\n+++ b/{0}\n{1}", name, hunks(edits_of(text, insertions)));
+}
+
+std::string diff_of_new(const std::string& path, std::string_view text) {
+  return fmt::format("--- /dev/null\n+++ b/{}\n{}", path_in_diff(path), hunks(edits_of({}, {{path, 0, std::string(text)}})));
+}
+
+} // namespace director::compiler::stubs

@@ -1,0 +1,70 @@
+#pragma once
+// What a program has already, as Clang saw it: the classes that implement a behaviour's modules, and their functions
+// with the places where they stand. Offsets are bytes from the beginning of the file.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace director::compiler::stubs {
+
+struct SourcePlace {
+  std::string path;
+  std::uint32_t line = 0, column = 0; ///< from 1
+  bool operator==(const SourcePlace&) const = default;
+};
+
+/// Where an `#if` or `#else` begins that something stands under; -1: none.
+using Conditional = std::int64_t;
+inline constexpr Conditional unconditional = -1;
+
+struct FoundClass {
+  std::string name;                    ///< `player::Locomotion`
+  std::vector<std::string> interfaces; ///< `soccer::Locomotion`: of the behaviour, however far above
+  std::vector<std::string> bases;      ///< the user's own classes above it
+  SourcePlace place;                   ///< of its name
+  std::size_t end = 0;                 ///< of the brace that closes it
+  Conditional inside = unconditional;  ///< there
+  bool is_public = false;              ///< what is declared there
+  bool in_macro = false;               ///< the brace comes out of a macro
+  bool only_inline = false;            ///< a template, or local: its functions are defined within it
+  bool operator==(const FoundClass&) const = default;
+};
+
+/// One place where a function is declared or defined.
+struct FoundFunction {
+  std::string of;      ///< its class
+  std::string name;    ///< `provide`, `start`, `stop`
+  std::string context; ///< `soccer::Walk::Halting`; as it is written where `known` is false
+  SourcePlace place;   ///< of its name
+  std::size_t begin = 0;
+  std::size_t end = 0;                ///< behind its `}` or `;`
+  Conditional inside = unconditional; ///< at the end
+  bool known = true;                  ///< there is such a context
+  bool within = false;                ///< it stands in its class
+  bool defines = false;               ///< it has a body, or needs none: pure
+  bool overrides = false;             ///< it says so
+  bool in_macro = false;              ///< it begins or ends in one
+  bool is_inline = false;             ///< it says so
+  std::string result;                 ///< `Outcome`, as it is written before the name; empty: not to be copied
+  std::string qualifier;              ///< `player::Locomotion::`, as it is written outside of the class
+  bool operator==(const FoundFunction&) const = default;
+};
+
+/// A fault that keeps code from being understood.
+struct Problem {
+  SourcePlace place;
+  std::string message;
+  bool operator==(const Problem&) const = default;
+};
+
+/// In order of path and place, each place once.
+struct Found {
+  std::vector<FoundClass> classes;
+  std::vector<FoundFunction> functions;
+  std::vector<Problem> problems; ///< if there are any, nothing else counts
+  bool operator==(const Found&) const = default;
+};
+
+} // namespace director::compiler::stubs

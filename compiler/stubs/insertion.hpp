@@ -1,0 +1,61 @@
+#pragma once
+// Text that is put into a file of the user. Nothing else can be said of such a file: no part of it can be replaced or
+// removed.
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::compiler::stubs {
+
+struct Insertion {
+  std::string path;
+  std::size_t offset = 0; ///< in bytes, of the file as it is; at most its size
+  std::string text;
+  bool operator==(const Insertion&) const = default;
+};
+
+/// path -> what it says.
+using Texts = std::map<std::string, std::string>;
+
+/// By path and offset; those at one offset stay in their order and become one.
+std::vector<Insertion> joined(std::vector<Insertion> insertions);
+
+/// Those of each file together. Of joined ones.
+std::vector<std::vector<Insertion>> by_file(const std::vector<Insertion>& insertions);
+
+/// Where what was inserted lies in the new text, each with a text; in order of the joined insertions of this file.
+struct Range {
+  std::size_t begin = 0, end = 0;
+  bool operator==(const Range&) const = default;
+};
+struct Applied {
+  std::string text;
+  std::vector<Range> ranges;
+};
+
+/// Those of one file, joined.
+Applied insert_into(std::string_view text, const std::vector<Insertion>& insertions);
+
+/// What insert_into() was given.
+std::string without(const Applied& applied);
+
+/// A replacement of bytes of the new text, as a formatter asks for.
+struct Replacement {
+  std::size_t offset = 0, length = 0;
+  std::string text;
+};
+
+/// The same insertions, formatted: of the replacements only those count that lie within what was inserted.
+std::vector<Insertion> formatted(const std::vector<Insertion>& insertions, const Applied& applied,
+                                 const std::vector<Replacement>& replacements);
+
+/// A unified diff that `patch -p1` takes. `insertions` of one file, joined.
+std::string diff(const std::string& path, std::string_view text, const std::vector<Insertion>& insertions);
+
+/// The same for a file that is new.
+std::string diff_of_new(const std::string& path, std::string_view text);
+
+} // namespace director::compiler::stubs

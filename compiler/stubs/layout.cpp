@@ -1,0 +1,127 @@
+// Door: compiler/stubs/layout.hpp. Test: tests/stubs/layout_test.cpp.
+//
+// The answer of a stub is keep(): done() would let a requester go on to its next step although nothing has happened,
+// fail() would let it give up, and a request would move a robot. A task that only keeps waits, holds what it was given,
+// and asks for nothing; and `directorc verify` says of such a provider that it only keeps.
+#include "compiler/stubs/layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::compiler::stubs {
+
+namespace {
+
+using Kind = WantedFunction::Kind;
+
+void declare_class(Code& code, const WantedModule& module) {
+  code.open(fmt::format("class {} final : public {} {{", module.class_name, module.interface));
+  code.outdented("public:");
+  for (const WantedFunction& function : module.functions)
+    code.line(head(function, "director::Outcome", "") + " override;");
+  code.close("};");
+}
+
+/// "a, b and c"
+std::string and_list(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) out += i + 1 == words.size() ? " and " : ", ";
+    out += words[i];
+  }
+  return out;
+}
+
+} // namespace
+
+std::string head(const WantedFunction& function, std::string_view result, std::string_view qualifier) {
+  const bool provides = function.kind == Kind::provide;
+  return fmt::format("{} {}{}({}& run)", provides ? result : "void", qualifier, name_of(function.kind),
+                     function.context);
+}
+
+Code definition(const WantedFunction& function, std::string_view head) {
+  Code code;
+  for (const std::string& line : function.words) code.comment(line);
+  if (function.kind == Kind::provide) {
+    code.open(fmt::format("{} {{", head));
+    code.line("return run.keep(); // does nothing yet");
+    code.close("}");
+  } else {
+    code.open(fmt::format("{} {{", head));
+    code.line("static_cast<void>(run); // does nothing yet");
+    code.close("}");
+  }
+  return code;
+}
+
+std::string as_insertion(const Code& code, std::string_view line_break, std::string_view indent,
+                         std::string_view step) {
+  std::string out;
+  for (const Code::Line& line : code.lines()) {
+    out += line_break;
+    if (line.text.empty()) continue;
+    out += indent;
+    for (std::uint32_t level = 0; level < line.indent; ++level) out += step;
+    out += line.text;
+  }
+  return out;
+}
+
+std::vector<Artefact> first_files(const Wanted& wanted, const WantedModule& module) {
+  Code header;
+  header.line("#pragma once");
+  header.comment(fmt::format("The module {} of the behaviour {}.", module.name, wanted.behaviour), "//");
+  header.blank();
+  header.line(fmt::format("#include \"{}\"", wanted.header));
+  header.blank();
+  declare_class(header, module);
+
+  Code source;
+  source.line(fmt::format("#include \"{}.hpp\"", module.stem));
+  for (const WantedFunction& function : module.functions) {
+    source.blank();
+    source.append(definition(function, head(function, "director::Outcome", module.class_name + "::")));
+  }
+  return {{module.stem + ".hpp", header.text()}, {module.stem + ".cpp", source.text()}};
+}
+
+Artefact main_file(const Wanted& wanted, const std::vector<ModuleClass>& classes) {
+  Code code;
+  code.comment(fmt::format("Runs the behaviour {}.", wanted.behaviour), "//");
+  std::set<std::string> includes{wanted.header};
+  for (const ModuleClass& module : classes) includes.insert(module.include);
+  for (const std::string& include : includes) code.line(fmt::format("#include \"{}\"", include));
+  code.blank();
+  code.line("#include <chrono>");
+  code.line("#include <thread>");
+  code.blank();
+  code.open("int main() {");
+  std::vector<std::string> names;
+  std::set<std::string> made; // one class may implement several modules
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const auto same = std::find_if(classes.begin(), classes.end(),
+                                   [&](const ModuleClass& other) { return other.name == classes[i].name; });
+    names.push_back(wanted.modules[static_cast<std::size_t>(same - classes.begin())].name + "_part");
+    if (made.insert(classes[i].name).second) code.line(fmt::format("{} {};", classes[i].name, names.back()));
+  }
+  code.list(fmt::format("{}::Behaviour behaviour{{", wanted.name_space), names, "};");
+  code.blank();
+  std::vector<std::string> with_data;
+  for (const WantedRoot& root : wanted.roots) {
+    if (root.data) with_data.push_back(fmt::format("behaviour.request({}{{data}})", root.task));
+    if (!root.data) code.line(fmt::format("behaviour.request<{}>();", root.task));
+  }
+  if (!with_data.empty()) code.comment(fmt::format("With data of their own: {}.", and_list(with_data)), "//");
+  code.line("const auto start = std::chrono::steady_clock::now();");
+  code.open("while (true) {");
+  code.line("behaviour.step(std::chrono::steady_clock::now() - start);");
+  code.line("std::this_thread::sleep_for(std::chrono::milliseconds(10));");
+  code.close("}");
+  code.close("}");
+  return {"main.cpp", code.text()};
+}
+
+} // namespace director::compiler::stubs

@@ -1,0 +1,67 @@
+// Door: compiler/stubs/text_place.hpp. Test: tests/stubs/text_place_test.cpp.
+#include "compiler/stubs/text_place.hpp"
+
+#include <algorithm>
+
+namespace director::compiler::stubs {
+
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+std::size_t line_begin(std::string_view text, std::size_t offset) {
+  const std::size_t before = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
+  const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+  return begin == 0 && text.starts_with(byte_order_mark) && offset >= byte_order_mark.size() ? byte_order_mark.size()
+                                                                                             : begin;
+}
+
+/// Without its line break.
+std::size_t line_end(std::string_view text, std::size_t offset) {
+  const std::size_t end = std::min(text.find('\n', offset), text.size());
+  return end > offset && text[end - 1] == '\r' ? end - 1 : end;
+}
+
+/// A line that the next one belongs to, or that no compiler takes for a whole one.
+bool goes_on(std::string_view line) {
+  while (!line.empty() && (line.back() == ' ' || line.back() == '\t' || line.back() == '\r')) line.remove_suffix(1);
+  return line.ends_with('\\') || line.ends_with("?\?/");
+}
+
+} // namespace
+
+std::string_view line_break(std::string_view text) {
+  const std::size_t at = text.find('\n');
+  return at != std::string_view::npos && at > 0 && text[at - 1] == '\r' ? "\r\n" : "\n";
+}
+
+std::string_view indentation(std::string_view text, std::size_t offset) {
+  const std::size_t begin = line_begin(text, offset);
+  const std::size_t end = std::min(text.find_first_not_of(" \t", begin), text.size());
+  return text.substr(begin, end - begin);
+}
+
+std::size_t behind(std::string_view text, std::size_t end) {
+  const std::size_t last = line_end(text, end);
+  std::string_view rest = text.substr(end, last - end);
+  if (goes_on(rest)) return end;
+  while (!rest.empty()) {
+    if (rest.front() == ' ' || rest.front() == '\t') {
+      rest.remove_prefix(1);
+    } else if (rest.starts_with("//")) {
+      return last;
+    } else if (rest.starts_with("/*") && rest.find("*/", 2) != std::string_view::npos) {
+      rest.remove_prefix(rest.find("*/", 2) + 2);
+    } else {
+      return end;
+    }
+  }
+  return last;
+}
+
+std::size_t before(std::string_view text, std::size_t offset) {
+  const std::size_t begin = line_begin(text, offset);
+  return text.substr(begin, offset - begin).find_first_not_of(" \t") == std::string_view::npos ? begin : offset;
+}
+
+} // namespace director::compiler::stubs

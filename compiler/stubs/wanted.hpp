@@ -1,0 +1,52 @@
+#pragma once
+// What a behaviour wants its program to implement: for each module a class, for each provider and handler a function of
+// it. A value made of the Model alone, whatever the program has already.
+
+#include "compiler/emit/deployment.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::compiler::stubs {
+
+struct WantedFunction {
+  enum class Kind { provide, start, stop };
+  Kind kind = Kind::provide;
+  std::string context;            ///< `soccer::Walk::Halting`: what it is given
+  std::vector<std::string> words; ///< what the specification says of it, paragraphs for a comment
+  bool operator==(const WantedFunction&) const = default;
+};
+
+std::string_view name_of(WantedFunction::Kind kind); ///< `provide`, `start`, `stop`
+
+struct WantedModule {
+  std::string name;       ///< `locomotion`, as in the specification
+  std::string interface;  ///< `soccer::Locomotion`
+  std::string class_name; ///< `Locomotion`: of the class that is written where there is none
+  std::string stem;       ///< `locomotion`: of the files that are written for it
+  std::vector<WantedFunction> functions;
+  bool operator==(const WantedModule&) const = default;
+};
+
+struct WantedRoot {
+  std::string task; ///< `soccer::Striker`
+  bool data = false;
+  bool operator==(const WantedRoot&) const = default;
+};
+
+struct Wanted {
+  std::string behaviour;             ///< `soccer`
+  std::string header;                ///< `soccer.hpp`
+  std::string name_space;            ///< `soccer`
+  std::vector<WantedModule> modules; ///< in the order in which the behaviour is given them
+  std::vector<WantedRoot> roots;
+  bool operator==(const Wanted&) const = default;
+};
+
+Wanted wanted(const Deployment& deployment);
+
+/// For people and tests: a line for each module and function.
+std::string to_text(const Wanted& wanted);
+
+} // namespace director::compiler::stubs

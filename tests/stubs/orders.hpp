@@ -1,0 +1,64 @@
+#pragma once
+// Random orders of what happens to a program: its behaviour is edited, its C++ is edited, stubs are written. Each order
+// is made of its number alone.
+
+#include "compiler/stubs/insertion.hpp"
+#include "compiler/stubs/merge.hpp"
+#include "compiler/stubs/wanted.hpp"
+
+#include <random>
+#include <string>
+#include <vector>
+
+namespace director::tests {
+
+class Order {
+public:
+  explicit Order(unsigned number);
+
+  /// Something that the user does to the behaviour or to the C++.
+  void edit();
+  int steps() const { return steps_; }
+
+  const compiler::stubs::Wanted& wanted() const { return wanted_; }
+  const compiler::stubs::Texts& texts() const { return texts_; }
+  std::string yaml() const;
+
+  /// As `directorc stubs` goes on from what was found; a text for each fault: a byte of the user's that is gone or has
+  /// moved, a file that was there and is written anew.
+  std::vector<std::string> carry_out(const compiler::stubs::Merge& merge);
+
+private:
+  struct Group {
+    std::string name;
+    int module = 0;
+    bool start = false, stop = false;
+    std::vector<std::string> providers; ///< none: one without a name
+  };
+
+  int pick(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
+  bool chance(int percent) { return pick(100) < percent; }
+  std::string fresh_name(const char* prefix) { return prefix + std::to_string(++names_); }
+
+  void edit_behaviour();
+  void edit_code();
+  void write_module_by_hand();
+  std::string noise();
+  std::string layout(std::string text);
+  void edit_function(std::string& text, const compiler::stubs::FoundFunction& row);
+  void put_noise(const std::string& path);
+  void move_definition(const compiler::stubs::FoundFunction& row);
+  void renew_wanted();
+
+  std::mt19937 random_;
+  int steps_ = 0;
+  int names_ = 0;
+  std::vector<Group> groups_;
+  compiler::stubs::Wanted wanted_;
+  compiler::stubs::Texts texts_;
+};
+
+/// A header as small as it can be that says the same as the generated one of what matters here.
+std::string small_header(const compiler::stubs::Wanted& wanted);
+
+} // namespace director::tests
