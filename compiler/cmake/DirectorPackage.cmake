@@ -16,9 +16,11 @@ function(director_install component export)
 endfunction()
 
 director_install(runtime DirectorRuntimeTargets director_core director_hosted)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.hpp)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.hpp
+        PATTERN dds EXCLUDE)
 # For machines that the library is not made for.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_DATADIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.cpp)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_DATADIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.cpp
+        PATTERN dds EXCLUDE)
 if(TARGET directorc)
   director_install(compiler DirectorCompilerTargets directorc)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/DirectorBehaviour.cmake DESTINATION ${package_folder} COMPONENT compiler)

@@ -47,7 +47,7 @@ mistake("robot kiosk.yaml|robot kiosk.yaml"
 mistake("robot kiosk.yaml VERIFY"
         "director_add_behaviour: VERIFY and STUBS read C++, which director-clang does; install it (the package director-clang, or Director built where Clang 19 is)")
 mistake("" "the component clang is not installed: it is the package director-clang." COMPONENTS "clang")
-mistake("" "there is no component robots; there are runtime, compiler and clang." COMPONENTS "runtime;robots")
+mistake("" "there is no component robots; there are runtime, compiler, clang and dds." COMPONENTS "runtime;robots")
 mistake("robot kiosk.yaml WERROR" "nothing")
 if(wrong)
   message(FATAL_ERROR "${wrong}")

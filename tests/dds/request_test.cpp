@@ -63,22 +63,22 @@ TEST_CASE("what is not offered is not done") {
 }
 
 TEST_CASE("a task with data goes through a function that reads them") {
-  std::atomic<int> weight{0};
-  const courier::Behaviour* behaviour = nullptr;
-  dds::Settings settings{.robot = "one"};
-  settings.offer.push_back({.task = "Deliver", .take = [&](const dds::Asked& asked) {
-                              int sent = 0;
-                              if (asked.cancel || asked.data.size() != sizeof sent) return false;
-                              std::memcpy(&sent, asked.data.data(), sizeof sent);
-                              weight = sent;
-                              return behaviour != nullptr && asked.level == "urgent";
-                            }});
-  Robot robot(settings);
+  std::atomic<courier::Behaviour*> behaviour{nullptr};
+  const auto deliver = [&](const dds::Asked& asked) {
+    int weight = 0;
+    if (asked.cancel || asked.level != "urgent" || asked.data.size() != sizeof weight) return false;
+    std::memcpy(&weight, asked.data.data(), sizeof weight);
+    return behaviour.load()->post().request(
+        courier::Deliver{{std::make_unique<int>(weight)}, courier::Deliver::urgent});
+  };
+  Robot robot({.robot = "one", .offer = {{.task = "Deliver", .take = deliver}}});
   behaviour = &robot.behaviour;
+  int delivered = 0;
+  robot.plans.deliver = [&](courier::Deliver::Default& run) { return delivered = *run.task().weight, run.keep(); };
   dds::Asker asker("coach", loopback_domain());
   const int data = 1234;
   CHECK(asker.request(one, "Deliver", patience, "urgent", std::as_bytes(std::span{&data, 1})) == Reply::taken);
-  CHECK(weight == 1234);
+  CHECK(robot.comes_true([&] { return delivered == 1234; }));
   CHECK(asker.request(one, "Deliver", patience) == Reply::refused);
 }
 

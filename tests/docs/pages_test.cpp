@@ -25,6 +25,7 @@ std::vector<std::string> pages_in(const std::string& folder) {
 std::vector<std::string> documentation() {
   std::vector<std::string> paths = pages_in("docs");
   paths.insert(paths.begin(), "README.md");
+  paths.push_back("runtime/dds/README.md");
   return paths;
 }
 
