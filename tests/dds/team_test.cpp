@@ -163,6 +163,7 @@ TEST_CASE("the role passes on when the striker is killed, and comes back when it
   Team team;
   for (int robot = 0; robot < count; ++robot) team.start(robot);
   check_settled(team, "all three are there");
+  CHECK(comes_true([&] { return team.life(1).was_told("one: the behaviour team is there"); }));
   team.end(0, SIGKILL);
   check_settled(team, "one is killed");
   CHECK(comes_true([&] { return team.life(1).was_told("one: the behaviour team is not heard any more"); }));
