@@ -2,6 +2,7 @@
 #include "compiler/cli/parse.hpp"
 #include "compiler/facts/scanner.hpp"
 
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -25,10 +26,18 @@ bool wants_colours(int stream) {
   return ::isatty(stream) == 1 && terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
 }
 
-std::string scanner() {
+/// Where this program lies; in a root without /proc, as it was called.
+std::string own_path() {
   std::error_code unknown;
+  const std::string path = std::filesystem::read_symlink("/proc/self/exe", unknown).string();
+  if (!path.empty()) return path;
+  const auto* const called = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
+  return called == nullptr ? "" : called;
+}
+
+std::string scanner() {
   const char* const chosen = std::getenv("DIRECTOR_CLANG");
-  return find_scanner(std::filesystem::read_symlink("/proc/self/exe", unknown).string(), chosen ? chosen : "");
+  return find_scanner(own_path(), chosen ? chosen : "");
 }
 
 int act(const Say& say, Console& console) {

@@ -1,4 +1,5 @@
 #include "lamp.hpp"
+
 #include "runtime/dds/asker.hpp"
 #include "runtime/dds/bridge.hpp"
 
