@@ -171,8 +171,11 @@ Reply Listener::obey(const Request& sample) {
   bool taken = false;
   if (offered.take) {
     const auto* data = reinterpret_cast<const std::byte*>(sample.data._buffer);
-    taken = offered.take(
-        {.asker = sample.asker, .cancel = cancel, .level = sample.level, .data = {data, sample.data._length}});
+    try {
+      taken = offered.take(
+          {.asker = sample.asker, .cancel = cancel, .level = sample.level, .data = {data, sample.data._length}});
+    } catch (...) { // whatever the program's function throws ends here: this thread is not the program's
+    }
   } else if (cancel) {
     taken = plug_.cancel(offered.edge);
   } else if (*sample.level == 0 && sample.data._length == 0) {

@@ -39,8 +39,8 @@ struct Asked {
 /// A root task that others may request and cancel.
 struct Offer {
   std::string task{};
-  /// Posts what is asked, from the bridge's thread; false: refused. Empty: the bridge posts it, at the task's first
-  /// level, which is possible for a task without data.
+  /// Posts what is asked, from the bridge's thread; false, or an exception: refused. Empty: the bridge posts it, at the
+  /// task's first level, which is possible for a task without data.
   std::function<bool(const Asked&)> take{};
 };
 
@@ -83,7 +83,8 @@ struct Settings {
   std::vector<Offer> offer{};
   bool decisions = true;                    ///< tell of decisions and promises
   std::chrono::milliseconds say_again{100}; ///< states are said again as often as that, as long as stepped() is called
-  std::function<void(const Notice&)> notice{}; ///< called by one thread at a time, of the bridge's; may be empty
+  std::function<void(const Notice&)>
+      notice{}; ///< called by one thread at a time, of the bridge's; must not throw; may be empty
 };
 
 } // namespace director::dds

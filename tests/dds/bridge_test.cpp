@@ -3,10 +3,16 @@
 #include "runtime/dds/plan.hpp"
 #include "tests/dds/robot.hpp"
 
+#include <arpa/inet.h>
 #include <catch2/catch.hpp>
+#include <dds/ddsrt/log.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <cstring>
 #include <map>
+#include <random>
 
 using namespace director;
 using namespace director::tests;
@@ -209,6 +215,46 @@ TEST_CASE("samples that cannot be meant are told of and change nothing") {
   CHECK(two.was_told("bad_sample one: the state Mood comes as something that is neither a name nor a number"));
   CHECK(two.was_told("unknown_value one: the state Mood is " + std::string(60, 'x') +
                      "..., a value that Mood does not have; it stays as it is"));
+}
+
+TEST_CASE("bytes that are no message change nothing") {
+  Robot two(hears);
+  Stranger one;
+  std::atomic<int> complaints{0}; // of the library, which would fill the terminal
+  dds_set_log_sink([](void* count, const dds_log_data_t*) { ++*static_cast<std::atomic<int>*>(count); }, &complaints);
+  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+  REQUIRE(socket >= 0);
+  std::mt19937 draw(1);
+  for (int i = 0; i < 1000; ++i) {
+    std::string bytes(draw() % 200, 0);
+    for (char& byte : bytes) byte = static_cast<char>(draw());
+    if (i % 2 == 0) bytes.insert(0, "RTPS\x02\x01"); // the beginning of one
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_port =
+        htons(static_cast<std::uint16_t>(7400 + 250 * loopback_domain() + 10 + draw() % 4)); // of the first two
+    sendto(socket, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
+  }
+  close(socket);
+  one.says("Battery", 2, 42, "");
+  CHECK(is(two, "Battery", 42));
+  CHECK(two.value("Mood") == calm);
+  CHECK(comes_true([&] { return complaints > 0; }));
+  dds_set_log_sink(nullptr, nullptr);
+}
+
+TEST_CASE("who offers states with less quality than it takes is told of") {
+  Robot two(hears);
+  const dds::Entity participant = dds::join(loopback_domain());
+  const dds_entity_t topic =
+      dds_create_topic(participant.get(), &director_msgs_msg_dds__State__desc, "rt/director/state", nullptr, nullptr);
+  const dds::Entity writer{dds_create_writer(participant.get(), topic, nullptr, nullptr), "a writer"}; // volatile
+  CHECK(two.comes_true([&] {
+    return two.was_told("incompatible : somebody says states with a quality of service that is not enough, and is not "
+                        "heard (policy " +
+                        std::to_string(DDS_DURABILITY_QOS_POLICY_ID) + ")");
+  }));
 }
 
 TEST_CASE("who comes, goes, comes again and decides otherwise is told") {

@@ -82,6 +82,13 @@ TEST_CASE("a task with data goes through a function that reads them") {
   CHECK(asker.request(one, "Deliver", patience) == Reply::refused);
 }
 
+TEST_CASE("a function that throws has refused") {
+  Robot robot({.robot = "one", .offer = {{.task = "Rest", .take = [](const dds::Asked&) -> bool { throw 1; }}}});
+  dds::Asker asker("coach", loopback_domain());
+  CHECK(asker.request(one, "Rest", patience) == Reply::refused);
+  CHECK(asker.cancel(one, "Rest", patience) == Reply::refused);
+}
+
 TEST_CASE("a request that is said again and again is done once") {
   Robot robot(offering());
   const dds::Entity participant = dds::join(loopback_domain());

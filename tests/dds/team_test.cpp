@@ -53,6 +53,10 @@ struct Life {
     return last;
   }
 
+  bool was_told(const std::string& notice) {
+    return std::ranges::any_of(process.lines(), [&](const auto& line) { return line.ends_with("notice " + notice); });
+  }
+
   /// When it had the striker's role, without the time in which it was frozen.
   std::vector<Span> strikes() {
     std::vector<Span> out;
@@ -159,8 +163,10 @@ TEST_CASE("the role passes on when the striker is killed, and comes back when it
   Team team;
   for (int robot = 0; robot < count; ++robot) team.start(robot);
   check_settled(team, "all three are there");
+  CHECK(comes_true([&] { return team.life(1).was_told("one: the behaviour team is there"); }));
   team.end(0, SIGKILL);
   check_settled(team, "one is killed");
+  CHECK(comes_true([&] { return team.life(1).was_told("one: the behaviour team is not heard any more"); }));
   team.end(1, SIGKILL);
   check_settled(team, "two is killed");
   team.start(1);

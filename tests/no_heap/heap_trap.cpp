@@ -13,8 +13,8 @@ void* __libc_memalign(std::size_t alignment, std::size_t size);
 }
 
 namespace {
-int armed = 0;
-std::size_t uses = 0;
+thread_local int armed = 0;
+thread_local std::size_t uses = 0;
 
 void* counted(void* memory) {
   if (armed > 0) ++uses;

@@ -1,5 +1,5 @@
 #pragma once
-// Counts what is asked of the heap, by malloc and its like and by operator new, while a trap is armed. One thread.
+// Counts what this thread asks of the heap, by malloc and its like and by operator new, while it has armed a trap.
 
 #include <cstddef>
 

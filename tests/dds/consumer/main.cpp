@@ -1,5 +1,4 @@
 #include "lamp.hpp"
-
 #include "runtime/dds/asker.hpp"
 #include "runtime/dds/bridge.hpp"
 
