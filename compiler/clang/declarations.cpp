@@ -263,7 +263,7 @@ private:
     row.add("known", Json::boolean(known));
     row.add("within", Json::boolean(within));
     row.add("defines", Json::boolean(body || function.isPureVirtual() || function.isDeleted()));
-    row.add("overrides", Json::boolean(function.hasAttr<clang::OverrideAttr>()));
+    row.add("overrides", Json::boolean(says_override(type.getRParenLoc())));
     row.add("macro", Json::boolean(begin.isMacroID() || at.isMacroID() || end.in_macro));
     row.add("inline", Json::boolean(!within && function.isInlineSpecified()));
     row.add("result", Json::text(result_of(function)));
@@ -297,6 +297,17 @@ private:
       pair = structure_.braces.upper_bound(pair->second.close);
     }
     return {};
+  }
+
+  /// Clang forgets the word where there is nothing to override, as when the interface is gone.
+  bool says_override(SourceLocation parameters) const {
+    if (parameters.isInvalid() || parameters.isMacroID()) return false;
+    auto next = clang::Lexer::findNextToken(parameters, sources_, compiler_.getLangOpts());
+    while (next && !next->isOneOf(clang::tok::eof, clang::tok::semi, clang::tok::l_brace, clang::tok::r_brace)) {
+      if (next->is(clang::tok::raw_identifier) && next->getRawIdentifier() == "override") return true;
+      next = clang::Lexer::findNextToken(next->getLocation(), sources_, compiler_.getLangOpts());
+    }
+    return false;
   }
 
   End end_of_declaration(SourceLocation parameters) const {
@@ -443,7 +454,8 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files_of(const Json& request, co
 std::vector<std::string> command_for(const Json& unit) {
   std::vector<std::string> out{DIRECTOR_CLANG_COMPILER, std::string("-I") + virtual_folder};
   for (const Json& flag : unit["flags"].items()) out.push_back(flag.as_text());
-  for (const char* const flag : {"-fsyntax-only", "-fno-spell-checking", "-fno-caret-diagnostics", "-ferror-limit=0", "-w"})
+  for (const char* const flag :
+       {"-fsyntax-only", "-fno-spell-checking", "-fno-caret-diagnostics", "-ferror-limit=0", "-w"})
     out.emplace_back(flag);
   out.push_back(unit["path"].as_text());
   return out;
@@ -452,6 +464,11 @@ std::vector<std::string> command_for(const Json& unit) {
 } // namespace
 
 Json read_declarations(const Json& request) {
+  if (request["requests"].is_list()) { // many at once: to start this program costs more than to read a small file
+    Json answers = Json::list({});
+    for (const Json& each : request["requests"].items()) answers.add(read_declarations(each));
+    return Json::object({{"answers", std::move(answers)}});
+  }
   Findings out;
   std::set<std::string> interfaces;
   for (const Json& name : request["interfaces"].items()) interfaces.insert(name.as_text());

@@ -12,7 +12,7 @@ using compiler::Json;
 Json tell_version(const Json& request);
 
 /// For `directorc stubs`: which classes of a program implement a behaviour's modules, and where. Request and answer:
-/// compiler/stubs/scan.hpp.
+/// compiler/stubs/scan.hpp. Or several: {"requests": [...]} -> {"answers": [...]}.
 Json read_declarations(const Json& request);
 
 /// Likewise: how what was put into files, and whole new ones, are laid out by the .clang-format above them.

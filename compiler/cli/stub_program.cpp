@@ -16,8 +16,9 @@ constexpr std::size_t most_bytes = 64'000'000; ///< of a file; a larger one was 
 
 std::string whole_path(const fs::path& path) {
   std::error_code fault;
-  const fs::path out = fs::weakly_canonical(fs::absolute(path), fault);
-  return fault ? fs::absolute(path).lexically_normal().string() : out.string();
+  const fs::path absolute = fs::absolute(path.empty() ? fs::path(".") : path);
+  const fs::path out = fs::weakly_canonical(absolute, fault);
+  return fault ? absolute.lexically_normal().string() : out.string();
 }
 
 /// The words of a command line, as a shell takes them apart.

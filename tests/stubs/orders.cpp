@@ -190,7 +190,8 @@ void Order::move_definition(const FoundFunction& row) {
   const std::string whole = replaced(row.of, "(anonymous namespace)::", "") + "::";
   text.erase(row.begin, row.end - row.begin);
   std::string& other = texts_[std::string(folder) + "other.cpp"];
-  if (other.empty()) other = "#include \"parts.hpp\"\n";
+  const std::string header = row.place.path.substr(0, row.place.path.rfind('.')) + ".hpp";
+  if (texts_.count(header) > 0) other += fmt::format("\n#include \"{}\"", header.substr(header.rfind('/') + 1));
   other += "\n" + replaced(moved, row.qualifier, whole);
 }
 

@@ -1,0 +1,290 @@
+// `directorc stubs` on programs as people write them, with director-clang and the real generated header.
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+
+using namespace director::tests;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string yaml = R"(behaviour: cart
+language: 1
+states:
+  Motion: {values: [still, moving], initial: still}
+roots: [Drive]
+groups:
+  Drive:
+    module: wheels
+    stop: true
+    providers:
+      - {name: rolling, sets: [Motion == moving]}
+      - name: braking
+        doc: Until it stands.
+        causing: [Motion == still within 2 s]
+)";
+
+/// A folder with a behaviour and a program.
+class Workshop {
+public:
+  Workshop() : folder_(fs::canonical(binary_dir()) / "tests/stubs-command") {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    write("cart.yaml", yaml);
+    write(".clang-format", "DisableFormat: true\n"); // not the project's own
+  }
+  ~Workshop() { fs::remove_all(folder_); }
+
+  void write(const std::string& path, const std::string& text) const {
+    fs::create_directories((folder_ / path).parent_path());
+    std::ofstream(folder_ / path, std::ios::binary) << text;
+  }
+  std::string text(const std::string& path) const { return read_file(folder_ / path); }
+
+  /// Both streams, and the status in the last line if it is not 0.
+  std::string stubs(const std::string& options = "") const {
+    const std::string line = "{ cd '" + folder_.string() + "' && '" + (binary_dir() / "bin/directorc").string() +
+                             "' stubs cart.yaml -o src -I '" + source_dir().string() + "' " + options + "; } 2>&1";
+    std::FILE* pipe = ::popen(line.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string out;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
+      out.append(buffer.data(), count);
+    const int status = ::pclose(pipe);
+    if (WEXITSTATUS(status) != 0) out += "status " + std::to_string(WEXITSTATUS(status)) + "\n";
+    return out;
+  }
+
+private:
+  fs::path folder_;
+};
+
+const std::string decl_stop = "void stop(cart::Drive::Stop& run) override;";
+const std::string decl_rolling = "director::Outcome provide(cart::Drive::Rolling& run) override;";
+const std::string decl_braking = "director::Outcome provide(cart::Drive::Braking& run) override;";
+
+/// The definition that is missing in most programs of these tests.
+std::string braking(const std::string& head, const std::string& indent = "", const std::string& end = "\n") {
+  return indent + "/// Until it stands. (cart.yaml:12)" + end + indent + "/// - causing: Motion == still within 2 s" +
+         end + indent + head + " {" + end + indent + (indent.find('\t') != std::string::npos ? "\t" : "  ") +
+         "return run.keep(); // does nothing yet" + end + indent + "}";
+}
+
+} // namespace
+
+TEST_CASE("what is there is left alone, however often stubs are asked for") {
+  const Workshop shop;
+  CHECK(shop.stubs() == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
+  CHECK(shop.stubs("--check") == "");
+  CHECK(shop.stubs("--main") == "new: src/main.cpp\n");
+}
+
+TEST_CASE("a new provider is declared and defined behind the one before it") {
+  const Workshop shop;
+  const std::string header = "#pragma once\n#include \"cart.hpp\"\n\nnamespace robot {\nusing director::Outcome;\n\n"
+                             "/* two classes in one file */\nclass Other { public: void stop(int) {} };\n\n"
+                             "class Wheels final : public cart::Wheels {\npublic:\n    " +
+                             decl_stop +
+                             "\n    Outcome provide(cart::Drive::Rolling& run) override; // rolls\n\n"
+                             "private:\n    int speed_ = 0;\n};\n\n} // namespace robot\n";
+  const std::string source =
+      "#include \"wheels.hpp\"\n\nvoid robot::Wheels::stop(cart::Drive::Stop&) { speed_ = 0; }\n\n"
+      "namespace robot {\n\nOutcome Wheels::provide(cart::Drive::Rolling& run) {\n  return run.keep();\n} // "
+      "rolling\n\n}\n";
+  shop.write("src/wheels.hpp", header);
+  shop.write("src/deep/wheels.cpp", source);
+  shop.write("src/deep/wheels.hpp", "#include \"../wheels.hpp\"\n");
+  CHECK(shop.stubs() == "added to: src/deep/wheels.cpp\nadded to: src/wheels.hpp\n");
+  std::string expected = header;
+  expected.insert(expected.find("// rolls") + 8, "\n    Outcome provide(cart::Drive::Braking& run) override;");
+  CHECK(shop.text("src/wheels.hpp") == expected);
+  expected = source;
+  expected.insert(expected.find("// rolling") + 10,
+                  "\n\n" + braking("Outcome Wheels::provide(cart::Drive::Braking& run)"));
+  CHECK(shop.text("src/deep/wheels.cpp") == expected);
+  CHECK(shop.stubs() == "");
+}
+
+TEST_CASE("carriage returns, tabs, a byte order mark, other encodings and a missing last line break stay") {
+  const Workshop shop;
+  const std::string header = "\xEF\xBB\xBF#pragma once\r\n#include \"cart.hpp\"\r\n// gr\xFC\xDF dich\r\nstruct Wheels "
+                             ": cart::Wheels {\r\n\t" +
+                             decl_stop + "\r\n\t" + decl_rolling + "\r\n};";
+  const std::string source = "#include \"wheels.hpp\"\n\tvoid Wheels::stop(cart::Drive::Stop&) {}\n\t"
+                             "director::Outcome Wheels::provide(cart::Drive::Rolling& r) { return r.keep(); } // \xFC";
+  shop.write("src/wheels.hpp", header);
+  shop.write("src/wheels.cpp", source);
+  CHECK(shop.stubs() == "added to: src/wheels.cpp\nadded to: src/wheels.hpp\n");
+  std::string expected = header;
+  expected.insert(expected.find(decl_rolling) + decl_rolling.size(), "\r\n\t" + decl_braking);
+  CHECK(shop.text("src/wheels.hpp") == expected);
+  CHECK(shop.text("src/wheels.cpp") ==
+        source + "\n\n" + braking("director::Outcome Wheels::provide(cart::Drive::Braking& run)", "\t"));
+}
+
+TEST_CASE("a class whose functions are all within it, or that is a template, gets the next one there too") {
+  for (const std::string opening : {"", "template <class Robot>\n"}) {
+    const Workshop shop;
+    const std::string header = "#pragma once\n#include \"cart.hpp\"\nnamespace {\n" + opening +
+                               "class Wheels : public cart::Wheels {\n  void stop(cart::Drive::Stop&) override {}\n"
+                               "#if 0\n  void start(cart::Drive::Start&) { {\n#endif\n};\n}\n";
+    shop.write("src/wheels.hpp", header);
+    CHECK(shop.stubs() == "added to: src/wheels.hpp\n");
+    std::string expected = header;
+    const std::string rolling =
+        "\n  /// (cart.yaml:11)\n  /// - sets: Motion == moving\n  director::Outcome "
+        "provide(cart::Drive::Rolling& run) override {\n    return run.keep(); // does nothing yet\n  }";
+    expected.insert(expected.find("override {}") + 11,
+                    rolling + "\n" +
+                        "  /// Until it stands. (cart.yaml:12)\n  /// - causing: Motion == still within 2 s\n  "
+                        "director::Outcome provide(cart::Drive::Braking& run) override {\n    return run.keep(); // "
+                        "does nothing yet\n  }");
+    CHECK(shop.text("src/wheels.hpp") == expected);
+  }
+}
+
+TEST_CASE("an empty class gets its functions at its end") {
+  const Workshop shop;
+  shop.write("src/wheels.cpp", "#include \"cart.hpp\"\nclass Wheels : public cart::Wheels {};\n");
+  CHECK(shop.stubs() == "added to: src/wheels.cpp\n");
+  const std::string text = shop.text("src/wheels.cpp");
+  CHECK(
+      text.starts_with("#include \"cart.hpp\"\nclass Wheels : public cart::Wheels {\npublic:\n  /// (cart.yaml:9)\n"));
+  CHECK(text.ends_with("\n  }\n};\n"));
+  CHECK(shop.stubs() == "");
+}
+
+TEST_CASE("what is only declared is defined in the source beside it, which may be new") {
+  const Workshop shop;
+  shop.write("src/parts.hpp",
+             "#pragma once\n#include \"cart.hpp\"\nnamespace my { struct Wheels final : cart::Wheels {\n  " +
+                 decl_stop + "\n  " + decl_rolling + "\n  " + decl_braking + "\n}; }\n");
+  CHECK(shop.stubs() == "new: src/parts.cpp\n");
+  CHECK(shop.text("src/parts.cpp").starts_with("#include \"parts.hpp\"\n\n/// (cart.yaml:9)\nvoid my::Wheels::stop("));
+  CHECK(shop.stubs() == "");
+}
+
+TEST_CASE("classes made by macros are seen, and what cannot be added is said") {
+  const Workshop shop;
+  shop.write("src/wheels.hpp",
+             "#pragma once\n#include \"cart.hpp\"\n#define STOP void stop(cart::Drive::Stop&) override {}\n"
+             "#define WHEELS class Wheels final : public cart::Wheels { public: STOP };\nWHEELS\n");
+  CHECK(shop.stubs() == "src/wheels.hpp:5:1: error: `Outcome provide(cart::Drive::Braking& run)` of `Wheels` is "
+                        "missing and cannot be added: the class ends in a macro\n"
+                        "src/wheels.hpp:5:1: error: `Outcome provide(cart::Drive::Rolling& run)` of `Wheels` is "
+                        "missing and cannot be added: the class ends in a macro\n"
+                        "status 1\n");
+}
+
+TEST_CASE("a base class of the user's counts, and only the last class gets what is missing") {
+  const Workshop shop;
+  const std::string header = "#pragma once\n#include \"cart.hpp\"\nstruct Some : cart::Wheels {\n  void "
+                             "stop(cart::Drive::Stop&) override {}\n};\n"
+                             "struct Rest final : Some {\n  director::Outcome provide(cart::Drive::Rolling& run) "
+                             "override { return run.keep(); }\n};\n";
+  shop.write("src/wheels.hpp", header);
+  CHECK(shop.stubs() == "added to: src/wheels.hpp\n");
+  std::string expected = header;
+  expected.insert(expected.rfind("\n};"),
+                  "\n" + braking("director::Outcome provide(cart::Drive::Braking& run) override", "  "));
+  CHECK(shop.text("src/wheels.hpp") == expected);
+}
+
+TEST_CASE("what nothing asks for is reported with its place and stays") {
+  const Workshop shop;
+  shop.stubs();
+  const std::string header = shop.text("src/wheels.hpp"), source = shop.text("src/wheels.cpp");
+  std::string less = yaml;
+  less.erase(less.find("      - name: braking"));
+  shop.write("cart.yaml", less);
+  CHECK(shop.stubs() == "src/wheels.cpp:16:27: warning: `provide(cart::Drive::Braking&)` of `Wheels` is left over: "
+                        "cart has no such provider or handler\n"
+                        "src/wheels.hpp:10:21: warning: `provide(cart::Drive::Braking&)` of `Wheels` is left over: "
+                        "cart has no such provider or handler\n");
+  std::string moved = yaml;
+  moved.replace(moved.find("wheels"), 6, "motors");
+  shop.write("cart.yaml", moved);
+  CHECK(shop.stubs("--check").find(
+            "src/wheels.hpp:8:8: warning: `stop(cart::Drive::Stop&)` of `Wheels` is left over: it belongs to the "
+            "module motors, `cart::Motors`\n") != std::string::npos);
+  CHECK(shop.text("src/wheels.hpp") == header);
+  CHECK(shop.text("src/wheels.cpp") == source);
+}
+
+TEST_CASE("C++ that cannot be read is told, and nothing is written") {
+  const Workshop shop;
+  const std::string broken =
+      "#include \"cart.hpp\"\nstruct Wheels : cart::Wheels {\n  void stop(cart::Drive::Stop&) override {\n};\n";
+  shop.write("src/wheels.cpp", broken);
+  const std::string said = shop.stubs();
+  CAPTURE(said);
+  CHECK(said.starts_with("src/wheels.cpp:"));
+  CHECK(said.ends_with("directorc: this C++ cannot be read, so nothing is written\nstatus 1\n"));
+  CHECK(shop.text("src/wheels.cpp") == broken);
+  shop.write("src/wheels.cpp", "#include \"cart.hpp\"\n#include \"absent.hpp\"\n");
+  CHECK(shop.stubs() == "src/wheels.cpp:2:10: error: 'absent.hpp' file not found\n"
+                        "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n");
+}
+
+TEST_CASE("bodies are the user's affair, and a file that is in the way is not touched") {
+  const Workshop shop;
+  shop.write("src/wheels.hpp", "#pragma once\n");
+  shop.write("src/x.cpp", "#include \"cart.hpp\"\nvoid f() { cart::Gone{1}( ; }\n");
+  CHECK(shop.stubs() ==
+        "src/wheels.hpp:1:1: error: this file is in the way: it has no class that implements `cart::Wheels`, which "
+        "would be written here\nstatus 1\n");
+  CHECK(shop.text("src/wheels.hpp") == "#pragma once\n");
+}
+
+TEST_CASE("a dry run prints a diff that can be applied") {
+  const Workshop shop;
+  shop.write("src/wheels.hpp", "#pragma once\n#include \"cart.hpp\"\nstruct Wheels final : cart::Wheels {\n  " +
+                                   decl_stop + "\n  " + decl_rolling + "\n};\n");
+  shop.write("src/wheels.cpp", "#include \"wheels.hpp\"\nvoid Wheels::stop(cart::Drive::Stop&) {}\n"
+                               "director::Outcome Wheels::provide(cart::Drive::Rolling& run) { return run.keep(); }");
+  const std::string diff = shop.stubs("--dry-run");
+  CHECK(diff.starts_with("--- a/src/wheels.cpp\n+++ b/src/wheels.cpp\n@@ -1,3 +1,9 @@\n #include \"wheels.hpp\"\n"));
+  shop.write("diff.txt", diff);
+  const std::string folder = (fs::canonical(binary_dir()) / "tests/stubs-command").string();
+  if (std::system("command -v patch >/dev/null") == 0) {
+    CHECK(std::system(("cd '" + folder + "' && patch -s -p1 < diff.txt").c_str()) == 0);
+    CHECK(shop.stubs("--check") == "");
+  }
+}
+
+TEST_CASE("the user's .clang-format lays out what is written, and nothing else") {
+  const Workshop shop;
+  shop.write(".clang-format", "BasedOnStyle: WebKit\nIndentWidth: 3\nSpaceBeforeParens: Always\n");
+  const std::string header =
+      "#pragma once\n#include   \"cart.hpp\"\n struct Wheels final:cart::Wheels {\n        void "
+      "stop(cart::Drive::Stop&) override {}\n"
+      "        director::Outcome provide( cart::Drive::Rolling&run )override{return run.keep();}\n};\n";
+  shop.write("src/wheels.hpp", header);
+  CHECK(shop.stubs() == "added to: src/wheels.hpp\n");
+  const std::string text = shop.text("src/wheels.hpp");
+  const std::size_t at = header.find("return run.keep();}") + 19;
+  CHECK(text.substr(0, at) == header.substr(0, at));
+  CHECK(text.substr(text.size() - 4) == "\n};\n");
+  CHECK(text.find("director::Outcome provide (cart::Drive::Braking& run) override") != std::string::npos);
+  shop.write(".clang-format", "BasedOnStyle: Nobody\n");
+  shop.write("src/wheels.hpp", header);
+  CHECK(shop.stubs().find("directorc: director-clang: the .clang-format for `") != std::string::npos);
+  CHECK(shop.text("src/wheels.hpp") == header);
+}
+
+TEST_CASE("without director-clang the first files are written, and later it says what it needs") {
+  const Workshop shop;
+  ::setenv("DIRECTOR_CLANG", "/nowhere/director-clang", 1);
+  CHECK(shop.stubs() == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
+  const std::string said = shop.stubs();
+  ::unsetenv("DIRECTOR_CLANG");
+  CHECK(said.starts_with(
+      "directorc: what is missing in `src` can only be told by reading its C++: director-clang is not installed"));
+  CHECK(said.ends_with("it is the package director-clang\nstatus 2\n"));
+}
