@@ -4,6 +4,7 @@
 #include "compiler/checks/analysis/facts.hpp"
 #include "compiler/explore/refuted.hpp"
 #include "compiler/model/lost_names.hpp"
+#include "compiler/model/named_types.hpp"
 #include "compiler/model/resolve.hpp"
 #include "dsl/read_behaviour.hpp"
 
@@ -47,8 +48,15 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   out.spec = std::move(read.spec);
   out.findings = std::move(read.diagnostics);
 
+  // What the types of C++ are that it names. Most behaviours say all that is needed themselves.
+  std::optional<Types> types;
+  if (options.types != nullptr) {
+    if (const auto question = named_types(out.spec, options.types->thorough())) types = options.types->read(*question);
+  }
+  if (types) out.headers = types->files;
+
   // What the names mean.
-  Resolved resolved = resolve(out.spec, sources, {options.scanner, ids_of_checks()});
+  Resolved resolved = resolve(out.spec, sources, {ids_of_checks(), options.types, types ? &*types : nullptr});
   out.model = std::move(resolved.model);
   append(out.findings, without_lost_names(sources, out.findings, std::move(resolved.findings)));
   out.resolved = !dsl::has_errors(out.findings);

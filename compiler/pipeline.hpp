@@ -2,6 +2,7 @@
 // From a path to a checked model: what every command does first.
 
 #include "compiler/checks/run_checks.hpp"
+#include "compiler/facts/types.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/file_access.hpp"
@@ -14,9 +15,9 @@
 namespace director::compiler {
 
 struct CheckOptions {
-  bool scanner = false; ///< C++ can be read here
   checks::Selection selection;
-  bool decide = false; ///< also whether the assertions are true
+  bool decide = false;         ///< also whether the assertions are true
+  TypeReader* types = nullptr; ///< what C++ is read with; nothing: it cannot be read here
 };
 
 struct Checked {
@@ -26,6 +27,7 @@ struct Checked {
   bool resolved = false;                 ///< no errors of "Reading" and "Names and domains"
   bool lowerable = false;                ///< resolved, and nothing stands in the way of running it in the engine
   std::vector<dsl::Diagnostic> findings; ///< sorted by place
+  std::vector<std::string> headers;      ///< the user's, that were read for their types
   std::vector<std::string> undecided;    ///< assertions that are neither proven nor refuted, each in a line
 };
 

@@ -18,6 +18,7 @@ namespace director::checks {
 using namespace director::compiler; // a check speaks of nothing but groups, providers, states
 
 struct Facts;
+struct CodeInput;
 class Shared;
 
 /// What every check sees. The facts are computed once for all of them, and so is what is shared, if somebody asks.
@@ -47,8 +48,9 @@ private:
 
 struct Registered {
   std::string_view id;
-  std::string_view page;                ///< Markdown, what `explain` prints
-  void (*run)(const Input&, Findings&); ///< nothing: an earlier stage reports it
+  std::string_view page;                                    ///< Markdown, what `explain` prints
+  void (*run)(const Input&, Findings&);                     ///< nothing: an earlier stage reports it, or it reads C++
+  void (*read_code)(const CodeInput&, Findings&) = nullptr; ///< of one that reads the user's C++: code_check.hpp
 };
 
 /// All checks by id. Written at build time from the files of this folder.

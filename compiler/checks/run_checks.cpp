@@ -2,6 +2,7 @@
 #include "compiler/checks/run_checks.hpp"
 
 #include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/code_check.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +16,20 @@ using dsl::Level;
 
 namespace {
 
+/// A finding in C++ has a note where the thing stands in the YAML: that is the place that an `allow` can cover.
 bool covers(const Allowance& allowance, const Diagnostic& finding) {
-  return allowance.id.value == finding.id && finding.level != Level::error && allowance.scope.contains(finding.span);
+  if (allowance.id.value != finding.id || finding.level == Level::error) return false;
+  if (allowance.scope.contains(finding.span)) return true;
+  const Registered* check = find_registered(finding.id);
+  return check != nullptr && check->read_code != nullptr &&
+         std::any_of(finding.notes.begin(), finding.notes.end(),
+                     [&](const dsl::Note& note) { return allowance.scope.contains(note.span); });
+}
+
+/// It is for `verify`, which says nothing of what the C++ does not show.
+bool is_for_code(const Allowance& allowance) {
+  const Registered* check = find_registered(allowance.id.value);
+  return check != nullptr && check->read_code != nullptr && level_of(*check) != Level::error;
 }
 
 /// Drops what the allowances cover, and marks those that covered something.
@@ -108,6 +121,18 @@ std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const
   return all;
 }
 
+std::vector<Diagnostic> run_code_checks(const CodeInput& input) {
+  std::vector<Diagnostic> all;
+  for (const Registered& check : registered()) {
+    if (check.read_code == nullptr) continue;
+    Findings findings(check.id, level_of(check));
+    check.read_code(input, findings);
+    for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));
+  }
+  dsl::sort_by_place(all);
+  return all;
+}
+
 std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnostic> findings, bool all_checks_ran) {
   std::vector<bool> used(model.allowances.size(), false);
   drop_covered(model, findings, used);
@@ -119,7 +144,7 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
   const auto collect = [&](bool last) {
     for (std::size_t i = 0; i < used.size(); ++i) {
       const Allowance& allowance = model.allowances[i];
-      if (used[i] || (allowance.id.value == "unused_allow") != last) continue;
+      if (used[i] || is_for_code(allowance) || (allowance.id.value == "unused_allow") != last) continue;
       if (!errors || names_error(allowance)) leftover.push_back(unused(allowance));
     }
   };

@@ -24,7 +24,9 @@ struct Subcommand {
 
 constexpr std::array subcommands{
     Subcommand{"declarations", "which classes implement the modules of a behaviour", read_declarations},
+    Subcommand{"facts", "what functions of some files do that a behaviour is about", tell_facts},
     Subcommand{"format", "how text that was put into files is laid out", format_parts},
+    Subcommand{"types", "what types are, by name", tell_types},
     Subcommand{"version", "what this program is made of", tell_version},
 };
 

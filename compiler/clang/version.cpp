@@ -2,6 +2,7 @@
 #include "compiler/version.hpp"
 
 #include "compiler/clang/subcommands.hpp"
+#include "compiler/clang/units.hpp"
 
 #include <clang/Basic/Version.h>
 
@@ -9,6 +10,12 @@ namespace director::scanning {
 
 Json tell_version(const Json&) {
   return Json::object({{"director", Json::text(compiler::version())}, {"clang", Json::text(CLANG_VERSION_STRING)}});
+}
+
+Unit unit_of(const compiler::Json& json) {
+  Unit unit{json["file"].as_text(), json["directory"].as_text(), {}, {}};
+  for (const Json& word : json["arguments"].items()) unit.arguments.push_back(word.as_text());
+  return unit;
 }
 
 } // namespace director::scanning

@@ -2,7 +2,7 @@
 #include "compiler/cli/goal.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/print_bounds.hpp"
-#include "compiler/cli/summary.hpp"
+#include "compiler/cli/sarif_rules.hpp"
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/emit/findings_sarif.hpp"
 #include "compiler/lower/lower.hpp"
@@ -40,13 +40,6 @@ Json to_json(const Explained& explained, const dsl::Sources& sources) {
   return out;
 }
 
-std::vector<SarifRule> rules() {
-  std::vector<SarifRule> out;
-  for (const checks::Registered& check : checks::registered())
-    out.push_back({std::string(check.id), checks::level_of(check), summary(check.page), std::string(check.page)});
-  return out;
-}
-
 class Checking {
 public:
   Checking(const Check& request, Console& console) : request_(request), console_(console) {}
@@ -55,7 +48,7 @@ public:
     CheckOptions options;
     options.decide = true;
     options.selection = request_.selection;
-    const std::optional<Checked> checked = load(request_.file, options, sources_, console_);
+    const std::optional<Checked> checked = load(request_.file, options, sources_, console_, {request_.build, {}});
     if (!checked) return misused;
     if (!request_.reachable.empty()) {
       if (const std::string wrong = explain(*checked); !wrong.empty()) {
@@ -97,7 +90,7 @@ private:
     case Format::sarif: {
       std::vector<SarifWitness> witnesses;
       if (explained_ && explained_->steps) witnesses.push_back({explained_->told(), *explained_->steps});
-      console_.out << to_lines(findings_sarif(checked.findings, witnesses, sources_, rules()));
+      console_.out << to_lines(findings_sarif(checked.findings, witnesses, sources_, sarif_rules()));
       return;
     }
     default: break;

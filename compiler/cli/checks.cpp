@@ -1,6 +1,5 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp.
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/summary.hpp"
 
 #include <fmt/format.h>
 

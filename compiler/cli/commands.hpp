@@ -22,6 +22,7 @@ struct Check {
   checks::Selection selection;
   std::string reachable; ///< empty: nothing is asked; else `Kick`, `Walk.halting`, `Pose == standing`
   bool verbose = false;  ///< also memory and bounds
+  std::string build;     ///< folder with compile_commands.json, for the types that it names; empty: looked for
 };
 
 struct Generate {
@@ -29,6 +30,8 @@ struct Generate {
   std::string folder;
   std::string depfile; ///< empty: none
   std::string target;  ///< what the depfile makes depend on what was read; empty: all that is generated
+  std::string build;   ///< folder with compile_commands.json, for the types that it names; empty: looked for
+  std::string flags;   ///< or a file with flags, one a line
   checks::Selection selection;
 };
 
@@ -80,6 +83,15 @@ struct Stubs {
   bool check = false;                ///< only say whether something is missing
 };
 
+/// The user's C++ against the behaviour.
+struct Verify {
+  std::string file;
+  std::string build;     ///< folder with compile_commands.json
+  std::string generated; ///< folder of the generated header; empty: any
+  Format format = Format::text;
+  checks::Selection selection;
+};
+
 int run(const Check& request, Console& console);
 int run(const Generate& request, Console& console);
 int run(const DrawGraph& request, Console& console);
@@ -90,5 +102,6 @@ int run(const Test& request, Console& console);
 int run(const Dump& request, Console& console);
 int run(const Explore& request, Console& console);
 int run(const Stubs& request, Console& console);
+int run(const Verify& request, Console& console);
 
 } // namespace director::compiler::cli

@@ -25,7 +25,7 @@ int run(const Generate& request, Console& console) {
   CheckOptions options;
   options.decide = true;
   options.selection = request.selection;
-  const std::optional<Checked> checked = load(request.file, options, sources, console);
+  const std::optional<Checked> checked = load(request.file, options, sources, console, {request.build, request.flags});
   if (!checked) return misused;
   print_findings(checked->findings, sources, console.err, console.err_colours);
   if (dsl::has_errors(checked->findings)) return found;
@@ -45,7 +45,8 @@ int run(const Generate& request, Console& console) {
     if (!wrote(paths.back(), console.outputs.write(paths.back(), artefact.text), console)) return misused;
   }
   if (request.depfile.empty()) return clean;
-  const std::string text = depfile(request.target.empty() ? paths : std::vector{request.target}, sources);
+  const std::vector<std::string> targets = request.target.empty() ? paths : std::vector{request.target};
+  const std::string text = depfile(targets, sources, checked->headers);
   return wrote(request.depfile, console.outputs.renew(request.depfile, text), console) ? clean : misused;
 }
 

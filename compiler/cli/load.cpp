@@ -1,6 +1,8 @@
 // Door: compiler/cli/load.hpp. Test: tests/cli/check_test.cpp.
 #include "compiler/cli/load.hpp"
 
+#include "compiler/cli/fact_store.hpp"
+#include "compiler/facts/scanned_types.hpp"
 #include "dsl/render.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <sstream>
 #include <system_error>
 
 namespace director::compiler::cli {
@@ -24,9 +27,109 @@ std::string shown_path(const std::string& path) {
   return inside ? relative.string() : path;
 }
 
+namespace {
+
+constexpr std::size_t most_bytes = 64U << 20U;
+
+TypeFlags flags_of_build(const std::string& path, bool certain, Console& console) {
+  TypeFlags out;
+  out.source = fmt::format("`{}`", path);
+  out.certain = certain;
+  const auto text = console.files.read(path, most_bytes);
+  if (!text) {
+    out.fault = fmt::format("cannot read `{}`: {}", path, text.error().message);
+    return out;
+  }
+  auto commands = read_compile_commands(text.value());
+  if (commands) {
+    out.commands = std::move(commands.value());
+  } else {
+    out.fault = fmt::format("`{}` is wrong: {}", path, commands.error());
+  }
+  return out;
+}
+
+TypeFlags flags_of_file(const std::string& path, Console& console) {
+  TypeFlags out;
+  out.source = fmt::format("`{}`", path);
+  out.certain = true;
+  const auto text = console.files.read(path, most_bytes);
+  if (!text) {
+    out.fault = fmt::format("cannot read `{}`: {}", path, text.error().message);
+    return out;
+  }
+  std::error_code fault;
+  CompileCommand command{{}, fs::current_path(fault).string(), {}};
+  std::istringstream lines(text.value());
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) command.words.push_back(line);
+  }
+  out.commands.push_back(std::move(command));
+  return out;
+}
+
+/// As clangd looks for it: in the file's folder and those above, and in their folders `build`.
+TypeFlags flags_near(const std::string& file, Console& console) {
+  std::error_code fault;
+  for (fs::path folder = fs::absolute(file, fault).parent_path(); !fault && !folder.empty();
+       folder = folder.parent_path()) {
+    for (const fs::path& build : {folder, folder / "build"}) {
+      const std::string path = (build / "compile_commands.json").string();
+      if (console.files.read(path, most_bytes)) return flags_of_build(path, false, console);
+    }
+    if (folder == folder.root_path()) break;
+  }
+  TypeFlags out;
+  out.fault =
+      "how the headers are compiled is not known; `-p FOLDER` names a build's folder with compile_commands.json";
+  return out;
+}
+
+/// Looks for flags only when somebody asks for types.
+class TypesWhenAsked final : public TypeReader {
+public:
+  TypesWhenAsked(const std::string& file, const CppSource& cpp, dsl::Sources& sources, Console& console)
+      : file_(file),
+        cpp_(cpp),
+        console_(console),
+        code_files_(console.files, sources, shown_path),
+        scanner_(console.scanner, console.programs),
+        store_(facts_folder(cpp.build)) {}
+
+  bool thorough() const override { return !cpp_.build.empty(); }
+  Types read(const Question& question) override {
+    TypeFlags flags = !cpp_.flags.empty() ? flags_of_file(cpp_.flags, console_)
+                      : !cpp_.build.empty()
+                          ? flags_of_build((fs::path(cpp_.build) / "compile_commands.json").string(), true, console_)
+                          : flags_near(file_, console_);
+    return ScannedTypes(std::move(flags), scanner_, console_.programs, console_.files, store_, code_files_)
+        .read(question);
+  }
+  dsl::Span span(const CodePlace& place) override {
+    return place.path.empty() ? dsl::Span{} : dsl::Span{code_files_.of(place.path), place.begin, place.end};
+  }
+
+private:
+  const std::string& file_;
+  const CppSource& cpp_;
+  Console& console_;
+  CodeFiles code_files_;
+  Scanner scanner_;
+  DiskFacts store_;
+};
+
+} // namespace
+
+Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console,
+                   const CppSource& cpp) {
+  TypesWhenAsked types(path, cpp, sources, console);
+  options.types = &types;
+  return check(path, console.files, sources, options);
+}
+
 std::optional<Checked> load(const std::string& file, const CheckOptions& options, dsl::Sources& sources,
-                            Console& console) {
-  Checked checked = check(shown_path(file), console.files, sources, options);
+                            Console& console, const CppSource& cpp) {
+  Checked checked = check_file(shown_path(file), options, sources, console, cpp);
   const bool unreadable =
       checked.spec.files.empty() && !checked.findings.empty() && checked.findings.front().id == "import_not_found";
   if (!unreadable) return checked;

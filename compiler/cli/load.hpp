@@ -13,9 +13,20 @@ namespace director::compiler::cli {
 /// A path as it is shown to people: one inside the working directory from there, any other as it was written.
 std::string shown_path(const std::string& path);
 
+/// `options.types` is filled in: with the flags of `build`, or of `flags` (a file with a word of the compiler's command
+/// line in each line), else with those of a compile_commands.json beside the behaviour or above it, where they are
+/// needed at all.
+struct CppSource {
+  std::string build, flags;
+};
+
 /// Says so and gives nothing where the file itself cannot be read.
 std::optional<Checked> load(const std::string& file, const CheckOptions& options, dsl::Sources& sources,
-                            Console& console);
+                            Console& console, const CppSource& cpp = {});
+
+/// The same without a word about a file that cannot be read.
+Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console,
+                   const CppSource& cpp = {});
 
 /// To the stream, or nothing where there is no finding.
 void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, std::ostream& out,

@@ -52,7 +52,7 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   }
   if (dsl::has_errors(read.diagnostics)) return stop(found, read.diagnostics), out;
 
-  Checked checked = check(read.scenario.behaviour_path, console.files, sources);
+  Checked checked = check_file(read.scenario.behaviour_path, {}, sources, console);
   if (const Findings why = obstacles(checked, read.scenario.behaviour); !why.empty()) return stop(found, why), out;
 
   out.behaviour = read.scenario.behaviour_path;

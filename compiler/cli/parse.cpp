@@ -94,6 +94,12 @@ std::optional<Say> unknown_id(const SelectionWords& words) {
   return {};
 }
 
+void add_build(CLI::App& app, std::string& build) {
+  app.add_option("-p,--build", build,
+                 "compare the types of C++ too, as compile_commands.json of this build's folder has them compiled")
+      ->type_name("FOLDER");
+}
+
 Make check_options(CLI::App& app) {
   auto request = std::make_shared<Check>();
   auto words = std::make_shared<SelectionWords>();
@@ -103,6 +109,7 @@ Make check_options(CLI::App& app) {
   app.add_option("--explain-reachable", request->reachable,
                  "also tell how a group, Walk.halting or 'Pose == standing' may be reached")
       ->type_name("X");
+  add_build(app, request->build);
   app.add_flag("--verbose", request->verbose, "also print how much memory and work the engine may need");
   return [=]() -> Request {
     if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
@@ -122,6 +129,10 @@ Make generate_options(CLI::App& app) {
                  "what depends on it there; without it, everything that is generated")
       ->type_name("FILE")
       ->needs(depfile);
+  add_build(app, request->build);
+  app.add_option("--flags", request->flags,
+                 "the compiler and its flags, a word in each line, instead of a build's folder")
+      ->type_name("FILE");
   add_selection(app, *words);
   return [=]() -> Request {
     if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
@@ -178,6 +189,25 @@ Make explore_options(CLI::App& app) {
   return [=]() -> Request { return *request; };
 }
 
+Make verify_options(CLI::App& app) {
+  auto request = std::make_shared<Verify>();
+  auto words = std::make_shared<SelectionWords>();
+  app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
+  app.add_option("-p,--build", request->build, "the build's folder, with compile_commands.json")
+      ->type_name("FOLDER")
+      ->required();
+  app.add_option("--generated", request->generated,
+                 "only files that are compiled with the generated header of this folder")
+      ->type_name("FOLDER");
+  add_format(app, request->format, {"text", "json", "sarif"});
+  add_selection(app, *words);
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
+    request->selection = selection_of(*words);
+    return *request;
+  };
+}
+
 Make dump_options(CLI::App& app) {
   auto request = std::make_shared<Dump>();
   app.add_option("FILE", request->file, "the behaviour")->required();
@@ -215,7 +245,7 @@ Make stubs_options(CLI::App& app) {
   return [=]() -> Request { return *request; };
 }
 
-const std::array<Subcommand, 10> subcommands{{
+const std::array<Subcommand, 11> subcommands{{
     {"check", "Look for mistakes in a behaviour", check_options},
     {"generate", "Write the C++ of a behaviour", generate_options},
     {"graph", "Draw a behaviour", graph_options},
@@ -225,6 +255,7 @@ const std::array<Subcommand, 10> subcommands{{
     {"test", "Play scenarios and compare with what they expect", test_options},
     {"explore", "Try everything that can happen, and decide the assertions", explore_options},
     {"stubs", "Write the C++ that is for you to fill in, or add to it what is missing", stubs_options},
+    {"verify", "Look for mistakes in the C++ of a behaviour", verify_options},
     {"dump", "Print what a stage of the compiler makes of a behaviour", dump_options},
 }};
 

@@ -82,13 +82,15 @@ function(director_add_behaviour)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/director/${target}/${behaviour})
   set(outputs ${folder}/${behaviour}.hpp ${folder}/${behaviour}.cpp ${folder}/manifest.json)
   set(stamp ${folder}/generated)
+  director_write_flags_(${target} ${folder}/flags)
+  set(flags ${folder}/flags$<$<BOOL:${CMAKE_CONFIGURATION_TYPES}>:.$<CONFIG>>.CXX)
   add_custom_command(
     OUTPUT ${stamp}
     BYPRODUCTS ${outputs}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND Director::directorc generate ${file} -o ${folder} --depfile ${stamp}.d --depfile-target ${stamp} ${werror}
+    COMMAND Director::directorc generate ${file} -o ${folder} --depfile ${stamp}.d --depfile-target ${stamp} --flags ${flags} ${werror}
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
-    DEPENDS ${file} $<TARGET_FILE:Director::directorc>
+    DEPENDS ${file} ${flags} $<TARGET_FILE:Director::directorc>
     DEPFILE ${stamp}.d
     COMMENT "Generating the behaviour ${behaviour}"
     VERBATIM)
@@ -134,6 +136,29 @@ function(director_add_behaviour)
     endif()
     add_dependencies(${target}_stubs ${target}_${behaviour}_stubs)
   endif()
+endfunction()
+
+# How the target's headers are compiled, a word in each line: from it directorc reads the values of a state that leaves them to an enum of C++.
+function(director_write_flags_ target file)
+  separate_arguments(general UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
+  list(PREPEND general ${CMAKE_CXX_COMPILER})
+  if(CMAKE_SYSROOT)
+    list(APPEND general --sysroot=${CMAKE_SYSROOT})
+  endif()
+  if(CMAKE_CXX_COMPILER_TARGET)
+    list(APPEND general --target=${CMAKE_CXX_COMPILER_TARGET})
+  endif()
+  list(JOIN general "\n" general)
+  set(standard $<TARGET_PROPERTY:${target},CXX_STANDARD>)
+  set(content "${general}\n-std=c++$<IF:$<VERSION_GREATER:0${standard},20>,${standard},20>\n")
+  foreach(what IN ITEMS "-I INCLUDE_DIRECTORIES" "-D COMPILE_DEFINITIONS" " COMPILE_OPTIONS")
+    string(REPLACE " " ";" what "${what}")
+    list(POP_BACK what property)
+    set(value $<TARGET_PROPERTY:${target},${property}>)
+    string(APPEND content "$<$<BOOL:${value}>:${what}$<JOIN:${value},\n${what}>>\n")
+  endforeach()
+  # A condition on the language, in an option, makes a file for each.
+  file(GENERATE OUTPUT "${file}$<$<BOOL:${CMAKE_CONFIGURATION_TYPES}>:.$<CONFIG>>.$<COMPILE_LANGUAGE>" CONTENT "${content}" TARGET ${target})
 endfunction()
 
 # What reads C++ needs director-clang, and to know how the target's files are compiled.

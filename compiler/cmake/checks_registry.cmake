@@ -1,5 +1,6 @@
 # cmake -D LIST=<file> -D OUT=<file> -P checks_registry.cmake
-# Writes the C++ table of all checks. A line of LIST is `runs <page>` or `explains <page>`; a check that runs is a function named like its page.
+# Writes the C++ table of all checks. A line of LIST is `runs <page>` or `explains <page>`; a check that runs is a function named like its page;
+# where the page says that it reads C++, it takes what there is of that.
 file(STRINGS ${LIST} lines)
 set(declarations "")
 set(entries "")
@@ -14,7 +15,10 @@ foreach(line IN LISTS lines)
     message(FATAL_ERROR "${page}: the page must not hold the characters that end a raw string, )page\"")
   endif()
   set(run nullptr)
-  if(kind STREQUAL runs)
+  if(kind STREQUAL runs AND text MATCHES "\nReads: C\\+\\+\n")
+    set(run "nullptr, ${id}")
+    string(APPEND declarations "void ${id}(const CodeInput&, Findings&);\n")
+  elseif(kind STREQUAL runs)
     set(run ${id})
     string(APPEND declarations "void ${id}(const Input&, Findings&);\n")
   endif()

@@ -17,11 +17,13 @@ std::string escaped(const std::string& path) {
 
 } // namespace
 
-std::string depfile(const std::vector<std::string>& outputs, const dsl::Sources& sources) {
+std::string depfile(const std::vector<std::string>& outputs, const dsl::Sources& sources,
+                    const std::vector<std::string>& others) {
   std::string out;
   for (const std::string& path : outputs) out += (out.empty() ? "" : " ") + escaped(path);
   out += ":";
   for (const dsl::SourceFile& file : sources) out += " \\\n  " + escaped(file.path());
+  for (const std::string& path : others) out += " \\\n  " + escaped(path);
   out += "\n";
   return out;
 }

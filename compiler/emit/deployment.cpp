@@ -11,7 +11,8 @@ namespace director::compiler {
 std::string portable_path(const Deployment& from, dsl::FileId file) {
   const std::filesystem::path main = from.sources[from.model.name_span.file].path();
   const std::filesystem::path path = from.sources[file].path();
-  return path.lexically_normal().lexically_relative(main.lexically_normal().parent_path()).generic_string();
+  const std::filesystem::path way = path.lexically_normal().lexically_relative(main.lexically_normal().parent_path());
+  return way.empty() ? path.filename().generic_string() : way.generic_string(); // one is absolute, the other is not
 }
 
 std::string place_text(const Deployment& from, const dsl::Span& span) {

@@ -29,13 +29,14 @@ std::string find_scanner(const std::string& directorc, const std::string& chosen
   if (!chosen.empty()) return chosen;
   const fs::path bin = fs::path(directorc).parent_path();
   if (bin.empty()) return name;
-  std::vector<fs::path> places{bin / name, bin / "../libexec/director" / name, bin / "../lib/director" / name};
+  const fs::path root = bin.parent_path();
+  std::vector<fs::path> places{bin / name, root / "libexec/director" / name, root / "lib/director" / name};
   std::error_code fault;
-  for (const fs::directory_entry& entry : fs::directory_iterator(bin / "../lib", fault))
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / "lib", fault))
     places.push_back(entry.path() / "director" / name);
   std::sort(places.begin() + 3, places.end());
   for (const fs::path& place : places) {
-    if (fs::is_regular_file(place, fault)) return place.lexically_normal().string();
+    if (fs::is_regular_file(place, fault)) return place.string();
   }
   return name;
 }

@@ -43,6 +43,7 @@ Resolved resolve(const dsl::Spec& spec, const dsl::Sources& sources, const Resol
   resolve_roots(r);
   resolve_groups(r);
   resolve_rest(r);
+  check_data_types(r);
   if (!dsl::has_errors(r.findings)) find_unused(r);
   dsl::sort_by_place(r.findings);
   return {std::move(r.model), std::move(r.findings)};

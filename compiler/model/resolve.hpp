@@ -4,6 +4,7 @@
 // the Model is complete as far as it goes, and good for nothing but naming things. Source: semantics.md, section 1, and
 // the language page.
 
+#include "compiler/facts/types.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/diagnostic.hpp"
 #include "dsl/source_file.hpp"
@@ -15,8 +16,9 @@
 namespace director::compiler {
 
 struct ResolveOptions {
-  bool scanner = false;               ///< a scanner of C++ is at hand: a state's `type` needs no `values`
   std::vector<std::string> check_ids; ///< what `allow` may name; empty: anything
+  TypeReader* reader = nullptr;       ///< what C++ is read with; nothing: it cannot be read here
+  const Types* types = nullptr;       ///< what it told; nothing: it was not asked
 };
 
 struct Resolved {

@@ -55,12 +55,6 @@ void declare_type(Resolver& r, State& state, const dsl::StateSpec& spec) {
         .notes.push_back({other->type->span, fmt::format("`{}` has it first", other->name.value)});
     break;
   }
-  // Beside a `range` it is reported that the two exclude each other.
-  if (!spec.values && !spec.range && !r.options.scanner) {
-    r.error("type_needs_scanner", spec.type->span,
-            fmt::format("the values of `{}` are not known here: this directorc cannot read C++", *state.type))
-        .help = fmt::format("list the values of `{}` beside its type: `values: [...]`", state.name.value);
-  }
 }
 
 } // namespace
@@ -74,6 +68,7 @@ void declare_states_and_triggers(Resolver& r) {
       state.name = spec.name;
       declare_type(r, state, spec);
       declare_values(r, state, spec);
+      take_type(r, state, spec);
       if (spec.doc) state.doc = spec.doc->value;
       if (!r.states.try_emplace(spec.name.value, StateId{static_cast<std::uint32_t>(r.model.states.size())}).second)
         continue;

@@ -80,6 +80,10 @@ void resolve_rest(Resolver& r);                // resolve_rest.cpp
 void find_unused(Resolver& r);                 // resolve_unused.cpp
 
 // Parts that more than one step uses.
+/// What C++ says of a state's `type`: its values where it has none of its own, else whether they are the same.
+void take_type(Resolver& r, State& state, const dsl::StateSpec& spec); // resolve_types.cpp
+/// Whether there are the types that tasks carry, if C++ was asked.
+void check_data_types(Resolver& r); // resolve_types.cpp
 /// The number of a value; nothing, and a finding, where the state has no such value.
 std::optional<std::int64_t> find_value(Resolver& r, const State& state, const Word& value); // resolve_states.cpp
 std::vector<ConditionUse> resolve_conditions(Resolver& r, const std::vector<dsl::ConditionSpec>& specs);

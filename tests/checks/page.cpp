@@ -24,8 +24,9 @@ std::string trimmed(std::string_view text) {
 }
 
 /// What stands behind `# word: `, and whether the comment is alone on its line.
-std::optional<std::pair<std::string, bool>> comment(const std::string& line, const std::string& word) {
-  const std::string begin = "# " + word + ": ";
+std::optional<std::pair<std::string, bool>> comment(const std::string& line, const std::string& word,
+                                                    const std::string& mark = "# ") {
+  const std::string begin = mark + word + ": ";
   const std::size_t at = line.find(begin);
   if (at == std::string::npos) return std::nullopt;
   return std::pair{trimmed(line.substr(at + begin.size())), trimmed(line.substr(0, at)).empty()};
@@ -54,6 +55,16 @@ public:
     for (const std::string& text : lines) read(text);
     end_file();
   }
+  /// The C++ of a specimen.
+  SpecimenReader(const std::string& id, Specimen specimen, const std::vector<std::string>& lines)
+      : id_(id),
+        specimen_(std::move(specimen)),
+        file_("modules.cpp"),
+        mark_("// ") {
+    specimen_.has_code = true;
+    for (const std::string& text : lines) read(text);
+    end_file();
+  }
   Specimen take() { return std::move(specimen_); }
 
 private:
@@ -62,19 +73,21 @@ private:
     line_ += lines;
   }
 
-  void end_file() { specimen_.files[file_] = std::exchange(text_, {}); }
+  void end_file() {
+    if (!text_.empty() || mark_ == "# ") specimen_.files[file_] = std::exchange(text_, {});
+  }
 
   void read(const std::string& line) {
-    if (const auto name = comment(line, "file")) {
+    if (const auto name = comment(line, "file", mark_)) {
       end_file();
       file_ = name->first;
       line_ = 0;
       return;
     }
     add(line + "\n", 1);
-    const auto here = comment(line, "reported"), above = comment(line, "reported above");
-    const auto note = comment(line, "note"), note_above = comment(line, "note above");
-    const auto help = comment(line, "help");
+    const auto here = comment(line, "reported", mark_), above = comment(line, "reported above", mark_);
+    const auto note = comment(line, "note", mark_), note_above = comment(line, "note above", mark_);
+    const auto help = comment(line, "help", mark_);
     const bool alone = (above && above->second) || (note_above && note_above->second) || (help && help->second);
     if (!alone) last_ = line_;
     if (here) expect_finding(here->first, line_);
@@ -92,6 +105,7 @@ private:
   std::string id_;
   Specimen specimen_;
   std::string file_{main_file};
+  std::string mark_ = "# ";
   std::string text_;
   std::uint32_t line_ = 0; ///< the last one that was read
   std::uint32_t last_ = 0; ///< the last one that is not a comment about the line above
@@ -103,16 +117,20 @@ Page read_page(std::string_view text) {
   Page page;
   std::vector<Specimen>* section = nullptr;
   std::optional<std::vector<std::string>> block;
+  bool code = false;
   std::uint32_t number = 0, begin = 0;
   for (const std::string& line : lines_of(text)) {
     ++number;
     if (block && line == "```") {
-      if (section != nullptr) section->push_back(SpecimenReader(page.title, begin, *block).take());
+      if (section != nullptr && !code) section->push_back(SpecimenReader(page.title, begin, *block).take());
+      if (section != nullptr && code && !section->empty())
+        section->back() = SpecimenReader(page.title, std::move(section->back()), *block).take();
       block.reset();
     } else if (block) {
       block->push_back(line);
-    } else if (line == "```yaml") {
+    } else if (line == "```yaml" || line == "```cpp") {
       block.emplace();
+      code = line == "```cpp";
       begin = number;
     } else if (line.rfind("## ", 0) == 0) {
       section = line == "## Reported" ? &page.reported : line == "## Accepted" ? &page.accepted : nullptr;

@@ -7,6 +7,9 @@
 // `# help: ...` may stand anywhere. A message may end in the id of another check, ` [redefined_name]`. Where neither
 // `behaviour:` nor `language:` begins a line, both are added in front. `# file: other.yaml` begins a further file; one
 // that ends in .scenario.yaml is played, and what is wrong with it is found too.
+//
+// ```cpp blocks that follow belong to the specimen: the user's C++, with the same words behind `//`. The first file is modules.cpp
+// unless `// file: ...` says otherwise.
 
 #include <cstdint>
 #include <map>
@@ -31,6 +34,7 @@ struct Specimen {
   std::vector<Expected> findings;
   std::vector<Expected> notes;    ///< if none is written, notes are not compared
   std::vector<std::string> helps; ///< likewise
+  bool has_code = false;          ///< some of its files are C++
 };
 
 struct Page {

@@ -10,7 +10,7 @@ using tests::check_text;
 const std::string rivals = "roots: {Kick: {priority: 10}, Walk: {priority: 10}}\n"
                            "groups:\n  Kick: {needs: [Legs]}\n  Walk: {needs: [Legs]}\n  Legs: {}\n";
 
-compiler::CheckOptions asked(checks::Selection selection) { return {false, std::move(selection)}; }
+compiler::CheckOptions asked(checks::Selection selection) { return {std::move(selection)}; }
 
 TEST_CASE("a warning is no error unless it is asked to be one") {
   checks::Selection selection;

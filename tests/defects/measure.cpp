@@ -14,6 +14,8 @@
 #include <iostream>
 #include <map>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 namespace director::defects {
 
@@ -99,14 +101,20 @@ bool run(const Shapes& shapes) {
   bool good = true;
   const char* const asked = std::getenv("DIRECTOR_CASES");
   const std::size_t cases = asked == nullptr ? least_cases : std::strtoull(asked, nullptr, 10);
-  const std::size_t each = (cases + checks::registered().size() - 1) / checks::registered().size();
+  std::vector<checks::Registered> measured;
+  for (const checks::Registered& check : checks::registered()) {
+    // What is wrong in the user's C++ is planted in tests/clang.
+    const bool needs_code = check.page.find("\n```cpp\n") != std::string_view::npos;
+    if (!needs_code || shapes.count(std::string(check.id)) != 0) measured.push_back(check);
+  }
+  const std::size_t each = (cases + measured.size() - 1) / measured.size();
   std::ostringstream wrong;
   std::cout << std::left << std::setw(26) << "check" << std::right << std::setw(11) << "planted" << std::setw(11)
             << "found" << std::setw(11) << "elsewhere" << std::setw(11) << "missed" << std::setw(11) << "besides"
             << std::setw(11) << "alarms"
             << "\n";
   Row all;
-  for (const checks::Registered& check : checks::registered()) {
+  for (const checks::Registered& check : measured) {
     const std::string id(check.id);
     if (shapes.count(id) == 0) {
       wrong << "no defect is planted for " << id << "\n";

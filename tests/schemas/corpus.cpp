@@ -115,9 +115,11 @@ void add_specimens(const std::string& path, const std::string& text, std::vector
   const Page page = read_page(text);
   for (const auto* list : {&page.reported, &page.accepted}) {
     for (const Specimen& specimen : *list) {
-      for (const auto& [file, body] : specimen.files)
+      for (const auto& [file, body] : specimen.files) {
+        if (!file.ends_with(".yaml")) continue; // C++
         out.push_back(
             {path + ":" + std::to_string(specimen.line) + ": " + file, file.ends_with(".scenario.yaml"), body});
+      }
     }
   }
 }

@@ -3,6 +3,7 @@
 // source.cpp put the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp, body.hpp, program.hpp.
 
 #include "compiler/emit/code.hpp"
+#include "compiler/emit/cpp/names.hpp"
 #include "compiler/emit/deployment.hpp"
 
 #include <string>
@@ -19,14 +20,6 @@ struct CppEmission {
 };
 
 // names.cpp
-std::string type_name(std::string_view name);                       ///< `walk` -> `Walk`
-std::string context_name(const Provider& provider);                 ///< `Halting`
-std::string group_name(const Model& model, GroupId group);          ///< `Walk`
-std::string provider_name(const Model& model, ProviderId provider); ///< `Walk::Halting`
-std::string module_type(const Model& model, ModuleId module);       ///< `Locomotion`
-std::string module_word(const Model& model, ModuleId module);       ///< `locomotion`, as a parameter is called
-std::string trigger_type(const Model& model, TriggerId trigger);    ///< `Sensors`, `director::Broken<Walk::Halting>`
-std::string state_type(const Model& model, StateId state);          ///< `Stability`
 /// `doc`, then the place in brackets, as a comment.
 void document(Code& code, const CppEmission& e, std::string_view doc, const dsl::Span& span);
 /// Whether a pack is whole without it: it has a level that is optional.

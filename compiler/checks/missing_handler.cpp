@@ -1,0 +1,34 @@
+// Door: compiler/checks/code_check.hpp. Test: compiler/checks/missing_handler.md.
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/code_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::checks {
+
+void missing_handler(const CodeInput& input, Findings& findings) {
+  const std::vector<CodeClass>& classes = input.code.classes;
+  for (const CodeClass& each : classes) {
+    // What a class leaves open, one that is derived from it may have.
+    const bool goes_on = std::any_of(classes.begin(), classes.end(), [&](const CodeClass& other) {
+      return std::find(other.bases.begin(), other.bases.end(), each.key) != other.bases.end();
+    });
+    if (goes_on) continue;
+    for (const std::string& context : each.missing) {
+      const auto of = input.names.contexts.find(context);
+      if (of == input.names.contexts.end()) continue;
+      const BodyOf& body = of->second;
+      const std::string word = body.provider                      ? "director::Outcome provide"
+                               : body.kind == BodyOf::Kind::start ? "void start"
+                                                                  : "void stop";
+      dsl::Diagnostic& finding = findings.add(
+          span_of(input.model, body), fmt::format("`{}` has no body for {}", each.name, name_of(input.model, body)));
+      finding.notes.push_back({each.span, "the class is here"});
+      finding.help = fmt::format("`{}({}& run) override;`", word, context);
+    }
+  }
+}
+
+} // namespace director::checks

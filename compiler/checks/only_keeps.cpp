@@ -1,0 +1,45 @@
+// Door: compiler/checks/code_check.hpp. Test: compiler/checks/only_keeps.md.
+#include "compiler/checks/analysis/code_words.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/code_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::checks {
+
+namespace {
+
+/// A requester whose body looks at whether this group is done; nothing: nobody waits for it.
+const Use<GroupId>* waiter(const Model& model, GroupId group) {
+  for (const Provider& provider : model.providers) {
+    for (const Use<GroupId>& use : provider.uses) {
+      if (use.id == group) return &use;
+    }
+  }
+  return nullptr;
+}
+
+} // namespace
+
+void only_keeps(const CodeInput& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const Body& body : input.bodies) {
+    if (!body.of.provider || !body.is_whole() || !only_keeps_going(body)) continue;
+    const Provider& provider = model.providers[*body.of.provider];
+    const bool may_ask =
+        std::any_of(provider.packs.begin(), provider.packs.end(), [](const Pack& pack) { return !pack.tasks.empty(); });
+    const Use<GroupId>* use = waiter(model, body.of.group);
+    // Whoever acts as long as it is asked to, and is waited for by nobody, has nothing else to say.
+    if (!may_ask && use == nullptr) continue;
+    dsl::Diagnostic& finding = findings.add(
+        provider.span, fmt::format("every path of {} ends in `keep()`: it never {}", name_of(model, body.of),
+                                   may_ask ? "requests anything, and is never done" : "says that it is done"));
+    finding.notes.push_back({body.function->span, "its body"});
+    if (!may_ask)
+      finding.notes.push_back({use->span, fmt::format("{} is looked at here", name_of(model, body.of.group))});
+  }
+}
+
+} // namespace director::checks

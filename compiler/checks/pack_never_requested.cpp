@@ -1,0 +1,22 @@
+// Door: compiler/checks/code_check.hpp. Test: compiler/checks/pack_never_requested.md.
+#include "compiler/checks/analysis/code_words.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/code_check.hpp"
+
+#include <fmt/format.h>
+
+namespace director::checks {
+
+void pack_never_requested(const CodeInput& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const Body& body : input.bodies) {
+    if (!body.of.provider || !body.is_whole() || only_keeps_going(body)) continue;
+    for (const Pack& pack : model.providers[*body.of.provider].packs) {
+      if (pack.name.empty() || asks_for_pack(body, pack)) continue;
+      findings.add(pack.span, fmt::format("no path of {} asks for `{}`", name_of(model, body.of), pack.name))
+          .notes.push_back({body.function->span, "its body"});
+    }
+  }
+}
+
+} // namespace director::checks

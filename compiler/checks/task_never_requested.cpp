@@ -1,0 +1,35 @@
+// Door: compiler/checks/code_check.hpp. Test: compiler/checks/task_never_requested.md.
+#include "compiler/checks/analysis/code_words.hpp"
+#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/code_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::checks {
+
+void task_never_requested(const CodeInput& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const Body& body : input.bodies) {
+    if (!body.of.provider || !body.is_whole() || only_keeps_going(body)) continue;
+    for (const Pack& pack : model.providers[*body.of.provider].packs) {
+      // Of a pack that nobody asks for, that is said of the pack.
+      if (!pack.name.empty() && !asks_for_pack(body, pack)) continue;
+      for (const Task& task : pack.tasks) {
+        const bool asked = std::any_of(body.words.begin(), body.words.end(), [&](const CodeWord* word) {
+          const bool is_this_one = pack.name.empty() ? word->kind == CodeWord::Kind::request : is_pack(*word, pack);
+          return is_this_one && gives(input, *word, task.target);
+        });
+        if (asked) continue;
+        findings
+            .add(task.span,
+                 fmt::format("no path of {} requests {}{}", name_of(model, body.of), name_of(model, task.target),
+                             pack.name.empty() ? "" : fmt::format(" with `{}`", pack.name)))
+            .notes.push_back({body.function->span, "its body"});
+      }
+    }
+  }
+}
+
+} // namespace director::checks

@@ -1,0 +1,160 @@
+// Door: compiler/clang/parse.hpp. Test: tests/clang.
+#include "compiler/clang/parse.hpp"
+
+#include <clang/Basic/Diagnostic.h>
+#include <clang/Frontend/CompilerInstance.h>
+#include <clang/Frontend/FrontendAction.h>
+#include <clang/Tooling/Tooling.h>
+#include <llvm/Support/VirtualFileSystem.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+
+namespace director::scanning {
+
+namespace {
+
+std::string absolute(llvm::StringRef path, const std::string& directory) {
+  const bool is_absolute = path.starts_with("/");
+  return is_absolute ? path.str() : directory + "/" + path.str();
+}
+
+class Errors final : public clang::DiagnosticConsumer {
+public:
+  Errors(const Unit& unit, std::vector<Fault>& faults) : unit_(unit), faults_(faults) {}
+
+  void HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) override {
+    clang::DiagnosticConsumer::HandleDiagnostic(level, info);
+    if (level < clang::DiagnosticsEngine::Error) return;
+    llvm::SmallString<256> text;
+    info.FormatDiagnostic(text);
+    Fault fault{text.str().str(), {}, 0};
+    if (info.hasSourceManager() && info.getLocation().isValid()) {
+      const clang::PresumedLoc place = info.getSourceManager().getPresumedLoc(info.getLocation());
+      if (place.isValid()) {
+        fault.file = absolute(place.getFilename(), unit_.directory);
+        fault.line = place.getLine();
+      }
+    }
+    faults_.push_back(std::move(fault));
+  }
+
+private:
+  const Unit& unit_;
+  std::vector<Fault>& faults_;
+};
+
+class Consumer final : public clang::ASTConsumer {
+public:
+  Consumer(const Unit& unit, Reading& reading, const std::function<void(clang::ASTContext&)>& look)
+      : unit_(unit),
+        reading_(reading),
+        look_(look) {}
+
+  void HandleTranslationUnit(clang::ASTContext& context) override {
+    const clang::SourceManager& sources = context.getSourceManager();
+    std::vector<clang::Decl*> own;
+    for (clang::Decl* decl : context.getTranslationUnitDecl()->decls()) {
+      if (!sources.isInSystemHeader(decl->getLocation())) own.push_back(decl);
+    }
+    context.setTraversalScope(own);
+    look_(context);
+    note_files(sources);
+  }
+
+  bool shouldSkipFunctionBody(clang::Decl* decl) override {
+    return decl->getASTContext().getSourceManager().isInSystemHeader(decl->getLocation());
+  }
+
+private:
+  void note_files(const clang::SourceManager& sources) {
+    std::map<std::string, bool> files;
+    for (unsigned i = 0; i < sources.local_sloc_entry_size(); ++i) {
+      const clang::SrcMgr::SLocEntry& entry = sources.getLocalSLocEntry(i);
+      if (!entry.isFile()) continue;
+      const clang::SrcMgr::FileInfo& info = entry.getFile();
+      const clang::OptionalFileEntryRef file = info.getContentCache().OrigEntry;
+      if (!file) continue;
+      files.emplace(absolute(file->getName(), unit_.directory), clang::SrcMgr::isSystem(info.getFileCharacteristic()));
+    }
+    for (const auto& [path, system] : files) reading_.files.push_back({path, system});
+  }
+
+  const Unit& unit_;
+  Reading& reading_;
+  const std::function<void(clang::ASTContext&)>& look_;
+};
+
+class Action final : public clang::ASTFrontendAction {
+public:
+  Action(const Unit& unit, Reading& reading, const std::function<void(clang::ASTContext&)>& look)
+      : unit_(unit),
+        reading_(reading),
+        look_(look) {}
+
+  bool BeginInvocation(clang::CompilerInstance& compiler) override {
+    compiler.getFrontendOpts().SkipFunctionBodies = true;
+    return true;
+  }
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance&, llvm::StringRef) override {
+    return std::make_unique<Consumer>(unit_, reading_, look_);
+  }
+
+private:
+  const Unit& unit_;
+  Reading& reading_;
+  const std::function<void(clang::ASTContext&)>& look_;
+};
+
+Reading parse_once(const Unit& unit, const std::vector<std::string>& arguments,
+                   const std::function<void(clang::ASTContext&)>& look) {
+  Reading reading;
+  llvm::IntrusiveRefCntPtr<llvm::vfs::OverlayFileSystem> disk(
+      new llvm::vfs::OverlayFileSystem(llvm::vfs::createPhysicalFileSystem()));
+  if (!unit.text.empty()) {
+    llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> memory(new llvm::vfs::InMemoryFileSystem);
+    memory->addFile(unit.file, 0, llvm::MemoryBuffer::getMemBufferCopy(unit.text));
+    disk->pushOverlay(memory);
+  }
+  disk->setCurrentWorkingDirectory(unit.directory);
+  llvm::IntrusiveRefCntPtr<clang::FileManager> files(new clang::FileManager({}, disk));
+
+  std::vector<std::string> command{"clang++", "-fsyntax-only", "-resource-dir", DIRECTOR_CLANG_RESOURCES};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  for (const char* word : {"-w", "-ferror-limit=0", "-fno-caret-diagnostics"}) command.emplace_back(word);
+  command.push_back(unit.file);
+
+  Errors errors(unit, reading.errors);
+  clang::tooling::ToolInvocation invocation(command, std::make_unique<Action>(unit, reading, look), files.get());
+  invocation.setDiagnosticConsumer(&errors);
+  invocation.run();
+  return reading;
+}
+
+/// Drops the words that Clang's command line does not know. False: there is none among the errors.
+bool drop_unknown(std::vector<std::string>& arguments, const std::vector<Fault>& errors) {
+  static const std::regex unknown{
+      "(?:unknown argument|unsupported option|unsupported argument).*?'([^']*)'(?:.*option '([^']*)')?.*"};
+  bool dropped = false;
+  for (const Fault& fault : errors) {
+    std::smatch match;
+    if (!fault.file.empty() || !std::regex_match(fault.message, match, unknown)) continue;
+    const std::string word = match[2].matched ? match[2].str() + match[1].str() : match[1].str();
+    const auto end = std::remove(arguments.begin(), arguments.end(), word);
+    dropped = dropped || end != arguments.end();
+    arguments.erase(end, arguments.end());
+  }
+  return dropped;
+}
+
+} // namespace
+
+Reading parse(const Unit& unit, const std::function<void(clang::ASTContext&)>& look) {
+  std::vector<std::string> arguments = unit.arguments;
+  Reading reading = parse_once(unit, arguments, look);
+  while (drop_unknown(arguments, reading.errors)) reading = parse_once(unit, arguments, look);
+  return reading;
+}
+
+} // namespace director::scanning

@@ -1,0 +1,59 @@
+// Door: compiler/clang/places.hpp. Test: tests/clang.
+#include "compiler/clang/places.hpp"
+
+#include "compiler/clang/parse.hpp"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/Lex/Lexer.h>
+
+namespace director::scanning {
+
+Json Places::of(clang::SourceLocation begin, clang::SourceLocation end) {
+  const clang::SourceManager& sources = context_.getSourceManager();
+  const clang::SourceLocation from = sources.getFileLoc(begin);
+  clang::SourceLocation to =
+      clang::Lexer::getLocForEndOfToken(sources.getFileLoc(end), 0, sources, context_.getLangOpts());
+  const auto [file, first] = sources.getDecomposedLoc(from);
+  if (to.isInvalid() || sources.getFileID(to) != file || sources.getFileOffset(to) < first)
+    to = clang::Lexer::getLocForEndOfToken(from, 0, sources, context_.getLangOpts());
+  const std::int64_t last = to.isValid() ? sources.getFileOffset(to) : first;
+  std::string path;
+  if (const clang::OptionalFileEntryRef entry = sources.getFileEntryRefForID(file)) path = entry->getName().str();
+  if (!path.starts_with('/')) path = directory_ + "/" + path;
+  const auto [row, is_new] = rows_.emplace(path, static_cast<std::int64_t>(files_.size()));
+  if (is_new) files_.push_back(path);
+  return Json::list({Json::number(row->second), Json::number(first), Json::number(last)});
+}
+
+Json Places::files() const {
+  Json out = Json::list({});
+  for (const std::string& path : files_) out.add(Json::text(path));
+  return out;
+}
+
+std::string name_of(const clang::NamedDecl& decl) {
+  std::string name = decl.getDeclName().isIdentifier() && decl.getName().empty() ? "" : decl.getNameAsString();
+  for (const clang::DeclContext* at = decl.getDeclContext(); at != nullptr; at = at->getParent()) {
+    const auto* outer = llvm::dyn_cast<clang::NamedDecl>(at);
+    if (outer == nullptr || llvm::isa<clang::FunctionDecl>(outer)) continue;
+    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(outer);
+    if (space != nullptr && (space->isInline() || space->isAnonymousNamespace())) continue;
+    if (!outer->getDeclName().isIdentifier() || outer->getName().empty()) continue;
+    name = outer->getNameAsString() + "::" + name;
+  }
+  return name;
+}
+
+void tell_reading(Json& answer, const Reading& reading) {
+  Json files = Json::list({}), errors = Json::list({});
+  for (const Included& file : reading.files) files.add(Json::list({Json::text(file.path), Json::boolean(file.system)}));
+  for (const Fault& fault : reading.errors) {
+    errors.add(Json::object({{"message", Json::text(fault.message)},
+                             {"file", Json::text(fault.file)},
+                             {"line", Json::number(static_cast<std::int64_t>(fault.line))}}));
+  }
+  answer.add("files", std::move(files));
+  answer.add("errors", std::move(errors));
+}
+
+} // namespace director::scanning

@@ -1,0 +1,43 @@
+#pragma once
+// What is said of a unit: names and places in it, in JSON. A place is [file, begin, end]: the file's row in a table of
+// absolute paths, and offsets in bytes, the end exclusive.
+
+#include "compiler/emit/json.hpp"
+
+#include <clang/AST/Decl.h>
+#include <clang/Basic/SourceManager.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace director::scanning {
+
+using compiler::Json;
+
+class Places {
+public:
+  Places(const clang::ASTContext& context, std::string directory)
+      : context_(context),
+        directory_(std::move(directory)) {}
+
+  /// Of the tokens from `begin` to `end`; where a macro stands there, of its name.
+  Json of(clang::SourceLocation begin, clang::SourceLocation end);
+  Json of(clang::SourceRange range) { return of(range.getBegin(), range.getEnd()); }
+  Json files() const;
+
+private:
+  const clang::ASTContext& context_;
+  std::string directory_;
+  std::vector<std::string> files_;
+  std::map<std::string, std::int64_t> rows_;
+};
+
+/// Without inline namespaces and template arguments: `std::basic_string::append`.
+std::string name_of(const clang::NamedDecl& decl);
+
+struct Reading;
+/// `files` as [path, is a system header], and `errors`.
+void tell_reading(Json& answer, const Reading& reading);
+
+} // namespace director::scanning

@@ -1,0 +1,115 @@
+// Door: compiler/clang/subcommands.hpp. Test: tests/clang.
+//
+// Names of types are looked up by writing them into a file of C++ behind the headers, one alias a line: Clang then says
+// what each is, or, in the line of the alias, why there is no such type.
+#include "compiler/clang/parse.hpp"
+#include "compiler/clang/places.hpp"
+#include "compiler/clang/subcommands.hpp"
+#include "compiler/clang/units.hpp"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclTemplate.h>
+
+#include <algorithm>
+
+namespace director::scanning {
+
+namespace {
+
+constexpr const char* alias = "director_alias_";
+
+struct Source {
+  std::string text;
+  unsigned first_line = 0; ///< of the aliases
+};
+
+Source write_source(const Json& request) {
+  Source out;
+  unsigned line = 1;
+  for (const Json& header : request["headers"].items()) {
+    out.text += "#include \"" + header.as_text() + "\"\n";
+    ++line;
+  }
+  out.text += "namespace " + request["namespace"].as_text() + " {\n";
+  out.first_line = line + 1;
+  std::size_t number = 0;
+  for (const Json& name : request["names"].items())
+    out.text += "using " + (alias + std::to_string(number++)) + " = " + name.as_text() + ";\n";
+  out.text += "}\n";
+  return out;
+}
+
+Json describe(const clang::EnumDecl& decl, Places& places) {
+  Json out =
+      Json::object({{"name", Json::text(name_of(decl))}, {"at", places.of(decl.getLocation(), decl.getLocation())}});
+  Json enumerators = Json::list({});
+  for (const clang::EnumConstantDecl* each : decl.enumerators()) {
+    llvm::SmallString<24> digits;
+    each->getInitVal().toString(digits, 10);
+    enumerators.add(Json::object({{"name", Json::text(each->getNameAsString())},
+                                  {"value", Json::text(digits.str().str())},
+                                  {"at", places.of(each->getLocation(), each->getLocation())}}));
+  }
+  out.add("scoped", Json::boolean(decl.isScoped()));
+  out.add("enumerators", std::move(enumerators));
+  return out;
+}
+
+/// Also what a template would be, which nobody has made complete yet.
+bool is_complete(clang::QualType type) {
+  if (!type->isIncompleteType()) return true;
+  const auto* special = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsTagDecl());
+  return special != nullptr && special->getSpecializedTemplate()->getTemplatedDecl()->hasDefinition();
+}
+
+} // namespace
+
+Json tell_types(const Json& request) {
+  Unit unit = unit_of(request["unit"]);
+  const Source source = write_source(request);
+  unit.text = source.text;
+  const std::size_t count = request["names"].items().size();
+  std::vector<Json> types(count);
+  Json places_of_files;
+  const Reading reading = parse(unit, [&](clang::ASTContext& context) {
+    Places places(context, unit.directory);
+    const auto look = [&](const clang::Decl* decl, const auto& self) -> void {
+      if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(decl)) {
+        for (const clang::Decl* inner : space->decls()) self(inner, self);
+        return;
+      }
+      const auto* found = llvm::dyn_cast<clang::TypeAliasDecl>(decl);
+      if (found == nullptr || !found->getName().starts_with(alias) || found->isInvalidDecl()) return;
+      const std::size_t row = std::stoul(found->getNameAsString().substr(std::string(alias).size()));
+      if (row >= count) return;
+      const clang::QualType type = found->getUnderlyingType().getCanonicalType();
+      Json answer = Json::object({{"complete", Json::boolean(is_complete(type))}});
+      if (const clang::TagDecl* tag = type->getAsTagDecl()) {
+        if (const auto* definition = llvm::dyn_cast_or_null<clang::EnumDecl>(tag->getDefinition()))
+          answer.add("enum", describe(*definition, places));
+        answer.add("at", places.of(tag->getLocation(), tag->getLocation()));
+      }
+      types[row] = std::move(answer);
+    };
+    for (const clang::Decl* decl : context.getTraversalScope()) look(decl, look);
+    places_of_files = places.files();
+  });
+  Json list = Json::list({});
+  for (std::size_t row = 0; row < count; ++row) {
+    const auto fault = std::find_if(reading.errors.begin(), reading.errors.end(), [&](const Fault& each) {
+      return each.file == unit.file && each.line == source.first_line + row;
+    });
+    if (fault != reading.errors.end()) {
+      list.add(Json::object({{"wrong", Json::text(fault->message)}}));
+    } else {
+      list.add(std::move(types[row]));
+    }
+  }
+  Json out = Json::object({});
+  out.add("types", std::move(list));
+  out.add("paths", std::move(places_of_files));
+  tell_reading(out, reading);
+  return out;
+}
+
+} // namespace director::scanning

@@ -1,0 +1,55 @@
+// Door: compiler/cli/fact_store.hpp. Test: tests/cli/disk_test.cpp.
+#include "compiler/cli/fact_store.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace director::compiler::cli {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> DiskFacts::load(const std::string& name) {
+  std::ifstream file(fs::path(folder_) / name, std::ios::binary);
+  if (!file) return {};
+  return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Another run at the same time sees the old entry or the new one, never half of one.
+void DiskFacts::save(const std::string& name, const std::string& text) {
+  std::error_code fault;
+  fs::create_directories(folder_, fault);
+  const fs::path whole = fs::path(folder_) / name;
+  const fs::path part = whole.string() + "." + std::to_string(::getpid());
+  {
+    std::ofstream file(part, std::ios::binary | std::ios::trunc);
+    file << text;
+    if (!file.flush()) {
+      file.close();
+      fs::remove(part, fault);
+      return;
+    }
+  }
+  fs::rename(part, whole, fault);
+}
+
+std::string DiskFacts::stamp(const std::string& path) {
+  std::error_code fault;
+  const auto size = fs::file_size(path, fault);
+  if (fault) return {};
+  const auto time = fs::last_write_time(path, fault);
+  return std::to_string(size) + ":" + std::to_string(time.time_since_epoch().count());
+}
+
+std::string facts_folder(const std::string& build) {
+  if (!build.empty()) return (fs::path(build) / ".director").string();
+  const char* const cache = std::getenv("XDG_CACHE_HOME");
+  if (cache != nullptr && *cache != '\0') return (fs::path(cache) / "director").string();
+  const char* const home = std::getenv("HOME");
+  return (fs::path(home != nullptr ? home : "/tmp") / ".cache/director").string();
+}
+
+} // namespace director::compiler::cli

@@ -1,0 +1,15 @@
+// Door: compiler/cli/sarif_rules.hpp. Test: tests/cli/check_test.cpp.
+#include "compiler/cli/sarif_rules.hpp"
+
+#include "compiler/checks/check.hpp"
+
+namespace director::compiler::cli {
+
+std::vector<SarifRule> sarif_rules() {
+  std::vector<SarifRule> out;
+  for (const checks::Registered& check : checks::registered())
+    out.push_back({std::string(check.id), checks::level_of(check), checks::summary_of(check), std::string(check.page)});
+  return out;
+}
+
+} // namespace director::compiler::cli

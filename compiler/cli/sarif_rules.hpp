@@ -1,0 +1,13 @@
+#pragma once
+// The checks as SARIF lists them.
+
+#include "compiler/emit/findings_sarif.hpp"
+
+#include <vector>
+
+namespace director::compiler::cli {
+
+/// All of them, in order of id.
+std::vector<SarifRule> sarif_rules();
+
+} // namespace director::compiler::cli

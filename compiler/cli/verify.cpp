@@ -1,0 +1,63 @@
+// Door: compiler/cli/commands.hpp. Test: tests/clang/faults_test.cpp.
+#include "compiler/verify.hpp"
+
+#include "compiler/cli/fact_store.hpp"
+#include "compiler/cli/load.hpp"
+#include "compiler/cli/sarif_rules.hpp"
+#include "compiler/emit/findings_json.hpp"
+#include "compiler/emit/findings_sarif.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler::cli {
+
+namespace {
+
+void print(const Verify& request, const Verified& verified, const dsl::Sources& sources, Console& console) {
+  if (request.format == Format::json) {
+    Json out = findings_json(verified.findings, sources);
+    Json lines = Json::list({});
+    for (const std::string& line : verified.not_decided) lines.add(Json::text(line));
+    out.add("not_decided", std::move(lines));
+    out.add("bodies", Json::number(static_cast<std::int64_t>(verified.bodies)));
+    out.add("seen", Json::number(static_cast<std::int64_t>(verified.seen)));
+    console.out << to_lines(out);
+    return;
+  }
+  if (request.format == Format::sarif) {
+    console.out << to_lines(findings_sarif(verified.findings, {}, sources, sarif_rules()));
+  } else {
+    print_findings(verified.findings, sources, console.out, console.out_colours);
+  }
+  for (const std::string& line : verified.not_decided) console.err << fmt::format("directorc: not decided: {}\n", line);
+}
+
+} // namespace
+
+int run(const Verify& request, Console& console) {
+  dsl::Sources sources;
+  const std::optional<Checked> checked = load(request.file, {}, sources, console, {request.build, {}});
+  if (!checked) return misused;
+  if (dsl::has_errors(checked->findings)) {
+    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours);
+    return found;
+  }
+  if (!checked->model.deployment) {
+    console.err << fmt::format("directorc: `{}` has no `roots`: its C++ is verified with a behaviour that imports it\n",
+                               shown_path(request.file));
+    return misused;
+  }
+  DiskFacts store(facts_folder(request.build));
+  VerifyWorld world{console.programs, console.scanner, console.files, store, shown_path};
+  Verified verified = verify(*checked, sources, request.build, request.generated, world);
+  if (!verified.fault.empty()) {
+    console.err << fmt::format("directorc: {}\n", verified.fault);
+    return misused;
+  }
+  verified.findings = checks::apply_allowances(checked->model, std::move(verified.findings), false);
+  verified.findings = checks::apply_selection(request.selection, std::move(verified.findings));
+  print(request, verified, sources, console);
+  return dsl::has_errors(verified.findings) ? found : clean;
+}
+
+} // namespace director::compiler::cli

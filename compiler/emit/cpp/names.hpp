@@ -1,0 +1,20 @@
+#pragma once
+// What things of a model are called in the generated C++.
+
+#include "compiler/model/model.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace director::compiler {
+
+std::string type_name(std::string_view name);                       ///< `walk` -> `Walk`
+std::string context_name(const Provider& provider);                 ///< `Halting`
+std::string group_name(const Model& model, GroupId group);          ///< `Walk`
+std::string provider_name(const Model& model, ProviderId provider); ///< `Walk::Halting`
+std::string module_type(const Model& model, ModuleId module);       ///< `Locomotion`
+std::string module_word(const Model& model, ModuleId module);       ///< `locomotion`, as a parameter is called
+std::string trigger_type(const Model& model, TriggerId trigger);    ///< `Sensors`, `director::Broken<Walk::Halting>`
+std::string state_type(const Model& model, StateId state);          ///< `Stability`
+
+} // namespace director::compiler

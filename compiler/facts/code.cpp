@@ -1,0 +1,122 @@
+// Door: compiler/facts/code.hpp. Test: tests/checks/code_test.cpp.
+#include "compiler/facts/code.hpp"
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+constexpr std::size_t most_bytes = 64U << 20U; // as of a behaviour file
+
+class UnitReader {
+public:
+  UnitReader(const Json& unit, CodeFiles& files) : unit_(unit), files_(files) {}
+
+  std::string path_of(const Json& at) const {
+    const std::vector<Json>& paths = unit_["paths"].items();
+    if (at.items().size() != 3) return {};
+    const auto row = static_cast<std::size_t>(at.items()[0].as_number());
+    return row < paths.size() ? paths[row].as_text() : std::string{};
+  }
+
+  dsl::Span span(const Json& at) const {
+    const std::string path = path_of(at);
+    if (path.empty()) return {};
+    return {files_.of(path), static_cast<std::uint32_t>(at.items()[1].as_number()),
+            static_cast<std::uint32_t>(at.items()[2].as_number())};
+  }
+
+  CodeFunction function(const Json& from) const {
+    CodeFunction out;
+    out.key = from["key"].as_text();
+    out.name = from["name"].as_text();
+    out.span = span(from["at"]);
+    out.overrides = texts(from["overrides"]);
+    out.context = from["context"].as_text();
+    out.class_name = from["class"].as_text();
+    out.doubtful = !unit_["errors"].items().empty();
+    for (const Json& each : from["does"].items()) out.words.push_back(word(each));
+    for (const Json& each : from["calls"].items()) {
+      out.calls.push_back({each["to"].as_text(), each["name"].as_text(), span(each["at"]), path_of(each["declared"]),
+                           each["carries"].as_boolean(), each["maybe"].as_boolean(), each["virtual"].as_boolean()});
+    }
+    for (const Json& each : from["blocks"].items())
+      out.blocks.push_back({each["name"].as_text(), each["why"].as_text(), span(each["at"])});
+    for (const Json& each : from["hidden"].items())
+      out.hidden.push_back({each["what"].as_text(), span(each["at"]), each["carries"].as_boolean()});
+    return out;
+  }
+
+  CodeClass record(const Json& from) const {
+    CodeClass out{from["key"].as_text(),
+                  from["name"].as_text(),
+                  from["module"].as_text(),
+                  span(from["at"]),
+                  texts(from["bases"]),
+                  texts(from["missing"]),
+                  {}};
+    for (const Json& each : from["stray"].items())
+      out.stray.push_back({each["context"].as_text(), each["wrote"].as_text(), span(each["at"])});
+    return out;
+  }
+
+private:
+  static std::vector<std::string> texts(const Json& list) {
+    std::vector<std::string> out;
+    for (const Json& each : list.items()) out.push_back(each.as_text());
+    return out;
+  }
+
+  CodeWord word(const Json& from) const {
+    using Kind = CodeWord::Kind;
+    const std::string& name = from["word"].as_text();
+    const Kind kind = name == "request" ? Kind::request
+                      : name == "pack"  ? Kind::pack
+                      : name == "set"   ? Kind::set
+                      : name == "done"  ? Kind::done
+                      : name == "fail"  ? Kind::fail
+                                        : Kind::keep;
+    CodeWord out{kind, from["context"].as_text(), from["pack"].as_text(), texts(from["tasks"]), from["state"].as_text(),
+                 {},   span(from["at"])};
+    if (from["values"].is_list()) out.values = texts(from["values"]);
+    return out;
+  }
+
+  const Json& unit_;
+  CodeFiles& files_;
+};
+
+} // namespace
+
+const CodeFunction* CodeFacts::find(std::string_view key) const {
+  const auto at = by_key.find(key);
+  return at == by_key.end() ? nullptr : &functions[at->second];
+}
+
+dsl::FileId CodeFiles::of(const std::string& path) {
+  const auto at = known_.find(path);
+  if (at != known_.end()) return at->second;
+  auto text = files_.read(path, most_bytes);
+  const dsl::FileId id = sources_.add(shown_(path), text ? std::move(text.value()) : std::string{});
+  known_.emplace(path, id);
+  return id;
+}
+
+void add_unit(CodeFacts& code, const Json& unit, CodeFiles& files) {
+  const UnitReader reader(unit, files);
+  for (const Json& each : unit["functions"].items()) {
+    if (!code.by_key.emplace(each["key"].as_text(), code.functions.size()).second) continue;
+    code.functions.push_back(reader.function(each));
+  }
+  for (const Json& each : unit["classes"].items()) {
+    CodeClass record = reader.record(each);
+    const auto known = [&](const CodeClass& other) { return other.key == record.key; };
+    if (std::none_of(code.classes.begin(), code.classes.end(), known)) code.classes.push_back(std::move(record));
+  }
+  const Json& aliases = unit["aliases"];
+  for (std::size_t i = 0; i < aliases.keys().size(); ++i)
+    code.aliases.emplace(aliases.keys()[i], aliases.items()[i].as_text());
+}
+
+} // namespace director::compiler

@@ -1,0 +1,204 @@
+// Door: compiler/facts/flags.hpp. Test: tests/compiler/facts/flags_test.cpp.
+#include "compiler/facts/flags.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace director::compiler {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// With the word behind them: what is written, and what the linker is told.
+constexpr std::array<std::string_view, 12> dropped_pairs{
+    "-o", "-MF", "-MT", "-MQ", "-MJ", "-Xlinker", "-Xassembler", "--param", "-aux-info", "-dumpbase", "-u", "-z"};
+/// Alone. What produces something else than a tree, and files that only g++ can read.
+constexpr std::array<std::string_view, 13> dropped{"-c",
+                                                   "-S",
+                                                   "-E",
+                                                   "-MD",
+                                                   "-MMD",
+                                                   "-MP",
+                                                   "-MG",
+                                                   "-M",
+                                                   "-MM",
+                                                   "-pipe",
+                                                   "-fmodules-ts",
+                                                   "-Winvalid-pch",
+                                                   "-pedantic-errors"};
+/// By how they begin: code generation, optimisation, linking, debugging and warnings change nothing that is looked at
+/// here, and many of g++'s are unknown to Clang.
+constexpr std::array<std::string_view, 42> dropped_beginnings{"-W",
+                                                              "-O",
+                                                              "-g",
+                                                              "-Wl,",
+                                                              "-Wa,",
+                                                              "-l",
+                                                              "-L",
+                                                              "-save-temps",
+                                                              "-specs=",
+                                                              "--specs=",
+                                                              "-fdiagnostics",
+                                                              "-fmessage",
+                                                              "-fconcepts",
+                                                              "-fno-gnu-unique",
+                                                              "-fcallgraph",
+                                                              "-fstack",
+                                                              "-fcf-protection",
+                                                              "-fipa",
+                                                              "-fno-ipa",
+                                                              "-ftree",
+                                                              "-fno-tree",
+                                                              "-fvar-tracking",
+                                                              "-fno-var-tracking",
+                                                              "-flto",
+                                                              "-fno-lto",
+                                                              "-fprofile",
+                                                              "-fcoverage",
+                                                              "-ftest-coverage",
+                                                              "-fsanitize",
+                                                              "-fno-sanitize",
+                                                              "-fplugin",
+                                                              "-fanalyzer",
+                                                              "-fmodule-",
+                                                              "-fdump",
+                                                              "-fpermissive",
+                                                              "-fno-canonical",
+                                                              "-fconserve",
+                                                              "-freg-struct",
+                                                              "-fno-toplevel-reorder",
+                                                              "-fmax-errors",
+                                                              "-mthumb-interwork",
+                                                              "-mlong-calls"};
+/// They take the next word if nothing follows in their own.
+constexpr std::array<std::string_view, 12> kept_pairs{"-I",        "-isystem",  "-iquote", "-idirafter",
+                                                      "-include",  "-imacros",  "-D",      "-U",
+                                                      "-isysroot", "--sysroot", "-x",      "-target"};
+/// What a compiler must be told when it is asked for its habits.
+constexpr std::array<std::string_view, 8> telling{
+    "-m", "--sysroot", "-isysroot", "-std=", "-stdlib=", "-nostdinc", "--target", "-B"};
+
+bool begins(std::string_view word, const auto& list) {
+  return std::any_of(list.begin(), list.end(), [&](std::string_view each) { return word.starts_with(each); });
+}
+
+bool among(std::string_view word, const auto& list) { return std::find(list.begin(), list.end(), word) != list.end(); }
+
+std::string stem_of(const std::string& program) { return fs::path(program).filename().string(); }
+
+bool is_launcher(const std::string& program) {
+  const std::string name = stem_of(program);
+  return name == "ccache" || name == "sccache" || name == "distcc" || name == "icecc" || name == "env";
+}
+
+bool is_clang(const std::string& program) { return stem_of(program).find("clang") != std::string::npos; }
+
+} // namespace
+
+Flags fit_for_clang(const Words& command) {
+  Flags out;
+  std::size_t i = 0;
+  while (i < command.size() && (is_launcher(command[i]) || (i > 0 && command[i].find('=') != std::string::npos))) ++i;
+  if (i < command.size()) out.compiler = command[i++];
+  for (; i < command.size(); ++i) {
+    const std::string& word = command[i];
+    const bool has_next = i + 1 < command.size();
+    if (among(word, dropped_pairs)) {
+      ++i;
+    } else if (among(word, kept_pairs)) {
+      out.words.push_back(word);
+      if (has_next) out.words.push_back(command[++i]);
+    } else if (word == "-Xclang" || word == "-Xpreprocessor") {
+      ++i;
+    } else if (word.starts_with("-Wp,")) {
+      continue;
+    } else if (among(word, dropped) || begins(word, dropped_beginnings)) {
+      continue;
+    } else if (word == "--" || (!word.starts_with('-') && !word.starts_with('@'))) {
+      continue; // the file, or what else is compiled with it
+    } else {
+      out.words.push_back(word);
+    }
+  }
+  return out;
+}
+
+Habits read_habits(const std::string& text) {
+  Habits out;
+  bool in_list = false;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string line = text.substr(at, end - at);
+    at = end + 1;
+    if (line.starts_with("Target: ")) out.target = line.substr(8);
+    if (line.starts_with("#include <...>")) {
+      in_list = true;
+    } else if (line.starts_with("End of search list")) {
+      in_list = false;
+    } else if (in_list && line.starts_with(' ')) {
+      const std::string folder = fs::path(line.substr(1)).lexically_normal().string();
+      // g++'s own headers for its own built-in functions: Clang has its own.
+      const bool is_own = folder.find("/lib/gcc") != std::string::npos &&
+                          (folder.ends_with("/include") || folder.ends_with("/include-fixed"));
+      if (!is_own) out.includes.push_back(folder);
+    }
+  }
+  return out;
+}
+
+Words Compilers::complete(const Flags& flags) {
+  if (flags.compiler.empty() || is_clang(flags.compiler)) return flags.words;
+  Words question{"sh", "-c", "exec \"$0\" \"$@\" 2>&1", flags.compiler};
+  for (std::size_t i = 0; i < flags.words.size(); ++i) {
+    const std::string& word = flags.words[i];
+    if (!begins(word, telling)) continue;
+    question.push_back(word);
+    if ((word == "--sysroot" || word == "-isysroot") && i + 1 < flags.words.size())
+      question.push_back(flags.words[++i]);
+  }
+  for (const char* word : {"-v", "-E", "-x", "c++", "/dev/null"}) question.emplace_back(word);
+  std::string key;
+  for (const std::string& word : question) key += word + '\n';
+  auto at = known_.find(key);
+  if (at == known_.end()) {
+    const Answer answer = programs_.run(question, {});
+    at = known_.emplace(key, answer.started ? read_habits(answer.output) : Habits{}).first;
+  }
+  const Habits& habits = at->second;
+  Words out = flags.words;
+  if (habits.includes.empty()) return out;
+  if (!habits.target.empty()) out.push_back("--target=" + habits.target);
+  out.emplace_back("-nostdinc++");
+  out.emplace_back("-nostdlibinc");
+  for (const std::string& folder : habits.includes) {
+    // In the order that Clang has of itself: the C++ library, what is its own, the rest.
+    out.emplace_back(folder.find("/c++") != std::string::npos ? "-isystem" : "-idirafter");
+    out.push_back(folder);
+  }
+  return out;
+}
+
+Words include_folders(const Words& words, const std::string& directory) {
+  Words out;
+  const auto add = [&](const std::string& folder) {
+    const fs::path path(folder);
+    out.push_back((path.is_absolute() ? path : fs::path(directory) / path).lexically_normal().string());
+  };
+  for (const std::string_view option : {"-iquote", "-I", "-isystem", "-idirafter"}) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words[i] == option && i + 1 < words.size()) {
+        add(words[++i]);
+      } else if (words[i].starts_with(option) && words[i].size() > option.size()) {
+        add(words[i].substr(option.size()));
+      }
+    }
+  }
+  return out;
+}
+
+} // namespace director::compiler

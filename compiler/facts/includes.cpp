@@ -1,0 +1,74 @@
+// Door: compiler/facts/includes.hpp. Test: tests/compiler/facts/flags_test.cpp.
+#include "compiler/facts/includes.hpp"
+
+#include <filesystem>
+#include <string_view>
+
+namespace director::compiler {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_bytes = 64U << 20U;
+constexpr std::string_view blanks = " \t";
+
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t at = text.find_first_not_of(blanks);
+  return at == std::string_view::npos ? std::string_view{} : text.substr(at);
+}
+
+} // namespace
+
+const Includes::File& Includes::file(const std::string& path) {
+  const auto at = known_.find(path);
+  if (at != known_.end()) return at->second;
+  File out;
+  if (const auto text = files_.read(path, most_bytes)) {
+    out.exists = true;
+    std::string_view rest = text.value();
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      std::string_view line = without_blanks(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+      if (!line.starts_with('#')) continue;
+      line = without_blanks(line.substr(1));
+      if (!line.starts_with("include")) continue;
+      line = without_blanks(line.substr(line.starts_with("include_next") ? 12 : 7));
+      const bool quoted = line.starts_with('"');
+      const std::size_t close =
+          quoted || line.starts_with('<') ? line.find(quoted ? '"' : '>', 1) : std::string_view::npos;
+      out.lines.push_back(
+          {close == std::string_view::npos ? std::string{} : std::string(line.substr(1, close - 1)), quoted});
+    }
+  }
+  return known_.emplace(path, std::move(out)).first->second;
+}
+
+bool Includes::look(const std::string& path, const std::vector<std::string>& folders, const std::string& header,
+                    std::set<std::string>& seen) {
+  if (path == header) return true;
+  if (!seen.insert(path).second) return false;
+  for (const Line& line : file(path).lines) {
+    if (line.name.empty()) return true;
+    std::string found;
+    if (line.quoted) {
+      const std::string beside = (fs::path(path).parent_path() / line.name).lexically_normal().string();
+      if (file(beside).exists) found = beside;
+    }
+    for (auto folder = folders.begin(); found.empty() && folder != folders.end(); ++folder) {
+      const std::string there = (fs::path(*folder) / line.name).lexically_normal().string();
+      if (file(there).exists) found = there;
+    }
+    if (!found.empty() && look(found, folders, header, seen)) return true;
+  }
+  return false;
+}
+
+bool Includes::may_include(const std::string& path, const std::vector<std::string>& folders,
+                           const std::string& header) {
+  std::set<std::string> seen;
+  return look(path, folders, fs::path(header).lexically_normal().string(), seen);
+}
+
+} // namespace director::compiler

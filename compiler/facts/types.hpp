@@ -1,0 +1,58 @@
+#pragma once
+// The user's types that a behaviour names: enums that states have, data of tasks. Read from the headers that it names,
+// with the flags of the program.
+
+#include "compiler/facts/code.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+/// A place in a file that is not among the sources yet: most of these are never shown.
+struct CodePlace {
+  std::string path;
+  std::uint32_t begin = 0, end = 0;
+};
+
+struct CppType {
+  std::string wrong;    ///< why there is no such type, in the words of Clang; else empty
+  bool complete = true; ///< false: declared and not defined
+  bool is_enum = false;
+  struct Enumerator {
+    std::string name, value;
+    CodePlace place;
+  };
+  std::vector<Enumerator> enumerators; ///< in order
+  CodePlace place;                     ///< empty path: built in
+};
+
+struct Types {
+  std::string fault; ///< why nothing is known of any; else empty
+  std::map<std::string, CppType, std::less<>>
+      by_name;                    ///< as the behaviour writes it; those of which nothing is known are missing
+  std::vector<std::string> files; ///< the user's headers that were read
+  const CppType* find(std::string_view name) const;
+};
+
+/// What a stage that resolves names asks. Both are called at most once, and only where the behaviour names types of
+/// C++.
+class TypeReader {
+public:
+  struct Question {
+    std::vector<std::string> headers, names;
+    std::string name_space;
+  };
+  /// Also what states with `values` and data are, not only what cannot be done without: the program's flags are
+  /// certain.
+  virtual bool thorough() const = 0;
+  virtual Types read(const Question& question) = 0;
+  virtual dsl::Span span(const CodePlace& place) = 0;
+
+protected:
+  ~TypeReader() = default;
+};
+
+} // namespace director::compiler

@@ -1,0 +1,108 @@
+// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/types_test.cpp.
+#include "compiler/model/resolver.hpp"
+#include "dsl/suggest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+void note_place(Resolver& r, Diagnostic& finding, const CodePlace& place, std::string message) {
+  if (!place.path.empty()) finding.notes.push_back({r.options.reader->span(place), std::move(message)});
+}
+
+/// False, and says so, where it is no enum that can be used.
+bool is_usable(Resolver& r, const Word& name, const CppType& type) {
+  if (!type.wrong.empty()) {
+    r.error("unknown_type", name.span, fmt::format("there is no type `{}` in the C++: {}", name.value, type.wrong));
+    return false;
+  }
+  if (type.is_enum && type.complete) return true;
+  note_place(r,
+             r.error("unknown_type", name.span,
+                     fmt::format("`{}` is {}", name.value,
+                                 type.is_enum ? "declared and not defined, so its values are not known" : "no enum")),
+             type.place, "it is here");
+  return false;
+}
+
+/// The values of an enum, unless two are one.
+void take_values(Resolver& r, State& state, const Word& name, const CppType& type) {
+  for (std::size_t i = 0; i < type.enumerators.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (type.enumerators[i].value != type.enumerators[j].value) continue;
+      Diagnostic& finding =
+          r.error("redefined_name", name.span,
+                  fmt::format("`{}` and `{}` of `{}` are one value, so they cannot be two values of `{}`",
+                              type.enumerators[j].name, type.enumerators[i].name, name.value, state.name.value));
+      note_place(r, finding, type.enumerators[i].place, "the second one is here");
+    }
+  }
+  for (const CppType::Enumerator& each : type.enumerators) {
+    state.values.push_back(each.name);
+    state.value_spans.push_back(r.options.reader->span(each.place));
+  }
+  state.high = static_cast<std::int64_t>(state.values.size()) - 1;
+}
+
+void compare_values(Resolver& r, const State& state, const Word& name, const CppType& type) {
+  std::vector<std::string> names;
+  for (const CppType::Enumerator& each : type.enumerators) {
+    names.push_back(each.name);
+    if (std::find(state.values.begin(), state.values.end(), each.name) != state.values.end()) continue;
+    note_place(
+        r,
+        r.error("enum_drift", name.span,
+                fmt::format("`{}` has `{}`, which the values of `{}` lack", name.value, each.name, state.name.value)),
+        each.place, fmt::format("`{}` is here", each.name));
+  }
+  for (std::size_t i = 0; i < state.values.size(); ++i) {
+    if (std::find(names.begin(), names.end(), state.values[i]) != names.end()) continue;
+    Diagnostic& finding =
+        r.error("enum_drift", state.value_spans[i], fmt::format("`{}` has no `{}`", name.value, state.values[i]));
+    note_place(r, finding, type.place, fmt::format("`{}` is here", name.value));
+    if (const auto near = dsl::suggest(state.values[i], names)) finding.help = fmt::format("did you mean `{}`?", *near);
+  }
+}
+
+} // namespace
+
+void take_type(Resolver& r, State& state, const dsl::StateSpec& spec) {
+  if (!spec.type || spec.range) return; // that the two exclude each other is reported elsewhere
+  const CppType* type = r.options.types != nullptr ? r.options.types->find(spec.type->value) : nullptr;
+  if (type != nullptr) {
+    if (!is_usable(r, *spec.type, *type)) return;
+    spec.values ? compare_values(r, state, *spec.type, *type) : take_values(r, state, *spec.type, *type);
+    return;
+  }
+  if (spec.values) return;
+  const std::string why = r.options.types != nullptr && !r.options.types->fault.empty()
+                              ? r.options.types->fault
+                              : "this directorc cannot read C++";
+  r.error("type_needs_scanner", spec.type->span,
+          fmt::format("the values of `{}` are not known here: {}", spec.type->value, why))
+      .help = fmt::format("list the values of `{}` beside its type: `values: [...]`", state.name.value);
+}
+
+void check_data_types(Resolver& r) {
+  if (r.options.types == nullptr) return;
+  for (const GroupId id : r.model.groups.ids()) {
+    const Group& group = r.model.groups[id];
+    if (group.data.empty()) continue;
+    const CppType* type = r.options.types->find(group.data);
+    if (type == nullptr || (type->wrong.empty() && type->complete)) continue;
+    if (!type->wrong.empty()) {
+      r.error("unknown_type", group.data_span,
+              fmt::format("there is no type `{}` in the C++: {}", group.data, type->wrong));
+      continue;
+    }
+    Diagnostic& finding = r.error("unknown_type", group.data_span,
+                                  fmt::format("`{}` is declared and not defined, so no task can carry it", group.data));
+    note_place(r, finding, type->place, "it is here");
+  }
+}
+
+} // namespace director::compiler

@@ -1,0 +1,269 @@
+// Door: compiler/verify.hpp. Test: tests/clang/faults_test.cpp.
+#include "compiler/verify.hpp"
+
+#include "compiler/checks/code_check.hpp"
+#include "compiler/emit/emit.hpp"
+#include "compiler/facts/flags.hpp"
+#include "compiler/facts/includes.hpp"
+#include "compiler/facts/scanner.hpp"
+#include "compiler/lower/lower.hpp"
+#include "compiler/version.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace director::compiler {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_bytes = 64U << 20U;
+
+/// A file of the build, and the generated header that it would include.
+struct Candidate {
+  const CompileCommand* command = nullptr;
+  Flags flags;
+  std::string header; ///< path; empty: none is in its include folders
+  bool scanned = false;
+};
+
+class Verifier {
+public:
+  Verifier(const Checked& checked, dsl::Sources& sources, VerifyWorld& world)
+      : checked_(checked),
+        sources_(sources),
+        world_(world),
+        scanner_(world.scanner, world.programs),
+        compilers_(world.programs),
+        includes_(world.files),
+        cache_(world.store, world.files),
+        code_files_(world.files, sources, world.shown) {}
+
+  Verified run(const std::string& build, const std::string& generated) {
+    if (!find_candidates(build, generated)) return std::move(out_);
+    if (!compare_generated()) return std::move(out_);
+    std::vector<Candidate*> wanted;
+    for (Candidate& each : candidates_) {
+      if (!each.header.empty()) wanted.push_back(&each);
+    }
+    while (!wanted.empty()) {
+      if (!scan(wanted)) return std::move(out_);
+      wanted = helpers(checks::look_below(checked_.model, code_));
+    }
+    judge(build);
+    return std::move(out_);
+  }
+
+private:
+  bool fail(std::string fault) {
+    out_.fault = std::move(fault);
+    return false;
+  }
+
+  bool find_candidates(const std::string& build, const std::string& generated) {
+    const std::string path = (fs::path(build) / "compile_commands.json").string();
+    const auto text = world_.files.read(path, most_bytes);
+    if (!text) {
+      return fail(fmt::format("cannot read `{}`: {}; CMake writes it with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON", path,
+                              text.error().message));
+    }
+    auto commands = read_compile_commands(text.value());
+    if (!commands) return fail(fmt::format("`{}` is wrong: {}", path, commands.error()));
+    commands_ = std::move(commands.value());
+    const std::string name = checked_.model.name + ".hpp";
+    const std::string only =
+        generated.empty() ? std::string{} : (fs::absolute(generated) / name).lexically_normal().string();
+    bool any = false;
+    for (const CompileCommand& command : commands_) {
+      Candidate each{&command, fit_for_clang(command.words), {}, false};
+      const std::vector<std::string> folders = include_folders(each.flags.words, command.directory);
+      for (const std::string& folder : folders) {
+        const std::string header = (fs::path(folder) / name).string();
+        if (!is_generated(header)) continue;
+        each.header = header;
+        break;
+      }
+      const bool is_other = !only.empty() && each.header != only;
+      const bool is_output = fs::path(command.file).parent_path() == fs::path(each.header).parent_path();
+      if (is_other || is_output) each.header.clear();
+      any = any || !each.header.empty();
+      if (!each.header.empty() && !includes_.may_include(command.file, folders, each.header)) each.header.clear();
+      candidates_.push_back(std::move(each));
+    }
+    if (any) return true;
+    return fail(fmt::format(
+        "no file of `{}` has the generated `{}` in its include folders: has the program been built?", build, name));
+  }
+
+  bool is_generated(const std::string& header) {
+    const auto at = headers_.find(header);
+    if (at != headers_.end()) return !at->second.empty();
+    const auto text = world_.files.read(header, most_bytes);
+    const bool ours = text && text.value().find("// Written by directorc ") != std::string::npos;
+    return !headers_.emplace(header, ours ? text.value() : std::string{}).first->second.empty();
+  }
+
+  /// False: what was generated is old, and all that follows from it would be told in vain.
+  bool compare_generated() {
+    const Lowered lowered = lower(checked_.model);
+    std::string expected;
+    for (const Artefact& artefact : emit({sources_, checked_.model, lowered})) {
+      if (artefact.path == checked_.model.name + ".hpp") expected = artefact.text;
+    }
+    std::set<std::string> told;
+    bool all_fresh = true;
+    for (const Candidate& each : candidates_) {
+      if (each.header.empty() || !told.insert(each.header).second) continue;
+      const bool fresh = headers_[each.header] == expected;
+      all_fresh = all_fresh && fresh;
+      if (!fresh) code_.headers.push_back({code_files_.of(each.header), false});
+    }
+    if (!all_fresh) out_.findings = checks::run_code_checks(checks::look_below(checked_.model, code_));
+    return all_fresh;
+  }
+
+  bool scan(const std::vector<Candidate*>& wanted) {
+    const Scan version = scanner_.version();
+    if (!version) return fail(version.error().message);
+    std::vector<std::string> questions;
+    Json units = Json::list({});
+    std::vector<Json> answers(wanted.size());
+    std::vector<std::size_t> asked;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      wanted[i]->scanned = true;
+      Json unit = unit_of(*wanted[i]);
+      questions.push_back(to_line(Json::object({{"unit", unit},
+                                                {"namespace", Json::text(checked_.model.name_space)},
+                                                {"director", Json::text(compiler::version())},
+                                                {"clang", version.value()["clang"]}})));
+      if (std::optional<Json> known = cache_.recall(questions.back())) {
+        answers[i] = std::move(*known);
+      } else {
+        units.add(std::move(unit));
+        asked.push_back(i);
+      }
+    }
+    if (!asked.empty()) {
+      const Scan answer = scanner_.ask(
+          "facts", Json::object({{"units", std::move(units)}, {"namespace", Json::text(checked_.model.name_space)}}));
+      if (!answer) return fail(answer.error().message);
+      const std::vector<Json>& told = answer.value()["units"].items();
+      if (told.size() != asked.size()) return fail("director-clang left out some files");
+      for (std::size_t i = 0; i < asked.size(); ++i) {
+        cache_.keep(questions[asked[i]], told[i]);
+        answers[asked[i]] = told[i];
+      }
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      ++out_.files;
+      add_unit(code_, answers[i], code_files_);
+      note_errors(*wanted[i], answers[i]);
+    }
+    return true;
+  }
+
+  Json unit_of(const Candidate& candidate) {
+    Json words = Json::list({});
+    for (const std::string& word : compilers_.complete(candidate.flags)) words.add(Json::text(word));
+    return Json::object({{"file", Json::text(candidate.command->file)},
+                         {"directory", Json::text(candidate.command->directory)},
+                         {"arguments", std::move(words)}});
+  }
+
+  void note_errors(const Candidate& candidate, const Json& answer) {
+    const std::vector<Json>& errors = answer["errors"].items();
+    if (errors.empty()) return;
+    const Json& first = errors.front();
+    const std::string& path = first["file"].as_text();
+    const std::string place = path.empty() ? world_.shown(candidate.command->file)
+                                           : fmt::format("{}:{}", world_.shown(path), first["line"].as_number());
+    const std::string more = errors.size() > 1 ? fmt::format(", and {} more", errors.size() - 1) : "";
+    out_.not_decided.push_back(fmt::format("Clang does not understand all of `{}`: {}: {}{}",
+                                           world_.shown(candidate.command->file), place, first["message"].as_text(),
+                                           more));
+  }
+
+  /// Files that may have the bodies of functions that are called and matter: called like the header that declares them.
+  std::vector<Candidate*> helpers(const checks::CodeInput& input) {
+    std::set<std::string> stems;
+    for (const checks::Body& body : input.bodies) {
+      const bool realtime = checked_.model.groups[body.of.group].realtime;
+      for (const checks::Unseen& each : body.unseen) {
+        if (!each.declared_in.empty() && (each.carries || realtime))
+          stems.insert(fs::path(each.declared_in).stem().string());
+      }
+    }
+    std::vector<Candidate*> out;
+    std::set<std::string> files;
+    for (Candidate& each : candidates_) {
+      const fs::path file = each.command->file;
+      if (each.scanned || stems.count(file.stem().string()) == 0 || !files.insert(file.string()).second) continue;
+      out.push_back(&each);
+    }
+    return out;
+  }
+
+  void judge(const std::string& build) {
+    const checks::CodeInput input = checks::look_below(checked_.model, code_);
+    out_.findings = checks::run_code_checks(input);
+    std::set<std::string> seen;
+    for (const checks::Body& body : input.bodies) {
+      seen.insert(body.function->context);
+      note_unseen(body);
+    }
+    out_.bodies = input.names.contexts.size();
+    out_.seen = seen.size();
+    if (seen.empty()) {
+      fail(fmt::format("none of the {} files of `{}` that could have a body of `{}` has one", out_.files, build,
+                       checked_.model.name));
+      return;
+    }
+    std::vector<std::string> missing;
+    for (const auto& [context, of] : input.names.contexts) {
+      if (seen.count(context) == 0) missing.push_back(checks::name_of(checked_.model, of));
+    }
+    if (!missing.empty()) out_.not_decided.push_back(fmt::format("no body was found for {}", fmt::join(missing, ", ")));
+  }
+
+  void note_unseen(const checks::Body& body) {
+    const bool realtime = checked_.model.groups[body.of.group].realtime;
+    std::set<std::string> told;
+    for (const checks::Unseen& each : body.unseen) {
+      if ((!each.carries && !realtime) || !told.insert(each.what).second) continue;
+      const dsl::SourceFile& file = sources_[each.span.file];
+      const dsl::Place place = file.place(each.span.begin);
+      out_.not_decided.push_back(fmt::format("{}: nobody can see {}: {}:{}:{}: {}",
+                                             checks::name_of(checked_.model, body.of),
+                                             each.carries ? "what else it may ask for" : "whether it blocks",
+                                             file.path(), place.line, place.column, each.what));
+    }
+  }
+
+  const Checked& checked_;
+  dsl::Sources& sources_;
+  VerifyWorld& world_;
+  Scanner scanner_;
+  Compilers compilers_;
+  Includes includes_;
+  FactCache cache_;
+  CodeFiles code_files_;
+  std::vector<CompileCommand> commands_;
+  std::vector<Candidate> candidates_;
+  std::map<std::string, std::string> headers_; ///< path -> text; empty: it is none of ours
+  CodeFacts code_;
+  Verified out_;
+};
+
+} // namespace
+
+Verified verify(const Checked& checked, dsl::Sources& sources, const std::string& build, const std::string& generated,
+                VerifyWorld& world) {
+  return Verifier(checked, sources, world).run(build, generated);
+}
+
+} // namespace director::compiler

@@ -1,0 +1,63 @@
+#include "compiler/facts/cache.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director::compiler;
+
+class MemoryFacts final : public FactStore {
+public:
+  std::optional<std::string> load(const std::string& name) override {
+    const auto at = entries.find(name);
+    if (at == entries.end()) return {};
+    return at->second;
+  }
+  void save(const std::string& name, const std::string& text) override { entries[name] = text; }
+  std::string stamp(const std::string& path) override { return path + " " + system; }
+  std::map<std::string, std::string> entries;
+  std::string system = "of yesterday";
+};
+
+const char* const answer_text =
+    R"({"values": [1], "files": [["/u/types.hpp", false], ["/usr/include/vector", true]], "errors": []})";
+
+TEST_CASE("an answer is recalled as long as nothing changes that it was made from") {
+  MemoryFacts store;
+  director::dsl::MemoryFiles files;
+  files.add("/u/types.hpp", "enum A { a };");
+  const Json answer = *parse_json(answer_text);
+  FactCache(store, files).keep("question", answer);
+  CHECK(FactCache(store, files).recall("question") == answer);
+  CHECK_FALSE(FactCache(store, files).recall("another question"));
+
+  SECTION("a header of the user has another text") {
+    files.add("/u/types.hpp", "enum A { b };");
+    CHECK_FALSE(FactCache(store, files).recall("question"));
+  }
+  SECTION("a header of the system was replaced") {
+    store.system = "of today";
+    CHECK_FALSE(FactCache(store, files).recall("question"));
+  }
+  SECTION("the entry is broken off, or changed, or empty") {
+    std::string& entry = store.entries.begin()->second;
+    const std::string whole = entry;
+    entry = whole.substr(0, whole.size() / 2);
+    CHECK_FALSE(FactCache(store, files).recall("question"));
+    entry = whole;
+    entry[entry.find("values") + 1] = 'o';
+    CHECK_FALSE(FactCache(store, files).recall("question"));
+    entry.clear();
+    CHECK_FALSE(FactCache(store, files).recall("question"));
+  }
+}
+
+TEST_CASE("an answer with errors is not kept: what was missing may be there the next time") {
+  MemoryFacts store;
+  director::dsl::MemoryFiles files;
+  FactCache(store, files)
+      .keep("question", *parse_json(R"({"files": [["/a", false]], "errors": [{"message": "not found"}]})"));
+  CHECK(store.entries.empty());
+}
+
+} // namespace

@@ -1,0 +1,128 @@
+#include "compiler/facts/compile_commands.hpp"
+#include "compiler/facts/flags.hpp"
+#include "compiler/facts/includes.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director::compiler;
+using Words = std::vector<std::string>;
+
+/// Answers every question alike, and counts them.
+class Compiler final : public Programs {
+public:
+  Answer run(const Words& words, const std::string&) override {
+    question = words;
+    ++calls;
+    return answer;
+  }
+  Answer answer;
+  Words question;
+  int calls = 0;
+};
+
+TEST_CASE("a command line is taken apart as a shell would") {
+  CHECK(split_command(R"(g++  -DNAME="\"a b\"" '-DX=c d' e\ f)") == Words{"g++", "-DNAME=\"a b\"", "-DX=c d", "e f"});
+  CHECK(split_command("a '' b") == Words{"a", "", "b"});
+  CHECK(split_command("").empty());
+}
+
+TEST_CASE("compile_commands.json with commands and with arguments") {
+  const auto read = read_compile_commands(R"([{"directory": "/b", "file": "../s/a.cpp", "command": "g++ -c ../s/a.cpp"},
+                                              {"directory": "/b", "file": "/s/b.cpp", "arguments": ["g++", "/s/b.cpp"], "output": "x"}])");
+  REQUIRE(read);
+  CHECK(read.value() == std::vector<CompileCommand>{{"/s/a.cpp", "/b", {"g++", "-c", "../s/a.cpp"}},
+                                                    {"/s/b.cpp", "/b", {"g++", "/s/b.cpp"}}});
+  CHECK(read_compile_commands("{").error() == "it is no JSON list");
+  CHECK(read_compile_commands(R"([{"file": "a.cpp"}])").error() ==
+        "an entry needs `directory`, `file`, and `command` or `arguments`");
+}
+
+TEST_CASE("flags that only g++ knows are left out, and what is written too") {
+  const Flags flags = fit_for_clang({"/usr/bin/ccache",
+                                     "/usr/bin/g++",
+                                     "-Iinclude",
+                                     "-isystem",
+                                     "/opt/x",
+                                     "-DA=1",
+                                     "-D",
+                                     "B",
+                                     "-O2",
+                                     "-Wall",
+                                     "-Werror",
+                                     "-fno-var-tracking",
+                                     "-fconcepts-diagnostics-depth=2",
+                                     "-std=gnu++20",
+                                     "--param",
+                                     "max-inline=3",
+                                     "-MD",
+                                     "-MT",
+                                     "a.o",
+                                     "-MF",
+                                     "a.d",
+                                     "-fno-exceptions",
+                                     "-include",
+                                     "all.hpp",
+                                     "--sysroot=/target",
+                                     "-mcpu=cortex-m3",
+                                     "-o",
+                                     "a.o",
+                                     "-c",
+                                     "a.cpp"});
+  CHECK(flags.compiler == "/usr/bin/g++");
+  CHECK(flags.words == Words{"-Iinclude", "-isystem", "/opt/x", "-DA=1", "-D", "B", "-std=gnu++20", "-fno-exceptions",
+                             "-include", "all.hpp", "--sysroot=/target", "-mcpu=cortex-m3"});
+}
+
+TEST_CASE("a g++ is asked for its target and its folders, once for each way of calling it") {
+  Compiler compiler;
+  compiler.answer = {true, 0,
+                     "Target: arm-none-eabi\n#include \"...\" search starts here:\n#include <...> search starts here:\n"
+                     " /usr/lib/gcc/arm-none-eabi/12/../../../arm-none-eabi/include/c++/12\n"
+                     " /usr/lib/gcc/arm-none-eabi/12/include\n /usr/lib/gcc/arm-none-eabi/12/include-fixed\n"
+                     " /usr/arm-none-eabi/include\nEnd of search list.\n"};
+  Compilers compilers(compiler);
+  const Flags flags{"arm-none-eabi-g++", {"-Ix", "-mcpu=cortex-m3", "-std=c++20"}};
+  const Words expected{"-Ix",         "-mcpu=cortex-m3",
+                       "-std=c++20",  "--target=arm-none-eabi",
+                       "-nostdinc++", "-nostdlibinc",
+                       "-isystem",    "/usr/lib/arm-none-eabi/include/c++/12",
+                       "-idirafter",  "/usr/arm-none-eabi/include"};
+  CHECK(compilers.complete(flags) == expected);
+  CHECK(compilers.complete({"arm-none-eabi-g++", {"-Iy", "-mcpu=cortex-m3", "-std=c++20"}}).front() == "-Iy");
+  CHECK(compiler.calls == 1);
+  CHECK(compiler.question == Words{"sh", "-c", "exec \"$0\" \"$@\" 2>&1", "arm-none-eabi-g++", "-mcpu=cortex-m3",
+                                   "-std=c++20", "-v", "-E", "-x", "c++", "/dev/null"});
+}
+
+TEST_CASE("a clang, or a compiler that is not there, changes nothing") {
+  Compiler compiler;
+  Compilers compilers(compiler);
+  CHECK(compilers.complete({"/usr/bin/clang++-19", {"-Ix"}}) == Words{"-Ix"});
+  CHECK(compiler.calls == 0);
+  CHECK(compilers.complete({"lost-g++", {"-Ix"}}) == Words{"-Ix"});
+}
+
+TEST_CASE("folders in the order in which they are looked into") {
+  CHECK(include_folders({"-isystem", "/s", "-Ia/../b", "-DX", "-iquote", "q", "-I", "/c"}, "/d") ==
+        Words{"/d/q", "/d/b", "/c", "/s"});
+}
+
+TEST_CASE("whether a file may include the generated header") {
+  director::dsl::MemoryFiles files;
+  files.add("/s/main.cpp", "#include <vector>\n  #  include \"player/a.hpp\"\n");
+  files.add("/s/player/a.hpp", "#include \"b.hpp\"\n");
+  files.add("/s/player/b.hpp", "#include <soccer.hpp> // here\n#include \"a.hpp\"\n");
+  files.add("/s/other.cpp", "#include \"player/c.hpp\"\n// #include \"soccer.hpp\"\n");
+  files.add("/s/player/c.hpp", "");
+  files.add("/s/odd.cpp", "#include WHATEVER\n");
+  files.add("/g/soccer.hpp", "");
+  Includes includes(files);
+  CHECK(includes.may_include("/s/main.cpp", {"/g"}, "/g/soccer.hpp"));
+  CHECK_FALSE(includes.may_include("/s/main.cpp", {"/h"}, "/g/soccer.hpp"));
+  CHECK_FALSE(includes.may_include("/s/other.cpp", {"/g"}, "/g/soccer.hpp"));
+  CHECK(includes.may_include("/s/odd.cpp", {"/g"}, "/g/soccer.hpp"));
+}
+
+} // namespace

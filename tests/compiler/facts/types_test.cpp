@@ -1,0 +1,87 @@
+#include "compiler/facts/scanned_types.hpp"
+#include "compiler/version.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director::compiler;
+
+/// director-clang: its version, then `answer`.
+class Child final : public Programs {
+public:
+  Answer run(const std::vector<std::string>& words, const std::string& text) override {
+    if (words.back() == "version")
+      return {true, 0, "{\"director\": \"" + std::string(version()) + "\", \"clang\": \"19\"}"};
+    if (words.front() == "sh") return {};
+    asked.push_back(text);
+    return {true, 0, answer};
+  }
+  std::string answer =
+      R"({"types": [{"complete": true, "enum": {"at": [0, 5, 6], "enumerators": [{"name": "a", "value": "0", "at": [0, 7, 8]}]}}],
+                           "paths": ["/u/types.hpp"], "files": [["/u/types.hpp", false], ["/usr/include/vector", true]], "errors": []})";
+  std::vector<std::string> asked;
+};
+
+class MemoryFacts final : public FactStore {
+public:
+  std::optional<std::string> load(const std::string& name) override {
+    const auto at = entries.find(name);
+    if (at == entries.end()) return {};
+    return at->second;
+  }
+  void save(const std::string& name, const std::string& text) override { entries[name] = text; }
+  std::string stamp(const std::string&) override { return "same"; }
+  std::map<std::string, std::string> entries;
+};
+
+struct World {
+  World() { files.add("/u/types.hpp", "enum A { a };"); }
+  Types read(TypeFlags flags) {
+    Scanner scanner("director-clang", child);
+    CodeFiles code_files(files, sources, [](const std::string& path) { return path; });
+    ScannedTypes types(std::move(flags), scanner, child, files, store, code_files);
+    return types.read({{"types.hpp"}, {"A"}, "x"});
+  }
+  Child child;
+  director::dsl::MemoryFiles files;
+  director::dsl::Sources sources;
+  MemoryFacts store;
+};
+
+const TypeFlags good{{{"/u/other.cpp", "/b", {"g++", "-I/nowhere"}}, {"/u/main.cpp", "/b", {"g++", "-I/u", "-DX"}}},
+                     {},
+                     "`build`",
+                     true};
+
+TEST_CASE("types are read with the flags of a file that finds the headers, and the second time not at all") {
+  World world;
+  const Types types = world.read(good);
+  CHECK(types.fault == "");
+  REQUIRE(types.find("A") != nullptr);
+  CHECK(types.find("A")->enumerators.at(0).name == "a");
+  CHECK(types.find("A")->place.path == "/u/types.hpp");
+  CHECK(types.files == std::vector<std::string>{"/u/types.hpp"});
+  REQUIRE(world.child.asked.size() == 1);
+  CHECK(
+      world.child.asked[0] ==
+      R"({"unit":{"file":"/b/director_types.cpp","directory":"/b","arguments":["-I/u","-DX"]},"headers":["types.hpp"],"namespace":"x","names":["A"]})"
+      "\n");
+  CHECK(world.read(good).find("A") != nullptr);
+  CHECK(world.child.asked.size() == 1);
+  world.files.add("/u/types.hpp", "enum A { a, b };");
+  world.read(good);
+  CHECK(world.child.asked.size() == 2);
+}
+
+TEST_CASE("why nothing is known of the types") {
+  World world;
+  CHECK(world.read({{}, "cannot read `build`", {}, true}).fault == "cannot read `build`");
+  CHECK(world.read({{{"/u/other.cpp", "/b", {"g++", "-I/nowhere"}}}, {}, "`build`", true}).fault ==
+        "no include folder of `build` has the header `types.hpp`");
+  world.child.answer =
+      R"({"types": [null], "paths": [], "files": [], "errors": [{"message": "'y.hpp' file not found"}]})";
+  CHECK(world.read(good).fault == "Clang does not understand the headers: 'y.hpp' file not found");
+}
+
+} // namespace

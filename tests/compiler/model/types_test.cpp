@@ -1,0 +1,94 @@
+#include "compiler/pipeline.hpp"
+#include "dsl/render.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::compiler;
+
+class KnownTypes final : public TypeReader {
+public:
+  bool thorough() const override { return all; }
+  Types read(const Question& question) override {
+    asked.push_back(question);
+    return types;
+  }
+  dsl::Span span(const CodePlace&) override { return {}; }
+  bool all = false;
+  Types types;
+  std::vector<Question> asked;
+};
+
+CppType enum_of(const std::vector<std::string>& names) {
+  CppType out;
+  out.is_enum = true;
+  std::size_t number = 0;
+  for (const std::string& name : names) out.enumerators.push_back({name, std::to_string(number++), {}});
+  return out;
+}
+
+std::string findings(const std::string& text, KnownTypes& types, Model* model = nullptr) {
+  dsl::MemoryFiles files;
+  files.add("x.yaml", "behaviour: x\nlanguage: 1\n" + text);
+  dsl::Sources sources;
+  CheckOptions options;
+  options.types = &types;
+  const Checked checked = check("x.yaml", files, sources, options);
+  if (model != nullptr) *model = checked.model;
+  std::string out;
+  for (const dsl::Diagnostic& each : checked.findings) out += each.message + " [" + each.id + "]\n";
+  return out;
+}
+
+const std::string without_values =
+    "cpp: {headers: [a.hpp], namespace: soccer}\nstates: {Phase: {type: GamePhase, external: true}}\nroots: [Walk]\n"
+    "groups: {Walk: {data: Order}}\n";
+const std::string with_values =
+    "states: {Phase: {type: GamePhase, values: [ready, playing], external: true}}\nroots: [Walk]\ngroups: {Walk: {}}\n";
+
+TEST_CASE("a state without values has those of its enum, in their order") {
+  KnownTypes types;
+  types.types.by_name["GamePhase"] = enum_of({"initial", "ready", "playing"});
+  types.types.by_name["Order"] = {};
+  types.types.files = {"/u/a.hpp"};
+  Model model;
+  CHECK(findings(without_values, types, &model) == "");
+  CHECK(model.states[StateId{0}].values == std::vector<std::string>{"initial", "ready", "playing"});
+  REQUIRE(types.asked.size() == 1);
+  CHECK(types.asked[0].headers == std::vector<std::string>{"a.hpp"});
+  CHECK(types.asked[0].names == std::vector<std::string>{"GamePhase", "Order"});
+  CHECK(types.asked[0].name_space == "soccer");
+}
+
+TEST_CASE("C++ is asked only where a state needs it, or somebody wants to know") {
+  KnownTypes types;
+  CHECK(findings(with_values, types) == "");
+  CHECK(types.asked.empty());
+  types.all = true;
+  types.types.by_name["GamePhase"] = enum_of({"ready", "playing", "overtime"});
+  CHECK(findings(with_values, types) == "`GamePhase` has `overtime`, which the values of `Phase` lack [enum_drift]\n");
+  CHECK(types.asked.size() == 1);
+  CHECK(findings("roots: [Walk]\ngroups: {Walk: {}}\n", types) == "");
+  CHECK(types.asked.size() == 1);
+}
+
+TEST_CASE("why nothing is known of the types is said where they are needed") {
+  KnownTypes types;
+  types.types.fault = "no include folder of `build` has the header `a.hpp`";
+  CHECK(findings(without_values, types) == "the values of `GamePhase` are not known here: no include folder of `build` "
+                                           "has the header `a.hpp` [type_needs_scanner]\n");
+  types.all = true;
+  CHECK(findings(with_values, types) == "");
+}
+
+TEST_CASE("enumerators of one value cannot be two values of a state") {
+  KnownTypes types;
+  types.types.by_name["GamePhase"] = enum_of({"ready", "set"});
+  types.types.by_name["GamePhase"].enumerators[1].value = "0";
+  CHECK(findings(without_values, types) ==
+        "`ready` and `set` of `GamePhase` are one value, so they cannot be two values of `Phase` [redefined_name]\n");
+}
+
+} // namespace
