@@ -134,8 +134,8 @@ Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console&
   out.default_flags = {"-std=c++20", "-I" + whole_path(fs::path(request.file).parent_path())};
   for (const std::string& folder : request.includes) out.default_flags.push_back("-I" + whole_path(folder));
 
-  const auto words = stubs::telling_words(wanted);
   for (const bool headers : {false, true}) {
+    const stubs::Words words = headers ? stubs::interface_words(wanted) : stubs::telling_words(wanted);
     for (const auto& [path, text] : out.texts) {
       const bool generated = fs::path(path).filename() == wanted.header && text.find("// Written by directorc ") < 20;
       if (stubs::is_header(path) == headers && !generated && stubs::mentions(text, words))

@@ -26,8 +26,8 @@ void each_word(std::string_view text, Use use) {
 
 } // namespace
 
-std::set<std::string, std::less<>> telling_words(const Wanted& wanted) {
-  std::set<std::string, std::less<>> out;
+Words telling_words(const Wanted& wanted) {
+  Words out;
   const auto add = [&](std::string_view text) {
     each_word(text, [&](std::string_view word) { return out.emplace(word), false; });
   };
@@ -41,7 +41,14 @@ std::set<std::string, std::less<>> telling_words(const Wanted& wanted) {
   return out;
 }
 
-bool mentions(std::string_view text, const std::set<std::string, std::less<>>& words) {
+Words interface_words(const Wanted& wanted) {
+  Words out;
+  for (const WantedModule& module : wanted.modules)
+    out.insert(module.interface.substr(module.interface.rfind(':') + 1));
+  return out;
+}
+
+bool mentions(std::string_view text, const Words& words) {
   bool found = false;
   each_word(text, [&](std::string_view word) { return found = words.find(word) != words.end(); });
   return found;

@@ -10,10 +10,16 @@
 
 namespace director::compiler::stubs {
 
-/// Identifiers.
-std::set<std::string, std::less<>> telling_words(const Wanted& wanted);
+using Words = std::set<std::string, std::less<>>;
 
-bool mentions(std::string_view text, const std::set<std::string, std::less<>>& words);
+/// Identifiers of which a source that may have to do with it has one at least.
+Words telling_words(const Wanted& wanted);
+
+/// Likewise a header with a class: what its interfaces are called. A header that nobody includes may be no whole text
+/// by itself, so it is read only if it has to be.
+Words interface_words(const Wanted& wanted);
+
+bool mentions(std::string_view text, const Words& words);
 
 /// A file in C++, by its name.
 bool is_cpp(const std::string& path);
