@@ -85,6 +85,13 @@ TypeFlags flags_near(const std::string& file, Console& console) {
   return out;
 }
 
+/// Whose folder the cache goes into: the build's, or that of the flags, which a build wrote.
+std::string home_of(const CppSource& cpp) {
+  if (!cpp.build.empty() || cpp.flags.empty()) return cpp.build;
+  const std::string folder = fs::path(cpp.flags).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
 /// Looks for flags only when somebody asks for types.
 class TypesWhenAsked final : public TypeReader {
 public:
@@ -94,7 +101,7 @@ public:
         console_(console),
         code_files_(console.files, sources, shown_path),
         scanner_(console.scanner, console.programs),
-        store_(facts_folder(cpp.build)) {}
+        store_(facts_folder(home_of(cpp))) {}
 
   bool thorough() const override { return !cpp_.build.empty(); }
   Types read(const Question& question) override {
