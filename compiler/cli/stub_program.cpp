@@ -1,6 +1,7 @@
 // Door: compiler/cli/stub_program.hpp. Test: tests/stubs/command_test.cpp.
 #include "compiler/cli/stub_program.hpp"
 
+#include "compiler/facts/flags.hpp"
 #include "compiler/stubs/merge.hpp"
 
 #include <algorithm>
@@ -21,65 +22,6 @@ std::string whole_path(const fs::path& path) {
   return fault ? absolute.lexically_normal().string() : out.string();
 }
 
-/// The words of a command line, as a shell takes them apart.
-std::vector<std::string> words_of(std::string_view line) {
-  std::vector<std::string> out;
-  bool inside = false;
-  char quote = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (quote == 0 && (c == ' ' || c == '\t' || c == '\n')) {
-      inside = false;
-      continue;
-    }
-    if (!inside) out.emplace_back();
-    inside = true;
-    if (c == quote) {
-      quote = 0;
-    } else if (quote == 0 && (c == '"' || c == '\'')) {
-      quote = c;
-    } else if (c == '\\' && quote != '\'' && i + 1 < line.size()) {
-      out.back() += line[++i];
-    } else {
-      out.back() += c;
-    }
-  }
-  return out;
-}
-
-/// What concerns reading: no compiler in front, no file, no output, no notes of dependencies.
-std::vector<std::string> flags_of(const std::vector<std::string>& command, const std::string& file) {
-  static const std::vector<std::string> with_word{"-o", "-MF", "-MT", "-MQ", "-MJ", "--serialize-diagnostics"};
-  static const std::vector<std::string> alone{"-c", "-MD", "-MMD", "-MP", "-MM", "-M", "--"};
-  const auto is_in = [](const std::vector<std::string>& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-  };
-  std::size_t first = 0; // behind the compiler, and behind what starts it
-  while (first < command.size() && !command[first].starts_with('-')) ++first;
-  std::vector<std::string> out;
-  for (std::size_t i = first; i < command.size(); ++i) {
-    if (is_in(with_word, command[i])) {
-      ++i;
-    } else if (!is_in(alone, command[i]) && command[i] != file) {
-      out.push_back(command[i]);
-    }
-  }
-  return out;
-}
-
-std::vector<Compiled> compiled_in(const Json& list) {
-  std::vector<Compiled> out;
-  for (const Json& entry : list.items()) {
-    const std::string& file = entry["file"].as_text();
-    std::vector<std::string> command;
-    for (const Json& word : entry["arguments"].items()) command.push_back(word.as_text());
-    if (command.empty()) command = words_of(entry["command"].as_text());
-    const std::string& directory = entry["directory"].as_text();
-    out.push_back({whole_path(fs::path(directory) / file), directory, flags_of(command, file)});
-  }
-  return out;
-}
-
 /// compile_commands.json: where the user says, or beside the program or above it.
 std::vector<Compiled> read_commands(const Stubs& request, const std::string& folder, Console& console) {
   std::vector<fs::path> places{fs::path(request.build)};
@@ -93,7 +35,13 @@ std::vector<Compiled> read_commands(const Stubs& request, const std::string& fol
   for (const fs::path& place : places) {
     const auto text = console.files.read((place / "compile_commands.json").string(), most_bytes);
     if (!text) continue;
-    if (const std::optional<Json> json = parse_json(text.value())) return compiled_in(*json);
+    const auto commands = read_compile_commands(text.value());
+    if (!commands) continue;
+    std::vector<Compiled> out;
+    Compilers compilers(console.programs);
+    for (const CompileCommand& each : commands.value())
+      out.push_back({whole_path(each.file), each.directory, compilers.complete(fit_for_clang(each.words))});
+    return out;
   }
   return {};
 }
