@@ -1,5 +1,6 @@
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P bodies.cmake
 # The bodies of a behaviour are written when they are asked for, and more of them when the behaviour asks for more; a build alone leaves them as they are.
+# Whenever they change, they are verified.
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ DESTINATION ${WORK}/project)
 set(bodies ${WORK}/project/bodies/counter.cpp)
@@ -14,6 +15,7 @@ function(build expected)
     message(FATAL_ERROR "\"${ARGN}\" ends with ${status}:\n${output}")
   endif()
   execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 0.1)
+  set(output "${output}" PARENT_SCOPE)
 endfunction()
 
 build(1) # main.cpp includes what nobody wrote
@@ -43,3 +45,13 @@ foreach(line "return run.done(); // sold" "kiosk::Fill::Default")
     message(FATAL_ERROR "it does not say ${line}:\n${text}")
   endif()
 endforeach()
+
+build(0)
+if(output MATCHES "Verifying")
+  message(FATAL_ERROR "what has not changed was verified again:\n${output}")
+endif()
+file(APPEND ${bodies} "// more\n")
+build(0)
+if(NOT output MATCHES "Verifying the bodies of the behaviour kiosk")
+  message(FATAL_ERROR "what has changed was not verified:\n${output}")
+endif()
