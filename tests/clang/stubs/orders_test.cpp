@@ -1,4 +1,4 @@
-// 200 of the 2,000 orders of tests/stubs with director-clang itself, against a small header that says the same as the
+// 120 of the 2,000 orders of tests/stubs with director-clang itself, against a small header that says the same as the
 // generated one. All go on step by step together, so that it is started once for each step.
 #include "compiler/cli/console.hpp"
 #include "compiler/stubs/merge.hpp"
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr unsigned orders = 200;
+constexpr unsigned orders = 120;
 constexpr std::string_view of_orders = "/program/"; ///< where orders say that their files are
 
 std::string at(const fs::path& folder, const std::string& path) {
