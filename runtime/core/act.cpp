@@ -28,29 +28,39 @@ void Engine::act(Index passes, bool stops) {
 /// Nothing was arbitrated, so nothing starts, stops or changes hands: only what is granted can gain a reason to run.
 void Engine::act_on_touched() {
   Counters& c = *s_.counters;
-  Index count = 0;
-  for (Index i = 0; i < c.touched_count; ++i) {
-    const Index group = s_.touched[i];
-    if (granted(group)) {
-      s_.touched[count++] = group;
-    } else {
-      untouch(group);
-    }
-  }
+  const Index touched = c.touched_count;
   c.touched_count = 0;
-  const std::span<Index> groups{s_.touched, count};
+  Index count = 0;
+  bool sorted = true; // as what one pack asks for mostly comes
+  for (Index i = 0; i < touched; ++i) {
+    const Index group = s_.touched[i];
+    untouch(group);
+    if (!granted(group)) continue;
+    if (count != 0) {
+      const Index before = s_.touched[count - 1];
+      sorted =
+          sorted && t_.groups[before].component == t_.groups[group].component && s_.place[before] < s_.place[group];
+    }
+    s_.touched[count++] = group;
+  }
+  if (!sorted) sort_touched(count);
+  for (Index i = 0; i < count; ++i) {
+    const Index group = s_.touched[i], holder = s_.last[group].holder;
+    s_.data_from[group] = holder;
+    if (s_.anew[holder] != 0) { // whom it concerns that its orders are outdated, request() told already
+      s_.pending[group] |= static_cast<std::uint8_t>(Reason::new_task);
+      if (!planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
+    }
+    enqueue(group);
+  }
+}
+
+void Engine::sort_touched(Index count) {
   const Order order(t_, s_);
-  heap_sort(groups, [&](Index a, Index b) {
+  heap_sort({s_.touched, count}, [&](Index a, Index b) {
     if (t_.groups[a].component == t_.groups[b].component) return s_.place[a] < s_.place[b];
     return order.before_in_order(a, b, Order::Along::last);
   });
-  for (const Index group : groups) {
-    const Index holder = s_.last[group].holder;
-    s_.data_from[group] = holder;
-    if (s_.anew[holder] != 0) add_reason(group, Reason::new_task);
-    enqueue(group);
-    untouch(group);
-  }
 }
 
 /// The groups to look at, in the old order (those that were held) or in the new one (those that are held now, and those
@@ -140,16 +150,6 @@ void Engine::keep_promises(Index group) {
     if (!stands || holds(t_, s_, t_.promises[i].condition)) disarm(Due::promise, i);
   }
   if (!stands) s_.promised_edge[group] = s_.promised_provider[group] = nil;
-}
-
-/// What was requested in this micro-step is not new any more.
-void Engine::settle_requests() {
-  Counters& c = *s_.counters;
-  for (Index i = 0; i < c.asked_count; ++i) {
-    if (bodies_.data != nullptr) settle_data(s_.asked[i]);
-    s_.anew[s_.asked[i]] = 0;
-  }
-  c.asked_count = 0;
 }
 
 /// The data of a new request take their slot. What was there is kept for a group that still lives on it.

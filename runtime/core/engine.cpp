@@ -30,11 +30,11 @@ void Engine::reset() {
   for (Index i = 0; i < t_.states.size(); ++i) {
     s_.values[i] = t_.states[i].initial;
     s_.handler_values[i] = s_.staged_value[i] = unset;
+    find_calm(i);
   }
   for (Index p = 0; p < t_.providers.size(); ++p) s_.enabled[p] = 1;
   for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e] = nil;
   for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = nil;
-  for (Index i = 0; i < t_.most_edges; ++i) s_.staged_level[i] = nil;
   for (Index g = 0; g < t_.groups.size(); ++g) {
     s_.runs_after[g] = s_.runs_before[g] = nil;
     s_.promised_edge[g] = s_.promised_provider[g] = s_.data_from[g] = s_.trial[g] = nil;
@@ -48,11 +48,14 @@ void Engine::reset() {
     }
     *link = nil;
   }
-  starting_ = ran_ = nil;
+  starting_ = nil;
   inside_ = faulted_ = false;
 }
 
-void Engine::preset(Index state, std::int32_t value) { s_.values[state] = value; }
+void Engine::preset(Index state, std::int32_t value) {
+  s_.values[state] = value;
+  find_calm(state);
+}
 
 RunState Engine::state(Index edge) const {
   const Index group = t_.edges[edge].target;
@@ -99,14 +102,6 @@ Event Engine::event(Event::Kind kind, Index group) const {
   return out;
 }
 
-void Engine::report_set(Index state) const {
-  if (!observed()) return;
-  Event set = event(Event::Kind::set);
-  set.state = state;
-  set.value = s_.values[state];
-  tell(set);
-}
-
 // What a body sees and asks for.
 
 Time Run::now() const { return engine_.now(); }
@@ -137,14 +132,6 @@ void Run::refuse(Index state, std::int32_t value) {
   event.state = state;
   event.value = value;
   engine_.tell(event);
-}
-
-bool Run::request(Index edge, Index level, bool keep) {
-  const auto at = static_cast<Index>(edge - engine_.t_.groups[group_].edges.begin);
-  const bool leave = keep && engine_.s_.request[edge] == level;
-  engine_.s_.staged_level[at] = level;
-  engine_.s_.staged_keep[at] = leave ? 1 : 0;
-  return !leave;
 }
 
 Time Handling::now() const { return engine_.now(); }

@@ -35,9 +35,14 @@ public:
     if (now > c.until) c.until = c.now = now;
     return StepResult::quiescent;
   }
+  /// The same without another time.
+  StepResult step() {
+    const Counters& c = *s_.counters; // what is due later than `now` stays so
+    return c.quiet_until == first_time || !inbox_.empty() ? take_step(c.now) : StepResult::quiescent;
+  }
 
   /// The next time at which a step would have something to do without an input; `never` if there is nil.
-  Time next_due() const { return t_.states.size() + t_.groups.size() == 0 ? never : s_.due[soonest(1)]; }
+  Time next_due() const { return s_.counters->next_due; }
 
   // What holds between steps.
   std::int32_t value(Index state) const { return s_.values[state]; }
@@ -70,23 +75,28 @@ private:
   void take_first_step(Time now);
   bool micro_step();
   bool work_left() const;
+
+  // inputs.cpp
   bool take_input();
   bool take_more(Input& record);
-  void take_request(Input record);
-  void take_states(Input record);
+  void take_request(Input& record);
+  void take_states(Input& record);
   void take_handlers_input();
   bool fire(Index trigger);
-  void run_next();
-  void commit(const Run& run, Outcome::Kind kind);
-  void commit_pack(Range edges);
-  void answer(Index group, bool failed);
-  void request(Index edge, Index level);
-  void withdraw(Index edge);
   void set_by_handler(Index state, std::int32_t value);
-  bool set_value(Index state, std::int32_t value);
-  bool assign(Index state, std::int32_t value);
+  void flip(Index state, std::int32_t before);
+  void find_calm(Index state);
   void report_input(const Input& record) const;
   void report_set(Index state) const;
+
+  // runs.cpp
+  void run_next();
+  void commit(const Run& run, Outcome::Kind kind);
+  void commit_states(bool fault);
+  void commit_pack(Range edges);
+  void answer(Index group, bool failed);
+  void report_request(Event::Kind kind, Index edge, Index level = nil) const;
+  void report_wait(Index group, Time due) const;
 
   // timers.cpp: section 3, Time
   Index timer(Due kind, Index row) const;
@@ -113,22 +123,27 @@ private:
   void add_reason(Index group, Reason reason);
   void enqueue(Index group);
   void leave_queue(Index group);
+  void request(Index edge, Index level);
+  void withdraw(Index edge);
+  bool set_value(Index state, std::int32_t value);
+  bool assign(Index state, std::int32_t value);
+  void settle_requests();
   void end_micro_step();
 
   // settle.cpp: after every micro-step
   void arbitrate();
   bool changed(Index component, bool& stops);
+  void watch(Index component, bool watched);
   void forget_work();
 
   // act.cpp: section 5
   void act(Index passes, bool stops);
   void act_on_touched();
-  void give_touched(Index group);
+  void sort_touched(Index count);
   std::span<const Index> in_order(Index passes, bool before);
   void stop_group(Index group);
   void give_reasons(Index group);
   void keep_promises(Index group);
-  void settle_requests();
   void settle_data(Index edge);
   void adopt(Index component);
   void report_decisions(Index component) const;
@@ -138,7 +153,6 @@ private:
   void report(Event::Kind kind, Index group = nil) const {
     if (observed()) tell(event(kind, group));
   }
-  void report_request(Event::Kind kind, Index edge, Index level = nil) const;
   void tell(const Event& event) const { observer_.tell(observer_.self, event); } ///< only if observed()
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
@@ -151,7 +165,6 @@ private:
   std::uint64_t passes_ = 0;
   std::uint32_t budget_ = default_budget;
   Index starting_ = nil; ///< the group whose start handler runs: its data may still be staged
-  Index ran_ = nil;      ///< the group that ran in this micro-step
   bool inside_ = false;  ///< a body or handler is running
   bool faulted_ = false;
 };

@@ -61,31 +61,6 @@ bool Inbox::insist(std::span<Input> records) {
   return true;
 }
 
-/// The tail first: who sees a record sees the last words that its writer said before.
-void Inbox::open() {
-  limit_ = tail_.load(std::memory_order_acquire);
-  closed_ = false;
-  words_.open();
-}
-
-bool Inbox::take(Input& out) {
-  word_ = words_.any_in_hand() && words_.take(head_, out);
-  if (word_) return true;
-  if (head_ != limit_ && take_cell(out)) return true;
-  closed_ = true;
-  return false;
-}
-
 bool Inbox::take_more(Input& out) { return word_ ? words_.take_more(out) : take_cell(out); }
-
-bool Inbox::take_cell(Input& out) {
-  const auto mask = static_cast<std::uint32_t>(cells_.size() - 1);
-  Cell& cell = cells_[head_ & mask];
-  if (cell.turn.load(std::memory_order_acquire) != head_ + 1) return false;
-  out = cell.input;
-  cell.turn.store(head_ + static_cast<std::uint32_t>(cells_.size()), std::memory_order_release);
-  ++head_;
-  return true;
-}
 
 } // namespace director

@@ -56,7 +56,8 @@ public:
 
   /// Records claimed by writers and not taken yet, as seen by the reader.
   std::uint32_t waiting() const { return tail_.load(std::memory_order_acquire) - head_; }
-  bool empty() const { return waiting() == 0 && words_.empty(); }
+  /// A last word in hand needs no look: it stays there only behind a record that is claimed and was not taken.
+  bool empty() const { return waiting() == 0 && words_.none_spoken(); }
 
 private:
   bool take_cell(Input& out);
@@ -69,5 +70,30 @@ private:
   bool word_ = false;       ///< what was taken last is a last word
   LastWords words_;
 };
+
+/// The tail first: who sees a record sees the last words that its writer said before.
+inline void Inbox::open() {
+  limit_ = tail_.load(std::memory_order_acquire);
+  closed_ = false;
+  if (!words_.none_spoken()) words_.open();
+}
+
+inline bool Inbox::take(Input& out) {
+  word_ = words_.any_in_hand() && words_.take(head_, out);
+  if (word_) return true;
+  if (head_ != limit_ && take_cell(out)) return true;
+  closed_ = true;
+  return false;
+}
+
+inline bool Inbox::take_cell(Input& out) {
+  const auto size = static_cast<std::uint32_t>(cells_.size());
+  Cell& cell = cells_[head_ & (size - 1)];
+  if (cell.turn.load(std::memory_order_acquire) != head_ + 1) return false;
+  out = cell.input;
+  cell.turn.store(head_ + size, std::memory_order_release);
+  ++head_;
+  return true;
+}
 
 } // namespace director

@@ -55,8 +55,8 @@ public:
   /// The next record of the input that was taken last.
   bool take_more(Input& out);
   bool any_in_hand() const { return in_hand_ != 0; }
-  /// None waits, and none is in hand.
-  bool empty() const { return in_hand_ == 0 && spoken_.load(std::memory_order_relaxed) == 0; }
+  /// None waits that the reader has not in hand.
+  bool none_spoken() const { return spoken_.load(std::memory_order_relaxed) == 0; }
 
 private:
   void sweep(bool& found);

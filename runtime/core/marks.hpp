@@ -29,6 +29,7 @@ namespace place {
 inline constexpr std::uint8_t queue = 1;   ///< it is to run
 inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched
 inline constexpr std::uint8_t counts = 4;  ///< that its orders were outdated made a difference in the last pass
+inline constexpr std::uint8_t watched = 8; ///< in the last pass of its component it counted whose orders are outdated
 } // namespace place
 
 /// A condition on an unset state is false.

@@ -6,29 +6,30 @@
 #include "runtime/core/marks.hpp"
 #include "runtime/core/planted.hpp"
 
+/// For what is called once, or from within a loop: a call would cost more than what it does.
+#define DIRECTOR_INLINE [[gnu::always_inline]] inline
+
 namespace director {
 
 inline void Engine::mark(Index component, std::uint8_t bits) {
-  std::uint8_t& all = s_.component[component];
+  Bits& all = s_.component[component];
   all |= bits;
   if ((all & work::listed) != 0) return;
   all |= work::listed;
   s_.work[s_.counters->work_count++] = component;
 }
 
-/// Whose orders are outdated may be another from now on.
+/// Whose orders are outdated may be another from now on. Most of the time nobody has asked.
 inline void Engine::mark_stale(Index group) {
-  const Index component = t_.groups[group].component;
-  if ((s_.in_queue[group] & place::counts) != 0) {
-    mark(component, work::changed);
-  } else if ((s_.component[component] & work::stale_counts) != 0) {
-    mark(component, work::stale_changed);
-  }
+  const std::uint8_t asked = s_.in_queue[group] & (place::counts | place::watched);
+  if (asked == 0) return;
+  mark(t_.groups[group].component, (asked & place::counts) != 0 ? work::changed : work::stale_changed);
 }
 
 inline void Engine::touch(Index group) {
-  if ((s_.in_queue[group] & place::touched) != 0) return;
-  s_.in_queue[group] |= place::touched;
+  Bits& places = s_.in_queue[group];
+  if ((places & place::touched) != 0) return;
+  places |= place::touched;
   s_.touched[s_.counters->touched_count++] = group;
 }
 
@@ -46,12 +47,13 @@ inline void Engine::add_reason(Index group, Reason reason) {
 // The run queue: groups linked in the order in which they are to run, so that one that is not granted any more leaves
 // without a look at the others.
 
-inline void Engine::enqueue(Index group) {
+DIRECTOR_INLINE void Engine::enqueue(Index group) {
   if (s_.pending[group] == 0 || (s_.in_queue[group] & place::queue) != 0) return;
   s_.in_queue[group] |= place::queue;
   Counters& c = *s_.counters;
-  (c.queue_last == nil ? c.queue_first : s_.runs_before[c.queue_last]) = group;
-  s_.runs_after[group] = c.queue_last;
+  const Index last = c.queue_last;
+  (last == nil ? c.queue_first : s_.runs_before[last]) = group;
+  s_.runs_after[group] = last;
   c.queue_last = group;
 }
 
@@ -59,22 +61,71 @@ inline void Engine::leave_queue(Index group) {
   if ((s_.in_queue[group] & place::queue) == 0) return;
   s_.in_queue[group] &= static_cast<std::uint8_t>(~place::queue);
   Counters& c = *s_.counters;
-  Index &after = s_.runs_after[group], &before = s_.runs_before[group];
+  const Index after = s_.runs_after[group], before = s_.runs_before[group];
   (after == nil ? c.queue_first : s_.runs_before[after]) = before;
   (before == nil ? c.queue_last : s_.runs_after[before]) = after;
-  after = before = nil;
+  s_.runs_after[group] = s_.runs_before[group] = nil;
+}
+
+// What inputs and runs ask for.
+
+DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
+  if (s_.anew[edge] == 0) {
+    s_.anew[edge] = 1; // the same task requested again is a new task
+    s_.asked[s_.counters->asked_count++] = edge;
+  }
+  const Index group = t_.edges[edge].target;
+  if (s_.request[edge] != level) {
+    s_.stamp[edge] = s_.counters->micro_step;
+    s_.request[edge] = level;
+    mark(t_.groups[group].component, work::changed);
+  }
+  mark_stale(group);
+  touch(group);
+}
+
+DIRECTOR_INLINE void Engine::withdraw(Index edge) {
+  if (s_.request[edge] == nil) return;
+  s_.request[edge] = nil;
+  mark(t_.groups[t_.edges[edge].target].component, work::changed);
+}
+
+/// True if the value changes. What expires counts anew, also where it does not.
+inline bool Engine::set_value(Index state, std::int32_t value) {
+  const Time expires = t_.states[state].expires;
+  if (expires != 0) arm(Due::expiry, state, s_.counters->now + expires);
+  return assign(state, value);
+}
+
+/// As long as a value stays where no condition flips, nobody has to look at the conditions.
+inline bool Engine::assign(Index state, std::int32_t value) {
+  const std::int32_t before = s_.values[state];
+  if (before == value) return false;
+  s_.values[state] = value;
+  if (!s_.calm[state].has(value)) flip(state, before);
+  return true;
+}
+
+/// What was requested in this micro-step is not new any more.
+inline void Engine::settle_requests() {
+  Counters& c = *s_.counters;
+  const Index count = c.asked_count;
+  c.asked_count = 0;
+  if (bodies_.data != nullptr) {
+    for (Index i = 0; i < count; ++i) settle_data(s_.asked[i]);
+  }
+  for (Index i = 0; i < count; ++i) s_.anew[s_.asked[i]] = 0;
 }
 
 /// Every micro-step ends here.
 inline void Engine::end_micro_step() {
-  const Counters& c = *s_.counters;
-  s_.counters->unsettled = 0;
+  Counters& c = *s_.counters;
+  c.unsettled = false;
   if (c.work_count != 0) {
     arbitrate();
   } else if (c.touched_count != 0) {
     act_on_touched();
   }
-  if (ran_ != nil && s_.promised_provider[ran_] != nil) keep_promises(ran_);
   if (c.asked_count != 0) settle_requests();
 }
 

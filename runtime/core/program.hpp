@@ -333,6 +333,7 @@ protected:
   ~Program() = default;
 
   StepResult step_to(Time now) { return engine_.step(now); }
+  StepResult step_on() { return engine_.step(); }
   typename Facts::Data& data() { return data_; }
 
 private:

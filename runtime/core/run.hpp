@@ -33,7 +33,11 @@ public:
   void wait(Time duration);                     ///< above 0; the last one counts
   /// Asks for an edge of this group at a level (of Tables::levels). Asked twice, the last one counts. True if this is a
   /// new task for the target; false if `keep` leaves a request of that level as it is.
-  bool request(Index edge, Index level, bool keep = false);
+  bool request(Index edge, Index level, bool keep = false) {
+    const bool leave = keep && request_[edge] == level;
+    staged_[edge - first_edge_] = {level, leave};
+    return !leave;
+  }
 
   Outcome pack() const { return Outcome{Outcome::Kind::pack}; } ///< what was requested, and nothing else
   Outcome done() const { return Outcome{Outcome::Kind::done}; }
@@ -43,12 +47,18 @@ public:
 
 private:
   friend class Engine;
-  Run(Engine& engine, Index group, Index provider, Reasons reasons)
+  Run(Engine& engine, const State& state, Index first_edge, Index group, Index provider, Reasons reasons)
       : engine_(engine),
+        request_(state.request),
+        staged_(state.staged_request),
+        first_edge_(first_edge),
         group_(group),
         provider_(provider),
         reasons_(reasons) {}
   Engine& engine_;
+  const Index* request_;
+  Staged* staged_;
+  Index first_edge_; ///< of its group
   Index group_, provider_;
   Reasons reasons_;
   Time wait_ = 0;

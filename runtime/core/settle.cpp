@@ -30,11 +30,20 @@ void Engine::arbitrate() {
     const bool other = changed(component, stops);
     std::uint8_t bits = work::listed | work::passed;
     if (pass.depends_on_stale()) bits |= work::stale_counts;
+    if (((bits ^ s_.component[component]) & work::stale_counts) != 0) watch(component, pass.depends_on_stale());
     if (other && (pass.depends_on_last() || pass.depends_on_stale())) bits |= work::unsettled;
     s_.component[component] = bits;
   }
   act(passes, stops);
   forget_work();
+}
+
+/// Tells every group whether somebody has to hear when its orders are outdated.
+void Engine::watch(Index component, bool watched) {
+  for (const Index g : t_.list(t_.components[component].groups)) {
+    s_.in_queue[g] &= static_cast<std::uint8_t>(~place::watched);
+    if (watched) s_.in_queue[g] |= place::watched;
+  }
 }
 
 /// Leaves in State::work what the next arbitration has to look at.
@@ -70,7 +79,7 @@ bool Engine::changed(Index component, bool& stops) {
                now.push != last.push;
     stops = stops || (last.active != nil && now.active == nil);
   }
-  if (decision) s_.counters->unsettled = 1;
+  if (decision) s_.counters->unsettled = true;
   return other;
 }
 

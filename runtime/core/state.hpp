@@ -56,6 +56,23 @@ inline constexpr std::uint8_t done = 1;
 inline constexpr std::uint8_t failed = 2; ///< with `done`
 } // namespace result
 
+/// A byte of bits. It is no `char`, which may stand for anything: after writing one, the compiler would read every
+/// pointer to an array again.
+class Bits {
+public:
+  constexpr operator std::uint8_t() const { return static_cast<std::uint8_t>(raw_); }
+  constexpr Bits& operator=(std::uint8_t bits) {
+    raw_ = static_cast<Raw>(bits);
+    return *this;
+  }
+  constexpr Bits& operator|=(std::uint8_t bits) { return *this = static_cast<std::uint8_t>(*this | bits); }
+  constexpr Bits& operator&=(std::uint8_t bits) { return *this = static_cast<std::uint8_t>(*this & bits); }
+
+private:
+  enum class Raw : std::uint8_t {};
+  Raw raw_{};
+};
+
 /// A push (u, k, c), k being the row, and the unmet condition that it was made for. No push: edge == nil.
 struct Push {
   Index edge = nil, provider = nil, condition = nil;
@@ -95,10 +112,23 @@ struct Assignment {
   Standing& operator[](Index g) const { return group[g]; }
 };
 
+/// The values around that of a state at which none of its conditions flips.
+struct Calm {
+  std::int32_t low = 0, high = -1;
+  constexpr bool has(std::int32_t value) const { return low <= value && value <= high; }
+};
+
+/// What the running body asks of an edge.
+struct Staged {
+  Index level = nil; ///< nil: nothing
+  bool keep = false; ///< a request of that level stays as it is
+};
+
 struct Counters {
   Time now = 0;                  ///< the engine's time: that of the input or timer being served
   Time until = 0;                ///< the time that `step` was given last
-  Time quiet_until = first_time; ///< a step before it has nothing to do without an input
+  Time next_due = never;         ///< when the first timer is due
+  Time quiet_until = first_time; ///< a step before it has nothing to do without an input; first_time: any step has
   std::uint64_t micro_step = 0;  ///< how many were taken
   Index queue_first = nil;       ///< the group that is to run next; nil: nobody
   Index queue_last = nil;        ///< the one that is to run last
@@ -107,10 +137,10 @@ struct Counters {
   Index staged_count = 0;        ///< rows of State::staged in use; 0 between micro-steps
   Index asked_count = 0;         ///< rows of State::asked in use; 0 between micro-steps
   Index handled_count = 0;       ///< rows of State::handled in use
-  std::uint8_t begun = 0;        ///< the first step was taken
-  std::uint8_t unsettled = 0;    ///< the last arbitration changed something
-  std::uint8_t handlers_set = 0; ///< State::handler_values holds an input
-  std::uint8_t serving = 0;      ///< what is due at `now` is being served
+  bool begun = false;            ///< the first step was taken
+  bool unsettled = false;        ///< the last arbitration changed something
+  bool handlers_set = false;     ///< State::handler_values holds an input
+  bool serving = false;          ///< what is due at `now` is being served
 };
 
 struct State {
@@ -120,6 +150,7 @@ struct State {
   Time* due = nullptr;                    ///< timer (see timers.cpp): when; never
   Index* soonest = nullptr;               ///< timers, as a tree of which one is due first
   std::int32_t* values = nullptr;         ///< state
+  Calm* calm = nullptr;                   ///< state
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
   Index* handled = nullptr;               ///< states with such a value
   Index* request = nullptr;               ///< edge: level (of Tables::levels) at which it is requested; nil
@@ -133,63 +164,62 @@ struct State {
   Index* promised_edge = nullptr;         ///< group: pusher of the push for which promises were taken
   Index* promised_provider = nullptr;     ///< group: its provider; nil: no promise
   Index* data_from = nullptr;             ///< group: edge whose slot holds its data; nil: its own slot
-  std::uint8_t* component = nullptr;      ///< component: bits of `work`
-  std::uint8_t* enabled = nullptr;        ///< provider
-  std::uint8_t* done = nullptr;           ///< group: bits of `result`
-  std::uint8_t* pending = nullptr;        ///< group: bits of Reason
-  std::uint8_t* in_queue = nullptr;       ///< group
-  std::uint8_t* fired = nullptr;          ///< listening slot (Group::listens): the trigger fired since the last run
+  Bits* component = nullptr;              ///< component: bits of `work`
+  Bits* enabled = nullptr;                ///< provider
+  Bits* done = nullptr;                   ///< group: bits of `result`
+  Bits* pending = nullptr;                ///< group: bits of Reason
+  Bits* in_queue = nullptr;               ///< group
+  Bits* fired = nullptr;                  ///< listening slot (Group::listens): the trigger fired since the last run
 
   // What one pass, commit or act needs and forgets.
-  std::uint64_t* cost = nullptr;           ///< condition: length of the shortest chain of pushes that makes it true
-  Index* cost_at = nullptr;                ///< condition: first provider of that chain
-  Index* cost_plan = nullptr;              ///< condition: number of its plan
-  Index* cost_next = nullptr;              ///< condition: the first condition that it lacks; nil: nothing
-  Assignment now;                          ///< what this pass decides
-  Push* own = nullptr;                     ///< group: the pushes of the unit in hand
-  Push* first = nullptr;                   ///< group: new pushes of the unit in hand
-  Index* touched = nullptr;                ///< groups that gained a reason to run since the last act
-  Index* staged = nullptr;                 ///< states that the running body set
-  Index* asked = nullptr;                  ///< edges that are marked in `anew`
-  Index* next_order = nullptr;             ///< as `order`
-  Index* next_count = nullptr;             ///< as `order_count`
-  Index* sorted = nullptr;                 ///< groups of several components, brought in order
-  Index* depth = nullptr;                  ///< group that is claimed: length of the chain of its holders
-  Index* first_root = nullptr;             ///< component: its first edge of root, in order; nil
-  Index* next_root = nullptr;              ///< edge of root: the next one of its component; nil
-  Index* trial = nullptr;                  ///< group: edge that would claim it in the combination in hand
-  Index* entry_group = nullptr;            ///< 2 * groups: plans of the members in hand, as stacks of entries
-  Index* entry_need = nullptr;             ///< the edge by which an entry is needed
-  Index* entry_choice = nullptr;           ///< its provider, as a place in the order of preference
-  Index* entry_provider = nullptr;         ///< its provider
-  Index* entry_parent = nullptr;           ///< entry that needs it; nil: the provider that the plan is for
-  Index* entry_place = nullptr;            ///< place of the need in its needer's list
-  Index* unit = nullptr;                   ///< most_edges + 1: edges that are tried together
-  Index* member = nullptr;                 ///< those of them that are in hand
-  Index* member_choice = nullptr;          ///< provider of the member's target, as a place in the order of preference
-  Index* member_provider = nullptr;        ///< that provider
-  Index* member_entries = nullptr;         ///< one past the last entry of the member's plan
-  Index* candidate = nullptr;              ///< edges that are candidates: a heap, the first in order on top
-  Index* reach = nullptr;                  ///< groups: work list of a search
-  Index* denied = nullptr;                 ///< groups in the order in which they were denied for their holder's sake
-  Index* staged_level = nullptr;           ///< place among the running group's edges: level asked for; nil
-  Index* unmet_member = nullptr;           ///< false conditions of the combination in hand: the member,
-  Index* unmet = nullptr;                  ///< and the condition
-  Queued* queued = nullptr;                ///< edge: why it did not run after the last pass
-  Queued* next_queued = nullptr;           ///< edge: why it does not run after this one
-  std::int32_t* staged_value = nullptr;    ///< state: what the running body set; unset: nothing
-  std::uint8_t* edge_marks = nullptr;      ///< edge: bits of `mark`
-  std::uint8_t* group_marks = nullptr;     ///< group: bits of `mark`
-  std::uint8_t* condition_marks = nullptr; ///< condition: bits of `mark`
-  std::uint8_t* anew = nullptr;            ///< edge: requested anew in this micro-step
-  std::uint8_t* staged_keep = nullptr;     ///< place among the running group's edges: asked for with keep
+  std::uint64_t* cost = nullptr;        ///< condition: length of the shortest chain of pushes that makes it true
+  Index* cost_at = nullptr;             ///< condition: first provider of that chain
+  Index* cost_plan = nullptr;           ///< condition: number of its plan
+  Index* cost_next = nullptr;           ///< condition: the first condition that it lacks; nil: nothing
+  Assignment now;                       ///< what this pass decides
+  Push* own = nullptr;                  ///< group: the pushes of the unit in hand
+  Push* first = nullptr;                ///< group: new pushes of the unit in hand
+  Index* touched = nullptr;             ///< groups that gained a reason to run since the last act
+  Index* staged = nullptr;              ///< states that the running body set
+  Index* asked = nullptr;               ///< edges that are marked in `anew`
+  Index* next_order = nullptr;          ///< as `order`
+  Index* next_count = nullptr;          ///< as `order_count`
+  Index* sorted = nullptr;              ///< groups of several components, brought in order
+  Index* depth = nullptr;               ///< group that is claimed: length of the chain of its holders
+  Index* first_root = nullptr;          ///< component: its first edge of root, in order; nil
+  Index* next_root = nullptr;           ///< edge of root: the next one of its component; nil
+  Index* trial = nullptr;               ///< group: edge that would claim it in the combination in hand
+  Index* entry_group = nullptr;         ///< 2 * groups: plans of the members in hand, as stacks of entries
+  Index* entry_need = nullptr;          ///< the edge by which an entry is needed
+  Index* entry_choice = nullptr;        ///< its provider, as a place in the order of preference
+  Index* entry_provider = nullptr;      ///< its provider
+  Index* entry_parent = nullptr;        ///< entry that needs it; nil: the provider that the plan is for
+  Index* entry_place = nullptr;         ///< place of the need in its needer's list
+  Index* unit = nullptr;                ///< most_edges + 1: edges that are tried together
+  Index* member = nullptr;              ///< those of them that are in hand
+  Index* member_choice = nullptr;       ///< provider of the member's target, as a place in the order of preference
+  Index* member_provider = nullptr;     ///< that provider
+  Index* member_entries = nullptr;      ///< one past the last entry of the member's plan
+  Index* candidate = nullptr;           ///< edges that are candidates: a heap, the first in order on top
+  Index* reach = nullptr;               ///< groups: work list of a search
+  Index* denied = nullptr;              ///< groups in the order in which they were denied for their holder's sake
+  Staged* staged_request = nullptr;     ///< place among the running group's edges
+  Index* unmet_member = nullptr;        ///< false conditions of the combination in hand: the member,
+  Index* unmet = nullptr;               ///< and the condition
+  Queued* queued = nullptr;             ///< edge: why it did not run after the last pass
+  Queued* next_queued = nullptr;        ///< edge: why it does not run after this one
+  std::int32_t* staged_value = nullptr; ///< state: what the running body set; unset: nothing
+  Bits* edge_marks = nullptr;           ///< edge: bits of `mark`
+  Bits* group_marks = nullptr;          ///< group: bits of `mark`
+  Bits* condition_marks = nullptr;      ///< condition: bits of `mark`
+  Bits* anew = nullptr;                 ///< edge: requested anew in this micro-step
 
   /// Calls visit(pointer to member, count) for every array; `scratch()` between the decision state and the rest.
   template <class Self, class Visit, class Scratch>
   static constexpr void each(Self& s, const Shape& n, Visit&& visit, Scratch&& scratch) {
     visit(s.counters, 1);
     visit(s.stamp, n.edges), visit(s.due, n.timers()), visit(s.soonest, n.timers());
-    visit(s.values, n.states), visit(s.handler_values, n.states), visit(s.handled, n.states);
+    visit(s.values, n.states), visit(s.calm, n.states), visit(s.handler_values, n.states), visit(s.handled, n.states);
     visit(s.request, n.edges);
     each_of(s.last, n, visit);
     visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
@@ -211,10 +241,10 @@ struct State {
     visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
     visit(s.member_provider, n.most_edges + 1), visit(s.member_entries, n.most_edges + 1);
     visit(s.candidate, n.edges), visit(s.reach, n.groups), visit(s.denied, n.groups);
-    visit(s.staged_level, n.most_edges + 1), visit(s.unmet_member, n.lacking), visit(s.unmet, n.lacking);
+    visit(s.staged_request, n.most_edges + 1), visit(s.unmet_member, n.lacking), visit(s.unmet, n.lacking);
     visit(s.queued, n.edges), visit(s.next_queued, n.edges), visit(s.staged_value, n.states);
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
-    visit(s.anew, n.edges), visit(s.staged_keep, n.most_edges + 1);
+    visit(s.anew, n.edges);
   }
 
   /// Bytes of the decision state, and of the whole block. The block must be aligned to 8.

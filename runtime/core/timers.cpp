@@ -19,6 +19,7 @@ void Engine::clear_timers() {
   const std::size_t timers = Shape::of(t_).timers();
   for (std::size_t i = 0; i < timers; ++i) s_.due[i] = never;
   for (std::size_t node = timers; node-- > 1;) s_.soonest[node] = sooner(node);
+  s_.counters->next_due = never;
 }
 
 void Engine::set_timer(Index index, Time due) {
@@ -28,6 +29,7 @@ void Engine::set_timer(Index index, Time due) {
     if (s_.soonest[node] == first && first != index) return;
     s_.soonest[node] = first;
   }
+  s_.counters->next_due = s_.due[soonest(1)];
 }
 
 /// What is due at the time being served, which began with the earliest: states that expire, waits, promises, `every`,
@@ -37,7 +39,7 @@ bool Engine::take_timer() {
   Counters& c = *s_.counters;
   const Time when = next_due();
   if (when > c.now) {
-    c.serving = 0;
+    c.serving = false;
     return false;
   }
   const Index index = soonest(1);

@@ -32,8 +32,8 @@ struct View {
   const Index* request = nullptr;
   const Standing* standing = nullptr;
   const Queued* queued = nullptr;
-  const std::uint8_t* pending = nullptr;
-  const std::uint8_t* enabled = nullptr;
+  const Bits* pending = nullptr;
+  const Bits* enabled = nullptr;
 
   bool is_limbo(Index edge) const { return edge != nil && edge >= tables->edges.size(); }
   Index holder(Index group) const { return standing[group].holder; }

@@ -34,7 +34,7 @@ void define_steps(Code& code, const CppEmission& e) {
   code.blank();
   code.comment("The same, where no body waits: nothing in the specification uses time.");
   code.open("director::StepResult step() {");
-  code.line("return hand_on(step_to(engine().now()));");
+  code.line("return hand_on(step_on());");
   code.close("}");
 }
 
@@ -61,7 +61,11 @@ Code behaviour_part(const CppEmission& e) {
   code.blank();
   code.outdented("private:");
   code.line("friend struct detail::Bodies;");
-  code.line("director::StepResult hand_on(director::StepResult result);");
+  code.open("director::StepResult hand_on(director::StepResult result) {");
+  code.line("if (result == director::StepResult::fault) throw_on();");
+  code.line("return result;");
+  code.close("}");
+  code.line("void throw_on();");
   code.blank();
   for (const ModuleId id : e.model.modules.ids())
     code.line(fmt::format("{}* {}_;", module_type(e.model, id), module_word(e.model, id)));

@@ -50,11 +50,10 @@ static void {0}(void* self, director::Handling& handling) {{
 }}
 )";
 
-constexpr std::string_view hand_on = R"(director::StepResult Behaviour::hand_on(director::StepResult result) {
+constexpr std::string_view throw_on = R"(void Behaviour::throw_on() {
 #ifdef __cpp_exceptions
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 #endif
-  return result;
 }
 )";
 
@@ -154,7 +153,7 @@ Code bodies_part(const CppEmission& e) {
   code.list("Behaviour::Behaviour(", parameters, ")");
   code.list("    : ", members, " {}");
   code.blank();
-  code.block(hand_on);
+  code.block(throw_on);
   return code;
 }
 

@@ -1,0 +1,172 @@
+// Door: runtime/core/engine.hpp. Test: tests/runtime/core/engine_test.cpp.
+//
+// Section 3, Inputs: what the outside asks for, sets and fires, and what handlers set.
+
+#include "runtime/core/heap_sort.hpp"
+#include "runtime/core/notes.hpp"
+
+namespace director {
+
+bool Engine::take_input() {
+  Input record;
+  if (!inbox_.take(record)) return false;
+  ++s_.counters->micro_step;
+  if (observed()) report_input(record);
+  switch (record.kind) {
+  case Input::Kind::request: take_request(record); break;
+  case Input::Kind::set: take_states(record); break;
+  case Input::Kind::cancel:
+    if (s_.request[record.thing] == nil) break;
+    withdraw(record.thing);
+    end_micro_step();
+    break;
+  case Input::Kind::fire:
+    if (fire(record.thing)) end_micro_step();
+    break;
+  case Input::Kind::enable:
+  case Input::Kind::disable: {
+    const std::uint8_t wanted = record.kind == Input::Kind::enable ? 1 : 0;
+    if (s_.enabled[record.thing] == wanted) break;
+    s_.enabled[record.thing] = wanted;
+    mark(t_.groups[t_.providers[record.thing].group].component, work::changed);
+    end_micro_step();
+    break;
+  }
+  }
+  return true;
+}
+
+/// The next record of the same input; the writer published it before the first one.
+bool Engine::take_more(Input& record) {
+  if (!record.more || !inbox_.take_more(record)) return false;
+  if (observed()) report_input(record);
+  return true;
+}
+
+inline void Engine::take_request(Input& record) {
+  do {
+    if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
+    request(record.thing, record.level);
+  } while (take_more(record));
+  end_micro_step();
+}
+
+inline void Engine::take_states(Input& record) {
+  bool changes = false;
+  do changes = set_value(record.thing, record.value) || changes;
+  while (take_more(record));
+  if (changes) end_micro_step();
+}
+
+/// What start and stop handlers set during one act, merged into one input.
+void Engine::take_handlers_input() {
+  Counters& c = *s_.counters;
+  ++c.micro_step;
+  c.handlers_set = false;
+  bool changes = false;
+  const std::span<Index> states{s_.handled, c.handled_count};
+  c.handled_count = 0;
+  heap_sort(states, [](Index a, Index b) { return a < b; });
+  for (const Index state : states) {
+    const std::int32_t value = s_.handler_values[state];
+    s_.handler_values[state] = unset;
+    if (value == unset || !set_value(state, value)) continue;
+    changes = true;
+    report_set(state);
+  }
+  if (changes) end_micro_step();
+}
+
+void Engine::set_by_handler(Index state, std::int32_t value) {
+  Counters& c = *s_.counters;
+  c.handlers_set = true;
+  std::int32_t& merged = s_.handler_values[state];
+  if (merged == unset && value != unset) s_.handled[c.handled_count++] = state;
+  merged = value;
+}
+
+/// True if somebody listens.
+bool Engine::fire(Index trigger) {
+  bool heard = false;
+  for (const Index provider : t_.list(t_.triggers[trigger].listeners)) {
+    const Index group = t_.providers[provider].group;
+    if (s_.last[group].active != provider) continue;
+    add_reason(group, Reason::trigger);
+    const Range listens = t_.groups[group].listens;
+    for (Index slot = listens.begin; slot != listens.end; ++slot) {
+      if (t_.listened[slot] == trigger) s_.fired[slot] = 1;
+    }
+    heard = true;
+  }
+  return heard;
+}
+
+/// The components in which a condition flips have to decide again.
+void Engine::flip(Index state, std::int32_t before) {
+  const std::int32_t value = s_.values[state];
+  for (const Index condition : t_.list(t_.states[state].conditions)) {
+    const Condition& row = t_.conditions[condition];
+    if (accepts(t_, row, before) == accepts(t_, row, value)) continue;
+    for (const Index component : t_.list(row.components)) mark(component, work::changed);
+  }
+  find_calm(state);
+}
+
+/// The largest interval around the value that no bound of a condition's intervals cuts. Without a value nothing is
+/// true, so the interval is that of its own number, which no value has.
+void Engine::find_calm(Index state) {
+  const std::int32_t value = s_.values[state];
+  Calm calm{unset + 1, 2147483647};
+  if (value == unset) calm = {unset, unset};
+  for (const Index condition : t_.list(t_.states[state].conditions)) {
+    const Range accepts = t_.conditions[condition].accepts;
+    for (Index i = accepts.begin; i != accepts.end && value != unset; ++i) {
+      const Interval& row = t_.intervals[i];
+      if (row.low > value) {
+        if (row.low - 1 < calm.high) calm.high = row.low - 1;
+      } else if (row.high < value) {
+        if (row.high + 1 > calm.low) calm.low = row.high + 1;
+      } else {
+        if (row.low > calm.low) calm.low = row.low;
+        if (row.high < calm.high) calm.high = row.high;
+      }
+    }
+  }
+  s_.calm[state] = calm;
+}
+
+void Engine::report_set(Index state) const {
+  if (!observed()) return;
+  Event set = event(Event::Kind::set);
+  set.state = state;
+  set.value = s_.values[state];
+  tell(set);
+}
+
+void Engine::report_input(const Input& record) const {
+  if (!observed()) return;
+  Event input = event(Event::Kind::input);
+  constexpr Event::Input kinds[] = {Event::Input::request, Event::Input::cancel, Event::Input::set,
+                                    Event::Input::fire,    Event::Input::enable, Event::Input::disable};
+  input.input = kinds[static_cast<std::size_t>(record.kind)];
+  switch (record.kind) {
+  case Input::Kind::request:
+  case Input::Kind::cancel:
+    input.edge = record.thing;
+    input.group = t_.edges[record.thing].target;
+    break;
+  case Input::Kind::set:
+    input.state = record.thing;
+    input.value = record.value;
+    break;
+  case Input::Kind::fire: input.trigger = record.thing; break;
+  case Input::Kind::enable:
+  case Input::Kind::disable:
+    input.provider = record.thing;
+    input.group = t_.providers[record.thing].group;
+    break;
+  }
+  tell(input);
+}
+
+} // namespace director

@@ -1,0 +1,125 @@
+// Door: runtime/core/engine.hpp, run.hpp. Test: tests/runtime/core/engine_test.cpp.
+//
+// Section 3, A run: the oldest one calls its provider, and everything that it asked for takes effect together.
+
+#include "runtime/core/notes.hpp"
+
+namespace director {
+
+DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
+  Staged* staged = s_.staged_request;
+  for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
+    const Index level = staged->level;
+    if (level == nil) {
+      if (observed() && s_.request[e] != nil) report_request(Event::Kind::withdraw, e);
+      withdraw(e);
+      continue;
+    }
+    staged->level = nil;
+    if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
+    if (!staged->keep) request(e, level);
+  }
+}
+
+/// Everything that a run asked for, together.
+DIRECTOR_INLINE void Engine::commit(const Run& run, Outcome::Kind kind) {
+  const Index group = run.group_;
+  const Group& row = t_.groups[group];
+  for (Index slot = row.listens.begin; slot != row.listens.end; ++slot) s_.fired[slot] = 0;
+  if (s_.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
+  if (kind == Outcome::Kind::pack) {
+    commit_pack(row.edges);
+    s_.done[group] = 0;
+    if (run.wait_ <= 0) disarm(Due::wait, group);
+  } else {
+    for (Index i = 0; i < row.edges.size(); ++i) s_.staged_request[i].level = nil;
+    if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && s_.done[group] == 0)
+      answer(group, kind == Outcome::Kind::failed);
+    if (kind == Outcome::Kind::fault) {
+      if (observed()) {
+        Event fault = event(Event::Kind::fault, group);
+        fault.provider = run.provider_;
+        tell(fault);
+      }
+      faulted_ = true;
+      return;
+    }
+  }
+  if (run.wait_ <= 0) return;
+  const Time due = s_.counters->now + run.wait_;
+  if (observed()) report_wait(group, due);
+  arm(Due::wait, group, due);
+}
+
+void Engine::run_next() {
+  Counters& c = *s_.counters;
+  ++c.micro_step;
+  const Index group = c.queue_first;
+  leave_queue(group);
+  std::uint8_t reasons = s_.pending[group];
+  s_.pending[group] = 0;
+  mark_stale(group);
+  const bool pushed = in_force(group);
+  if (!pushed) reasons &= static_cast<std::uint8_t>(~static_cast<std::uint8_t>(Reason::pushed));
+  if (reasons == 0) return end_micro_step(); // nobody pushes it any more
+
+  const Index provider = s_.last[group].active;
+  if (pushed && s_.promised_provider[group] == nil) { // section 7: its first run on that push
+    s_.promised_edge[group] = s_.last[group].push.edge;
+    s_.promised_provider[group] = provider;
+    const Range promises = t_.providers[provider].promises;
+    for (Index i = promises.begin; i != promises.end; ++i) arm(Due::promise, i, c.now + t_.promises[i].within);
+  }
+  Run run(*this, s_, t_.groups[group].edges.begin, group, provider, Reasons{reasons});
+  if (observed()) {
+    Event running = event(Event::Kind::run, group);
+    running.provider = provider;
+    running.reasons = run.reasons();
+    tell(running);
+  }
+  inside_ = true;
+  const Outcome outcome = bodies_.run[provider](bodies_.self, run);
+  inside_ = false;
+  commit(run, outcome.kind());
+  end_micro_step();
+  if (s_.promised_provider[group] != nil) keep_promises(group);
+}
+
+void Engine::commit_states(bool fault) {
+  Counters& c = *s_.counters;
+  for (Index i = 0; i < c.staged_count; ++i) {
+    const Index state = s_.staged[i];
+    const std::int32_t value = s_.staged_value[state];
+    s_.staged_value[state] = unset;
+    if (!fault && set_value(state, value)) report_set(state);
+  }
+  c.staged_count = 0;
+}
+
+void Engine::answer(Index group, bool failed) {
+  s_.done[group] = failed ? result::done | result::failed : result::done;
+  report(failed ? Event::Kind::failed : Event::Kind::done, group);
+  const Index holder = s_.last[group].holder, requester = t_.edges[holder].requester;
+  if (requester == nil) {
+    withdraw(holder);
+  } else {
+    add_reason(requester, Reason::subtask_done);
+  }
+}
+
+void Engine::report_request(Event::Kind kind, Index edge, Index level) const {
+  if (!observed()) return;
+  Event request = event(kind, t_.edges[edge].target);
+  request.edge = edge;
+  request.level = level;
+  tell(request);
+}
+
+void Engine::report_wait(Index group, Time due) const {
+  if (!observed()) return;
+  Event wait = event(Event::Kind::wait, group);
+  wait.due = due;
+  tell(wait);
+}
+
+} // namespace director
