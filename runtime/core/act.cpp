@@ -5,7 +5,6 @@
 
 #include "runtime/core/heap_sort.hpp"
 #include "runtime/core/notes.hpp"
-#include "runtime/core/order.hpp"
 #include "runtime/core/planted.hpp"
 
 namespace director {
@@ -56,10 +55,9 @@ void Engine::act_on_touched() {
 }
 
 void Engine::sort_touched(Index count) {
-  const Order order(t_, s_);
   heap_sort({s_.touched, count}, [&](Index a, Index b) {
     if (t_.groups[a].component == t_.groups[b].component) return s_.place[a] < s_.place[b];
-    return order.before_in_order(a, b, Order::Along::last);
+    return before_in_order(a, b, Along::last);
   });
 }
 
@@ -81,7 +79,7 @@ std::span<const Index> Engine::in_order(Index passes, bool before) {
   for (Index i = 0; i < passes; ++i) {
     for (const Index group : part(s_.work[i])) s_.sorted[count++] = group;
   }
-  Order(t_, s_).sort({s_.sorted, count}, before ? Order::Along::last : Order::Along::now);
+  sort({s_.sorted, count}, before ? Along::last : Along::now);
   return {s_.sorted, count};
 }
 
@@ -147,7 +145,7 @@ void Engine::keep_promises(Index group) {
   const bool stands = in_force(group) && push.edge == s_.promised_edge[group] && push.provider == provider;
   const Range promises = t_.providers[provider].promises;
   for (Index i = promises.begin; i != promises.end; ++i) {
-    if (!stands || holds(t_, s_, t_.promises[i].condition)) disarm(Due::promise, i);
+    if (!stands || director::holds(t_, s_, t_.promises[i].condition)) disarm(Due::promise, i);
   }
   if (!stands) s_.promised_edge[group] = s_.promised_provider[group] = nil;
 }

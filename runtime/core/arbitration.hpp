@@ -12,6 +12,7 @@
 // changes). Where neither is so, nothing has to be decided until an input of the component changes: most micro-steps
 // are of that kind, since a task that is asked for again changes no input of arbitration.
 
+#include "runtime/core/marks.hpp"
 #include "runtime/core/order.hpp"
 #include "runtime/core/planted.hpp"
 
@@ -19,13 +20,11 @@ namespace director {
 
 class Pass : public Order {
 public:
+  using Order::Order;
+
   /// Reads State's decision part and its `anew` marks; writes `now`, `next_order`, `next_count` and `next_queued` of
   /// the component.
-  Pass(const Tables& tables, State& state, Index component)
-      : Order(tables, state),
-        c_(tables.components[component]),
-        component_(component) {}
-  void arbitrate();
+  void decide(Index component);
 
   /// The result may be another one when it is the last assignment itself.
   bool depends_on_last() const { return depends_on_last_; }
@@ -49,7 +48,11 @@ private:
   bool stays(Index provider) const;
   bool waived(Index provider, Index condition, Index edge) const;
   Index first_false(Index provider, Index edge) const;
+  bool may_deny(Index group, Index edge, Index member) const;
   bool may_be_denied(Index member);
+  bool disputed(Index member) const;
+  bool choose_flat(bool with_conditions);
+  bool take_needs(Index provider, bool with_conditions);
   bool combine(Index count, bool with_conditions);
   bool next_choice(Index at, bool fresh, bool with_conditions, bool record);
   bool plan_fits(Index at, bool with_conditions, bool record, Index& keep);
@@ -67,11 +70,23 @@ private:
   Index stale_source(Index group) const;
   bool stale(Index group) const { return stale_source(group) != current; }
   bool stale_requester(Index edge) const;
-  bool runs_for_now(Index edge) const;
-  bool outdated_order(Index count) const;
+  bool any_new(Index count) const;
+  /// Its target was granted to it before this pass.
+  bool runs_for_now(Index edge) const {
+    const Standing& last = s_.last[target(edge)];
+    return last.holder == edge && last.granted();
+  }
+  Index join_siblings(Index first);
+
+  // units.cpp: what becomes of a unit
   void try_unit(Index count);
   bool try_simple(Index count, bool outdated);
-  void try_members(Index count);
+  void try_members(Index count, bool outdated);
+  /// An edge before it has its target.
+  bool taken(Index edge) const {
+    const Index holder = s_.now[target(edge)].holder;
+    return holder != nil && holder != edge;
+  }
   bool premature(Index count);
   bool reached_from_stale(Index found, Index edge);
   void defer(Index count);
@@ -82,12 +97,17 @@ private:
   void plan_for(Index owner, Index provider, Index begin, Index end);
   void claim_plan(Index begin, Index end);
   void waken(Index begin, Index end);
+  void block(Index count);
   void refuse(Index count);
   void explain(Index count, Why why, Index condition = nil);
 
   // candidates.cpp: who is tried next
   void push_candidate(Index edge);
-  void become_candidates(Index group);
+  /// The requested edges of a group become candidates, and those of what is granted at once.
+  void become_candidates(Index group) {
+    if (!t_.groups[group].edges.empty()) add_candidates(group);
+  }
+  void add_candidates(Index group);
   void candidates_of(Index group);
   bool stays_granted(Index edge) const;
   void grant_again(Index edge);
@@ -95,11 +115,16 @@ private:
   void sort_roots();
   Index first_candidate();
   Index first_of_heap();
-  bool goes_first(Index a, Index b) const { return compare({a, Along::now}, {b, Along::now}, true) < 0; }
-  bool may_ask(Index group) const;
+  /// Of two candidates: their requesters are claimed or root.
+  bool goes_first(Index a, Index b) const {
+    return (measured_ ? compare_claimed(a, b, true) : compare({a, Along::now}, {b, Along::now}, true)) < 0;
+  }
+  /// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
+  bool may_ask(Index group) const { return group == nil || (s_.now[group].flags & flag::granted) != 0 || stale(group); }
   bool alone(Index edge) const {
+    if (edge < t_.root_edges) return true;
     const Level& level = t_.levels[s_.request[edge]];
-    return requester(edge) == nil || level.optional || level.apart || planted(Fault::members_for_themselves);
+    return level.optional || level.apart || planted(Fault::members_for_themselves);
   }
 
   // finish.cpp: section 4.4, Hand-over, and what follows from the claims
@@ -107,6 +132,7 @@ private:
   void hand_over(Index group);
   Index recall_plan(Index group);
   void finish();
+  void begin_with_old_order(std::span<Index> claimed);
   void finish_pushes();
   bool asked_for(Index group) const;
 
@@ -126,14 +152,45 @@ private:
 
   static constexpr Index current = static_cast<Index>(nil - 1); ///< instead of a group: nobody's orders are outdated
 
-  const Component& c_;
-  Index component_;
+  Component c_; ///< the one in hand
+  Index component_ = 0;
   Index candidates_ = 0, denied_ = 0, stale_granted_ = 0, claimed_ = 0, again_ = 0;
   Index root_ = nil;     ///< the next candidate of root
   Index next_ = nil;     ///< a candidate beside the heap
+  bool in_turn_ = false; ///< groups were claimed in the order in which their edges stand
   bool pushed_ = false;  ///< there were pushes in the last assignment
   bool pushing_ = false; ///< there are in this one
   mutable bool depends_on_last_ = false, depends_on_stale_ = false;
 };
+
+/// For this very edge, or for the first time.
+inline void Pass::claim(Index group, Index edge) {
+  Standing& now = s_.now[group];
+  if (now.holder != nil) return; // for this very edge
+  now.holder = edge;
+  const Index from = requester(edge);
+  if (from == nil) {
+    s_.lineage[group] = {1, edge, optional(edge)};
+  } else {
+    const Lineage& above = s_.lineage[from];
+    s_.lineage[group] = {static_cast<Index>(above.depth + 1), above.top, above.optional || optional(edge)};
+  }
+  s_.next_order[c_.order + claimed_++] = group;
+}
+
+/// The target of an edge, which is claimed, runs in the provider chosen.
+inline void Pass::now_granted(Index edge, Index provider) {
+  const Index group = t_.edges[edge].target;
+  Standing& now = s_.now[group];
+  const Standing& last = s_.last[group];
+  now.active = now.planned = provider;
+  now.flags |= flag::granted;
+  constexpr auto outdating = static_cast<std::uint8_t>(static_cast<std::uint8_t>(Reason::new_task) |
+                                                       static_cast<std::uint8_t>(Reason::pushed));
+  if ((s_.pending[group] & outdating) == 0 && s_.anew[edge] == 0 && edge == last.holder && provider == last.active)
+    return;
+  s_.group_marks[group] |= mark::outdated;
+  ++stale_granted_;
+}
 
 } // namespace director

@@ -8,8 +8,9 @@
 
 namespace director {
 
-/// Edges of root stay linked in order from pass to pass: few are in another place than before.
+/// Edges of root stay linked in order from pass to pass: few are in another place than before, and mostly none is.
 void Pass::sort_roots() {
+  if ((s_.component[component_] & work::reordered) == 0) return;
   const auto goes_first = [&](Index a, Index b) {
     return compare_siblings({a, optional(a)}, {b, optional(b)}, true) < 0;
   };
@@ -61,8 +62,7 @@ void Pass::push_candidate(Index edge) {
   s_.candidate[at] = edge;
 }
 
-/// The requested edges of a group become candidates, and those of what is granted at once.
-void Pass::become_candidates(Index group) {
+void Pass::add_candidates(Index group) {
   again_ = 0;
   candidates_of(group);
   for (Index i = 0; i < again_; ++i) candidates_of(s_.reach[i]);
@@ -101,16 +101,14 @@ void Pass::candidates_of(Index group) {
 /// pushes it: so it will be granted, and nobody's decision depends on when.
 bool Pass::stays_granted(Index edge) const {
   const Index group = t_.edges[edge].target;
-  const Group& row = t_.groups[group];
-  if (!runs_for_now(edge) || row.requesters.size() != 1 || row.providers.size() != 1) return false;
-  const Provider& provider = t_.providers[row.providers.begin];
-  return provider.needs.empty() && provider.when.empty() && provider.stay.empty() && provider.effects.empty() &&
-         s_.enabled[row.providers.begin] != 0;
+  return (s_.traits[group] & trait::certain) != 0 && runs_for_now(edge) &&
+         s_.enabled[t_.groups[group].providers.begin] != 0;
 }
 
 void Pass::grant_again(Index edge) {
   const Index group = t_.edges[edge].target;
   s_.edge_marks[edge] = static_cast<std::uint8_t>((s_.edge_marks[edge] & ~mark::candidate) | mark::tried);
+  in_turn_ = false;
   claim(group, edge);
   now_granted(edge, t_.groups[group].providers.begin);
   s_.reach[again_++] = group;
@@ -155,11 +153,6 @@ Index Pass::first_of_heap() {
   }
   if (candidates_ != 0) s_.candidate[at] = moved;
   return first;
-}
-
-/// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
-bool Pass::may_ask(Index group) const {
-  return group == nil || (s_.now[group].flags & flag::granted) != 0 || stale(group);
 }
 
 } // namespace director

@@ -9,8 +9,7 @@
 namespace director {
 
 Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
-    : t_(tables),
-      s_(State::in(memory, Shape::of(tables))),
+    : Pass(tables, State::in(memory, Shape::of(tables))),
       bodies_(bodies),
       inbox_(inbox),
       observer_(observer) {
@@ -39,6 +38,7 @@ void Engine::reset() {
     s_.runs_after[g] = s_.runs_before[g] = nil;
     s_.promised_edge[g] = s_.promised_provider[g] = s_.data_from[g] = s_.trial[g] = nil;
   }
+  for (Index g = 0; g < t_.groups.size(); ++g) s_.traits[g] = traits_of(t_, t_.groups[g]);
   for (Index c = 0; c < t_.components.size(); ++c) {
     Index* link = &s_.first_root[c];
     for (const Index e : t_.list(t_.components[c].edges)) {

@@ -2,6 +2,7 @@
 // The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration.hpp) and
 // acts on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
 
+#include "runtime/core/arbitration.hpp"
 #include "runtime/core/inbox.hpp"
 #include "runtime/core/observer.hpp"
 #include "runtime/core/run.hpp"
@@ -10,7 +11,8 @@
 
 namespace director {
 
-class Engine {
+/// Arbitration is its base: so all look at the tables and the memory through one pointer.
+class Engine : private Pass {
 public:
   static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
 
@@ -157,8 +159,6 @@ private:
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 
-  const Tables& t_;
-  State s_;
   Bodies bodies_;
   Inbox& inbox_;
   Observer observer_;

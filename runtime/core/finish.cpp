@@ -25,7 +25,7 @@ void Pass::hand_over(Index group) {
     if (s_.now[s_.entry_group[i]].holder != nil) return;
   }
   depends_on_last_ = depends_on_stale_ = true;
-  measured_ = false;
+  measured_ = in_turn_ = false;
   claim(group, static_cast<Index>(t_.edges.size() + group));
   s_.now[group].active = s_.last[group].active;
   if (s_.last[group].planned != nil) plan_for(group, s_.last[group].planned, 0, end);
@@ -72,7 +72,23 @@ void Pass::finish() {
   }
   s_.next_count[component_] = claimed_;
   if (pushing_) finish_pushes();
+  if (in_turn_) return; // who is tried next goes behind all that was tried
+  begin_with_old_order(claimed);
   sort(claimed, Along::now);
+}
+
+/// What is held as before stands in the old order, and what is new behind it: so little is left to sort.
+void Pass::begin_with_old_order(std::span<Index> claimed) {
+  const std::span<const Index> old{s_.order + c_.order, s_.order_count[component_]};
+  const auto as_before = [&](Index g) { return s_.now[g].holder == s_.last[g].holder; };
+  Index count = 0;
+  for (const Index g : old) {
+    if (as_before(g)) s_.sorted[count++] = g;
+  }
+  for (const Index g : claimed) {
+    if (!as_before(g)) s_.sorted[count++] = g;
+  }
+  for (Index i = 0; i < count; ++i) claimed[i] = s_.sorted[i];
 }
 
 void Pass::finish_pushes() {

@@ -1,17 +1,15 @@
 #pragma once
-// Sorting in place without memory, library or recursion. What comes sorted, as most does here, costs one comparison a
-// row.
+// Sorting in place without memory, library or recursion. What comes nearly sorted, as most does here, costs little more
+// than one comparison a row: rows are put into those before them, and only where that moves many it is a heap's turn.
 
 #include "runtime/core/tables.hpp"
 
 namespace director {
 
-/// `goes_first(a, b)`: a strict order of rows.
+namespace detail {
+
 template <class GoesFirst>
-void heap_sort(std::span<Index> rows, GoesFirst&& goes_first) {
-  bool sorted = true;
-  for (std::size_t i = 1; i < rows.size() && sorted; ++i) sorted = !goes_first(rows[i], rows[i - 1]);
-  if (sorted) return;
+void sort_by_heap(std::span<Index> rows, GoesFirst&& goes_first) {
   const auto swap = [&](std::size_t a, std::size_t b) {
     const Index moved = rows[a];
     rows[a] = rows[b];
@@ -29,6 +27,22 @@ void heap_sort(std::span<Index> rows, GoesFirst&& goes_first) {
   for (std::size_t end = rows.size(); end-- > 1;) {
     swap(0, end);
     sink(0, end);
+  }
+}
+
+} // namespace detail
+
+/// `goes_first(a, b)`: a strict order of rows.
+template <class GoesFirst>
+void heap_sort(std::span<Index> rows, GoesFirst&& goes_first) {
+  std::size_t moves = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Index row = rows[i];
+    std::size_t at = i;
+    for (; at > 0 && goes_first(row, rows[at - 1]); --at) rows[at] = rows[at - 1];
+    rows[at] = row;
+    moves += i - at;
+    if (moves > 4 * rows.size()) return detail::sort_by_heap(rows, goes_first);
   }
 }
 

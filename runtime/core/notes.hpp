@@ -78,7 +78,7 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   if (s_.request[edge] != level) {
     s_.stamp[edge] = s_.counters->micro_step;
     s_.request[edge] = level;
-    mark(t_.groups[group].component, work::changed);
+    mark(t_.groups[group].component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
   }
   mark_stale(group);
   touch(group);
@@ -87,7 +87,8 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
 DIRECTOR_INLINE void Engine::withdraw(Index edge) {
   if (s_.request[edge] == nil) return;
   s_.request[edge] = nil;
-  mark(t_.groups[t_.edges[edge].target].component, work::changed);
+  mark(t_.groups[t_.edges[edge].target].component,
+       edge < t_.root_edges ? work::changed | work::reordered : work::changed);
 }
 
 /// True if the value changes. What expires counts anew, also where it does not.

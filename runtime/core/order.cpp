@@ -19,7 +19,7 @@ Order::Chain Order::chain(Place place) const {
     if (group == nil) {
       out.top = place.edge;
     } else if (measured_ && place.along == Along::now && s_.now[group].holder != nil) {
-      out.length = static_cast<Index>(out.length + s_.depth[group]);
+      out.length = static_cast<Index>(out.length + s_.lineage[group].depth);
       out.top = place.edge; // some edge that is not limbo: which one does not matter
       break;
     }
@@ -34,13 +34,14 @@ bool Order::in_chain(Index edge, Place of) const {
   return false;
 }
 
-/// Two edges whose requesters are claimed in this pass, or root: their depths are known, and chains that have met stay
+/// Two edges whose chains end with the same edge of root: their depths are known, and chains that have met stay
 /// together.
-int Order::compare_claimed(Index a, Index b, bool in_order) const {
+int Order::compare_relatives(Index a, Index b, bool in_order) const {
   const Edge* const edges = t_.edges.data();
   const Standing* const now = s_.now.group;
   Index from_a = edges[a].requester, from_b = edges[b].requester;
-  Index depth_a = from_a == nil ? Index{0} : s_.depth[from_a], depth_b = from_b == nil ? Index{0} : s_.depth[from_b];
+  Index depth_a = from_a == nil ? Index{0} : s_.lineage[from_a].depth,
+        depth_b = from_b == nil ? Index{0} : s_.lineage[from_b].depth;
   bool optional_a = optional(a), optional_b = optional(b);
   const auto climb = [&](Index& edge, Index& from, bool& is_optional) {
     edge = now[from].holder;

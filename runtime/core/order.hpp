@@ -10,7 +10,7 @@ namespace director {
 
 class Order {
 public:
-  Order(const Tables& tables, State& state) : t_(tables), s_(state) {}
+  Order(const Tables& tables, const State& state) : t_(tables), s_(state) {}
 
   /// Which claims a chain is read along: those of this pass (and of the combination in hand), or the last assignment.
   enum class Along : std::uint8_t { now, last };
@@ -34,6 +34,7 @@ public:
     const Assignment& held = along == Along::now ? s_.now : s_.last;
     if (requester(held[b].holder) == a && !is_limbo(held[b].holder)) return true; // its own requester
     if (requester(held[a].holder) == b && !is_limbo(held[a].holder)) return false;
+    if (measured_ && along == Along::now) return compare_claimed(held[a].holder, held[b].holder, true) < 0;
     return compare({held[a].holder, along}, {held[b].holder, along}, true) < 0;
   }
   /// Sorts groups by the edges that hold them.
@@ -55,7 +56,20 @@ protected:
   Parting parting(Place a, Place b, Index length_a, Index length_b) const;
   bool never_equal(Place a, Place b) const;
   int compare_chains(Place a, Place b, bool in_order) const;
-  int compare_claimed(Index a, Index b, bool in_order) const;
+  /// Of an edge whose requester is claimed or root.
+  Side below_root(Index edge) const {
+    const Index from = t_.edges[edge].requester;
+    if (from == nil) return {edge, optional(edge)};
+    return {s_.lineage[from].top, s_.lineage[from].optional || optional(edge)};
+  }
+  /// Two edges whose requesters are claimed in this pass, or root. Mostly their chains have nothing in common.
+  int compare_claimed(Index a, Index b, bool in_order) const {
+    if (t_.edges[a].requester == t_.edges[b].requester)
+      return a == b ? 0 : compare_siblings({a, optional(a)}, {b, optional(b)}, in_order);
+    const Side at_a = below_root(a), at_b = below_root(b);
+    return at_a.edge != at_b.edge ? compare_siblings(at_a, at_b, in_order) : compare_relatives(a, b, in_order);
+  }
+  int compare_relatives(Index a, Index b, bool in_order) const;
   int compare_siblings(Side a, Side b, bool in_order) const;
   Index target(Index edge) const {
     return is_limbo(edge) ? static_cast<Index>(edge - t_.edges.size()) : t_.edges[edge].target;
@@ -80,8 +94,8 @@ protected:
   }
 
   const Tables& t_;
-  State& s_;
-  bool measured_ = false; ///< State::depth holds for what is claimed now, and nothing of it is in limbo
+  State s_;
+  bool measured_ = false; ///< State::lineage holds for what is claimed now, and nothing of it is in limbo
 };
 
 /// Rules 3 to 5 for two edges of one requester and what lies below them.

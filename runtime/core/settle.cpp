@@ -5,7 +5,6 @@
 // its own result, and those in which it counts whose orders are outdated, when that has changed (see arbitration.hpp).
 // Everything else stays as it is, and only groups that gained a reason to run have to be looked at.
 
-#include "runtime/core/arbitration.hpp"
 #include "runtime/core/notes.hpp"
 
 namespace director {
@@ -25,13 +24,12 @@ void Engine::arbitrate() {
   bool stops = false;
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
-    Pass pass(t_, s_, component);
-    pass.arbitrate();
+    decide(component);
     const bool other = changed(component, stops);
     std::uint8_t bits = work::listed | work::passed;
-    if (pass.depends_on_stale()) bits |= work::stale_counts;
-    if (((bits ^ s_.component[component]) & work::stale_counts) != 0) watch(component, pass.depends_on_stale());
-    if (other && (pass.depends_on_last() || pass.depends_on_stale())) bits |= work::unsettled;
+    if (depends_on_stale()) bits |= work::stale_counts;
+    if (((bits ^ s_.component[component]) & work::stale_counts) != 0) watch(component, depends_on_stale());
+    if (other && (depends_on_last() || depends_on_stale())) bits |= work::unsettled;
     s_.component[component] = bits;
   }
   act(passes, stops);

@@ -48,6 +48,7 @@ inline constexpr std::uint8_t stale_counts = 4;  ///< whose orders are outdated 
 inline constexpr std::uint8_t stale_changed = 8; ///< and may be another since
 inline constexpr std::uint8_t listed = 16;       ///< it stands in State::work
 inline constexpr std::uint8_t passed = 32;       ///< it was decided again in this micro-step
+inline constexpr std::uint8_t reordered = 64;    ///< an edge of root may be in another place among its like
 } // namespace work
 
 /// Bits of State::done.
@@ -124,6 +125,13 @@ struct Staged {
   bool keep = false; ///< a request of that level stays as it is
 };
 
+/// The chain of holders above a group that is claimed, root being above all.
+struct Lineage {
+  Index depth = 0;       ///< its length
+  Index top = nil;       ///< its edge of root
+  bool optional = false; ///< one of its edges is
+};
+
 struct Counters {
   Time now = 0;                  ///< the engine's time: that of the input or timer being served
   Time until = 0;                ///< the time that `step` was given last
@@ -158,6 +166,8 @@ struct State {
   Index* order = nullptr;                 ///< component after component, its groups that are held, in order
   Index* order_count = nullptr;           ///< component: how many these are
   Index* place = nullptr;                 ///< group that is held: where it stands in that order
+  Index* first_root = nullptr;            ///< component: its first edge of root, in order; nil
+  Index* next_root = nullptr;             ///< edge of root: the next one of its component; nil
   Index* runs_after = nullptr;            ///< group that is to run: the one before it in the queue; nil
   Index* runs_before = nullptr;           ///< and the one behind it
   Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
@@ -185,9 +195,8 @@ struct State {
   Index* next_order = nullptr;          ///< as `order`
   Index* next_count = nullptr;          ///< as `order_count`
   Index* sorted = nullptr;              ///< groups of several components, brought in order
-  Index* depth = nullptr;               ///< group that is claimed: length of the chain of its holders
-  Index* first_root = nullptr;          ///< component: its first edge of root, in order; nil
-  Index* next_root = nullptr;           ///< edge of root: the next one of its component; nil
+  Lineage* lineage = nullptr;           ///< group that is claimed
+  Bits* traits = nullptr;               ///< group: bits of `trait`, which follow from the tables
   Index* trial = nullptr;               ///< group: edge that would claim it in the combination in hand
   Index* entry_group = nullptr;         ///< 2 * groups: plans of the members in hand, as stacks of entries
   Index* entry_need = nullptr;          ///< the edge by which an entry is needed
@@ -223,6 +232,7 @@ struct State {
     visit(s.request, n.edges);
     each_of(s.last, n, visit);
     visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
+    visit(s.first_root, n.components), visit(s.next_root, n.edges);
     visit(s.runs_after, n.groups), visit(s.runs_before, n.groups);
     visit(s.work, n.components), visit(s.promised_edge, n.groups), visit(s.promised_provider, n.groups);
     visit(s.data_from, n.groups), visit(s.component, n.components), visit(s.enabled, n.providers);
@@ -234,8 +244,7 @@ struct State {
     visit(s.own, n.groups), visit(s.first, n.groups), visit(s.touched, n.groups), visit(s.staged, n.states);
     visit(s.asked, n.edges);
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.sorted, n.groups);
-    visit(s.depth, n.groups), visit(s.trial, n.groups);
-    visit(s.first_root, n.components), visit(s.next_root, n.edges);
+    visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.trial, n.groups);
     visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
     visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
     visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
