@@ -1,33 +1,52 @@
 // Door: dsl/file_access.hpp. Test: tests/dsl/file_access_test.cpp.
 #include "dsl/file_access.hpp"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 #include <utility>
 
 namespace director::dsl {
+
+namespace {
+
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) close(number);
+  }
+};
+
+} // namespace
 
 Result<std::string, FileError> DiskFiles::read(const std::string& path, std::size_t most) {
   const auto error = [](int number) {
     return FileError{number == ENOENT || number == ENOTDIR ? FileError::Kind::not_found : FileError::Kind::not_readable,
                      std::generic_category().message(number)};
   };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) return error(errno);
+  // A pipe is opened without waiting for who writes to it: that may be nobody.
+  const Descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
+  if (file.number < 0) return error(errno);
   // Read and not asked for its size: what is no plain file has none.
   std::string text;
   std::array<char, 1 << 16> part{};
-  while (const std::size_t size = std::fread(part.data(), 1, part.size(), file.get())) {
-    text.append(part.data(), size);
+  while (true) {
+    pollfd waiting{file.number, POLLIN, 0};
+    if (poll(&waiting, 1, static_cast<int>(patience_.count())) == 0)
+      return FileError{FileError::Kind::not_readable, "nobody writes to this pipe"};
+    const ssize_t size = ::read(file.number, part.data(), part.size());
+    if (size < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+    if (size < 0) return error(errno);
+    if (size == 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(size));
     if (text.size() > most) return FileError{FileError::Kind::too_large, "file too large"};
   }
-  if (std::ferror(file.get())) return error(errno);
-  return text;
 }
 
 std::string DiskFiles::identity(const std::string& path) {

@@ -3,6 +3,7 @@
 
 #include "dsl/result.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -28,8 +29,13 @@ protected:
 
 class DiskFiles final : public FileAccess {
 public:
+  /// Who reads a pipe waits that long for somebody to write to it.
+  explicit DiskFiles(std::chrono::milliseconds patience = std::chrono::seconds(10)) : patience_(patience) {}
   Result<std::string, FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override;
+
+private:
+  std::chrono::milliseconds patience_;
 };
 
 /// path -> text.
