@@ -3,6 +3,7 @@
 
 #include "compiler/checks/analysis/facts.hpp"
 #include "compiler/explore/refuted.hpp"
+#include "compiler/graph/deep_needs.hpp"
 #include "compiler/model/lost_names.hpp"
 #include "compiler/model/named_types.hpp"
 #include "compiler/model/resolve.hpp"
@@ -59,11 +60,14 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   Resolved resolved = resolve(out.spec, sources, {ids_of_checks(), options.types, types ? &*types : nullptr});
   out.model = std::move(resolved.model);
   append(out.findings, without_lost_names(sources, out.findings, std::move(resolved.findings)));
+  if (!dsl::has_errors(out.findings)) {
+    out.graph = make_graph(out.model);
+    append(out.findings, too_deep_needs(out.model, out.graph));
+  }
   out.resolved = !dsl::has_errors(out.findings);
 
   // Whether it makes sense. Only a deployment is a closed world.
   const bool checkable = out.resolved && out.model.deployment;
-  if (out.resolved) out.graph = make_graph(out.model);
   if (checkable) {
     const checks::Facts facts = checks::find_facts(out.model, out.graph);
     append(out.findings, checks::run_checks(out.model, out.graph, facts));

@@ -83,8 +83,12 @@ private:
     std::vector<GroupId> above;
     for (const ClaimStep& step : contest.first_path) above.push_back(step.from);
     if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return false;
-    const Claims second(shared_.branches(), meeting.second->target, above);
     const Claim* ours = shared_.claims(meeting.first->target).find(contest.group, contest.first);
+    const auto serves = [&](GroupId group, Reach reach, const Claim& claim) {
+      return group == contest.group && reach == contest.second &&
+             match(meeting, ours, contest.first, &claim, contest.second);
+    };
+    const Claims second(shared_.branches(), meeting.second->target, above, serves);
     const Claim* theirs = second.find(contest.group, contest.second);
     if (!match(meeting, ours, contest.first, theirs, contest.second)) return false;
     contest.second_path = second.path(contest.group, contest.second);

@@ -28,16 +28,15 @@ void drop_repeated(std::vector<T>& uses) {
 }
 
 /// `Walk.halting.broken` -> the provider as it is written, if there is such a promise in time.
-bool is_promise(const Resolver& r, std::string_view name) {
-  for (const GroupId id : r.model.groups.ids()) {
-    for (const dsl::ProviderSpec* provider : r.group_sources[id].providers) {
-      const bool in_time = std::any_of(provider->causing.begin(), provider->causing.end(),
-                                       [](const dsl::ConditionSpec& promise) { return promise.within.has_value(); });
-      if (in_time && name == fmt::format("{}.{}.broken", r.model.groups[id].name.value, provider->name.value))
-        return true;
-    }
-  }
-  return false;
+bool is_promise(const Resolver& r, const std::string& name) {
+  const auto group = r.groups.find(name.substr(0, name.find('.')));
+  if (group == r.groups.end()) return false;
+  const auto& providers = r.group_sources[group->second].providers;
+  return std::any_of(providers.begin(), providers.end(), [&](const dsl::ProviderSpec* provider) {
+    const bool in_time = std::any_of(provider->causing.begin(), provider->causing.end(),
+                                     [](const dsl::ConditionSpec& promise) { return promise.within.has_value(); });
+    return in_time && name == fmt::format("{}.{}.broken", group->first, provider->name.value);
+  });
 }
 
 std::optional<TriggerId> find_trigger(Resolver& r, const Word& word) {
@@ -196,7 +195,11 @@ void resolve_groups(Resolver& r) {
   resolve_forgotten(r);
   // Which provider a promise belongs to is known now that all of them have their ids.
   for (Trigger& trigger : r.model.triggers) {
-    for (const ProviderId id : r.model.providers.ids()) {
+    const std::size_t dot = trigger.name.find('.');
+    if (dot == std::string::npos) continue;
+    const auto group = r.groups.find(trigger.name.substr(0, dot));
+    if (group == r.groups.end()) continue;
+    for (const ProviderId id : r.model.groups[group->second].providers) {
       const Provider& provider = r.model.providers[id];
       if (trigger.name == fmt::format("{}.{}.broken", r.model.groups[provider.group].name.value, provider.name))
         trigger.promise = id;

@@ -89,8 +89,10 @@ private:
 
   /// The rivals from this one on can all lack something.
   bool fail_from(std::size_t rival) {
-    if (rival == regions_.size() || ++steps_ > choice_steps) return true;
+    if (rival == regions_.size()) return true;
+    if (lacks_already(regions_[rival])) return fail_from(rival + 1);
     for (const auto& [state, accepted] : regions_[rival].states) {
+      if (++steps_ > choice_steps) return true;
       const Possible before = now(state);
       const Possible without{before.values.without(accepted), before.unset};
       if (without.empty()) continue;
@@ -99,6 +101,14 @@ private:
       now_[state] = before;
     }
     return false;
+  }
+
+  /// Whatever else is taken from it: no choice is needed, and none would help where this one does not lead to an end.
+  bool lacks_already(const Region& rival) {
+    return std::any_of(rival.states.begin(), rival.states.end(), [&](const auto& entry) {
+      const Possible& here = now(entry.first);
+      return !here.unset && here.values.intersected(entry.second).empty();
+    });
   }
 
   const Model& model_;

@@ -1,6 +1,8 @@
 // Door: compiler/checks/analysis/claims.hpp. Test: compiler/checks/equal_priority.md.
 #include "compiler/checks/analysis/claims.hpp"
 
+#include "compiler/checks/analysis/sparse_set.hpp"
+
 #include <algorithm>
 #include <deque>
 
@@ -62,16 +64,19 @@ const Region& Branches::grantable(GroupId group) const {
   return *grantable_[group];
 }
 
-Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without) {
+Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without, const Enough& enough) {
   std::deque<std::pair<GroupId, Reach>> open;
+  SparseSet<GroupId> been;
 
   // First in, first out: the first way to a group is a shortest one. A group whose region grows is gone through again.
   claims_[0].emplace(task, Claim{branches.grantable(task), {}, false, {}, Reach::own, 0});
   open.emplace_back(task, Reach::own);
-  while (!open.empty()) {
+  bool ended = enough && enough(task, Reach::own, claims_[0].at(task));
+  while (!open.empty() && !ended) {
     const auto [group, reach] = open.front();
     open.pop_front();
     const Claim here = *find(group, reach); // a copy: it may grow on the way round
+    const bool first_time = been.add(group);
     const auto go = [&](const Branch& branch, Reach next) {
       Region region = here.region;
       region.meet(branch.region);
@@ -82,13 +87,18 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
       if (is_new) {
         there = Claim{std::move(region), {group}, branch.by_need, branch.span, reach, here.steps + 1};
         open.emplace_back(branch.to, next);
+        ended = ended || (enough && enough(branch.to, next, there));
         return;
       }
-      if (std::find(there.from.begin(), there.from.end(), group) == there.from.end()) there.from.push_back(group);
+      // Who is here for the first time is among them only as the last one.
+      const bool known = first_time ? !there.from.empty() && there.from.back() == group
+                                    : std::find(there.from.begin(), there.from.end(), group) != there.from.end();
+      if (!known) there.from.push_back(group);
       Region more = hull(there.region, region);
       if (more.states == there.region.states) return;
       there.region = std::move(more);
       open.emplace_back(branch.to, next);
+      ended = ended || (enough && enough(branch.to, next, there));
     };
     for (const Branch& branch : branches.from(group)) {
       if (branch.to == group || std::find(without.begin(), without.end(), branch.to) != without.end()) continue;

@@ -66,8 +66,11 @@ struct ClaimStep {
 
 class Claims {
 public:
+  /// Ends the search early: of a group, how it is reached, and its claim, which may grow if it goes on.
+  using Enough = std::function<bool(GroupId, Reach, const Claim&)>;
+
   /// Through no group of `without`.
-  Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without = {});
+  Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without = {}, const Enough& enough = {});
 
   /// Nothing: never.
   const Claim* find(GroupId group, Reach reach) const {

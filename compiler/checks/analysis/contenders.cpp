@@ -34,6 +34,7 @@ public:
     const std::vector<Entry>& theirs = chains.entries_above(group_, true);
     auto first = theirs.begin();
     for (const Entry& ours : chains.entries_above(own_)) {
+      if (candidates_.size() >= most_collected) break;
       while (first != theirs.end() && first->together < ours.together) ++first;
       for (auto at = first; at != theirs.end() && at->together == ours.together; ++at) {
         if (at->task->target != ours.task->target && at->task->target != own_ && candidates_.size() < most_collected &&
@@ -105,7 +106,10 @@ private:
       break;
     }
     if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return std::nullopt;
-    const Claims claims(input_.shared.branches(), meeting.second->target, above);
+    const auto serves = [&](GroupId group, Reach reach, const Claim& claim) {
+      return group == group_ && reach == candidate.reach && compatible(claim.region, region_);
+    };
+    const Claims claims(input_.shared.branches(), meeting.second->target, above, serves);
     const Claim* claim = claims.find(group_, candidate.reach);
     if (claim == nullptr || !compatible(claim->region, region_)) return std::nullopt;
     return Contender{meeting, claims.path(group_, candidate.reach)};
