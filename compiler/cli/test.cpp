@@ -78,7 +78,7 @@ private:
     Coverage coverage = coverage_of(loaded.model, loaded.graph);
     CoverageWatch watch(loaded.model, loaded.lowered, coverage);
     const Onlooker onlooker = watch.onlooker();
-    ScenarioResult result = test_scenario(loaded.scenario, loaded.model, loaded.lowered, &onlooker);
+    ScenarioResult result = test_scenario(loaded.scenario, loaded.model, loaded.lowered, {.onlooker = &onlooker});
     const auto known = std::find_if(reports_.begin(), reports_.end(),
                                     [&](const CoverageReport& report) { return report.behaviour == loaded.behaviour; });
     if (known != reports_.end()) {

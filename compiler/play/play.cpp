@@ -35,6 +35,7 @@ public:
       : scenario_(scenario),
         tables_(lowered.view()),
         onlooker_(options.onlooker),
+        most_stops_(options.most_stops),
         bodies_(scenario, tables_, options.onlooker),
         recorder_(model, lowered, options.decisions, sink),
         cells_(inbox_size(scenario)),
@@ -54,7 +55,7 @@ public:
       for (const std::string& shown : step.shown) recorder_.input(shown);
       if (!(step.advance ? advance(*step.advance) : take(step.inputs))) break;
     }
-    return {step_, exhausted_, bodies_.refused()};
+    return {step_, exhausted_, too_many_stops_, bodies_.refused()};
   }
 
 private:
@@ -62,13 +63,16 @@ private:
   bool run_engine() {
     switch (onlooker_ == nullptr ? engine_.step(now_) : step_by_step()) {
     case StepResult::quiescent: return true;
-    case StepResult::budget_exhausted:
-      exhausted_ = true;
-      recorder_.budget_exhausted();
-      return false;
+    case StepResult::budget_exhausted: return exhaust();
     case StepResult::fault:
     case StepResult::refused: break;
     }
+    return false;
+  }
+
+  bool exhaust() {
+    exhausted_ = true;
+    recorder_.budget_exhausted();
     return false;
   }
 
@@ -85,7 +89,9 @@ private:
   /// Each due time has a run of the engine to itself.
   bool advance(Time by) {
     const Time until = by > never - now_ ? never - 1 : now_ + by;
-    while (engine_.next_due() <= until) {
+    for (std::uint64_t stops = 0; engine_.next_due() <= until; ++stops) {
+      too_many_stops_ = stops == most_stops_;
+      if (too_many_stops_) return exhaust();
       now_ = engine_.next_due();
       if (!run_engine()) return false;
     }
@@ -135,6 +141,7 @@ private:
   const Scenario& scenario_;
   const Tables tables_;
   const Onlooker* onlooker_;
+  const std::uint64_t most_stops_;
   ScriptedBodies bodies_;
   Recorder recorder_;
   std::vector<Inbox::Cell> cells_;
@@ -143,7 +150,7 @@ private:
   Engine engine_;
   Time now_ = 0;
   std::uint32_t step_ = 0;
-  bool exhausted_ = false;
+  bool exhausted_ = false, too_many_stops_ = false;
 };
 
 } // namespace

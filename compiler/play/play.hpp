@@ -10,18 +10,23 @@
 
 namespace director::compiler {
 
+/// Micro-steps each time the engine runs: inputs, or one due time.
+inline constexpr std::uint32_t play_budget = 10'000;
+/// Due times at which one `advance` stops: an hour of `every: 4 ms`. What happens at each is kept until it is compared,
+/// and a slip of the unit should not take all the memory.
+inline constexpr std::uint64_t stops_of_advance = 1'000'000;
+
 struct PlayOptions {
   bool decisions = false;             ///< also queue, push, release, set and unset
   const Onlooker* onlooker = nullptr; ///< null: nobody; what happens is the same
+  std::uint64_t most_stops = stops_of_advance;
 };
-
-/// Micro-steps each time the engine runs: inputs, or one due time.
-inline constexpr std::uint32_t play_budget = 10'000;
 
 /// How it ended, if not behind its last step.
 struct Played {
   std::uint32_t last_step = 0; ///< the last one that was played; counts from 1
   bool budget_exhausted = false;
+  bool too_many_stops = false; ///< ... that of stops, and not of micro-steps
   std::optional<dsl::Diagnostic> refused; ///< what a body was to do and may not
 };
 

@@ -9,10 +9,11 @@
 namespace director::compiler {
 
 ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const Lowered& lowered,
-                             const Onlooker* onlooker) {
+                             PlayOptions options) {
   ScenarioResult result;
+  options.decisions = false;
   std::vector<std::vector<std::string>> happened(scenario.steps.size());
-  result.played = play(scenario, model, lowered, {false, onlooker}, [&](const Happening& happening) {
+  result.played = play(scenario, model, lowered, options, [&](const Happening& happening) {
     if (happening.kind != Happening::Kind::input) happened[happening.step - 1].push_back(to_text(happening));
   });
   const std::size_t last = result.played.last_step;
@@ -27,8 +28,9 @@ ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const
     }
     if (!exhausted && expected == happened[i]) continue;
     const Span span = step.expect ? step.expect->span : step.span;
-    result.mismatches.push_back(
-        {static_cast<std::uint32_t>(i + 1), exhausted, step.shown, span, std::move(expected), std::move(happened[i])});
+    result.mismatches.push_back({static_cast<std::uint32_t>(i + 1), exhausted,
+                                 exhausted && result.played.too_many_stops, step.shown, span, std::move(expected),
+                                 std::move(happened[i])});
   }
   return result;
 }
@@ -40,7 +42,10 @@ std::string render(const ScenarioResult& result, const dsl::Sources& sources) {
     const dsl::Place place = file.place(mismatch.span.begin);
     out += fmt::format("{}:{}:{}: step {}: {}\n", file.path(), place.line, place.column, mismatch.step,
                        fmt::join(mismatch.shown, "; "));
-    if (mismatch.exhausted) out += fmt::format("    it did not come to rest within {} micro-steps\n", play_budget);
+    if (mismatch.too_many_stops)
+      out += fmt::format("    something is due at more than {} times within it\n", stops_of_advance);
+    else if (mismatch.exhausted)
+      out += fmt::format("    it did not come to rest within {} micro-steps\n", play_budget);
     const std::size_t most_lines = mismatch.exhausted ? 30 : 200;
     for (const std::string& line : unified_diff(mismatch.expected, mismatch.happened, most_lines)) {
       out += "    " + line + "\n";

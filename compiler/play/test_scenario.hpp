@@ -14,6 +14,7 @@ namespace director::compiler {
 struct Mismatch {
   std::uint32_t step = 1;         ///< counts from 1
   bool exhausted = false;         ///< the budget ran out in it
+  bool too_many_stops = false;    ///< ... that of stops, and not of micro-steps
   std::vector<std::string> shown; ///< what the step says
   Span span{};                    ///< of its `expect`, or of the step where it has none
   std::vector<std::string> expected, happened;
@@ -25,9 +26,9 @@ struct ScenarioResult {
   bool holds() const { return mismatches.empty() && !played.refused; }
 };
 
-/// Decisions are not compared.
+/// Decisions are not compared, whether or not they are asked for.
 ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const Lowered& lowered,
-                             const Onlooker* onlooker = nullptr);
+                             PlayOptions options = {});
 
 /// For each mismatch its place, its inputs and a diff; what a body may not do is left to who shows diagnostics. Empty
 /// where there is no mismatch.

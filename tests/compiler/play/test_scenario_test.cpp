@@ -94,6 +94,36 @@ steps:
   CHECK(tested.text.ends_with("\n    ... and 14972 more lines\n"));
 }
 
+TEST_CASE("a scenario that lets more time go by than anybody can look at fails") {
+  const LoadedScenario loaded = load_scenario(R"(behaviour: metronome
+language: 1
+roots: [A]
+groups:
+  A: {every: 1 us}
+)",
+                                              R"(
+script: {A: {continue: true}}
+steps:
+  - request: A
+  - advance: 3 us
+  - advance: 100000000 min
+)");
+  PlayOptions options;
+  options.most_stops = 3;
+  const ScenarioResult result = test_scenario(loaded.scenario, loaded.behaviour.model, loaded.lowered, options);
+  CHECK(!result.holds());
+  CHECK(render(result, loaded.behaviour.sources) == R"(test.scenario.yaml:7:5: step 3: advance 100000000 min
+    something is due at more than 1000000 times within it
+    --- expected
+    +++ happened
+    @@ -0,0 +1,4 @@
+    +run A trigger
+    +run A trigger
+    +run A trigger
+    +budget_exhausted
+)");
+}
+
 TEST_CASE("where a body may not do what its script says, the steps before are compared and no other") {
   const LoadedScenario loaded = load_scenario(R"(behaviour: refused
 language: 1
