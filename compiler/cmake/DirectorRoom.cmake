@@ -24,6 +24,9 @@ function(director_room target alias)
     target_link_libraries(${target} PUBLIC ${room_LINK} PRIVATE ${room_PRIVATE_LINK})
     # Its options, not the library itself: who installs a room does not have to install the warnings.
     target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:director_warnings,INTERFACE_COMPILE_OPTIONS>)
+    if(DIRECTOR_FUZZABLE)
+      target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    endif()
   else()
     add_library(${target} INTERFACE)
     target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
