@@ -15,8 +15,15 @@ std::string_view name_of(Level level); ///< "error", "warning", "lint"
 
 /// Another party of a finding, with its own place.
 struct Note {
+  /// Some notes lead from one thing to the next: a way through the specification.
+  enum class Link {
+    aside, ///< it stands for itself
+    first, ///< a way begins here, at the finding's own place
+    next   ///< it goes on from the note before
+  };
   Span span{};
   std::string message;
+  Link link = Link::aside;
   bool operator==(const Note&) const = default;
 };
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace director::dsl {
@@ -31,10 +32,11 @@ public:
 private:
   struct OpenFile {
     std::string identity, path;
+    std::optional<Span> import{}; ///< where it is imported; nothing: the main file
   };
 
-  void read(const std::string& path, FileId id) {
-    open_.push_back({files_.identity(path), path});
+  void read(const std::string& path, FileId id, std::optional<Span> where = {}) {
+    open_.push_back({files_.identity(path), path, where});
     known_.emplace(open_.back().identity, id);
     const std::string& text = sources_[id].text();
     const YamlNode root = read_yaml(id, text, result_.diagnostics);
@@ -56,7 +58,9 @@ private:
     const auto again =
         std::find_if(open_.begin(), open_.end(), [&](const OpenFile& file) { return file.identity == identity; });
     if (again != open_.end()) {
-      report("import_cycle", import, cycle(again - open_.begin()));
+      const auto first = static_cast<std::size_t>(again - open_.begin());
+      report("import_cycle", import, cycle(first));
+      add_way(first, result_.diagnostics.back());
       return std::nullopt;
     }
     if (const auto known = known_.find(identity); known != known_.end()) return known->second;
@@ -67,19 +71,29 @@ private:
     auto text = files_.read(path, largest_file);
     if (!text) {
       result_.diagnostics.push_back(unreadable(path, text.error(), import.span));
+      if (result_.diagnostics.back().id == "import_not_found")
+        result_.diagnostics.back().help = "a path is relative to the file that it stands in";
       return std::nullopt;
     }
     const FileId id = sources_.add(path, std::move(text.value()));
-    read(path, id);
+    read(path, id, import.span);
     return id;
   }
 
   /// `a.yaml imports b.yaml imports a.yaml`.
-  std::string cycle(std::ptrdiff_t first) const {
+  std::string cycle(std::size_t first) const {
     std::string chain;
-    for (std::size_t i = static_cast<std::size_t>(first); i < open_.size(); ++i)
-      chain += fmt::format("`{}` imports ", open_[i].path);
-    return chain + fmt::format("`{}`", open_[static_cast<std::size_t>(first)].path);
+    for (std::size_t i = first; i < open_.size(); ++i) chain += fmt::format("`{}` imports ", open_[i].path);
+    return chain + fmt::format("`{}`", open_[first].path);
+  }
+
+  /// Where each file of the circle but the last imports the next.
+  void add_way(std::size_t first, Diagnostic& finding) const {
+    for (std::size_t i = first + 1; i < open_.size(); ++i)
+      finding.notes.push_back({*open_[i].import, fmt::format("`{}` imports `{}`", open_[i - 1].path, open_[i].path),
+                               i == first + 1 ? Note::Link::first : Note::Link::next});
+    finding.help = finding.notes.empty() ? "leave this import out"
+                                         : "move what both need into a file that imports neither of them";
   }
 
   void report(std::string id, const Word& import, std::string message) {

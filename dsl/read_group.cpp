@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -78,6 +79,18 @@ std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, st
   HandlerSpec handler{{}, node->span};
   if (node->kind == YamlNode::Kind::scalar && !node->quoted() && node->text == "true") return handler;
   const YamlNode* sets = node->find("sets");
+  if (node->kind == YamlNode::Kind::mapping) {
+    // Of a mapping, the first key that it cannot have.
+    const auto other = std::find_if(node->pairs.begin(), node->pairs.end(),
+                                    [](const YamlPair& pair) { return pair.key.value != "sets"; });
+    if (other != node->pairs.end()) {
+      reader.error(
+          "start_stop_shape", other->key.span,
+          fmt::format("`{}`: expected true or a mapping with `sets` alone, found `{}`", which, other->key.value),
+          "a handler requests nothing and promises nothing: what it may set stands in its `sets`");
+      return std::nullopt;
+    }
+  }
   if (node->kind != YamlNode::Kind::mapping || node->pairs.size() != 1 || !sets) {
     reader.error("start_stop_shape", node->span,
                  fmt::format("`{}`: expected true or a mapping with `sets` alone, found {}", which, found(*node)),

@@ -46,7 +46,12 @@ void contradictory_when(const Input& input, Findings& findings) {
     const std::string last = name_of(model, clash.last.id);
     const std::string word = fault.stay ? "stay" : "when";
     if (clash.others.empty()) {
-      findings.add(clash.last.span, fmt::format("no value of {} satisfies {}", name_of(model, fault.state), last));
+      const State& state = model.states[fault.state];
+      dsl::Diagnostic& finding =
+          findings.add(clash.last.span, fmt::format("no value of {} satisfies {}", name_of(model, fault.state), last));
+      finding.notes.push_back(
+          {state.name.span, fmt::format("its values are {}", values_in_words(state, state.domain()))});
+      finding.help = "correct the value, or leave the condition out";
       continue;
     }
     std::vector<std::string> others;
@@ -61,7 +66,7 @@ void contradictory_when(const Input& input, Findings& findings) {
                        ? fmt::format("for one or the other, write alternatives: `{}|{}`",
                                      model.conditions[clash.others[0].id].text,
                                      model.states[fault.state].value_text(model.conditions[clash.last.id].operands[0]))
-                       : "";
+                       : "leave one of them out, or make two providers of it";
   }
 }
 

@@ -25,6 +25,13 @@ struct Contest {
   std::vector<ClaimStep> first_path, second_path;
 };
 
+/// What the first one may hold while it waits for the group of the contest, and the second one waits for that while it
+/// holds the group of the contest.
+struct Deadlock {
+  GroupId held{};
+  std::vector<ClaimStep> first_path, second_path; ///< to what is held
+};
+
 /// So many groups are looked at closely for one pair of tasks; those with the shortest chains come first.
 constexpr std::size_t most_candidates = 50;
 
@@ -49,7 +56,30 @@ public:
     return std::nullopt;
   }
 
+  /// For a contest that was found.
+  std::optional<Deadlock> find_deadlock(const Meeting& meeting, const Contest& contest) {
+    const std::set<GroupId> held = held_before(contest.first_path);
+    if (held.empty()) return std::nullopt;
+    for (Contest& other : find_candidates(meeting)) {
+      if (held.count(other.group) == 0 || !find_paths(meeting, other)) continue;
+      if (held_before(other.second_path).count(contest.group) != 0)
+        return Deadlock{other.group, std::move(other.first_path), std::move(other.second_path)};
+    }
+    return std::nullopt;
+  }
+
 private:
+  /// What is held for certain when the last request of a chain is made: what comes by needs comes all at once.
+  std::set<GroupId> held_before(const std::vector<ClaimStep>& chain) const {
+    const auto last = std::find_if(chain.rbegin(), chain.rend(), [](const ClaimStep& step) { return !step.by_need; });
+    std::set<GroupId> out;
+    for (auto step = last; step != chain.rend(); ++step) {
+      const auto& parts = shared_.indispensable().of(step->from);
+      if (parts) out.insert(parts->begin(), parts->end());
+    }
+    return out;
+  }
+
   static bool match(const Meeting& meeting, const Claim* a, Reach how_a, const Claim* b, Reach how_b) {
     if (a == nullptr || b == nullptr) return false;
     const bool first_optional = meeting.first_level.optional || how_a == Reach::optional;
@@ -98,18 +128,40 @@ private:
   const Shared& shared_;
 };
 
-void report(const Model& model, const Meeting& meeting, const Contest& contest, Findings& findings) {
+/// Each step once: two chains of one task often begin alike.
+void add_new(const Model& model, const std::vector<ClaimStep>& chain, dsl::Note::Link begins, Diagnostic& finding) {
+  std::vector<dsl::Note> steps;
+  add_chain(model, chain, steps, begins);
+  for (dsl::Note& step : steps) {
+    const auto same = [&](const dsl::Note& note) { return note.span == step.span && note.message == step.message; };
+    if (std::none_of(finding.notes.begin(), finding.notes.end(), same)) finding.notes.push_back(std::move(step));
+  }
+}
+
+void report(const Model& model, const Meeting& meeting, const Contest& contest, const std::optional<Deadlock>& deadlock,
+            Findings& findings) {
+  using Link = dsl::Note::Link;
   const std::string first = name_of(model, meeting.first->target), second = name_of(model, meeting.second->target);
+  const std::string wanted = name_of(model, contest.group);
   Diagnostic& finding = findings.add(
       meeting.second->span,
-      fmt::format(
-          "{} and {} have equal rank and may both want {}: who asks first keeps it, and if both ask at once {} does",
-          first, second, name_of(model, contest.group), first));
-  finding.notes.push_back({meeting.first->span, fmt::format("{} is requested here, with the same priority {}", first,
-                                                            meeting.first_level.priority)});
-  add_chain(model, contest.first_path, finding.notes);
-  add_chain(model, contest.second_path, finding.notes);
-  finding.help = "give one of them a higher priority";
+      deadlock
+          ? fmt::format("{0} and {1} have equal rank: {0} may hold {2} and want {3} while {1} holds {3} and wants {2}, "
+                        "and then each waits for the other",
+                        first, second, name_of(model, deadlock->held), wanted)
+          : fmt::format("{0} and {1} have equal rank and may both want {2}: who asks first keeps it, and if both ask "
+                        "at once {0} does",
+                        first, second, wanted));
+  finding.notes.push_back(
+      {meeting.first->span,
+       fmt::format("{} is requested here, with the same priority {}", first, meeting.first_level.priority),
+       Link::first});
+  if (deadlock) add_new(model, deadlock->first_path, Link::next, finding);
+  add_new(model, contest.first_path, Link::next, finding);
+  add_new(model, contest.second_path, Link::first, finding);
+  if (deadlock) add_new(model, deadlock->second_path, Link::next, finding);
+  finding.help = deadlock ? "give one of them a higher priority, or let each need at once all that it wants"
+                          : "give one of them a higher priority";
 }
 
 /// One finding for a pair, whatever its levels.
@@ -120,7 +172,7 @@ void look_at(const Model& model, const Together& together, const Task& first, co
       const Meeting meeting{&together, &first, &second, model.edges[first.edge].levels[a.level],
                             model.edges[second.edge].levels[b.level]};
       if (const auto contest = search.find(meeting)) {
-        report(model, meeting, *contest, findings);
+        report(model, meeting, *contest, search.find_deadlock(meeting, *contest), findings);
         return;
       }
     }

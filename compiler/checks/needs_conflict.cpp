@@ -48,23 +48,47 @@ std::optional<Clash> find_clash(const Model& model, const Provider& provider, co
 void report_clash(const Model& model, ProviderId id, const Clash& clash, Findings& findings) {
   const std::string provider = name_of(model, id);
   if (clash.first->id == clash.second->id) {
-    findings.add(clash.second->span, fmt::format("{} needs {} twice", provider, name_of(model, clash.group)))
-        .notes.push_back({clash.first->span, "needed first here"});
+    Diagnostic& twice =
+        findings.add(clash.second->span, fmt::format("{} needs {} twice", provider, name_of(model, clash.group)));
+    twice.notes.push_back({clash.first->span, "needed first here"});
+    twice.help = "a group is held once: leave one of them out";
     return;
   }
   Diagnostic& finding =
       findings.add(clash.second->span, fmt::format("{} can never run: its needs {} and {} both come down to {}",
                                                    provider, name_of(model, clash.first->id),
                                                    name_of(model, clash.second->id), name_of(model, clash.group)));
-  finding.notes.push_back({clash.first->span, fmt::format("the other need is {}", name_of(model, clash.first->id))});
-  add_chain(model, clash.from_first, finding.notes);
+  finding.notes.push_back({clash.first->span, fmt::format("the other need is {}", name_of(model, clash.first->id)),
+                           dsl::Note::Link::first});
+  add_chain(model, clash.from_first, finding.notes, dsl::Note::Link::next);
   add_chain(model, clash.from_second, finding.notes);
   finding.help =
       fmt::format("need only one of them, or give one a provider that does without {}", name_of(model, clash.group));
 }
 
+/// What a way of having a need takes: what it needs itself, and what that comes down to whatever provider is picked.
+std::string taken_by(const Model& model, const Provider& way, const Indispensable& indispensable) {
+  std::vector<GroupId> own, below;
+  const auto has = [](const std::vector<GroupId>& list, GroupId id) {
+    return std::find(list.begin(), list.end(), id) != list.end();
+  };
+  for (const Use<GroupId>& need : way.needs) own.push_back(need.id);
+  for (const GroupId id : own) {
+    if (!indispensable.of(id)) continue;
+    for (const GroupId deep : *indispensable.of(id)) {
+      if (!has(own, deep) && !has(below, deep)) below.push_back(deep);
+    }
+  }
+  const auto named = [&](const std::vector<GroupId>& list) {
+    std::vector<std::string> out;
+    for (const GroupId id : list) out.push_back(name_of(model, id));
+    return list_of(out);
+  };
+  return below.empty() ? named(own) : fmt::format("{}, and with it {}", named(own), named(below));
+}
+
 /// Which groups each way of having a need takes, for a clash that no two needs have by themselves.
-void report_crowd(const Model& model, ProviderId id, Findings& findings) {
+void report_crowd(const Model& model, ProviderId id, const Indispensable& indispensable, Findings& findings) {
   const Provider& provider = model.providers[id];
   std::vector<std::string> names;
   for (const Use<GroupId>& need : provider.needs) names.push_back(name_of(model, need.id));
@@ -73,11 +97,10 @@ void report_crowd(const Model& model, ProviderId id, Findings& findings) {
                                                        name_of(model, id), list_of(names)));
   for (const Use<GroupId>& need : provider.needs) {
     for (const ProviderId way : model.groups[need.id].providers) {
-      std::vector<std::string> below;
-      for (const Use<GroupId>& next : model.providers[way].needs) below.push_back(name_of(model, next.id));
-      if (!below.empty())
-        finding.notes.push_back(
-            {model.providers[way].span, fmt::format("{} would take {}", name_of(model, way), list_of(below))});
+      if (model.providers[way].needs.empty()) continue;
+      finding.notes.push_back(
+          {model.providers[way].span,
+           fmt::format("{} would take {}", name_of(model, way), taken_by(model, model.providers[way], indispensable))});
     }
   }
   finding.help = fmt::format("need less, or give one of {} a provider that needs less", list_of(names));
@@ -93,7 +116,7 @@ void needs_conflict(const Input& input, Findings& findings) {
     if (const auto clash = find_clash(model, model.providers[id], input.shared.indispensable())) {
       report_clash(model, id, *clash, findings);
     } else if (input.facts.plans[id] == PlanVerdict::none) {
-      report_crowd(model, id, findings);
+      report_crowd(model, id, input.shared.indispensable(), findings);
     } else {
       findings
           .add(model.providers[id].needs[0].span,

@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/needs_cycle.md.
 #include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -20,9 +21,7 @@ void report(const Model& model, const std::vector<NeedStep>& circle, Findings& f
   }
   dsl::Diagnostic& finding = findings.add(
       circle[0].span, fmt::format("{}: no plan gets out of this circle", chain_in_words(model, groups, "needs")));
-  for (std::size_t i = 1; i < circle.size(); ++i)
-    finding.notes.push_back(
-        {circle[i].span, fmt::format("{} needs {}", name_of(model, circle[i].from), name_of(model, circle[i].to))});
+  add_chain(model, std::vector<NeedStep>(circle.begin() + 1, circle.end()), finding.notes);
   finding.help = fmt::format("remove one of these needs, or give {} a provider that does without",
                              name_of(model, circle.back().from));
 }

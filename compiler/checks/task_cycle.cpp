@@ -41,7 +41,8 @@ void report_circle(const Model& model, const std::vector<Node>& path, Findings& 
                    fmt::format("{}: that one is never granted", chain_in_words(model, groups, "requests")));
   for (std::size_t i = 0; i + 2 < groups.size(); ++i)
     finding.notes.push_back({entry(model, groups[i], groups[i + 1]),
-                             fmt::format("{} requests {}", name_of(model, groups[i]), name_of(model, groups[i + 1]))});
+                             fmt::format("{} requests {}", name_of(model, groups[i]), name_of(model, groups[i + 1])),
+                             i == 0 ? dsl::Note::Link::first : dsl::Note::Link::next});
   finding.help = "make this request `optional`, or leave it out";
 }
 

@@ -44,9 +44,17 @@ public:
     for (const GroupId group : model_.groups.ids()) {
       if (facts_.requested.contains(group)) look_at(group);
     }
+    report_all();
   }
 
 private:
+  struct Uncoveredness {
+    GroupId group{};
+    std::vector<std::string> gaps; ///< in words
+    std::set<StateId> states;
+    const Request* where = nullptr;
+  };
+
   /// A condition that a task for this group has to wait for without being able to do anything.
   bool counts(GroupId group, ProviderId provider, const ConditionUse& use) const {
     if (explained_.contains(provider) || pushed_.count({group, use.id}) != 0) return false;
@@ -85,22 +93,56 @@ private:
       if (is_root && request.requester) continue;
       for (const Region& region : shared_.requests().regions(request)) look(box_of(facts_, region), request);
     }
-    if (!gaps.empty()) report(group, gaps, states, *where);
+    if (!gaps.empty()) found_.push_back({group, std::move(gaps), std::move(states), where});
   }
 
-  void report(GroupId group, std::vector<std::string> gaps, const std::set<StateId>& states, const Request& where) {
+  /// Several that wait for the same are told together, but for those that may.
+  void report_all() {
+    std::map<std::vector<std::string>, std::vector<const Uncoveredness*>> alike;
+    std::vector<std::vector<const Uncoveredness*>> sets;
+    for (const Uncoveredness& one : found_) {
+      if (is_allowed(one.group)) {
+        sets.push_back({&one});
+      } else {
+        alike[one.gaps].push_back(&one);
+      }
+    }
+    for (auto& [gaps, all] : alike) sets.push_back(std::move(all));
+    for (const auto& each : sets) report(each);
+  }
+
+  bool is_allowed(GroupId group) const {
+    return std::any_of(model_.allowances.begin(), model_.allowances.end(), [&](const Allowance& allowance) {
+      return allowance.id.value == "uncovered_state" && allowance.scope.contains(model_.groups[group].name.span);
+    });
+  }
+
+  void report(const std::vector<const Uncoveredness*>& all) {
+    std::vector<std::string> gaps = all.front()->gaps, names;
+    for (const Uncoveredness* one : all) names.push_back(name_of(model_, one->group));
     const std::size_t more = gaps.size() > most_listed ? gaps.size() - most_listed : 0;
     gaps.resize(gaps.size() - more);
     if (more > 0) gaps.push_back(fmt::format("in {} more cases", more));
-    const std::string name = name_of(model_, group);
-    dsl::Diagnostic& finding = findings_.add(model_.groups[group].name.span,
-                                             fmt::format("no provider of {} can run {}", name, list_of(gaps, "or")));
-    finding.notes.push_back({where.task->span, where.requester
-                                                   ? fmt::format("{} requests it", name_of(model_, *where.requester))
-                                                   : fmt::format("{} may be requested at any time", name)});
+    dsl::Diagnostic& finding =
+        findings_.add(model_.groups[all.front()->group].name.span,
+                      fmt::format("no provider of {} can run {}", list_of(names, "or"), list_of(gaps, "or")));
+    for (const Uncoveredness* one : all) add_notes(*one, one != all.front(), finding);
+    finding.help =
+        all.size() == 1
+            ? fmt::format("end with a provider that has no conditions, or ask for {} only while it can run", names[0])
+            : "end each with a provider that has no conditions, or ask for them only while they can run";
+  }
+
+  void add_notes(const Uncoveredness& one, bool another, dsl::Diagnostic& finding) const {
+    const std::string name = name_of(model_, one.group);
+    if (another) finding.notes.push_back({model_.groups[one.group].name.span, fmt::format("nor can {}", name)});
+    finding.notes.push_back(
+        {one.where->task->span,
+         one.where->requester
+             ? fmt::format("{} requests {}", name_of(model_, *one.where->requester), another ? name : "it")
+             : fmt::format("{} may be requested at any time", name)});
     std::map<GroupId, bool> seen;
-    add_conditions(group, group, states, seen, finding);
-    finding.help = fmt::format("end with a provider that has no conditions, or ask for {} only while it can run", name);
+    add_conditions(one.group, one.group, one.states, seen, finding);
   }
 
   /// True if there is one in the group or below; each is noted once.
@@ -130,6 +172,7 @@ private:
   Findings& findings_;
   IdSet<ProviderId> explained_;
   std::set<std::pair<GroupId, ConditionId>> pushed_;
+  std::vector<Uncoveredness> found_;
 };
 
 } // namespace

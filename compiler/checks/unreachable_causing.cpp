@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace director::checks {
 
 void unreachable_causing(const Input& input, Findings& findings) {
@@ -17,10 +19,21 @@ void unreachable_causing(const Input& input, Findings& findings) {
     for (const NeverKept::Waiting& waiting : promise.waiting)
       finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
                                                                    name_of(model, waiting.condition.id))});
-    for (dsl::Note& note : explain_idle(input, promise.causer)) finding.notes.push_back(std::move(note));
-    if (input.model.groups[model.providers[promise.causer].group].requesters.empty())
+    auto link = dsl::Note::Link::first;
+    for (dsl::Note& note : explain_idle(input, promise.causer)) {
+      note.link = std::exchange(link, dsl::Note::Link::next);
+      finding.notes.push_back(std::move(note));
+    }
+    const GroupId group = model.providers[promise.causer].group;
+    if (model.groups[group].requesters.empty()) {
       finding.help = fmt::format("request {} wherever the state is waited for: a push never starts a group",
-                                 name_of(model, model.providers[promise.causer].group));
+                                 name_of(model, group));
+    } else if (!input.facts.requested.contains(group)) {
+      finding.help = fmt::format("let something that runs without {} request {}", name_of(model, promise.promise.id),
+                                 name_of(model, group));
+    } else {
+      finding.help = "the last note is what all the others rest on: mend that";
+    }
   }
 }
 

@@ -7,17 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace director::compiler {
 
 namespace {
-
-/// Their notes tell one thing after another: a way through the specification.
-constexpr std::array<std::string_view, 7> told_in_order{"equal_priority",     "import_cycle",       "needs_conflict",
-                                                        "needs_cycle",        "sibling_starvation", "task_cycle",
-                                                        "unreachable_causing"};
 
 Json number(std::size_t value) { return Json::number(static_cast<std::int64_t>(value)); }
 Json message(std::string_view text) { return Json::object({{"text", Json::text(text)}}); }
@@ -64,12 +58,8 @@ public:
       }
       out.add("relatedLocations", Json::list(std::move(related)));
     }
-    if (finding.notes.size() > 1 &&
-        std::find(told_in_order.begin(), told_in_order.end(), finding.id) != told_in_order.end()) {
-      std::vector<dsl::Note> steps{{finding.span, finding.message}};
-      steps.insert(steps.end(), finding.notes.begin(), finding.notes.end());
-      out.add("codeFlows", flow(steps));
-    }
+    const std::vector<std::vector<dsl::Note>> ways = ways_of(finding);
+    if (!ways.empty()) out.add("codeFlows", flow(ways));
     out.add("partialFingerprints", Json::object({{"director/v1", Json::text(fingerprint(finding))}}));
     return out;
   }
@@ -78,7 +68,7 @@ public:
     Json out = Json::object({{"kind", Json::text("informational")}, {"level", Json::text("none")}});
     out.add("message", message(witness.message));
     out.add("locations", Json::list({location(witness.steps.back().span)}));
-    out.add("codeFlows", flow(witness.steps));
+    out.add("codeFlows", flow({witness.steps}));
     return out;
   }
 
@@ -109,11 +99,26 @@ private:
     return out;
   }
 
-  Json flow(const std::vector<dsl::Note>& steps) const {
-    Json locations = Json::list({});
-    for (const dsl::Note& step : steps) locations.add(Json::object({{"location", told(step)}}));
-    Json thread = Json::object({{"locations", std::move(locations)}});
-    return Json::list({Json::object({{"threadFlows", Json::list({std::move(thread)})}})});
+  /// The ways that its notes tell, each from its own place.
+  static std::vector<std::vector<dsl::Note>> ways_of(const dsl::Diagnostic& finding) {
+    std::vector<std::vector<dsl::Note>> out;
+    for (const dsl::Note& note : finding.notes) {
+      if (note.link == dsl::Note::Link::aside) continue;
+      if (note.link == dsl::Note::Link::first || out.empty()) out.push_back({{finding.span, finding.message}});
+      out.back().push_back(note);
+    }
+    return out;
+  }
+
+  /// One flow: what several ways lead to is one thing.
+  Json flow(const std::vector<std::vector<dsl::Note>>& ways) const {
+    Json threads = Json::list({});
+    for (const std::vector<dsl::Note>& way : ways) {
+      Json locations = Json::list({});
+      for (const dsl::Note& step : way) locations.add(Json::object({{"location", told(step)}}));
+      threads.add(Json::object({{"locations", std::move(locations)}}));
+    }
+    return Json::list({Json::object({{"threadFlows", std::move(threads)}})});
   }
 
   /// Of several that agree in everything the second has another one than the first, in order of place.

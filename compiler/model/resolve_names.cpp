@@ -67,7 +67,15 @@ void report_undefined(Resolver& r, std::string_view kind, const Word& name, cons
   if (other != r.cpp_names.end() && other->second.name.value == name.value && other->second.kind != kind)
     finding.notes.push_back(
         {other->second.name.span, fmt::format("this `{}` is a {}", name.value, other->second.kind)});
-  if (const auto nearest = dsl::suggest(name.value, known)) finding.help = fmt::format("did you mean `{}`?", *nearest);
+  if (const auto nearest = dsl::suggest(name.value, known)) {
+    finding.help = fmt::format("did you mean `{}`?", *nearest);
+  } else if (kind == "group") {
+    finding.help = "declare it under `groups`, import a file that does, or list it under `extern`";
+  } else if (kind == "state" || kind == "trigger") {
+    finding.help = fmt::format("declare it under `{}s`, or import a file that does", kind);
+  } else if (kind == "layer") {
+    finding.help = "list it under `layers`";
+  }
 }
 
 std::optional<GroupId> find_group(Resolver& r, const Word& name) {

@@ -67,4 +67,35 @@ TEST_CASE("an error is told, whatever --allow says") {
   CHECK(world.directorc({"check", "lamp.yaml", "--allow=unknown_key"}) == 1);
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool slow = true;
+#elif defined(__has_feature)
+constexpr bool slow = __has_feature(address_sanitizer);
+#else
+constexpr bool slow = false;
+#endif
+
+TEST_CASE("what is not decided within the bound is told, and nothing is generated") {
+  if (slow) return; // to give up takes as long as to try everything up to the bound
+  std::string states = "states:\n", roots = "roots: {Boss: {priority: 99}", groups;
+  for (int i = 0; i < 16; ++i) {
+    const std::string n = std::to_string(i);
+    states += "  S" + n + ": {values: [low, high], initial: low, external: true}\n";
+    roots += ", A" + n + ": {priority: " + n + "}";
+    groups += "  A" + n + ": {when: [S" + n + " == high]}\n";
+  }
+  World world;
+  world.files.add("lamp.yaml",
+                  "behaviour: lamp\nlanguage: 1\n" + states + roots + "}\ngroups:\n" + groups +
+                      "  Boss: {needs: [Lamp], packs: {go: {Lit: {}}}}\n  Lit: {needs: [Lamp]}\n  Lamp: {}\n"
+                      "assertions: [{can_run: Lit}]\nallow: [uncovered_state, self_conflict]\nbecause: to try it\n");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"check", "lamp.yaml"}, {"generate", "lamp.yaml", "-o", "out"}}) {
+    CHECK(world.directorc(words) == 3);
+    CHECK(world.out.empty());
+    CHECK(world.err.find("directorc: not decided: can_run Lit: not found in ") == 0);
+  }
+  CHECK(world.outputs.written.empty());
+}
+
 } // namespace

@@ -147,6 +147,17 @@ void promises_a_wide_range(Robot& robot, bool defect) {
            {state, defect ? "> 70" : "> 80"});
   ask_for_both(robot, waits, pump);
 }
+void for_what_needs_it(Robot& robot, bool defect) {
+  const std::string state = robot.name("Pressure");
+  robot.add_state(state, "{range: [0, 100], initial: 0}");
+  const std::string torch = make(robot, "{when: [$0 > 80]}", {state});
+  const std::string weld = make(robot, "{needs: [$0], tasks: [$0]}", {torch});
+  const std::string held = make(robot, "{needs: [$0]}", {torch});
+  const std::string pump =
+      make(robot, "{providers: [{name: going, sets: [$0 == 0]}, {name: filling, causing: [@$0 $1]}]}",
+           {state, defect ? "> 70" : "> 80"});
+  ask_for_both(robot, robot.r.chance(0.5) ? weld : held, pump);
+}
 void nobody_waits(Robot& robot, bool defect) {
   const std::string state = make_state(robot, "loose", "tight");
   const std::string waits = make(robot, "{when: [$0 == tight]}", {state});
@@ -400,6 +411,7 @@ constexpr Planter planters[]{
     {"causer_not_running", "a flat list", in_a_flat_list},
     {"imprecise_causing", "says too little", says_too_little},
     {"imprecise_causing", "a wide range", promises_a_wide_range},
+    {"imprecise_causing", "for what needs it", for_what_needs_it},
     {"unused_causing", "nobody waits", nobody_waits},
     {"incompatible_pushes", "each shuts the other out", each_shuts_the_other_out},
     {"incompatible_pushes", "for what it needs", for_what_it_needs},

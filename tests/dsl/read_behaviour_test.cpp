@@ -54,11 +54,14 @@ TEST_CASE("Files that import each other are shown as a cycle") {
   files.add("a.yaml", "[b.yaml]");
   files.add("b.yaml", "[./a.yaml]");
   files.read("main.yaml");
-  CHECK(files.findings() == "b.yaml:3:11 `./a.yaml` import_cycle: `a.yaml` imports `b.yaml` imports `a.yaml`\n");
+  CHECK(files.findings() == "b.yaml:3:11 `./a.yaml` import_cycle: `a.yaml` imports `b.yaml` imports `a.yaml` "
+                            "(move what both need into a file that imports neither of them)\n"
+                            "  a.yaml:3:11 `b.yaml` `a.yaml` imports `b.yaml`\n");
   Files narcissus;
   narcissus.add("main.yaml", "[main.yaml]");
   narcissus.read("main.yaml");
-  CHECK(narcissus.findings() == "3:11 `main.yaml` import_cycle: `main.yaml` imports `main.yaml`\n");
+  CHECK(narcissus.findings() ==
+        "3:11 `main.yaml` import_cycle: `main.yaml` imports `main.yaml` (leave this import out)\n");
 }
 
 TEST_CASE("An import that cannot be read is found where it is written, and the others are read") {
@@ -67,7 +70,8 @@ TEST_CASE("An import that cannot be read is found where it is written, and the o
   files.add("play/a.yaml", "[]");
   files.read("play/main.yaml");
   CHECK(files.findings() ==
-        "3:11 `lost.yaml` import_not_found: cannot read `play/lost.yaml`: No such file or directory\n");
+        "3:11 `lost.yaml` import_not_found: cannot read `play/lost.yaml`: No such file or directory "
+        "(a path is relative to the file that it stands in)\n");
   CHECK(files.order() == "play/a.yaml play/main.yaml");
   CHECK(files.result.readable);
 }

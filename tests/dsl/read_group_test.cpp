@@ -182,15 +182,14 @@ TEST_CASE("A handler is true, or a mapping with its sets alone") {
                 "4:16 `\"true\"` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, "
                 "found the text `true`\n"},
            Case{"{start: {set: [A]}}",
-                "4:17 `{set: [A]}` start_stop_shape: `start`: expected true or a mapping with `sets` "
-                "alone, found a mapping\n"},
+                "4:18 `set` start_stop_shape: `start`: expected true or a mapping with `sets` alone, found `set` "
+                "(a handler requests nothing and promises nothing: what it may set stands in its `sets`)\n"},
            Case{"{start: {}}",
                 "4:17 `{}` start_stop_shape: `start`: expected true or a mapping with `sets` alone, found a "
                 "mapping\n"},
-           Case{
-               "{stop: {sets: [A], needs: [B]}}",
-               "4:16 `{sets: [A], needs: [B]}` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, "
-               "found a mapping\n"},
+           Case{"{stop: {sets: [A], needs: [B]}}",
+                "4:28 `needs` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, found `needs` "
+                "(a handler requests nothing and promises nothing: what it may set stands in its `sets`)\n"},
            Case{"{stop: }", "4:10 `stop` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, found "
                             "nothing\n"},
            Case{"{stop: {sets: [A =]}}",

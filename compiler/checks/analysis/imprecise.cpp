@@ -1,6 +1,8 @@
 // Door: compiler/checks/analysis/imprecise.hpp. Test: compiler/checks/imprecise_causing.md.
 #include "compiler/checks/analysis/imprecise.hpp"
 
+#include "compiler/checks/analysis/pushes.hpp"
+
 namespace director::checks {
 
 std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers, const Facts& facts) {
@@ -9,10 +11,16 @@ std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers
     for (const ConditionUse& use : model.providers[causer].causing)
       promises[model.conditions[use.id].state].emplace_back(causer, use);
   }
+  // A task waits for what its needs wait for, too.
+  IdSet<ProviderId> waiters(model.providers.size());
+  for (const GroupId group : model.groups.ids()) {
+    if (!facts.requested.contains(group)) continue;
+    for (const auto& [provider, use] : waited_conditions(model, group)) waiters.add(provider);
+  }
   std::vector<Imprecise> out;
   for (const ProviderId waiter : model.providers.ids()) {
     const GroupId group = model.providers[waiter].group;
-    if (!facts.requested.contains(group)) continue;
+    if (!waiters.contains(waiter)) continue;
     for (const ConditionUse& condition : model.providers[waiter].when) {
       const Condition& wanted = model.conditions[condition.id];
       if (!causers[condition.id].empty()) continue;

@@ -8,15 +8,24 @@
 
 namespace director::checks {
 
-void add_chain(const Model& model, const std::vector<ClaimStep>& chain, std::vector<dsl::Note>& notes) {
-  for (const ClaimStep& step : chain)
-    notes.push_back({step.span, fmt::format("{} {} {}", name_of(model, step.from), step.by_need ? "needs" : "requests",
-                                            name_of(model, step.to))});
+using dsl::Note;
+
+void add_chain(const Model& model, const std::vector<ClaimStep>& chain, std::vector<Note>& notes, Note::Link begins) {
+  for (const ClaimStep& step : chain) {
+    notes.push_back({step.span,
+                     fmt::format("{} {} {}", name_of(model, step.from), step.by_need ? "needs" : "requests",
+                                 name_of(model, step.to)),
+                     begins});
+    begins = Note::Link::next;
+  }
 }
 
-void add_chain(const Model& model, const std::vector<NeedStep>& chain, std::vector<dsl::Note>& notes) {
-  for (const NeedStep& step : chain)
-    notes.push_back({step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to))});
+void add_chain(const Model& model, const std::vector<NeedStep>& chain, std::vector<Note>& notes, Note::Link begins) {
+  for (const NeedStep& step : chain) {
+    notes.push_back(
+        {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to)), begins});
+    begins = Note::Link::next;
+  }
 }
 
 dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition) {

@@ -9,9 +9,11 @@
 
 namespace director::checks {
 
-/// A chain: one note for each step.
-void add_chain(const Model& model, const std::vector<ClaimStep>& chain, std::vector<dsl::Note>& notes);
-void add_chain(const Model& model, const std::vector<NeedStep>& chain, std::vector<dsl::Note>& notes);
+/// A chain: one note for each step. `begins`: whether it goes on from the note before.
+void add_chain(const Model& model, const std::vector<ClaimStep>& chain, std::vector<dsl::Note>& notes,
+               dsl::Note::Link begins = dsl::Note::Link::first);
+void add_chain(const Model& model, const std::vector<NeedStep>& chain, std::vector<dsl::Note>& notes,
+               dsl::Note::Link begins = dsl::Note::Link::first);
 
 /// The provider promises what satisfies the condition.
 dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition);

@@ -42,9 +42,16 @@ TEST_CASE("findings as SARIF: rules, places in characters, other parties, ways",
   dsl::Sources sources;
   const dsl::FileId file = sources.add("my robot/a.yaml", "A: {needs: [B]}\n'ä': {needs: [A]}\nC: [x]\n");
   const dsl::Span b = at(sources, file, "B"), a = at(sources, file, "[A]"), x = at(sources, file, "x");
-  const std::vector<dsl::Diagnostic> findings{
-      {"needs_cycle", dsl::Level::error, b, "round", {{a, "and back"}, {x, "by this"}, {a, "and back"}}, "cut it"},
-      {"unused_need", dsl::Level::lint, x, "unused", {}, {}}};
+  const std::vector<dsl::Diagnostic> findings{{"needs_cycle",
+                                               dsl::Level::error,
+                                               b,
+                                               "round",
+                                               {{a, "and back", dsl::Note::Link::first},
+                                                {x, "by this", dsl::Note::Link::next},
+                                                {a, "and back", dsl::Note::Link::first},
+                                                {x, "beside it"}},
+                                               "cut it"},
+                                              {"unused_need", dsl::Level::lint, x, "unused", {}, {}}};
   const Json json = findings_sarif(findings, {{"`A` may be reached:", {{b, "first"}, {a, "then"}}}}, sources, rules);
   tests::check_golden("tests/compiler/emit/golden/findings.sarif", to_lines(json));
 }
