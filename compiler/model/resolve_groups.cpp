@@ -91,6 +91,11 @@ void resolve_packs(Resolver& r, Provider& provider, const dsl::ProviderSpec& spe
   provider.has_packs = true;
   for (const dsl::PackSpec& pack : *spec.packs) {
     check_name(r, "pack", pack.name);
+    if (pack.name.value == capitalised(spec.name.value)) {
+      r.error("redefined_name", pack.name.span,
+              fmt::format("the pack `{}` is called like what the body of its provider gets in C++", pack.name.value))
+          .notes.push_back({spec.name.span, "the provider is declared here"});
+    }
     provider.packs.push_back({pack.name.value, pack.name.span, resolve_tasks(r, provider.group, pack.tasks), {}});
   }
 }
@@ -127,6 +132,7 @@ void resolve_words(Resolver& r, Group& group, const dsl::GroupSpec& spec) {
   if (spec.data) {
     group.data = spec.data->value;
     group.data_span = spec.data->span;
+    check_foreign_type(r, *spec.data);
   }
   if (!spec.layer) return;
   if (const auto at = r.layers.find(spec.layer->value); at != r.layers.end()) {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace director::compiler {
 
 namespace {
@@ -58,6 +60,45 @@ bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name) {
                                              ? "declared first here"
                                              : fmt::format("the {} is declared here", first.kind)});
   return false;
+}
+
+void check_namespace(Resolver& r, const Word& name) {
+  std::string_view rest = name.value;
+  for (bool more = true; more;) {
+    const std::size_t end = rest.find("::");
+    const std::string part(rest.substr(0, end));
+    more = end != std::string_view::npos;
+    rest = more ? rest.substr(end + 2) : std::string_view();
+    if (!dsl::is_identifier(part)) {
+      r.error("reserved_name", name.span, fmt::format("`{}` is no name for a C++ namespace", name.value)).help =
+          "one name, or several with `::` between them; each has letters, digits and `_`, and does not begin with a "
+          "digit";
+    } else if (dsl::is_cpp_keyword(part)) {
+      r.error("reserved_name", name.span,
+              fmt::format("a C++ namespace cannot be called `{}`: that is a keyword of C++", part));
+    } else if (part == "std" || part == "director") {
+      r.error("reserved_name", name.span, fmt::format("the C++ of a behaviour cannot stand in a namespace `{}`", part))
+          .help = "choose another one: `cpp: {namespace: ...}`";
+    } else {
+      continue;
+    }
+    return;
+  }
+}
+
+void check_foreign_type(Resolver& r, const Word& type) {
+  std::string text = type.value;
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  if (text.starts_with("::")) text.erase(0, 2);
+  const std::string before = r.model.name_space + "::";
+  if (!text.starts_with(before)) return;
+  const auto at = r.cpp_names.find(text.substr(before.size()));
+  if (at == r.cpp_names.end() || at->second.kind == "state") return;
+  const Word& other = at->second.name;
+  r.error("redefined_name", type.span,
+          fmt::format("`{}` is what the {} `{}` becomes in C++, so it cannot be a type of yours", type.value,
+                      at->second.kind, other.value))
+      .notes.push_back({other.span, fmt::format("the {} is declared here", at->second.kind)});
 }
 
 void report_undefined(Resolver& r, std::string_view kind, const Word& name, const std::vector<std::string>& known) {

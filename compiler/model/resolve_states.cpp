@@ -112,6 +112,7 @@ void resolve_states(Resolver& r) {
   for (const StateId id : r.model.states.ids()) {
     State& state = r.model.states[id];
     const dsl::StateSpec& spec = *r.state_sources[id];
+    if (spec.type) check_foreign_type(r, *spec.type);
     for (const Word& word : spec.unordered) {
       const auto value = find_value(r, state, word);
       if (value && state.is_range) {

@@ -63,6 +63,10 @@ struct Resolver {
 bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole_rule = true);
 /// A redefined_name if the C++ name is taken; else takes it.
 bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name);
+/// A reserved_name if the generated code cannot stand in it.
+void check_namespace(Resolver& r, const Word& name);
+/// A redefined_name if this C++ type of the user's is one that is generated. Behind claim_cpp_name of all things.
+void check_foreign_type(Resolver& r, const Word& type);
 /// undefined_name, with the nearest of `known` as its help, and a note where it is the name of something else.
 void report_undefined(Resolver& r, std::string_view kind, const Word& name, const std::vector<std::string>& known);
 /// Nothing, and a finding, where there is none.

@@ -1,6 +1,10 @@
 // Written by directorc 0.1.0 from chase_ball.yaml. Whoever changes it here changes it in vain.
 #include "chase_ball.hpp"
 
+#if __STDC_HOSTED__
+#include <cassert>
+#endif
+
 namespace chase_ball {
 
 // The tables; see runtime/core/tables.hpp. A column that is not named has its initial value.
@@ -68,6 +72,12 @@ namespace detail {
 
 const director::Tables& Whole::tables() { return rows; }
 
+void Whole::called_from_inside() {
+#if __STDC_HOSTED__
+  assert(false && "from inside a body or handler only `post` reaches the behaviour");
+#endif
+}
+
 /// What the engine calls.
 struct Bodies {
   /// What the user's code throws waits in the behaviour until the micro-step is over.
@@ -100,6 +110,7 @@ struct Bodies {
     const director::Index place = Whole::places[edge];
     switch (edges[edge].target) {
     case 1: return director::move_data<Wheels, false>(all, what, place, handle);
+    default: return;
     }
   }
 

@@ -32,8 +32,6 @@ struct ChaseBall final : director::Task<ChaseBall> {
   class Turning;
 };
 
-static_assert(director::MovableData<chase_ball::WheelSpeeds>,
-              "Wheels: the data of a task are kept without heap; the move constructor and the destructor of chase_ball::WheelSpeeds must be noexcept");
 /// (chase_ball.yaml:21)
 struct Wheels final : director::Task<Wheels, chase_ball::WheelSpeeds> {
   using director::Task<Wheels, chase_ball::WheelSpeeds>::Task;
@@ -41,6 +39,8 @@ struct Wheels final : director::Task<Wheels, chase_ball::WheelSpeeds> {
 };
 
 // What the C++ compiler must know of the specification: rows of tables, and what each body may ask for.
+class Cart;
+
 namespace detail {
 
 template <class Of>
@@ -77,6 +77,7 @@ struct Whole final {
       .groups = 2, .providers = 3, .edges = 2, .conditions = 1, .states = 1, .promises = 0, .plan_slots = 0,
       .listen_slots = 1, .most_edges = 1, .components = 1, .lacking = 1};
   static const director::Tables& tables();
+  static void called_from_inside();
   static constexpr std::size_t inbox_cells = 64;
   static constexpr std::array<std::uint16_t, 2> places{0, 0};
   using Data = detail::Data;
@@ -91,6 +92,7 @@ struct Whole final {
 template <>
 struct Facts<ChaseBall::Driving> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Cart;
   using Task = ChaseBall;
   using Triggers = director::Table<director::Row<Picture, 0>>;
   using Tasks = director::Pack<director::Must<Wheels, 1, 0, 1>>;
@@ -98,12 +100,14 @@ struct Facts<ChaseBall::Driving> : director::NothingDeclared {
 template <>
 struct Facts<ChaseBall::Turning> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Cart;
   using Task = ChaseBall;
   using Tasks = director::Pack<director::Must<Wheels, 1, 0, 1>>;
 };
 template <>
 struct Facts<Wheels::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Cart;
   using Task = Wheels;
 };
 
@@ -158,7 +162,7 @@ public:
 
   /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an earlier
   /// one counts as the last), until nothing is left to do. What a body or handler threw is thrown on, after its
-  /// micro-step; call again to go on.
+  /// micro-step; call again to go on. Not from inside a body or handler: an assertion fails there.
   template <director::Duration Now>
   director::StepResult step(Now now) {
     return hand_on(step_to(director::microseconds_begun(now)));

@@ -1,6 +1,10 @@
 // Written by directorc 0.1.0 from soccer.yaml. Whoever changes it here changes it in vain.
 #include "soccer.hpp"
 
+#if __STDC_HOSTED__
+#include <cassert>
+#endif
+
 namespace soccer {
 
 // The tables; see runtime/core/tables.hpp. A column that is not named has its initial value.
@@ -228,6 +232,12 @@ namespace detail {
 
 const director::Tables& Whole::tables() { return rows; }
 
+void Whole::called_from_inside() {
+#if __STDC_HOSTED__
+  assert(false && "from inside a body or handler only `post` reaches the behaviour");
+#endif
+}
+
 /// What the engine calls.
 struct Bodies {
   /// What the user's code throws waits in the behaviour until the micro-step is over.
@@ -293,6 +303,7 @@ struct Bodies {
     case 21: return director::move_data<RightHipYaw, false>(all, what, place, handle);
     case 22: return director::move_data<RightKnee, false>(all, what, place, handle);
     case 23: return director::move_data<RightAnkle, false>(all, what, place, handle);
+    default: return;
     }
   }
 

@@ -59,8 +59,6 @@ struct FallRecovery final : director::Task<FallRecovery> {
   class Watching;
 };
 
-static_assert(director::MovableData<soccer::WalkCommand>,
-              "Walk: the data of a task are kept without heap; the move constructor and the destructor of soccer::WalkCommand must be noexcept");
 /// (locomotion.yaml:10)
 struct Walk final : director::Task<Walk, soccer::WalkCommand> {
   using director::Task<Walk, soccer::WalkCommand>::Task;
@@ -70,32 +68,24 @@ struct Walk final : director::Task<Walk, soccer::WalkCommand> {
   class Halting;
 };
 
-static_assert(director::MovableData<soccer::KickCommand>,
-              "Kick: the data of a task are kept without heap; the move constructor and the destructor of soccer::KickCommand must be noexcept");
 /// (kicking.yaml:10)
 struct Kick final : director::Task<Kick, soccer::KickCommand> {
   using director::Task<Kick, soccer::KickCommand>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::Gaze>,
-              "LookAt: the data of a task are kept without heap; the move constructor and the destructor of soccer::Gaze must be noexcept");
 /// (looking.yaml:10)
 struct LookAt final : director::Task<LookAt, soccer::Gaze> {
   using director::Task<LookAt, soccer::Gaze>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::WalkTarget>,
-              "WalkTo: the data of a task are kept without heap; the move constructor and the destructor of soccer::WalkTarget must be noexcept");
 /// (planning.yaml:10)
 struct WalkTo final : director::Task<WalkTo, soccer::WalkTarget> {
   using director::Task<WalkTo, soccer::WalkTarget>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::KickTarget>,
-              "KickTo: the data of a task are kept without heap; the move constructor and the destructor of soccer::KickTarget must be noexcept");
 /// (planning.yaml:16)
 struct KickTo final : director::Task<KickTo, soccer::KickTarget> {
   using director::Task<KickTo, soccer::KickTarget>::Task;
@@ -137,88 +127,66 @@ struct Look final : director::Task<Look> {
   class Sweeping;
 };
 
-static_assert(director::MovableData<soccer::ArmMove>,
-              "LeftArm: the data of a task are kept without heap; the move constructor and the destructor of soccer::ArmMove must be noexcept");
 /// (limbs.yaml:10)
 struct LeftArm final : director::Task<LeftArm, soccer::ArmMove> {
   using director::Task<LeftArm, soccer::ArmMove>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::ArmMove>,
-              "RightArm: the data of a task are kept without heap; the move constructor and the destructor of soccer::ArmMove must be noexcept");
 /// (limbs.yaml:11)
 struct RightArm final : director::Task<RightArm, soccer::ArmMove> {
   using director::Task<RightArm, soccer::ArmMove>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::Gaze>,
-              "Head: the data of a task are kept without heap; the move constructor and the destructor of soccer::Gaze must be noexcept");
 /// (limbs.yaml:12)
 struct Head final : director::Task<Head, soccer::Gaze> {
   using director::Task<Head, soccer::Gaze>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::LegMove>,
-              "LeftLeg: the data of a task are kept without heap; the move constructor and the destructor of soccer::LegMove must be noexcept");
 /// (servos.yaml:10)
 struct LeftLeg final : director::Task<LeftLeg, soccer::LegMove> {
   using director::Task<LeftLeg, soccer::LegMove>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::LegMove>,
-              "RightLeg: the data of a task are kept without heap; the move constructor and the destructor of soccer::LegMove must be noexcept");
 /// (servos.yaml:18)
 struct RightLeg final : director::Task<RightLeg, soccer::LegMove> {
   using director::Task<RightLeg, soccer::LegMove>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::ServoMove>,
-              "LeftHipYaw: the data of a task are kept without heap; the move constructor and the destructor of soccer::ServoMove must be noexcept");
 /// (servos.yaml:27)
 struct LeftHipYaw final : director::Task<LeftHipYaw, soccer::ServoMove> {
   using director::Task<LeftHipYaw, soccer::ServoMove>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::ServoMove>,
-              "LeftKnee: the data of a task are kept without heap; the move constructor and the destructor of soccer::ServoMove must be noexcept");
 /// (servos.yaml:28)
 struct LeftKnee final : director::Task<LeftKnee, soccer::ServoMove> {
   using director::Task<LeftKnee, soccer::ServoMove>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::ServoMove>,
-              "LeftAnkle: the data of a task are kept without heap; the move constructor and the destructor of soccer::ServoMove must be noexcept");
 /// (servos.yaml:29)
 struct LeftAnkle final : director::Task<LeftAnkle, soccer::ServoMove> {
   using director::Task<LeftAnkle, soccer::ServoMove>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::ServoMove>,
-              "RightHipYaw: the data of a task are kept without heap; the move constructor and the destructor of soccer::ServoMove must be noexcept");
 /// (servos.yaml:30)
 struct RightHipYaw final : director::Task<RightHipYaw, soccer::ServoMove> {
   using director::Task<RightHipYaw, soccer::ServoMove>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::ServoMove>,
-              "RightKnee: the data of a task are kept without heap; the move constructor and the destructor of soccer::ServoMove must be noexcept");
 /// (servos.yaml:31)
 struct RightKnee final : director::Task<RightKnee, soccer::ServoMove> {
   using director::Task<RightKnee, soccer::ServoMove>::Task;
   class Default;
 };
 
-static_assert(director::MovableData<soccer::ServoMove>,
-              "RightAnkle: the data of a task are kept without heap; the move constructor and the destructor of soccer::ServoMove must be noexcept");
 /// (servos.yaml:32)
 struct RightAnkle final : director::Task<RightAnkle, soccer::ServoMove> {
   using director::Task<RightAnkle, soccer::ServoMove>::Task;
@@ -226,6 +194,16 @@ struct RightAnkle final : director::Task<RightAnkle, soccer::ServoMove> {
 };
 
 // What the C++ compiler must know of the specification: rows of tables, and what each body may ask for.
+class Recovery;
+class Safety;
+class Locomotion;
+class Kicking;
+class Looking;
+class Planning;
+class Strategy;
+class Limbs;
+class Servos;
+
 namespace detail {
 
 template <class Of>
@@ -350,6 +328,7 @@ struct Whole final {
       .groups = 24, .providers = 34, .edges = 38, .conditions = 12, .states = 4, .promises = 1, .plan_slots = 0,
       .listen_slots = 3, .most_edges = 4, .components = 1, .lacking = 6};
   static const director::Tables& tables();
+  static void called_from_inside();
   static constexpr std::size_t inbox_cells = 64;
   static constexpr std::array<std::uint16_t, 38> places{
       0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 2, 2, 2, 2, 3, 3, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 2, 1, 1, 0, 0, 0, 0, 0, 0};
@@ -385,6 +364,7 @@ struct Whole final {
 template <>
 struct Facts<Brace::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Recovery;
   using Task = Brace;
   using Tasks = director::Pack<
       director::Must<LeftLeg, 2, 0, 2>, director::Must<RightLeg, 3, 0, 3>, director::Must<LeftArm, 4, 0, 4>,
@@ -393,6 +373,7 @@ struct Facts<Brace::Default> : director::NothingDeclared {
 template <>
 struct Facts<GetUp::Tucking> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Recovery;
   using Task = GetUp;
   static constexpr std::array<director::Allowed, 1> sets{{{3, 1, 1}}};
   using Uses = director::Table<
@@ -404,6 +385,7 @@ struct Facts<GetUp::Tucking> : director::NothingDeclared {
 template <>
 struct Facts<GetUp::Pushing> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Recovery;
   using Task = GetUp;
   static constexpr std::array<director::Allowed, 1> sets{{{3, 2, 2}}};
   using Uses = director::Table<
@@ -415,6 +397,7 @@ struct Facts<GetUp::Pushing> : director::NothingDeclared {
 template <>
 struct Facts<GetUp::Rising> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Recovery;
   using Task = GetUp;
   static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
   using Uses = director::Table<
@@ -426,33 +409,45 @@ struct Facts<GetUp::Rising> : director::NothingDeclared {
 template <>
 struct Facts<FallRecovery::Recovering> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Safety;
   using Task = FallRecovery;
   static constexpr bool flat = false;
+  using pack_stand_up = director::Pack<director::Must<GetUp, 10, 0, 10>>;
+  using Packs = director::Packs<pack_stand_up>;
+  static constexpr std::array<const char*, 1> pack_names{"stand_up"};
 };
 template <>
 struct Facts<FallRecovery::Protecting> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Safety;
   using Task = FallRecovery;
   static constexpr bool flat = false;
+  using pack_protect = director::Pack<director::Must<Brace, 11, 0, 11>>;
+  using Packs = director::Packs<pack_protect>;
+  static constexpr std::array<const char*, 1> pack_names{"protect"};
 };
 template <>
 struct Facts<FallRecovery::Watching> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Safety;
   using Task = FallRecovery;
 };
 template <>
 struct Facts<Walk::Start> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Locomotion;
   using Task = Walk;
 };
 template <>
 struct Facts<Walk::Stop> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Locomotion;
   using Task = Walk;
 };
 template <>
 struct Facts<Walk::Walking> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Locomotion;
   using Task = Walk;
   static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
   using Uses = director::Table<director::Row<LeftLeg, 12>, director::Row<RightLeg, 13>>;
@@ -463,6 +458,7 @@ struct Facts<Walk::Walking> : director::NothingDeclared {
 template <>
 struct Facts<Walk::Halting> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Locomotion;
   using Task = Walk;
   static constexpr std::array<director::Allowed, 1> sets{{{1, 4, 4}}};
   using Uses = director::Table<director::Row<LeftLeg, 12>, director::Row<RightLeg, 13>>;
@@ -471,6 +467,7 @@ struct Facts<Walk::Halting> : director::NothingDeclared {
 template <>
 struct Facts<Kick::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Kicking;
   using Task = Kick;
   static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
   using Uses = director::Table<director::Row<LeftLeg, 16>, director::Row<RightLeg, 17>>;
@@ -479,148 +476,222 @@ struct Facts<Kick::Default> : director::NothingDeclared {
 template <>
 struct Facts<LookAt::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Looking;
   using Task = LookAt;
   using Tasks = director::Pack<director::Must<Head, 18, 0, 18>>;
 };
 template <>
 struct Facts<WalkTo::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Planning;
   using Task = WalkTo;
   static constexpr bool flat = false;
+  using pack_step = director::Pack<director::Must<Walk, 19, 0, 19>>;
+  using Packs = director::Packs<pack_step>;
+  static constexpr std::array<const char*, 1> pack_names{"step"};
 };
 template <>
 struct Facts<KickTo::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Planning;
   using Task = KickTo;
   using Uses = director::Table<director::Row<Walk, 20>, director::Row<Kick, 21>>;
   using Triggers = director::Table<director::Row<Vision, 0>>;
   static constexpr bool flat = false;
+  using pack_stand_by = director::Pack<>;
+  using pack_line_up = director::Pack<director::Must<Walk, 20, 1, 20>>;
+  using pack_kick = director::Pack<director::Must<Kick, 21, 0, 21>, director::Must<LookAt, 22, 0, 22>>;
+  using Packs = director::Packs<pack_stand_by, pack_line_up, pack_kick>;
+  static constexpr std::array<const char*, 3> pack_names{"stand_by", "line_up", "kick"};
 };
 template <>
 struct Facts<Striker::Playing> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = Striker;
   static constexpr bool flat = false;
+  using pack_attack = director::Pack<
+      director::Must<KickToGoal, 23, 0, 23>, director::Must<WalkToBall, 24, 0, 24>, director::May<Look, 25, 0, 25>>;
+  using Packs = director::Packs<pack_attack>;
+  static constexpr std::array<const char*, 1> pack_names{"attack"};
 };
 template <>
 struct Facts<Striker::Ready> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = Striker;
   using Uses = director::Table<director::Row<WalkToReady, 26>>;
   static constexpr bool flat = false;
+  using pack_go = director::Pack<director::Must<WalkToReady, 26, 0, 27>, director::May<Look, 25, 0, 25>>;
+  using pack_stay_there = director::Pack<director::Must<Look, 25, 0, 26>>;
+  using Packs = director::Packs<pack_go, pack_stay_there>;
+  static constexpr std::array<const char*, 2> pack_names{"go", "stay_there"};
 };
 template <>
 struct Facts<Striker::Waiting> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = Striker;
   static constexpr bool flat = false;
+  using pack_watch = director::Pack<director::Must<Look, 25, 0, 26>>;
+  using Packs = director::Packs<pack_watch>;
+  static constexpr std::array<const char*, 1> pack_names{"watch"};
 };
 template <>
 struct Facts<KickToGoal::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = KickToGoal;
   using Uses = director::Table<director::Row<KickTo, 27>>;
   static constexpr bool flat = false;
+  using pack_shoot = director::Pack<director::Must<KickTo, 27, 0, 28>>;
+  using Packs = director::Packs<pack_shoot>;
+  static constexpr std::array<const char*, 1> pack_names{"shoot"};
 };
 template <>
 struct Facts<WalkToBall::Creeping> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = WalkToBall;
   using Triggers = director::Table<director::Row<Vision, 0>>;
   static constexpr bool flat = false;
+  using pack_creep = director::Pack<director::Must<WalkTo, 28, 0, 29>>;
+  using Packs = director::Packs<pack_creep>;
+  static constexpr std::array<const char*, 1> pack_names{"creep"};
 };
 template <>
 struct Facts<WalkToBall::Striding> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = WalkToBall;
   using Triggers = director::Table<director::Row<Vision, 0>>;
   static constexpr bool flat = false;
+  using pack_stride = director::Pack<director::Must<WalkTo, 28, 0, 29>>;
+  using Packs = director::Packs<pack_stride>;
+  static constexpr std::array<const char*, 1> pack_names{"stride"};
 };
 template <>
 struct Facts<WalkToBall::Searching> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = WalkToBall;
   static constexpr bool flat = false;
+  using pack_turn = director::Pack<director::Must<Walk, 29, 2, 30>>;
+  using Packs = director::Packs<pack_turn>;
+  static constexpr std::array<const char*, 1> pack_names{"turn"};
 };
 template <>
 struct Facts<WalkToReady::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = WalkToReady;
   using Uses = director::Table<director::Row<WalkTo, 30>>;
   static constexpr bool flat = false;
+  using pack_go = director::Pack<director::Must<WalkTo, 30, 1, 31>>;
+  using Packs = director::Packs<pack_go>;
+  static constexpr std::array<const char*, 1> pack_names{"go"};
 };
 template <>
 struct Facts<Look::Tracking> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = Look;
   using Triggers = director::Table<director::Row<Vision, 0>>;
   static constexpr bool flat = false;
+  using pack_track = director::Pack<director::Must<LookAt, 31, 1, 32>>;
+  using Packs = director::Packs<pack_track>;
+  static constexpr std::array<const char*, 1> pack_names{"track"};
 };
 template <>
 struct Facts<Look::Sweeping> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Strategy;
   using Task = Look;
   static constexpr bool flat = false;
+  using pack_sweep = director::Pack<director::Must<LookAt, 31, 1, 32>>;
+  using Packs = director::Packs<pack_sweep>;
+  static constexpr std::array<const char*, 1> pack_names{"sweep"};
 };
 template <>
 struct Facts<LeftArm::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Limbs;
   using Task = LeftArm;
 };
 template <>
 struct Facts<RightArm::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Limbs;
   using Task = RightArm;
 };
 template <>
 struct Facts<Head::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Limbs;
   using Task = Head;
 };
 template <>
 struct Facts<LeftLeg::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Servos;
   using Task = LeftLeg;
   using Uses = director::Table<
       director::Row<LeftHipYaw, 32>, director::Row<LeftKnee, 33>, director::Row<LeftAnkle, 34>>;
   static constexpr bool flat = false;
+  using pack_turn_hip = director::Pack<director::Must<LeftHipYaw, 32, 0, 33>>;
+  using pack_bend_knee = director::Pack<director::Must<LeftKnee, 33, 0, 34>>;
+  using pack_set_foot = director::Pack<director::Must<LeftAnkle, 34, 0, 35>>;
+  using Packs = director::Packs<pack_turn_hip, pack_bend_knee, pack_set_foot>;
+  static constexpr std::array<const char*, 3> pack_names{"turn_hip", "bend_knee", "set_foot"};
 };
 template <>
 struct Facts<RightLeg::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Servos;
   using Task = RightLeg;
   using Uses = director::Table<
       director::Row<RightHipYaw, 35>, director::Row<RightKnee, 36>, director::Row<RightAnkle, 37>>;
   static constexpr bool flat = false;
+  using pack_turn_hip = director::Pack<director::Must<RightHipYaw, 35, 0, 36>>;
+  using pack_bend_knee = director::Pack<director::Must<RightKnee, 36, 0, 37>>;
+  using pack_set_foot = director::Pack<director::Must<RightAnkle, 37, 0, 38>>;
+  using Packs = director::Packs<pack_turn_hip, pack_bend_knee, pack_set_foot>;
+  static constexpr std::array<const char*, 3> pack_names{"turn_hip", "bend_knee", "set_foot"};
 };
 template <>
 struct Facts<LeftHipYaw::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Servos;
   using Task = LeftHipYaw;
 };
 template <>
 struct Facts<LeftKnee::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Servos;
   using Task = LeftKnee;
 };
 template <>
 struct Facts<LeftAnkle::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Servos;
   using Task = LeftAnkle;
 };
 template <>
 struct Facts<RightHipYaw::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Servos;
   using Task = RightHipYaw;
 };
 template <>
 struct Facts<RightKnee::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Servos;
   using Task = RightKnee;
 };
 template <>
 struct Facts<RightAnkle::Default> : director::NothingDeclared {
   using Behaviour = Whole;
+  using Module = Servos;
   using Task = RightAnkle;
 };
 
@@ -678,11 +749,11 @@ public:
   /// GetUp. (safety.yaml:16)
   template <class... Given>
   director::Outcome stand_up(Given... tasks) {
-    using Pack = director::Pack<director::Must<GetUp, 10, 0, 10>>;
+    using Pack = detail::Facts<FallRecovery::Recovering>::pack_stand_up;
     static_assert(Pack::takes<Given...>, "stand_up asks for GetUp only");
     static_assert(Pack::once<Given...>, "stand_up is given a task twice");
     static_assert(director::given<GetUp, Given...>, "stand_up must be given its task GetUp");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -695,11 +766,11 @@ public:
   /// Brace. (safety.yaml:20)
   template <class... Given>
   director::Outcome protect(Given... tasks) {
-    using Pack = director::Pack<director::Must<Brace, 11, 0, 11>>;
+    using Pack = detail::Facts<FallRecovery::Protecting>::pack_protect;
     static_assert(Pack::takes<Given...>, "protect asks for Brace only");
     static_assert(Pack::once<Given...>, "protect is given a task twice");
     static_assert(director::given<Brace, Given...>, "protect must be given its task Brace");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -770,11 +841,11 @@ public:
   /// Walk. (planning.yaml:14)
   template <class... Given>
   director::Outcome step(Given... tasks) {
-    using Pack = director::Pack<director::Must<Walk, 19, 0, 19>>;
+    using Pack = detail::Facts<WalkTo::Default>::pack_step;
     static_assert(Pack::takes<Given...>, "step asks for Walk only");
     static_assert(Pack::once<Given...>, "step is given a task twice");
     static_assert(director::given<Walk, Given...>, "step must be given its task Walk");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -787,28 +858,28 @@ public:
 
   /// Asks for nothing. (planning.yaml:22)
   director::Outcome stand_by() {
-    return Body::ask<director::Pack<>>();
+    return Body::ask<detail::Facts<KickTo::Default>::pack_stand_by, 0>();
   }
 
   /// Walk. (planning.yaml:23)
   template <class... Given>
   director::Outcome line_up(Given... tasks) {
-    using Pack = director::Pack<director::Must<Walk, 20, 1, 20>>;
+    using Pack = detail::Facts<KickTo::Default>::pack_line_up;
     static_assert(Pack::takes<Given...>, "line_up asks for Walk only");
     static_assert(Pack::once<Given...>, "line_up is given a task twice");
     static_assert(director::given<Walk, Given...>, "line_up must be given its task Walk");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 1>(tasks...);
   }
 
   /// Kick, LookAt (apart). (planning.yaml:24)
   template <class... Given>
   director::Outcome kick(Given... tasks) {
-    using Pack = director::Pack<director::Must<Kick, 21, 0, 21>, director::Must<LookAt, 22, 0, 22>>;
+    using Pack = detail::Facts<KickTo::Default>::pack_kick;
     static_assert(Pack::takes<Given...>, "kick asks for Kick and LookAt only");
     static_assert(Pack::once<Given...>, "kick is given a task twice");
     static_assert(director::given<Kick, Given...>, "kick must be given its task Kick");
     static_assert(director::given<LookAt, Given...>, "kick must be given its task LookAt");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 2>(tasks...);
   }
 };
 
@@ -821,13 +892,12 @@ public:
   /// KickToGoal, WalkToBall, Look (optional). (strategy.yaml:16)
   template <class... Given>
   director::Outcome attack(Given... tasks) {
-    using Pack = director::Pack<
-        director::Must<KickToGoal, 23, 0, 23>, director::Must<WalkToBall, 24, 0, 24>, director::May<Look, 25, 0, 25>>;
+    using Pack = detail::Facts<Striker::Playing>::pack_attack;
     static_assert(Pack::takes<Given...>, "attack asks for KickToGoal, WalkToBall and Look only");
     static_assert(Pack::once<Given...>, "attack is given a task twice");
     static_assert(director::given<KickToGoal, Given...>, "attack must be given its task KickToGoal");
     static_assert(director::given<WalkToBall, Given...>, "attack must be given its task WalkToBall");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -841,21 +911,21 @@ public:
   /// WalkToReady, Look (optional). (strategy.yaml:22)
   template <class... Given>
   director::Outcome go(Given... tasks) {
-    using Pack = director::Pack<director::Must<WalkToReady, 26, 0, 27>, director::May<Look, 25, 0, 25>>;
+    using Pack = detail::Facts<Striker::Ready>::pack_go;
     static_assert(Pack::takes<Given...>, "go asks for WalkToReady and Look only");
     static_assert(Pack::once<Given...>, "go is given a task twice");
     static_assert(director::given<WalkToReady, Given...>, "go must be given its task WalkToReady");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 
   /// Look. (strategy.yaml:23)
   template <class... Given>
   director::Outcome stay_there(Given... tasks) {
-    using Pack = director::Pack<director::Must<Look, 25, 0, 26>>;
+    using Pack = detail::Facts<Striker::Ready>::pack_stay_there;
     static_assert(Pack::takes<Given...>, "stay_there asks for Look only");
     static_assert(Pack::once<Given...>, "stay_there is given a task twice");
     static_assert(director::given<Look, Given...>, "stay_there must be given its task Look");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 1>(tasks...);
   }
 };
 
@@ -867,11 +937,11 @@ public:
   /// Look. (strategy.yaml:27)
   template <class... Given>
   director::Outcome watch(Given... tasks) {
-    using Pack = director::Pack<director::Must<Look, 25, 0, 26>>;
+    using Pack = detail::Facts<Striker::Waiting>::pack_watch;
     static_assert(Pack::takes<Given...>, "watch asks for Look only");
     static_assert(Pack::once<Given...>, "watch is given a task twice");
     static_assert(director::given<Look, Given...>, "watch must be given its task Look");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -884,11 +954,11 @@ public:
   /// KickTo. (strategy.yaml:33)
   template <class... Given>
   director::Outcome shoot(Given... tasks) {
-    using Pack = director::Pack<director::Must<KickTo, 27, 0, 28>>;
+    using Pack = detail::Facts<KickToGoal::Default>::pack_shoot;
     static_assert(Pack::takes<Given...>, "shoot asks for KickTo only");
     static_assert(Pack::once<Given...>, "shoot is given a task twice");
     static_assert(director::given<KickTo, Given...>, "shoot must be given its task KickTo");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -904,11 +974,11 @@ public:
   /// WalkTo. (strategy.yaml:44)
   template <class... Given>
   director::Outcome creep(Given... tasks) {
-    using Pack = director::Pack<director::Must<WalkTo, 28, 0, 29>>;
+    using Pack = detail::Facts<WalkToBall::Creeping>::pack_creep;
     static_assert(Pack::takes<Given...>, "creep asks for WalkTo only");
     static_assert(Pack::once<Given...>, "creep is given a task twice");
     static_assert(director::given<WalkTo, Given...>, "creep must be given its task WalkTo");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -922,11 +992,11 @@ public:
   /// WalkTo. (strategy.yaml:49)
   template <class... Given>
   director::Outcome stride(Given... tasks) {
-    using Pack = director::Pack<director::Must<WalkTo, 28, 0, 29>>;
+    using Pack = detail::Facts<WalkToBall::Striding>::pack_stride;
     static_assert(Pack::takes<Given...>, "stride asks for WalkTo only");
     static_assert(Pack::once<Given...>, "stride is given a task twice");
     static_assert(director::given<WalkTo, Given...>, "stride must be given its task WalkTo");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -938,11 +1008,11 @@ public:
   /// Walk. (strategy.yaml:53)
   template <class... Given>
   director::Outcome turn(Given... tasks) {
-    using Pack = director::Pack<director::Must<Walk, 29, 2, 30>>;
+    using Pack = detail::Facts<WalkToBall::Searching>::pack_turn;
     static_assert(Pack::takes<Given...>, "turn asks for Walk only");
     static_assert(Pack::once<Given...>, "turn is given a task twice");
     static_assert(director::given<Walk, Given...>, "turn must be given its task Walk");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -955,11 +1025,11 @@ public:
   /// WalkTo. (strategy.yaml:59)
   template <class... Given>
   director::Outcome go(Given... tasks) {
-    using Pack = director::Pack<director::Must<WalkTo, 30, 1, 31>>;
+    using Pack = detail::Facts<WalkToReady::Default>::pack_go;
     static_assert(Pack::takes<Given...>, "go asks for WalkTo only");
     static_assert(Pack::once<Given...>, "go is given a task twice");
     static_assert(director::given<WalkTo, Given...>, "go must be given its task WalkTo");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -973,11 +1043,11 @@ public:
   /// LookAt. (strategy.yaml:68)
   template <class... Given>
   director::Outcome track(Given... tasks) {
-    using Pack = director::Pack<director::Must<LookAt, 31, 1, 32>>;
+    using Pack = detail::Facts<Look::Tracking>::pack_track;
     static_assert(Pack::takes<Given...>, "track asks for LookAt only");
     static_assert(Pack::once<Given...>, "track is given a task twice");
     static_assert(director::given<LookAt, Given...>, "track must be given its task LookAt");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -990,11 +1060,11 @@ public:
   /// LookAt. (strategy.yaml:72)
   template <class... Given>
   director::Outcome sweep(Given... tasks) {
-    using Pack = director::Pack<director::Must<LookAt, 31, 1, 32>>;
+    using Pack = detail::Facts<Look::Sweeping>::pack_sweep;
     static_assert(Pack::takes<Given...>, "sweep asks for LookAt only");
     static_assert(Pack::once<Given...>, "sweep is given a task twice");
     static_assert(director::given<LookAt, Given...>, "sweep must be given its task LookAt");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 };
 
@@ -1025,31 +1095,31 @@ public:
   /// LeftHipYaw. (servos.yaml:15)
   template <class... Given>
   director::Outcome turn_hip(Given... tasks) {
-    using Pack = director::Pack<director::Must<LeftHipYaw, 32, 0, 33>>;
+    using Pack = detail::Facts<LeftLeg::Default>::pack_turn_hip;
     static_assert(Pack::takes<Given...>, "turn_hip asks for LeftHipYaw only");
     static_assert(Pack::once<Given...>, "turn_hip is given a task twice");
     static_assert(director::given<LeftHipYaw, Given...>, "turn_hip must be given its task LeftHipYaw");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 
   /// LeftKnee. (servos.yaml:16)
   template <class... Given>
   director::Outcome bend_knee(Given... tasks) {
-    using Pack = director::Pack<director::Must<LeftKnee, 33, 0, 34>>;
+    using Pack = detail::Facts<LeftLeg::Default>::pack_bend_knee;
     static_assert(Pack::takes<Given...>, "bend_knee asks for LeftKnee only");
     static_assert(Pack::once<Given...>, "bend_knee is given a task twice");
     static_assert(director::given<LeftKnee, Given...>, "bend_knee must be given its task LeftKnee");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 1>(tasks...);
   }
 
   /// LeftAnkle. (servos.yaml:17)
   template <class... Given>
   director::Outcome set_foot(Given... tasks) {
-    using Pack = director::Pack<director::Must<LeftAnkle, 34, 0, 35>>;
+    using Pack = detail::Facts<LeftLeg::Default>::pack_set_foot;
     static_assert(Pack::takes<Given...>, "set_foot asks for LeftAnkle only");
     static_assert(Pack::once<Given...>, "set_foot is given a task twice");
     static_assert(director::given<LeftAnkle, Given...>, "set_foot must be given its task LeftAnkle");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 2>(tasks...);
   }
 };
 
@@ -1062,31 +1132,31 @@ public:
   /// RightHipYaw. (servos.yaml:23)
   template <class... Given>
   director::Outcome turn_hip(Given... tasks) {
-    using Pack = director::Pack<director::Must<RightHipYaw, 35, 0, 36>>;
+    using Pack = detail::Facts<RightLeg::Default>::pack_turn_hip;
     static_assert(Pack::takes<Given...>, "turn_hip asks for RightHipYaw only");
     static_assert(Pack::once<Given...>, "turn_hip is given a task twice");
     static_assert(director::given<RightHipYaw, Given...>, "turn_hip must be given its task RightHipYaw");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 0>(tasks...);
   }
 
   /// RightKnee. (servos.yaml:24)
   template <class... Given>
   director::Outcome bend_knee(Given... tasks) {
-    using Pack = director::Pack<director::Must<RightKnee, 36, 0, 37>>;
+    using Pack = detail::Facts<RightLeg::Default>::pack_bend_knee;
     static_assert(Pack::takes<Given...>, "bend_knee asks for RightKnee only");
     static_assert(Pack::once<Given...>, "bend_knee is given a task twice");
     static_assert(director::given<RightKnee, Given...>, "bend_knee must be given its task RightKnee");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 1>(tasks...);
   }
 
   /// RightAnkle. (servos.yaml:25)
   template <class... Given>
   director::Outcome set_foot(Given... tasks) {
-    using Pack = director::Pack<director::Must<RightAnkle, 37, 0, 38>>;
+    using Pack = detail::Facts<RightLeg::Default>::pack_set_foot;
     static_assert(Pack::takes<Given...>, "set_foot asks for RightAnkle only");
     static_assert(Pack::once<Given...>, "set_foot is given a task twice");
     static_assert(director::given<RightAnkle, Given...>, "set_foot must be given its task RightAnkle");
-    return Body::ask<Pack>(tasks...);
+    return Body::ask<Pack, 2>(tasks...);
   }
 };
 
@@ -1242,7 +1312,7 @@ public:
 
   /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an earlier
   /// one counts as the last), until nothing is left to do. What a body or handler threw is thrown on, after its
-  /// micro-step; call again to go on.
+  /// micro-step; call again to go on. Not from inside a body or handler: an assertion fails there.
   template <director::Duration Now>
   director::StepResult step(Now now) {
     return hand_on(step_to(director::microseconds_begun(now)));

@@ -4,9 +4,10 @@
 // compile. Members of Facts:
 //   Behaviour               the facts of the whole: States, Data, places
 //   sets                    array of Allowed: the values that `causing` and `sets` name
-//   Task                    whose task it serves
+//   Task, Module            whose task it serves, and the interface that it is a part of
 //   Uses, Triggers          of providers: Table of the edges in `uses`, of the triggers
 //   Tasks, flat             of providers: Pack of the flat `tasks`; whether there are no named packs
+//   Packs, pack_names       of providers: the named packs, and what they are called
 
 #include "runtime/core/pack.hpp"
 
@@ -38,6 +39,8 @@ struct NothingDeclared {
   using Uses = Table<>;
   using Triggers = Table<>;
   using Tasks = Pack<>;
+  using Packs = director::Packs<>;
+  static constexpr std::array<const char*, 0> pack_names{};
 };
 
 /// A duration of <chrono>, without the header.
@@ -119,8 +122,11 @@ concept DeclaredState = Facts::Behaviour::States::template has<Value>&&
 template <class Facts>
 class DeclaredValue {
 public:
-  template <DeclaredState<Facts> Value>
-  consteval DeclaredValue(Value value) : setting_(Facts::Behaviour::States::setting(value)) {
+  template <class Value>
+  consteval DeclaredValue(Value value) {
+    static_assert(DeclaredState<Value, Facts>,
+                  "`causing` and `sets` of this provider or handler do not name this state");
+    if constexpr (DeclaredState<Value, Facts>) setting_ = Facts::Behaviour::States::setting(value);
     if (!may_set<Facts>(setting_)) this_value_is_not_declared_in_causing_or_sets();
   }
   Setting setting() const { return setting_; }
@@ -140,7 +146,8 @@ public:
   Context& operator=(const Context&) = delete;
 
   /// The data of the task; of a handler, of the task that the group was given last.
-  const auto& task() const requires has_data<typename Facts::Task> {
+  const auto& task() const {
+    static_assert(has_data<typename Facts::Task>, "this task has no data");
     const DataPlace at = core_.data();
     const Index place = at.slot == DataPlace::Slot::group ? 0 : Facts::Behaviour::places[at.index];
     return data_.template of<typename Facts::Task>().at(at.slot, place);
@@ -153,8 +160,10 @@ public:
   void set(DeclaredValue<Facts> value) { core_.set(value.setting().state, value.setting().value); }
 
   /// The same for a computed value. False: it is not declared here; nothing is set, and the observer is told.
-  template <DeclaredState<Facts> Value>
+  template <class Value>
   bool try_set(Value value) {
+    static_assert(DeclaredState<Value, Facts>,
+                  "`causing` and `sets` of this provider or handler do not name this state");
     const Setting setting = Facts::Behaviour::States::setting(value);
     const bool declared = may_set<Facts>(setting);
     if (declared) {
@@ -206,11 +215,13 @@ public:
 
   /// Any of the provider's flat `tasks`, or none: these and nothing else are requested from now on.
   template <class... Given>
-  Outcome request(Given... tasks) requires Facts::flat {
-    static_assert(Facts::Tasks::template takes<Given...>,
+  Outcome request(Given... tasks) {
+    static_assert(Facts::flat, "this provider has packs: ask for one of them by its name");
+    static_assert(!Facts::flat || Facts::Tasks::template takes<Given...>,
                   "only tasks that stand in the provider's `tasks` can be requested");
     static_assert(Facts::Tasks::template once<Given...>, "a task is requested twice");
-    return ask<typename Facts::Tasks>(tasks...);
+    if constexpr (Facts::flat && Facts::Tasks::template takes<Given...>) return ask<typename Facts::Tasks>(tasks...);
+    return this->core_.fault();
   }
 
   /// The task is finished. What was requested before stays so.
@@ -221,9 +232,10 @@ public:
   Outcome keep() { return this->core_.keep(); }
 
 protected:
-  template <class Pack, class... Given>
+  /// `number`: which of the named packs it is.
+  template <class Pack, std::uint16_t number = 0, class... Given>
   Outcome ask(Given&... tasks) {
-    return director::ask<Pack>(this->core_, this->data_, tasks...);
+    return director::ask<Pack>(this->core_, this->data_, number, tasks...);
   }
 };
 

@@ -62,6 +62,13 @@ struct Pack : Members... {
   using For = decltype(detail::member_for<Task>(std::declval<const Pack&>()));
 };
 
+/// The named packs of a provider, in the order in which they are declared.
+template <class... All>
+struct Packs {
+  template <class Task>
+  static constexpr bool has = (All::template has<Task> || ...);
+};
+
 /// The task is among those given.
 template <class Task, class... Given>
 inline constexpr bool given = detail::times<Task, Given...> > 0;
@@ -84,9 +91,9 @@ bool ask_for(Run& run, Data& data, Given& request) {
 /// Asks for everything that is given and for nothing else. A level that the requester does not declare for a task is a
 /// fault of the body: nothing is asked for, and the observer and whoever called step() hear of it.
 template <class Pack, class Data, class... Given>
-Outcome ask(Run& run, Data& data, Given&... requests) {
+Outcome ask(Run& run, Data& data, std::uint16_t number, Given&... requests) {
   const bool declared = (ask_for<Pack>(run, data, requests) && ...);
-  return declared ? run.pack() : run.fault();
+  return declared ? run.pack(number) : run.fault();
 }
 
 } // namespace director

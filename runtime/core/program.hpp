@@ -10,6 +10,7 @@
 //   Triggers          Table of the declared triggers
 //   Providers         Table of the contexts of all providers
 //   Groups            Table of the task types of all groups
+//   called_from_inside()  fails an assertion, where assertions count: a body or handler called what only `post` may do
 
 #include "runtime/core/body.hpp"
 #include "runtime/core/engine.hpp"
@@ -270,30 +271,31 @@ public:
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  // The words of Post, for the thread that calls step(). Refused (false) from inside a body or handler.
+  // The words of Post, for the thread that calls step(). From inside a body or handler an assertion fails; without
+  // assertions they are refused (false).
   template <class Task, class... More>
   bool request(Task task, More... more) {
-    return !engine_.inside() && post().request(std::move(task), std::move(more)...);
+    return outside() && post().request(std::move(task), std::move(more)...);
   }
   template <class Task, class... More>
   bool request() {
-    return !engine_.inside() && post().template request<Task, More...>();
+    return outside() && post().template request<Task, More...>();
   }
   template <class Task>
   bool cancel() {
-    return !engine_.inside() && post().template cancel<Task>();
+    return outside() && post().template cancel<Task>();
   }
   template <class Value, class... More>
   bool set(Value value, More... more) {
-    return !engine_.inside() && post().set(value, more...);
+    return outside() && post().set(value, more...);
   }
   template <class Trigger>
   bool fire() {
-    return !engine_.inside() && post().template fire<Trigger>();
+    return outside() && post().template fire<Trigger>();
   }
   template <class Provider>
   bool enable(bool enabled) {
-    return !engine_.inside() && post().template enable<Provider>(enabled);
+    return outside() && post().template enable<Provider>(enabled);
   }
 
   /// The same words for other threads and interrupts, and for bodies. As long as the behaviour lives, a copy may be
@@ -332,11 +334,20 @@ protected:
         engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer) {}
   ~Program() = default;
 
-  StepResult step_to(Time now) { return engine_.step(now); }
-  StepResult step_on() { return engine_.step(); }
+  StepResult step_to(Time now) { return checked(engine_.step(now)); }
+  StepResult step_on() { return checked(engine_.step()); }
   typename Facts::Data& data() { return data_; }
 
 private:
+  static StepResult checked(StepResult result) {
+    if (result == StepResult::refused) Facts::called_from_inside();
+    return result;
+  }
+  bool outside() const {
+    if (engine_.inside()) Facts::called_from_inside();
+    return !engine_.inside();
+  }
+
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
   std::array<LastWords::Slot, Facts::Roots::size> words_;

@@ -8,6 +8,9 @@
 namespace director {
 
 class Engine;
+namespace testing {
+struct Access;
+}
 
 /// Where the data of a group's task are (integration.md: each edge has a slot and a staging slot, each group one slot).
 struct DataPlace {
@@ -39,7 +42,11 @@ public:
     return !leave;
   }
 
-  Outcome pack() const { return Outcome{Outcome::Kind::pack}; } ///< what was requested, and nothing else
+  /// What was requested, and nothing else. `number`: which of the provider's packs that is; only tests of bodies ask.
+  Outcome pack(std::uint16_t number = 0) {
+    pack_ = number;
+    return Outcome{Outcome::Kind::pack};
+  }
   Outcome done() const { return Outcome{Outcome::Kind::done}; }
   Outcome fail() const { return Outcome{Outcome::Kind::failed}; }
   Outcome keep() const { return Outcome{Outcome::Kind::keep}; }   ///< Continue
@@ -47,6 +54,7 @@ public:
 
 private:
   friend class Engine;
+  friend struct testing::Access;
   Run(Engine& engine, const State& state, Index first_edge, Index group, Index provider, Reasons reasons)
       : engine_(engine),
         request_(state.request),
@@ -61,6 +69,7 @@ private:
   Index first_edge_; ///< of its group
   Index group_, provider_;
   Reasons reasons_;
+  std::uint16_t pack_ = 0;
   Time wait_ = 0;
 };
 
@@ -77,6 +86,7 @@ public:
 
 private:
   friend class Engine;
+  friend struct testing::Access;
   Handling(Engine& engine, Index group, Reasons reasons) : engine_(engine), group_(group), reasons_(reasons) {}
   Engine& engine_;
   Index group_;

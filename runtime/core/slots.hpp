@@ -52,6 +52,7 @@ private:
 /// The data of one group's task. `places`: the number of edges by which it can be requested; a place is such an edge.
 template <TaskType Task, std::size_t places>
 class Slots {
+  static_assert(has_data<Task>, "`data: void`: a task without data has no `data`");
   using Data = typename TaskBase<Task>::Type;
 
 public:

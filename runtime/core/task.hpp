@@ -18,14 +18,20 @@ struct LevelOf {
   std::uint8_t number = first;
 };
 
-/// What task data must be: they move between slots inside the Behaviour, where nothing may throw.
-template <class Data>
-concept MovableData = std::is_object_v<Data> && !std::is_const_v<Data> && !std::is_array_v<Data> &&
-                      std::is_nothrow_move_constructible_v<Data> && std::is_nothrow_destructible_v<Data>;
-
-/// Base of a task type with data: `soccer::Walk{command}`, `soccer::Kick{command, soccer::Kick::urgent}`.
+/// Base of a task type with data: `soccer::Walk{command}`, `soccer::Kick{command, soccer::Kick::urgent}`. The data move
+/// between slots inside the Behaviour, where nothing may throw.
 template <class Self, class Data = void>
 struct Task {
+  static_assert(std::is_object_v<Data> && !std::is_array_v<Data> && !std::is_const_v<Data> && !std::is_volatile_v<Data>,
+                "the data of a task are stored by value: `data` must name a class, an enum, a number or a pointer");
+  static_assert(
+      requires { sizeof(Data); },
+      "the data of a task are stored by value: the headers that `cpp` lists must define this type whole");
+  static_assert(!std::is_abstract_v<Data>, "the data of a task are stored by value, and this class is abstract");
+  static_assert(std::is_nothrow_move_constructible_v<Data>,
+                "the data of a task are kept without heap: their move constructor must be noexcept");
+  static_assert(std::is_nothrow_destructible_v<Data>,
+                "the data of a task are kept without heap: their destructor must be public and noexcept");
   using Type = Data;
   explicit Task(Data given, LevelOf<Self> at = {}) : data(std::move(given)), level(at) {}
   Data data;

@@ -54,7 +54,7 @@ enum class StepResult : std::uint8_t {
   quiescent,        ///< nothing is left to do before the next input or due time
   budget_exhausted, ///< more micro-steps than allowed in one step; call again to go on
   fault,            ///< a body or handler threw; the engine is consistent, call again to go on
-  refused,          ///< called from inside a body or handler
+  refused,          ///< called from inside a body or handler, in a program without assertions
 };
 
 /// Why a requested task does not run (semantics.md 4.4, Refuse).

@@ -16,4 +16,14 @@ struct Steps {
   int count = 0;
 };
 
+/// Must lie on a boundary of its own, and counts itself.
+struct alignas(64) Wax {
+  explicit Wax(int given) : grams(given) { ++alive; }
+  Wax(Wax&& other) noexcept : grams(other.grams) { ++alive; }
+  Wax& operator=(Wax&&) = delete;
+  ~Wax() { --alive; }
+  int grams;
+  static inline int alive = 0;
+};
+
 } // namespace post

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include <chrono>
+#include <cstdint>
+#include <memory>
 #include <thread>
 
 namespace {
@@ -16,12 +18,18 @@ using namespace std::chrono_literals;
 struct House final : janitor::House {
   Outcome provide(janitor::Rest::Default& run) override { return run.request(janitor::Walk{1}); }
   Outcome provide(janitor::Sweep::Default& run) override { return run.request(janitor::Walk{2}); }
+  Outcome provide(janitor::Polish::Default& run) override {
+    wax.push_back(run.task().grams);
+    aligned = aligned && reinterpret_cast<std::uintptr_t>(&run.task()) % alignof(post::Wax) == 0;
+    return run.keep();
+  }
   Outcome provide(janitor::Walk::Default& run) override {
     steps.push_back(run.task());
     return run.keep();
   }
   void stop(janitor::Walk::Stop& run) override { steps.push_back(-run.task()); }
-  std::vector<int> steps;
+  std::vector<int> steps, wax;
+  bool aligned = true;
 };
 
 struct Home {
@@ -52,6 +60,22 @@ TEST_CASE("behaviours of one specification and of another run side by side") {
   two.behaviour.step();
   CHECK(two.house.steps == std::vector<int>{1, -1});
   CHECK(one.behaviour.holding<janitor::Walk>().granted);
+}
+
+TEST_CASE("data that cannot be copied and need a boundary of their own are moved about and destroyed once") {
+  {
+    auto home = std::make_unique<Home>();
+    home->behaviour.request(janitor::Polish{post::Wax{1}});
+    home->behaviour.step();
+    home->behaviour.request(janitor::Polish{post::Wax{2}, janitor::Polish::hard});
+    home->behaviour.request(janitor::Polish{post::Wax{3}});
+    home->behaviour.step();
+    home->behaviour.request(janitor::Polish{post::Wax{4}}); // waits when the behaviour ends
+    CHECK(home->house.wax == std::vector<int>{1, 3});
+    CHECK(home->house.aligned);
+    CHECK(post::Wax::alive > 0);
+  }
+  CHECK(post::Wax::alive == 0);
 }
 
 TEST_CASE("a behaviour may be stepped inside a body of another") {

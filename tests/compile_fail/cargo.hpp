@@ -2,7 +2,18 @@
 
 namespace porter_test {
 
-/// The data of a task. With THROWING_MOVE it is what no task can carry.
+#if defined(ARRAY)
+using Cargo = int[3];
+#elif defined(REFERENCE)
+using Cargo = int&;
+#elif defined(CONSTANT)
+using Cargo = const int;
+#elif defined(INCOMPLETE)
+struct Cargo;
+#elif defined(NOTHING)
+using Cargo = void;
+#else
+/// The data of a task. With a definition it is what no task can carry.
 struct Cargo {
   Cargo() = default;
 #ifdef THROWING_MOVE
@@ -10,6 +21,15 @@ struct Cargo {
 #else
   Cargo(Cargo&&) noexcept = default;
 #endif
+#ifdef THROWING_DESTRUCTOR
+  ~Cargo() noexcept(false) {}
+#else
+  ~Cargo() = default;
+#endif
+#ifdef ABSTRACT
+  virtual void carry() = 0;
+#endif
 };
+#endif
 
 } // namespace porter_test

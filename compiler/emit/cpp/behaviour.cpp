@@ -25,7 +25,7 @@ void define_steps(Code& code, const CppEmission& e) {
   code.comment(
       "Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an "
       "earlier one counts as the last), until nothing is left to do. What a body or handler threw is thrown on, "
-      "after its micro-step; call again to go on.");
+      "after its micro-step; call again to go on. Not from inside a body or handler: an assertion fails there.");
   code.line("template <director::Duration Now>");
   code.open("director::StepResult step(Now now) {");
   code.line("return hand_on(step_to(director::microseconds_begun(now)));");
@@ -53,7 +53,7 @@ Code behaviour_part(const CppEmission& e) {
   code.outdented("public:");
   std::vector<std::string> parameters;
   for (const ModuleId id : e.model.modules.ids())
-    parameters.push_back(fmt::format("{}& {}", module_type(e.model, id), module_word(e.model, id)));
+    parameters.push_back(fmt::format("{}& {}", module_in(e.model, id), module_word(e.model, id)));
   parameters.push_back("director::Observer observer = {}");
   code.list(parameters.size() <= 2 ? "explicit Behaviour(" : "Behaviour(", parameters, ");");
   code.blank();
@@ -68,7 +68,7 @@ Code behaviour_part(const CppEmission& e) {
   code.line("void throw_on();");
   code.blank();
   for (const ModuleId id : e.model.modules.ids())
-    code.line(fmt::format("{}* {}_;", module_type(e.model, id), module_word(e.model, id)));
+    code.line(fmt::format("{}* {}_;", module_in(e.model, id), module_word(e.model, id)));
   code.line("#ifdef __cpp_exceptions");
   code.line("std::exception_ptr thrown_; ///< the first that a body threw since the last step");
   code.line("#endif");

@@ -57,6 +57,13 @@ constexpr std::string_view throw_on = R"(void Behaviour::throw_on() {
 }
 )";
 
+constexpr std::string_view called_from_inside = R"(void Whole::called_from_inside() {
+#if __STDC_HOSTED__
+  assert(false && "from inside a body or handler only `post` reaches the behaviour");
+#endif
+}
+)";
+
 bool any_handler(const Model& model, std::optional<Handler> Group::*which) {
   return std::any_of(model.groups.begin(), model.groups.end(), [&](const Group& group) { return !!(group.*which); });
 }
@@ -67,7 +74,7 @@ bool any_data(const Model& model) {
 
 /// A module's interface, and where the behaviour has it.
 std::string module_text(const Model& model, ModuleId module) {
-  return fmt::format("{}, &Behaviour::{}_", module_type(model, module), module_word(model, module));
+  return fmt::format("{}, &Behaviour::{}_", module_in(model, module), module_word(model, module));
 }
 
 void data_function(Code& code, const CppEmission& e) {
@@ -82,8 +89,9 @@ void data_function(Code& code, const CppEmission& e) {
     const bool root =
         std::any_of(e.model.roots.begin(), e.model.roots.end(), [&](const Task& task) { return task.target == id; });
     code.line(fmt::format("case {}: return director::move_data<{}, {}>(all, what, place, handle);", id.value,
-                          group_name(e.model, id), root));
+                          group_in(e.model, id), root));
   }
+  code.line("default: return;");
   code.line("}");
   code.close("}");
 }
@@ -94,7 +102,7 @@ void handlers(Code& code, const CppEmission& e, std::string_view word, std::opti
                         e.model.groups.size(), word));
   for (const GroupId id : e.model.groups.ids()) {
     const Group& group = e.model.groups[id];
-    const std::string name = group_name(e.model, id);
+    const std::string name = group_in(e.model, id);
     if (group.*which) {
       code.line(fmt::format("&{}<{}::{}, {}>,", word, name, type_name(word), module_text(e.model, group.module)));
     } else {
@@ -110,8 +118,8 @@ void table_of_bodies(Code& code, const CppEmission& e) {
   code.open(fmt::format("static constexpr std::array<director::Outcome (*)(void*, director::Run&), {}> providers{{",
                         e.model.providers.size()));
   for (const ProviderId id : e.model.providers.ids()) {
-    code.line(fmt::format("&provide<{}, {}>,", provider_name(e.model, id),
-                          module_text(e.model, e.model.group_of(id).module)));
+    code.line(
+        fmt::format("&provide<{}, {}>,", provider_in(e.model, id), module_text(e.model, e.model.group_of(id).module)));
   }
   code.close("};");
   handlers(code, e, "start", &Group::start);
@@ -131,6 +139,8 @@ Code bodies_part(const CppEmission& e) {
   code.line("namespace detail {");
   code.blank();
   code.line("const director::Tables& Whole::tables() { return rows; }");
+  code.blank();
+  code.block(called_from_inside);
   code.blank();
   code.comment("What the engine calls.");
   code.open("struct Bodies {");

@@ -43,30 +43,30 @@ std::string and_list(const CppEmission& e, const std::vector<Task>& tasks) {
   return out;
 }
 
-void define_pack(Code& code, const CppEmission& e, const Pack& pack) {
+/// `number`: its place among the provider's packs.
+void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId provider, std::size_t number) {
+  const std::string facts = fmt::format("detail::Facts<{}>", provider_in(e.model, provider));
   const std::string asked = pack.tasks.empty() ? "Asks for nothing." : tasks_text(e.model, pack.tasks) + ".";
   code.blank();
   document(code, e, pack.doc.empty() ? asked : asked + " " + pack.doc, pack.span);
   if (pack.tasks.empty()) {
     code.open(fmt::format("director::Outcome {}() {{", pack.name), pack.span);
-    code.line("return Body::ask<director::Pack<>>();");
+    code.line(fmt::format("return Body::ask<{}::pack_{}, {}>();", facts, pack.name, number));
     return code.close("}");
   }
-  code.line("template <class... Given>");
-  code.open(fmt::format("director::Outcome {}(Given... tasks) {{", pack.name), pack.span);
-  std::vector<std::string> members;
-  for (const Task& task : pack.tasks) members.push_back(member_text(e, task));
-  code.list("using Pack = director::Pack<", members, ">;");
-  code.line(fmt::format("static_assert(Pack::takes<Given...>, \"{} asks for {} only\");", pack.name,
+  const std::string_view given = pack.name == "Given" ? "More" : "Given";
+  code.line(fmt::format("template <class... {}>", given));
+  code.open(fmt::format("director::Outcome {}({}... tasks) {{", pack.name, given), pack.span);
+  code.line(fmt::format("using Pack = {}::pack_{};", facts, pack.name));
+  code.line(fmt::format("static_assert(Pack::takes<{}...>, \"{} asks for {} only\");", given, pack.name,
                         and_list(e, pack.tasks)));
-  code.line(fmt::format("static_assert(Pack::once<Given...>, \"{} is given a task twice\");", pack.name));
+  code.line(fmt::format("static_assert(Pack::once<{}...>, \"{} is given a task twice\");", given, pack.name));
   for (const Task& task : pack.tasks) {
     if (may_be_omitted(e.model, task)) continue;
-    const std::string name = group_name(e.model, task.target);
-    code.line(fmt::format("static_assert(director::given<{}, Given...>, \"{} must be given its task {}\");", name,
-                          pack.name, name));
+    code.line(fmt::format("static_assert(director::given<{}, {}...>, \"{} must be given its task {}\");",
+                          group_in(e.model, task.target), given, pack.name, group_name(e.model, task.target)));
   }
-  code.line("return Body::ask<Pack>(tasks...);");
+  code.line(fmt::format("return Body::ask<Pack, {}>(tasks...);", number));
   code.close("}");
 }
 
@@ -75,12 +75,12 @@ void define_context(Code& code, const CppEmission& e, ProviderId id) {
   const std::string name = provider_name(e.model, id);
   document(code, e, provider.direct ? std::string{} : provider.doc, provider.span);
   describe(code, e.model, provider);
-  const std::string base = fmt::format("director::Body<detail::Facts<{}>>", name);
-  code.open(fmt::format("class {} final : public {} {{", name, base), provider.span);
+  code.open(fmt::format("class {} final : public director::Body<detail::Facts<{}>> {{", name, name), provider.span);
   code.outdented("public:");
-  code.line(fmt::format("using {}::Body;", base));
+  code.line(fmt::format("using director::Body<detail::Facts<{}>>::Body;", provider_in(e.model, id)));
   if (provider.has_packs) {
-    for (const Pack& pack : provider.packs) define_pack(code, e, pack);
+    std::size_t number = 0;
+    for (const Pack& pack : provider.packs) define_pack(code, e, pack, id, number++);
   }
   code.close("};");
   code.blank();
@@ -93,10 +93,9 @@ void define_handler(Code& code, const CppEmission& e, GroupId group, const std::
   document(code, e, {}, handler->span);
   const std::string sets = conditions_text(e.model, handler->sets);
   if (!sets.empty()) code.comment("- sets: " + sets);
-  const std::string base = fmt::format("director::Handler<detail::Facts<{}>>", name);
-  code.open(fmt::format("class {} final : public {} {{", name, base), handler->span);
+  code.open(fmt::format("class {} final : public director::Handler<detail::Facts<{}>> {{", name, name), handler->span);
   code.outdented("public:");
-  code.line(fmt::format("using {}::Handler;", base));
+  code.line(fmt::format("using director::Handler<detail::Facts<{}::{}>>::Handler;", group_in(e.model, group), context));
   code.close("};");
   code.blank();
 }

@@ -19,7 +19,7 @@ void data_facts(Code& code, const CppEmission& e) {
   std::vector<std::string> bases;
   for (const GroupId id : e.model.groups.ids()) {
     if (!has_data(e, id)) continue;
-    const std::string name = group_name(e.model, id);
+    const std::string name = group_in(e.model, id);
     code.line("template <>");
     code.open(fmt::format("struct Facts<{}> {{", name));
     code.line(fmt::format("using Slots = director::Slots<{}, {}>;", name, std::max(1U, data_places(e.model, id))));
@@ -27,8 +27,7 @@ void data_facts(Code& code, const CppEmission& e) {
     bases.push_back(fmt::format("Facts<{}>::Slots", name));
   }
   for (const Task& root : e.model.roots) {
-    if (has_data(e, root.target))
-      bases.push_back(fmt::format("director::Waiting<{}>", group_name(e.model, root.target)));
+    if (has_data(e, root.target)) bases.push_back(fmt::format("director::Waiting<{}>", group_in(e.model, root.target)));
   }
   code.blank();
   code.comment("The data of all tasks: those of requests, and those that wait in the inbox.");
@@ -51,7 +50,7 @@ void data_facts(Code& code, const CppEmission& e) {
 
 void setting(Code& code, const CppEmission& e, StateId id) {
   const State& state = e.model.states[id];
-  const std::string type = state_type(e.model, id);
+  const std::string type = state_in(e.model, id);
   code.open(fmt::format("static constexpr director::Setting setting({} value) {{", type));
   if (state.type) {
     code.line("switch (value) {");
@@ -72,7 +71,7 @@ void setting(Code& code, const CppEmission& e, StateId id) {
 void state_facts(Code& code, const CppEmission& e) {
   std::vector<std::string> rows;
   for (const StateId id : e.model.states.ids())
-    rows.push_back(fmt::format("director::Row<{}, {}>", state_type(e.model, id), id.value));
+    rows.push_back(fmt::format("director::Row<{}, {}>", state_in(e.model, id), id.value));
   const bool typed = std::any_of(e.model.states.begin(), e.model.states.end(), [](const State& s) { return !!s.type; });
   if (typed) {
     code.comment("An enumerator that the specification does not list is an error in `setting`.", "//");
@@ -109,6 +108,7 @@ void whole_facts(Code& code, const CppEmission& e) {
              fmt::format(".lacking = {}", lacking)},
             "};");
   code.line("static const director::Tables& tables();");
+  code.line("static void called_from_inside();");
   code.line(fmt::format("static constexpr std::size_t inbox_cells = {};",
                         std::max(std::size_t{64}, std::bit_ceil(2 * widest_input))));
   std::vector<std::string> places, roots, triggers, providers, group_rows;
@@ -116,10 +116,10 @@ void whole_facts(Code& code, const CppEmission& e) {
   for (const Task& root : e.model.roots) roots.push_back(member_text(e, root));
   for (const TriggerId id : e.model.triggers.ids()) {
     if (!e.model.triggers[id].promise)
-      triggers.push_back(fmt::format("director::Row<{}, {}>", trigger_type(e.model, id), id.value));
+      triggers.push_back(fmt::format("director::Row<{}, {}>", trigger_in(e.model, id), id.value));
   }
   for (const ProviderId id : e.model.providers.ids())
-    providers.push_back(fmt::format("director::Row<{}, {}>", provider_name(e.model, id), id.value));
+    providers.push_back(fmt::format("director::Row<{}, {}>", provider_in(e.model, id), id.value));
   code.list(fmt::format("static constexpr std::array<std::uint16_t, {}> places{{", places.size()), places, "};");
   code.line("using Data = detail::Data;");
   code.line("using States = detail::States;");
@@ -127,7 +127,7 @@ void whole_facts(Code& code, const CppEmission& e) {
   code.list("using Triggers = director::Table<", triggers, ">;");
   code.list("using Providers = director::Table<", providers, ">;");
   for (const GroupId id : e.model.groups.ids())
-    group_rows.push_back(fmt::format("director::Row<{}, {}>", group_name(e.model, id), id.value));
+    group_rows.push_back(fmt::format("director::Row<{}, {}>", group_in(e.model, id), id.value));
   code.list("using Groups = director::Table<", group_rows, ">;");
   code.close("};");
   code.blank();
@@ -158,10 +158,11 @@ std::vector<const ConditionUse*> settable(const Handler& handler) {
 }
 
 void open_facts(Code& code, const CppEmission& e, GroupId group, const std::string& context) {
-  const std::string task = group_name(e.model, group);
+  const std::string task = group_in(e.model, group);
   code.line("template <>");
   code.open(fmt::format("struct Facts<{}::{}> : director::NothingDeclared {{", task, context));
   code.line("using Behaviour = Whole;");
+  code.line(fmt::format("using Module = {};", module_in(e.model, e.model.groups[group].module)));
   code.line(fmt::format("using Task = {};", task));
 }
 
@@ -171,6 +172,20 @@ void handler_facts(Code& code, const CppEmission& e, GroupId group, const std::o
   open_facts(code, e, group, context);
   sets_facts(code, e, settable(*handler));
   code.close("};");
+}
+
+void packs_facts(Code& code, const CppEmission& e, const Provider& provider) {
+  std::vector<std::string> types, names;
+  code.line("static constexpr bool flat = false;");
+  for (const Pack& pack : provider.packs) {
+    std::vector<std::string> members;
+    for (const Task& task : pack.tasks) members.push_back(member_text(e, task));
+    types.push_back("pack_" + pack.name);
+    names.push_back(fmt::format("\"{}\"", pack.name));
+    code.list(fmt::format("using {} = director::Pack<", types.back()), members, ">;");
+  }
+  code.list("using Packs = director::Packs<", types, ">;");
+  code.list(fmt::format("static constexpr std::array<const char*, {}> pack_names{{", names.size()), names, "};");
 }
 
 void provider_facts(Code& code, const CppEmission& e, ProviderId id) {
@@ -183,14 +198,14 @@ void provider_facts(Code& code, const CppEmission& e, ProviderId id) {
     for (const EdgeId to : e.model.groups[provider.group].edges) {
       if (e.model.edges[to].target == use.id) edge = std::to_string(to.value);
     }
-    uses.push_back(fmt::format("director::Row<{}, {}>", group_name(e.model, use.id), edge));
+    uses.push_back(fmt::format("director::Row<{}, {}>", group_in(e.model, use.id), edge));
   }
   for (const Use<TriggerId>& trigger : provider.triggers)
-    triggers.push_back(fmt::format("director::Row<{}, {}>", trigger_type(e.model, trigger.id), trigger.id.value));
+    triggers.push_back(fmt::format("director::Row<{}, {}>", trigger_in(e.model, trigger.id), trigger.id.value));
   if (!uses.empty()) code.list("using Uses = director::Table<", uses, ">;");
   if (!triggers.empty()) code.list("using Triggers = director::Table<", triggers, ">;");
   if (provider.has_packs) {
-    code.line("static constexpr bool flat = false;");
+    packs_facts(code, e, provider);
   } else if (!provider.packs.empty()) {
     for (const Task& task : provider.packs.front().tasks) tasks.push_back(member_text(e, task));
     code.list("using Tasks = director::Pack<", tasks, ">;");
@@ -204,6 +219,8 @@ Code facts_part(const CppEmission& e) {
   Code code;
   code.comment("What the C++ compiler must know of the specification: rows of tables, and what each body may ask for.",
                "//");
+  for (const ModuleId id : e.model.modules.ids()) code.line(fmt::format("class {};", module_type(e.model, id)));
+  code.blank();
   code.line("namespace detail {");
   code.blank();
   code.line("template <class Of>");

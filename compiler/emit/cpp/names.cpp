@@ -6,8 +6,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace director::compiler {
+
+namespace {
+
+/// What begins with a capital letter and is declared in `detail`, in what generated classes derive from, or as a
+/// parameter of a template around the code that names a thing of the specification.
+constexpr std::array<std::string_view, 33> inner_names{
+    "Behaviour", "Bodies", "Body",    "Call",   "Context",  "Core",   "Data", "Edge",  "Event",    "Facts", "Fault",
+    "Given",     "Groups", "Handler", "Module", "More",     "Now",    "Of",   "Pack",  "Packs",    "Post",  "Program",
+    "Providers", "Roots",  "Seen",    "Slots",  "Snapshot", "States", "Task", "Tasks", "Triggers", "Uses",  "Whole"};
+static_assert(std::is_sorted(inner_names.begin(), inner_names.end()));
+
+/// `name` is that of a type, with what follows behind `::`.
+std::string inside(const Model& model, std::string name) {
+  const bool hidden = std::binary_search(inner_names.begin(), inner_names.end(), name.substr(0, name.find(':')));
+  return hidden ? fmt::format("::{}::{}", model.name_space, name) : name;
+}
+
+} // namespace
 
 std::string type_name(std::string_view name) { return dsl::capitalised(name); }
 
@@ -25,7 +44,7 @@ std::string module_type(const Model& model, ModuleId module) { return type_name(
 std::string module_word(const Model& model, ModuleId module) {
   std::string word = model.modules[module].name;
   if (word[0] >= 'A' && word[0] <= 'Z') word[0] = static_cast<char>(word[0] - 'A' + 'a');
-  if (dsl::is_cpp_keyword(word) || word == "observer") word += "_module";
+  if (dsl::is_cpp_keyword(word) || word == "observer" || word == "thrown") word += "_module";
   return word;
 }
 
@@ -36,6 +55,22 @@ std::string trigger_type(const Model& model, TriggerId trigger) {
 }
 
 std::string state_type(const Model& model, StateId state) { return type_name(model.states[state].name.value); }
+
+std::string group_in(const Model& model, GroupId group) { return inside(model, group_name(model, group)); }
+
+std::string provider_in(const Model& model, ProviderId provider) {
+  return inside(model, provider_name(model, provider));
+}
+
+std::string module_in(const Model& model, ModuleId module) { return inside(model, module_type(model, module)); }
+
+std::string trigger_in(const Model& model, TriggerId trigger) {
+  const auto& promise = model.triggers[trigger].promise;
+  if (promise) return fmt::format("director::Broken<{}>", provider_in(model, *promise));
+  return inside(model, trigger_type(model, trigger));
+}
+
+std::string state_in(const Model& model, StateId state) { return inside(model, state_type(model, state)); }
 
 void document(Code& code, const CppEmission& e, std::string_view doc, const dsl::Span& span) {
   while (doc.ends_with('\n')) doc.remove_suffix(1);
@@ -67,7 +102,7 @@ std::string member_text(const CppEmission& e, const Task& task) {
     rows += ", " + row(*found);
   }
   return fmt::format("director::{}<{}, {}, {}, {}>", may_be_omitted(e.model, task) ? "May" : "Must",
-                     group_name(e.model, task.target), task.edge.value, data_place(e.model, task.edge), rows);
+                     group_in(e.model, task.target), task.edge.value, data_place(e.model, task.edge), rows);
 }
 
 std::string tasks_text(const Model& model, const std::vector<Task>& tasks) {

@@ -20,6 +20,13 @@ struct CppEmission {
 };
 
 // names.cpp
+// The names of names.hpp as code inside of `detail`, of a context or of the behaviour writes it: from the global name space on where
+// generated code has a name there that would be found first, as in `::robot::Data`.
+std::string group_in(const Model& model, GroupId group);
+std::string provider_in(const Model& model, ProviderId provider);
+std::string module_in(const Model& model, ModuleId module);
+std::string trigger_in(const Model& model, TriggerId trigger);
+std::string state_in(const Model& model, StateId state);
 /// `doc`, then the place in brackets, as a comment.
 void document(Code& code, const CppEmission& e, std::string_view doc, const dsl::Span& span);
 /// Whether a pack is whole without it: it has a level that is optional.

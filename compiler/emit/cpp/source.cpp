@@ -15,6 +15,10 @@ Code source(const Deployment& deployment) {
                "//");
   code.line(fmt::format("#include \"{}.hpp\"", e.model.name));
   code.blank();
+  code.line("#if __STDC_HOSTED__");
+  code.line("#include <cassert>");
+  code.line("#endif");
+  code.blank();
   code.line(fmt::format("namespace {} {{", e.model.name_space));
   code.blank();
   code.append(tables_part(e));

@@ -13,16 +13,14 @@ void declare_task(Code& code, const CppEmission& e, GroupId id) {
   const Group& group = e.model.groups[id];
   const std::string name = group_name(e.model, id);
   const bool data = !group.data.empty();
-  if (data) {
-    code.line(fmt::format("static_assert(director::MovableData<{}>,", group.data), group.data_span);
-    code.line(fmt::format("              \"{}: the data of a task are kept without heap; the move constructor and the "
-                          "destructor of {} must be noexcept\");",
-                          name, group.data));
-  }
   document(code, e, group.doc, group.name.span);
   const std::string base = fmt::format("director::Task<{}{}>", name, data ? ", " + group.data : "");
   code.open(fmt::format("struct {} final : {} {{", name, base), group.name.span);
-  code.line(fmt::format("using {}::Task;", base));
+  if (data) {
+    code.line(fmt::format("using {}::Task;", base), group.data_span);
+  } else {
+    code.line(fmt::format("using {}::Task;", base));
+  }
   const std::vector<std::string>& levels = e.levels[id];
   for (std::size_t i = 0; i < levels.size(); ++i)
     code.line(fmt::format("static constexpr director::LevelOf<{}> {}{{{}}};", name, levels[i], i));

@@ -1,5 +1,5 @@
 // Door: runtime/core/behaviour.hpp. Test: itself.
-// Message: flat
+// Message: this provider has packs: ask for one of them by its name
 #include "porter.hpp"
 
 director::Outcome body(porter::Carry::Default& run) {

@@ -1,5 +1,5 @@
 // Door: runtime/core/behaviour.hpp. Test: itself.
-// Message: has_data
+// Message: this task has no data
 #include "porter.hpp"
 
 director::Outcome body([[maybe_unused]] porter::Drive::Default& drive, [[maybe_unused]] porter::Grip::Default& grip) {

@@ -1,5 +1,5 @@
 // Door: runtime/core/behaviour.hpp. Test: itself.
-// Message: DeclaredValue<porter::detail::Facts<porter::Open::Default> *>|DeclaredValue<Facts<.*Default>>
+// Message: `causing` and `sets` of this provider or handler do not name this state
 #include "porter.hpp"
 
 director::Outcome body(porter::Open::Default& run) {

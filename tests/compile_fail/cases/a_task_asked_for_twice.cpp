@@ -1,0 +1,11 @@
+// Door: runtime/core/behaviour.hpp. Test: itself.
+// Message: a task is requested twice
+#include "porter.hpp"
+
+director::Outcome body(porter::Open::Default& run) {
+#ifdef MISTAKE
+  return run.request(porter::Grip{}, director::keep(porter::Grip{}));
+#else
+  return run.request(director::keep(porter::Grip{}));
+#endif
+}

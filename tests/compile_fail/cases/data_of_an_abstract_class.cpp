@@ -1,0 +1,6 @@
+// Door: runtime/core/task.hpp. Test: itself.
+// Message: the data of a task are stored by value, and this class is abstract
+#ifdef MISTAKE
+#define ABSTRACT
+#endif
+#include "porter.hpp"

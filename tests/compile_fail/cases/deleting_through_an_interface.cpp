@@ -1,0 +1,11 @@
+// Door: runtime/core/behaviour.hpp. Test: itself.
+// Message: protected
+#include "porter.hpp"
+
+void end(porter::Porter* module) {
+#ifdef MISTAKE
+  delete module;
+#else
+  static_cast<void>(module);
+#endif
+}

@@ -1,0 +1,11 @@
+// Door: runtime/core/behaviour.hpp. Test: itself.
+// Message: no matching function for call|no matching constructor
+#include "porter.hpp"
+
+porter::Behaviour make(porter::Porter& module) {
+#ifdef MISTAKE
+  return porter::Behaviour{director::Observer{}, module};
+#else
+  return porter::Behaviour{module, director::Observer{}};
+#endif
+}
