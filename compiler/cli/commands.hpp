@@ -7,6 +7,8 @@
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/cli/console.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +53,14 @@ struct Simulate {
   std::string file;
   Format format = Format::text;
   bool decisions = false;
+};
+
+/// Why a group runs or does not, at some moment of a scenario.
+struct Why {
+  std::string scenario, group;
+  std::uint32_t step = 0;           ///< after this step, from 1; 0: in the end
+  std::optional<std::int64_t> time; ///< or at this time, in microseconds
+  Format format = Format::text;
 };
 
 struct Test {
@@ -98,6 +108,7 @@ int run(const DrawGraph& request, Console& console);
 int run(const Explain& request, Console& console);
 int run(const ListChecks& request, Console& console);
 int run(const Simulate& request, Console& console);
+int run(const Why& request, Console& console);
 int run(const Test& request, Console& console);
 int run(const Dump& request, Console& console);
 int run(const Explore& request, Console& console);

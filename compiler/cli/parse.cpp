@@ -5,6 +5,7 @@
 #include "compiler/cli/parse.hpp"
 
 #include "compiler/version.hpp"
+#include "dsl/duration.hpp"
 #include "dsl/suggest.hpp"
 
 #include <CLI/CLI.hpp>
@@ -167,6 +168,28 @@ Make simulate_options(CLI::App& app) {
   return [=]() -> Request { return *request; };
 }
 
+Make why_options(CLI::App& app) {
+  auto request = std::make_shared<Why>();
+  auto time = std::make_shared<std::string>();
+  app.add_option("SCENARIO", request->scenario, "the scenario; its behaviour is the one that it names")->required();
+  app.add_option("GROUP", request->group, "the group that is asked about")->required();
+  CLI::Option* step = app.add_option("--step", request->step, "after this step of the scenario; without it, in the end")
+                          ->type_name("N")
+                          ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--time", *time, "at this time, '1500 ms', where a step advances beyond it")
+      ->type_name("TIME")
+      ->excludes(step);
+  add_format(app, request->format, {"text", "json"});
+  return [=]() -> Request {
+    if (time->empty()) return *request;
+    const std::optional<dsl::Duration> given = dsl::parse_duration(*time);
+    if (!given)
+      return Say{fmt::format("directorc: `{}` is no time: a whole number and us, ms, s or min\n", *time), true};
+    request->time = given->microseconds();
+    return *request;
+  };
+}
+
 Make test_options(CLI::App& app) {
   auto request = std::make_shared<Test>();
   app.add_option("FILE", request->files, "scenarios")->required();
@@ -245,13 +268,14 @@ Make stubs_options(CLI::App& app) {
   return [=]() -> Request { return *request; };
 }
 
-const std::array<Subcommand, 11> subcommands{{
+const std::array<Subcommand, 12> subcommands{{
     {"check", "Look for mistakes in a behaviour", check_options},
     {"generate", "Write the C++ of a behaviour", generate_options},
     {"graph", "Draw a behaviour", graph_options},
     {"explain", "Print the page of a check", explain_options},
     {"checks", "List all checks", checks_options},
     {"simulate", "Play a scenario and print what happens", simulate_options},
+    {"why", "Say why a group runs, or does not, in a scenario", why_options},
     {"test", "Play scenarios and compare with what they expect", test_options},
     {"explore", "Try everything that can happen, and decide the assertions", explore_options},
     {"stubs", "Write the C++ that is for you to fill in, or add to it what is missing", stubs_options},

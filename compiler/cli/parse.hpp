@@ -15,8 +15,8 @@ struct Say {
   bool wrong = false;
 };
 
-using Request =
-    std::variant<Say, Check, Generate, DrawGraph, Explain, ListChecks, Simulate, Test, Dump, Explore, Stubs, Verify>;
+using Request = std::variant<Say, Check, Generate, DrawGraph, Explain, ListChecks, Simulate, Why, Test, Dump, Explore,
+                             Stubs, Verify>;
 
 /// `arguments`: without the program's name.
 Request parse(const std::vector<std::string>& arguments);

@@ -34,6 +34,7 @@ public:
          const Sink& sink)
       : scenario_(scenario),
         tables_(lowered.view()),
+        options_(options),
         onlooker_(options.onlooker),
         most_stops_(options.most_stops),
         bodies_(scenario, tables_, options.onlooker),
@@ -51,10 +52,13 @@ public:
     }
     run_engine(); // time begins: what expires counts from here
     for (const ScenarioStep& step : scenario_.steps) {
+      if (options_.steps != 0 && step_ == options_.steps) break;
       recorder_.begin_step(++step_);
       for (const std::string& shown : step.shown) recorder_.input(shown);
       if (!(step.advance ? advance(*step.advance) : take(step.inputs))) break;
+      if (options_.until && now_ >= *options_.until && step.advance) break;
     }
+    if (options_.end) options_.end(engine_);
     return {step_, exhausted_, too_many_stops_, bodies_.refused()};
   }
 
@@ -88,7 +92,8 @@ private:
 
   /// Each due time has a run of the engine to itself.
   bool advance(Time by) {
-    const Time until = by > never - now_ ? never - 1 : now_ + by;
+    Time until = by > never - now_ ? never - 1 : now_ + by;
+    if (options_.until) until = std::min(until, *options_.until);
     for (std::uint64_t stops = 0; engine_.next_due() <= until; ++stops) {
       too_many_stops_ = stops == most_stops_;
       if (too_many_stops_) return exhaust();
@@ -140,6 +145,7 @@ private:
 
   const Scenario& scenario_;
   const Tables tables_;
+  const PlayOptions& options_;
   const Onlooker* onlooker_;
   const std::uint64_t most_stops_;
   ScriptedBodies bodies_;

@@ -6,6 +6,7 @@
 #include "compiler/play/scenario.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace director::compiler {
@@ -20,13 +21,16 @@ struct PlayOptions {
   bool decisions = false;             ///< also queue, push, release, set and unset
   const Onlooker* onlooker = nullptr; ///< null: nobody; what happens is the same
   std::uint64_t most_stops = stops_of_advance;
+  std::uint32_t steps = 0;                  ///< play no more than so many; 0: all
+  std::optional<Time> until{};              ///< play no further than this time
+  std::function<void(const Engine&)> end{}; ///< shown the engine as it is in the end
 };
 
 /// How it ended, if not behind its last step.
 struct Played {
   std::uint32_t last_step = 0; ///< the last one that was played; counts from 1
   bool budget_exhausted = false;
-  bool too_many_stops = false; ///< ... that of stops, and not of micro-steps
+  bool too_many_stops = false;            ///< ... that of stops, and not of micro-steps
   std::optional<dsl::Diagnostic> refused; ///< what a body was to do and may not
 };
 

@@ -185,7 +185,11 @@ const char* condition(director::Index row) {
 }
 
 const char* why(const director::Because& because, std::span<char> room) {
-  static constexpr director::Names all{&group, &provider, &edge, &condition};
+  static constexpr director::Names all{
+      .self = nullptr, .group = [](const void*, director::Index row) { return group(row); },
+      .provider = [](const void*, director::Index row) { return provider(row); },
+      .edge = [](const void*, director::Index row) { return edge(row); },
+      .condition = [](const void*, director::Index row) { return condition(row); }};
   return director::to_text(because, all, room);
 }
 

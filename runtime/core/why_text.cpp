@@ -29,39 +29,42 @@ public:
   }
 
   void tell(const Because& b) {
-    const char* const asked = names_.group(b.asked);
+    const char* const asked = group(b.asked);
     switch (b.kind) {
-    case Kind::running:
-      *this << asked << " runs (" << names_.edge(b.edge) << ") in " << names_.provider(b.provider);
-      return;
+    case Kind::running: *this << asked << " runs (" << edge(b.edge) << ") in " << provider(b.provider); return;
     case Kind::not_requested: *this << "nobody asks for " << asked; return;
     case Kind::reserved:
-      *this << asked << " is held for a need (" << names_.edge(b.holder) << "), and was not asked for yet";
+      *this << asked << " is held for a need (" << edge(b.holder) << "), and was not asked for yet";
       return;
     case Kind::limbo: *this << asked << " goes on for nobody: it is kept for who is about to ask for it"; return;
     default: break;
     }
-    *this << asked << " waits (" << names_.edge(b.edge) << "): ";
-    if (b.member != b.edge) *this << "it comes with " << names_.edge(b.member) << ", and ";
+    *this << asked << " waits (" << edge(b.edge) << "): ";
+    if (b.member != b.edge) *this << "it comes with " << edge(b.member) << ", and ";
     reason(b);
   }
 
 private:
+  const char* group(Index row) const { return names_.group(names_.self, row); }
+  const char* provider(Index row) const { return names_.provider(names_.self, row); }
+  const char* edge(Index row) const { return names_.edge(names_.self, row); }
+  const char* condition(Index row) const { return names_.condition(names_.self, row); }
+
   void reason(const Because& b) {
     switch (b.kind) {
-    case Kind::no_provider: *this << "no provider of " << names_.group(b.group) << " is enabled"; return;
+    case Kind::no_provider: *this << "no provider of " << group(b.group) << " is enabled"; return;
     case Kind::lost:
     case Kind::need_held:
-      *this << names_.group(b.group) << (b.kind == Kind::lost ? "" : ", which it needs,") << " is held by "
-            << names_.edge(b.holder) << ", ";
+      *this << group(b.group) << (b.kind == Kind::lost ? "" : ", which it needs,") << " is held by " << edge(b.holder)
+            << ", ";
       return rivalry(b.rivalry);
     case Kind::together: *this << "what it takes cannot be had together"; return;
     case Kind::condition:
-      *this << "until " << names_.condition(b.condition) << ", which ";
+      *this << "until " << condition(b.condition) << ", which ";
       if (b.causer == nil) {
         *this << "only the outside can make true";
       } else {
-        *this << names_.group(b.causer_group) << "." << names_.provider(b.causer) << " could cause";
+        *this << group(b.causer_group) << "." << provider(b.causer) << " could cause";
       }
       return;
     case Kind::outdated: *this << "who asks for it is about to decide anew"; return;
@@ -73,16 +76,15 @@ private:
     switch (r.won_by) {
     case Precedence::above: *this << "which is above it"; return;
     case Precedence::optional:
-      *this << "and " << names_.edge(r.ours) << " is optional, or leads through something optional, unlike "
-            << names_.edge(r.theirs);
+      *this << "and " << edge(r.ours) << " is optional, or leads through something optional, unlike " << edge(r.theirs);
       return;
     case Precedence::priority:
-      *this << "and " << names_.edge(r.theirs) << " (priority " << r.their_priority << ") goes before "
-            << names_.edge(r.ours) << " (priority " << r.our_priority << ")";
+      *this << "and " << edge(r.theirs) << " (priority " << r.their_priority << ") goes before " << edge(r.ours)
+            << " (priority " << r.our_priority << ")";
       return;
     case Precedence::equal:
-      *this << "and " << names_.edge(r.theirs) << " is the equal of " << names_.edge(r.ours) << " (priority "
-            << r.our_priority << ") and was there first";
+      *this << "and " << edge(r.theirs) << " is the equal of " << edge(r.ours) << " (priority " << r.our_priority
+            << ") and was there first";
       return;
     }
   }

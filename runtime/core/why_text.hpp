@@ -5,12 +5,13 @@
 
 namespace director {
 
-/// What rows are called: the functions that generated code has in its namespace `names`.
+/// What rows are called. `self` is given back to each function.
 struct Names {
-  const char* (*group)(Index row) = nullptr;
-  const char* (*provider)(Index row) = nullptr; ///< without its group
-  const char* (*edge)(Index row) = nullptr;     ///< `root>Walk`
-  const char* (*condition)(Index row) = nullptr;
+  const void* self = nullptr;
+  const char* (*group)(const void* self, Index row) = nullptr;
+  const char* (*provider)(const void* self, Index row) = nullptr; ///< without its group
+  const char* (*edge)(const void* self, Index row) = nullptr;     ///< `root>Walk`
+  const char* (*condition)(const void* self, Index row) = nullptr;
 };
 
 /// One line without an end of line, such as `Kick waits (root>Kick): until Stability == standing, which Walk.halting

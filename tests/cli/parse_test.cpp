@@ -12,7 +12,7 @@ TEST_CASE("a wrong command line is told, with what was probably meant") {
   CHECK(world.err == "directorc: there is no subcommand `chek`; did you mean `check`?\n");
   CHECK(world.directorc({"xyzzy"}) == 2);
   CHECK(world.err == "directorc: there is no subcommand `xyzzy`; there are check, generate, graph, explain, checks, "
-                     "simulate, test, explore, stubs, verify, dump\n");
+                     "simulate, why, test, explore, stubs, verify, dump\n");
   CHECK(world.directorc({"check"}) == 2);
   CHECK(world.err == "directorc check: FILE is required\nTry `directorc check --help`.\n");
   CHECK(world.directorc({"check", "x.yaml", "--werror=needs_cycel"}) == 2);
@@ -27,7 +27,8 @@ TEST_CASE("help and version go to the output and are no mistake") {
   World world;
   CHECK(world.directorc({"--version"}) == 0);
   CHECK(world.out.substr(0, 10) == "directorc ");
-  for (const std::string word : {"check", "generate", "graph", "explain", "checks", "simulate", "test", "stubs", "verify", "dump"}) {
+  for (const std::string word :
+       {"check", "generate", "graph", "explain", "checks", "simulate", "why", "test", "stubs", "verify", "dump"}) {
     CHECK(world.directorc({word, "--help"}) == 0);
     CHECK(world.out.find("Usage: directorc " + word) != std::string::npos);
     CHECK(world.err.empty());

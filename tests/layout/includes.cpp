@@ -59,7 +59,7 @@ const std::vector<Library>& libraries() {
 
 constexpr std::array core_headers{"array",  "atomic", "bit",  "compare", "concepts",    "cstddef", "cstdint",
                                   "limits", "new",    "span", "tuple",   "type_traits", "utility"};
-constexpr std::array generated_headers{"chrono", "exception"};
+constexpr std::array generated_headers{"cassert", "chrono", "exception"};
 
 bool is_standard(std::string_view name) { return name.find_first_of("./") == std::string_view::npos; }
 

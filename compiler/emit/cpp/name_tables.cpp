@@ -85,7 +85,10 @@ Code name_definitions(const CppEmission& e) {
   table(code, "condition", conditions);
   code.blank();
   code.open("const char* why(const director::Because& because, std::span<char> room) {");
-  code.line("static constexpr director::Names all{&group, &provider, &edge, &condition};");
+  std::vector<std::string> functions{".self = nullptr"};
+  for (const std::string_view word : {"group", "provider", "edge", "condition"})
+    functions.push_back(fmt::format(".{} = [](const void*, director::Index row) {{ return {}(row); }}", word, word));
+  code.list("static constexpr director::Names all{", functions, "};");
   code.line("return director::to_text(because, all, room);");
   code.close("}");
   code.blank();

@@ -1,6 +1,7 @@
 #pragma once
 // The parts of the generated C++, one file each. Only compiler/emit/cpp and compiler/stubs include this; header.cpp and
-// source.cpp put the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp, body.hpp, program.hpp.
+// source.cpp put the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp,
+// body.hpp, program.hpp.
 
 #include "compiler/emit/code.hpp"
 #include "compiler/emit/cpp/names.hpp"
@@ -20,8 +21,8 @@ struct CppEmission {
 };
 
 // names.cpp
-// The names of names.hpp as code inside of `detail`, of a context or of the behaviour writes it: from the global name space on where
-// generated code has a name there that would be found first, as in `::robot::Data`.
+// The names of names.hpp as code inside of `detail`, of a context or of the behaviour writes it: from the global name
+// space on where generated code has a name there that would be found first, as in `::robot::Data`.
 std::string group_in(const Model& model, GroupId group);
 std::string provider_in(const Model& model, ProviderId provider);
 std::string module_in(const Model& model, ModuleId module);

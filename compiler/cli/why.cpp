@@ -1,0 +1,47 @@
+// Door: compiler/cli/commands.hpp. Test: tests/cli/why_test.cpp.
+#include "compiler/play/why.hpp"
+
+#include "compiler/cli/load_scenario.hpp"
+#include "compiler/play/names.hpp"
+#include "compiler/play/play.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler::cli {
+
+int run(const Why& request, Console& console) {
+  dsl::Sources sources;
+  const LoadedScenario loaded = load_scenario(request.scenario, sources, console);
+  if (loaded.status != clean) return loaded.status;
+  std::vector<dsl::Diagnostic> findings;
+  const std::optional<GroupId> group = Names(loaded.model, findings).group({request.group, {}});
+  if (!group) {
+    const dsl::Diagnostic& wrong = findings.front();
+    console.err << "directorc: " << wrong.message << (wrong.help.empty() ? "" : "; " + wrong.help) << '\n';
+    return misused;
+  }
+  if (request.step > loaded.scenario.steps.size()) {
+    console.err << fmt::format("directorc: `{}` has {} steps\n", request.scenario, loaded.scenario.steps.size());
+    return misused;
+  }
+  Reasoning reasoning;
+  PlayOptions options;
+  options.steps = request.step;
+  options.until = request.time;
+  options.end = [&](const Engine& engine) {
+    reasoning = reason_why(engine.view(), *group, loaded.model, loaded.lowered);
+  };
+  const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
+  if (played.refused) {
+    print_findings({*played.refused}, sources, console.err, console.err_colours);
+    return found;
+  }
+  if (request.format == Format::json) {
+    console.out << to_line(to_json(reasoning, sources)) << '\n';
+  } else {
+    console.out << to_text(reasoning, sources);
+  }
+  return clean;
+}
+
+} // namespace director::compiler::cli

@@ -1,0 +1,33 @@
+#pragma once
+// Why a group runs, or does not: what the engine finds (runtime/core/why.hpp), in the words of the specification and
+// with its places.
+
+#include "compiler/emit/json.hpp"
+#include "compiler/lower/lowered.hpp"
+#include "compiler/model/model.hpp"
+#include "dsl/source_file.hpp"
+#include "runtime/core/why.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+struct Reasoning {
+  std::string group;
+  std::string kind; ///< what Because::Kind is called
+  std::string text; ///< one line, as a robot's program gets it
+  struct Note {
+    std::string text;
+    Span span{}; ///< what it is about
+  };
+  std::vector<Note> notes; ///< who is in the way, how it came to hold what it holds, which value a state has
+};
+
+Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered);
+
+/// The text, and below it each note with its place.
+std::string to_text(const Reasoning& reasoning, const dsl::Sources& sources);
+Json to_json(const Reasoning& reasoning, const dsl::Sources& sources);
+
+} // namespace director::compiler

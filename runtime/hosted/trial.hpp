@@ -1,0 +1,373 @@
+#pragma once
+// Tests of a module alone: a body or a handler is called as the engine would call it, with a task, reasons and what it
+// sees of others as the test says, and what it asked for is read from what it left behind. No engine runs, nothing else
+// is called, and any test framework will do:
+//
+//   director::testing::Trial<rover::Drive::Braking> braking{rover::Course{.mm_per_s = 200}};
+//   const auto answer = braking.reasons(Reason::pushed).run(chassis);
+//   CHECK(answer.data<rover::Wheels>().left == 100);
+//   CHECK(answer.wait() == 100ms);
+//
+// What the specification does not declare does not compile here either. Errors of a test (data that nobody asked for)
+// are thrown as std::logic_error. Link what is generated; the modules' own sources are the only ones besides.
+
+#include "runtime/core/behaviour.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <concepts>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace director::testing {
+
+/// How a task or need in `uses` fares.
+enum class Fares : std::uint8_t {
+  none,    ///< not requested from here
+  queued,  ///< requested from here, not granted
+  running, ///< granted
+  done,    ///< granted, and it said done
+  failed,  ///< granted, and it said fail
+};
+
+/// Makes what otherwise only the engine makes.
+struct Access {
+  static Run run(Engine& engine, Index group, Index provider, Reasons reasons) {
+    return {engine, group, provider, reasons};
+  }
+  static Handling handling(Engine& engine, Index group, Reasons reasons) { return {engine, group, reasons}; }
+  static Time wait(const Run& run) { return run.wait_; }
+  static std::uint16_t pack(const Run& run) { return run.pack_; }
+};
+
+namespace detail {
+
+template <class Facts>
+Facts facts_of(const Body<Facts>&);
+template <class Facts>
+Facts facts_of(const Handler<Facts>&);
+
+template <class Context>
+concept IsHandler = requires(const Context& context) {
+  []<class Facts>(const Handler<Facts>&) {}(context);
+};
+
+template <class Context>
+consteval bool is_start() {
+  using Facts = decltype(facts_of(std::declval<const Context&>()));
+  if constexpr (requires { typename Facts::Task::Start; }) return std::is_same_v<Context, typename Facts::Task::Start>;
+  return false;
+}
+
+/// The named packs of a provider, or its flat `tasks` as the only one.
+template <class Facts>
+struct PacksOf {
+  using Type = typename Facts::Packs;
+};
+template <class Facts>
+requires Facts::flat struct PacksOf<Facts> {
+  using Type = Packs<typename Facts::Tasks>;
+};
+
+/// Calls see.template operator()<Member>() for the entry of the task in each of the packs that have one.
+template <class Task, class... All, class See>
+constexpr void each_entry(Packs<All...>, See see) {
+  const auto look = [&]<class Pack>(const Pack*) {
+    if constexpr (Pack::template has<Task>) see.template operator()<typename Pack::template For<Task>>();
+  };
+  (look(static_cast<const All*>(nullptr)), ...);
+}
+
+/// The engine of a behaviour that is never stepped: its memory is where a body finds what it is given, and leaves what
+/// it asks for.
+template <class Whole>
+struct Rig {
+  Rig() : inbox(cells, words), engine(Whole::tables(), memory.data(), Bodies{}, inbox, Observer{&Rig::tell, this}) {}
+  Rig(const Rig&) = delete;
+  Rig& operator=(const Rig&) = delete;
+
+  static void tell(void* self, const Event& event) {
+    if (event.kind == Event::Kind::refused) static_cast<Rig*>(self)->refused.push_back({event.state, event.value});
+  }
+  const State& state() const { return engine.memory(); }
+
+  typename Whole::Data data;
+  std::array<Inbox::Cell, Whole::inbox_cells> cells;
+  std::array<LastWords::Slot, Whole::Roots::size> words;
+  alignas(8) std::array<std::byte, State::bytes(Whole::shape)> memory;
+  Inbox inbox;
+  Engine engine;
+  std::vector<Setting> refused;
+};
+
+} // namespace detail
+
+/// What a body or handler asked for. Holds until the next run of the same trial.
+template <class Context>
+class Answer {
+  using Facts = decltype(detail::facts_of(std::declval<const Context&>()));
+  using Whole = typename Facts::Behaviour;
+  static constexpr bool handler = detail::IsHandler<Context>;
+
+public:
+  using Kind = Outcome::Kind;
+
+  /// What the body answered: pack (a request), done, failed or keep; fault for a level that is not declared.
+  Kind outcome() const requires(!handler) { return outcome_; }
+
+  /// The name of the pack that was requested; empty where the provider has flat `tasks`, or did not request.
+  std::string_view pack() const requires(!handler) {
+    if (outcome_ != Kind::pack || pack_ >= Facts::pack_names.size()) return {};
+    return *(Facts::pack_names.begin() + pack_);
+  }
+
+  /// How many tasks were requested, those among them that are kept.
+  std::size_t count() const requires(!handler) {
+    const Range edges = rig_->engine.tables().groups[group].edges;
+    std::size_t out = 0;
+    for (Index e = edges.begin; e != edges.end; ++e) out += level_of(e) != nil ? 1U : 0U;
+    return out;
+  }
+
+  /// The task was requested.
+  template <class Task>
+  bool requests() const requires(!handler) {
+    return level_of(edge<Task>()) != nil;
+  }
+  /// It was requested at this level: `answer.requests(soccer::Kick::urgent)`.
+  template <class Task>
+  bool requests(LevelOf<Task> level) const requires(!handler) {
+    const Index asked = level_of(edge<Task>());
+    bool same = false;
+    detail::each_entry<Task>(Entries{}, [&]<class Entry>() { same = same || Entry::row(level) == asked; });
+    return same && asked != nil;
+  }
+  /// It was requested with director::keep, and at that level before: so it stays as it is.
+  template <class Task>
+  bool keeps() const requires(!handler) {
+    return requests<Task>() && rig_->state().staged_keep[place(edge<Task>())] != 0;
+  }
+  /// The data that were given with the request.
+  template <class Task>
+  const auto& data() const requires(!handler) {
+    static_assert(has_data<Task>, "this task has no data");
+    if (!requests<Task>()) throw std::logic_error("this task was not requested");
+    if (keeps<Task>()) throw std::logic_error("this task was kept, with the data that it had");
+    Index at = 0;
+    detail::each_entry<Task>(Entries{}, [&]<class Entry>() { at = Entry::place; });
+    return rig_->data.template of<Task>().at(DataPlace::Slot::staging, at);
+  }
+
+  /// The state was set to this value.
+  template <class Value>
+  bool sets(Value value) const {
+    const Setting setting = declared(value);
+    return value_of(setting.state) == setting.value;
+  }
+  /// The state was set, to whatever value.
+  template <class Value>
+  bool sets() const {
+    static_assert(DeclaredState<Value, Facts>,
+                  "`causing` and `sets` of this provider or handler do not name this state");
+    return value_of(Whole::States::template row<Value>) != unset;
+  }
+  /// try_set refused this value.
+  template <class Value>
+  bool refuses(Value value) const {
+    const Setting setting = declared(value);
+    return std::any_of(rig_->refused.begin(), rig_->refused.end(), [&](const Setting& other) {
+      return other.state == setting.state && other.value == setting.value;
+    });
+  }
+
+  /// After what time it wants to run again, if it asked for that.
+  std::optional<std::chrono::microseconds> wait() const requires(!handler) {
+    if (wait_ == 0) return std::nullopt;
+    return std::chrono::microseconds(wait_);
+  }
+
+private:
+  template <class>
+  friend class Trial;
+  using Entries = typename detail::PacksOf<Facts>::Type;
+  static constexpr Index group = Whole::Groups::template row<typename Facts::Task>;
+
+  explicit Answer(std::shared_ptr<detail::Rig<Whole>> rig) : rig_(std::move(rig)) {}
+
+  template <class Task>
+  static constexpr Index edge() {
+    static_assert(Entries::template has<Task>, "neither `tasks` nor a pack of this provider names this task");
+    Index out = nil;
+    detail::each_entry<Task>(Entries{}, [&]<class Entry>() { out = Entry::edge; });
+    return out;
+  }
+  template <class Value>
+  static Setting declared(Value value) {
+    static_assert(DeclaredState<Value, Facts>,
+                  "`causing` and `sets` of this provider or handler do not name this state");
+    return Whole::States::setting(value);
+  }
+  std::size_t place(Index edge) const { return edge - rig_->engine.tables().groups[group].edges.begin; }
+  /// The level at which it was requested, or nil.
+  Index level_of(Index edge) const { return outcome_ == Kind::pack ? rig_->state().staged_level[place(edge)] : nil; }
+  std::int32_t value_of(Index state) const {
+    return handler ? rig_->state().handler_values[state] : rig_->state().staged_value[state];
+  }
+
+  std::shared_ptr<detail::Rig<Whole>> rig_;
+  Kind outcome_ = Kind::keep;
+  std::uint16_t pack_ = 0;
+  Time wait_ = 0;
+};
+
+/// `Context`: what the body or handler gets, `soccer::Walk::Halting`, `soccer::Walk::Stop`.
+template <class Context>
+class Trial {
+  using Facts = decltype(detail::facts_of(std::declval<const Context&>()));
+  using Whole = typename Facts::Behaviour;
+  using Task = typename Facts::Task;
+  using Data = typename TaskBase<Task>::Type;
+  static constexpr bool handler = detail::IsHandler<Context>;
+
+public:
+  Trial() requires(!has_data<Task>) {}
+  /// With the data of the task.
+  template <class Given = Data>
+  requires has_data<Task>
+  explicit Trial(Given data) { task(std::move(data)); }
+
+  // What the body is given. The words may be chained, and hold until others are said.
+
+  /// Other data of the task.
+  template <class Given = Data>
+  requires has_data<Task> Trial& task(Given data) {
+    auto& slots = rig_->data.template of<Task>();
+    slots.stage(0, Data(std::move(data)));
+    slots.settle(0);
+    slots.retain(0);
+    return *this;
+  }
+
+  /// Why it is called, only the next time; where nothing is said, for new_task.
+  template <std::same_as<Reason>... Given>
+  requires(!handler) Trial& reasons(Given... reasons) {
+    reasons_ = static_cast<std::uint8_t>((reasons_ | ... | static_cast<std::uint8_t>(reasons)));
+    return *this;
+  }
+
+  /// This trigger fired, which is a reason as well; only the next time.
+  template <class Trigger>
+  requires(!handler) Trial& triggered() {
+    static_assert(Facts::Triggers::template has<Trigger>, "the provider's `triggers` do not name this trigger");
+    const Tables& tables = rig_->engine.tables();
+    const Range listens = tables.groups[group].listens;
+    for (Index slot = listens.begin; slot != listens.end; ++slot) {
+      if (tables.listened[slot] == Facts::Triggers::template row<Trigger>) rig_->state().fired[slot] = 1;
+    }
+    return reasons(Reason::trigger);
+  }
+
+  /// How a group in its `uses` fares.
+  template <class Used>
+  requires(!handler) Trial& uses(Fares fares) {
+    static_assert(Facts::Uses::template has<Used>, "this group does not stand in the provider's `uses`");
+    constexpr Index edge = Facts::Uses::template row<Used>;
+    if (edge == nil) {
+      if (fares != Fares::none) throw std::logic_error("nothing of this group requests or needs it: it is always none");
+      return *this;
+    }
+    const State& state = rig_->state();
+    const Tables& tables = rig_->engine.tables();
+    const Index target = tables.edges[edge].target;
+    const bool granted = fares != Fares::none && fares != Fares::queued;
+    const Range levels = tables.edges[edge].levels;
+    if (fares == Fares::none) state.request[edge] = nil;
+    if (fares != Fares::none && state.request[edge] == nil && !levels.empty()) state.request[edge] = levels.begin;
+    state.last[target].holder = granted ? edge : nil;
+    state.last[target].flags = granted ? flag::granted : 0;
+    state.done[target] = fares == Fares::done     ? result::done
+                         : fares == Fares::failed ? static_cast<std::uint8_t>(result::done | result::failed)
+                                                  : std::uint8_t{0};
+    return *this;
+  }
+
+  /// It requested this task in a run before, at this level (without one, the first): what director::keep may leave.
+  template <class Asked>
+  requires(!handler) Trial& requested(LevelOf<Asked> level = {}) {
+    constexpr Index edge = Answer<Context>::template edge<Asked>();
+    Index row = nil;
+    detail::each_entry<Asked>(typename Answer<Context>::Entries{}, [&]<class Entry>() {
+      if (row == nil) row = Entry::row(level);
+    });
+    if (row == nil) throw std::logic_error("this provider does not request the task at that level");
+    rig_->state().request[edge] = row;
+    return *this;
+  }
+
+  /// Calls it. What it throws passes through. A request counts as `requested` in the next run.
+  Answer<Context> run(typename Facts::Module& module) {
+    forget();
+    Answer<Context> answer(rig_);
+    if constexpr (handler) {
+      Handling handling = Access::handling(rig_->engine, group, Reasons{static_cast<std::uint8_t>(why)});
+      Context context{handling, rig_->data};
+      if constexpr (detail::is_start<Context>()) {
+        module.start(context);
+      } else {
+        module.stop(context);
+      }
+    } else {
+      const std::uint8_t reasons = reasons_ == 0 ? static_cast<std::uint8_t>(Reason::new_task) : reasons_;
+      reasons_ = 0;
+      Run run = Access::run(rig_->engine, group, Whole::Providers::template row<Context>, Reasons{reasons});
+      Context context{run, rig_->data};
+      answer.outcome_ = module.provide(context).kind();
+      answer.wait_ = Access::wait(run);
+      answer.pack_ = Access::pack(run);
+      const Range listens = rig_->engine.tables().groups[group].listens;
+      for (Index slot = listens.begin; slot != listens.end; ++slot) rig_->state().fired[slot] = 0;
+      if (answer.outcome_ == Outcome::Kind::pack) commit();
+    }
+    return answer;
+  }
+
+private:
+  static constexpr Index group = Whole::Groups::template row<Task>;
+  static constexpr Reason why = detail::is_start<Context>() ? Reason::started : Reason::stopped;
+
+  /// What was asked for is requested from now on, and nothing else.
+  void commit() {
+    const State& state = rig_->state();
+    const Tables& tables = rig_->engine.tables();
+    const Range edges = tables.groups[group].edges;
+    for (Index e = edges.begin; e != edges.end; ++e) {
+      state.request[e] = state.staged_level[e - edges.begin];
+      Standing& target = state.last[tables.edges[e].target];
+      if (state.request[e] == nil && target.holder == e) target = {};
+    }
+  }
+
+  /// Clears what the last run left.
+  void forget() {
+    const State& state = rig_->state();
+    const Tables& tables = rig_->engine.tables();
+    const Range edges = tables.groups[group].edges;
+    for (Index at = 0; at < edges.size(); ++at) {
+      state.staged_level[at] = nil;
+      state.staged_keep[at] = 0;
+    }
+    for (Index s = 0; s < tables.states.size(); ++s) state.staged_value[s] = state.handler_values[s] = unset;
+    state.counters->staged_count = state.counters->handled_count = 0;
+    state.counters->handlers_set = 0;
+    rig_->refused.clear();
+  }
+
+  std::shared_ptr<detail::Rig<Whole>> rig_ = std::make_shared<detail::Rig<Whole>>();
+  std::uint8_t reasons_ = 0;
+};
+
+} // namespace director::testing
