@@ -267,6 +267,7 @@ class Program {
 
 public:
   using Snapshot = director::Snapshot<Facts>;
+  using Post = director::Post<Facts>;
 
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -300,7 +301,7 @@ public:
 
   /// The same words for other threads and interrupts, and for bodies. As long as the behaviour lives, a copy may be
   /// kept.
-  Post<Facts> post() { return {inbox_, data_}; }
+  Post post() { return {inbox_, data_}; }
 
   // The words of Seen, for the thread that calls step().
   template <class Task>

@@ -1,0 +1,49 @@
+// Door: none, a program. Test: tests/behaviours/greenhouse/programs_test.cpp.
+//
+// An interrupt posts. On a computer a signal comes nearest to one: it stops the program wherever it is, here in the
+// middle of a body, and its handler may do next to nothing. To post is allowed: nothing locks and nothing allocates.
+#include "behaviours/greenhouse/house.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <optional>
+
+namespace {
+
+std::optional<greenhouse::Behaviour::Post> way_in;
+
+void on_signal(int) { way_in->request<greenhouse::Storm>(); } // a root task: never refused, however full the inbox is
+
+class WindyGardener final : public greenhouse::Gardener {
+public:
+  director::Outcome provide(greenhouse::Storm::Default& run) override {
+    std::puts("storm");
+    return run.request(greenhouse::Roof{0});
+  }
+  director::Outcome provide(greenhouse::Garden::Default& run) override {
+    return run.day(greenhouse::Airing{}, greenhouse::Watering{});
+  }
+  director::Outcome provide(greenhouse::Airing::Opening& run) override {
+    std::raise(SIGINT); // the wind gauge, or somebody at the keyboard
+    std::puts("the body that was interrupted goes on");
+    return run.request(greenhouse::Roof{60});
+  }
+  director::Outcome provide(greenhouse::Watering::Pouring& run) override { return run.request(greenhouse::Pump{}); }
+  director::Outcome provide(greenhouse::Airing::Resting& run) override { return run.request(); }
+  director::Outcome provide(greenhouse::Watering::Resting& run) override { return run.request(); }
+};
+
+} // namespace
+
+int main() {
+  WindyGardener gardener;
+  House house;
+  greenhouse::Behaviour behaviour{gardener, house};
+  way_in = behaviour.post();
+  std::signal(SIGINT, on_signal);
+
+  behaviour.request<greenhouse::Garden>();
+  behaviour.set(greenhouse::Air::hot);
+  for (std::chrono::milliseconds now{0}; now < std::chrono::milliseconds{30}; now += std::chrono::milliseconds{10})
+    behaviour.step(now);
+}
