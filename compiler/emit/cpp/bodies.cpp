@@ -156,7 +156,7 @@ Code bodies_part(const CppEmission& e) {
   std::vector<std::string> parameters, members{"Program(detail::Bodies::of(*this), observer)"};
   for (const ModuleId id : e.model.modules.ids()) {
     const std::string word = module_word(e.model, id);
-    parameters.push_back(fmt::format("{}& {}", module_type(e.model, id), word));
+    parameters.push_back(fmt::format("{}& {}", module_in(e.model, id), word));
     members.push_back(fmt::format("{}_(&{})", word, word));
   }
   parameters.push_back("director::Observer observer");

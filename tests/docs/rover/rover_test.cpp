@@ -1,5 +1,6 @@
 // The rover of the pages: a whole program around tests/docs/rover/rover.yaml.
 #include "rover.hpp"
+#include "runtime/hosted/trial.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -89,6 +90,22 @@ TEST_CASE("the rover of the pages stands still when it takes its picture, and dr
   CHECK(chassis.stops_ == 1);
   CHECK(chassis.speed_ == 200);
   CHECK(behaviour.state<rover::Photograph>() == director::RunState::none);
+}
+
+TEST_CASE("a rover that brakes halves its speed, and says when it stands") {
+  Chassis chassis;
+  chassis.speed_ = 200;
+  director::testing::Trial<rover::Drive::Braking> braking{rover::Course{.degrees = 0, .mm_per_s = 200}};
+
+  const auto first = braking.reasons(Reason::pushed).run(chassis);
+  CHECK(first.data<rover::Wheels>().left == 100);
+  CHECK(first.wait() == 100ms);
+  CHECK(!first.sets<rover::Motion>());
+
+  chassis.speed_ = 0;
+  const auto second = braking.reasons(Reason::wait).run(chassis);
+  CHECK(second.outcome() == Outcome::Kind::keep);
+  CHECK(second.sets(rover::Motion::still));
 }
 
 TEST_CASE("the rover of the pages says why it takes no picture, also to another thread") {
