@@ -9,8 +9,7 @@
 namespace director::tests {
 namespace {
 
-/// The names of the machine in hand, for functions that take a row only.
-const Machine* in_hand = nullptr;
+const Machine& machine_at(const void* self) { return *static_cast<const Machine*>(self); }
 
 const char* kept(std::string text) {
   static std::array<std::string, 8> ring;
@@ -19,16 +18,19 @@ const char* kept(std::string text) {
 }
 
 std::string why(const Machine& machine, const std::string& group, std::size_t room_size = 300) {
-  in_hand = &machine;
   const Names names{
-      .group = [](Index row) { return kept(in_hand->model().groups[compiler::GroupId{row}].name.value); },
-      .provider = [](Index row) { return kept(in_hand->model().providers[compiler::ProviderId{row}].name); },
-      .edge = [](Index row) { return kept(in_hand->model().edge_name(compiler::EdgeId{row})); },
+      .self = &machine,
+      .group = [](const void* self,
+                  Index row) { return kept(machine_at(self).model().groups[compiler::GroupId{row}].name.value); },
+      .provider = [](const void* self,
+                     Index row) { return kept(machine_at(self).model().providers[compiler::ProviderId{row}].name); },
+      .edge = [](const void* self,
+                 Index row) { return kept(machine_at(self).model().edge_name(compiler::EdgeId{row})); },
       .condition =
-          [](Index row) {
-            const Condition& condition = in_hand->tables().conditions[row];
-            const auto& state = in_hand->model().states[compiler::StateId{condition.state}];
-            const auto low = in_hand->tables().intervals[condition.accepts.begin].low;
+          [](const void* self, Index row) {
+            const Condition& condition = machine_at(self).tables().conditions[row];
+            const auto& state = machine_at(self).model().states[compiler::StateId{condition.state}];
+            const auto low = machine_at(self).tables().intervals[condition.accepts.begin].low;
             return kept(state.name.value + " == " + state.value_text(low));
           },
   };
