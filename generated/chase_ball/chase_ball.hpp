@@ -170,11 +170,7 @@ public:
 
 private:
   friend struct detail::Bodies;
-  director::StepResult hand_on(director::StepResult result) {
-    if (result == director::StepResult::fault) throw_on();
-    return result;
-  }
-  void throw_on();
+  director::StepResult hand_on(director::StepResult result);
 
   Cart* cart_;
 #ifdef __cpp_exceptions

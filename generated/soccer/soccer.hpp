@@ -1320,11 +1320,7 @@ public:
 
 private:
   friend struct detail::Bodies;
-  director::StepResult hand_on(director::StepResult result) {
-    if (result == director::StepResult::fault) throw_on();
-    return result;
-  }
-  void throw_on();
+  director::StepResult hand_on(director::StepResult result);
 
   Recovery* recovery_;
   Safety* safety_;

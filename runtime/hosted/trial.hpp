@@ -37,7 +37,7 @@ enum class Fares : std::uint8_t {
 /// Makes what otherwise only the engine makes.
 struct Access {
   static Run run(Engine& engine, Index group, Index provider, Reasons reasons) {
-    return {engine, group, provider, reasons};
+    return {engine, engine.memory(), engine.tables().groups[group].edges.begin, group, provider, reasons};
   }
   static Handling handling(Engine& engine, Index group, Reasons reasons) { return {engine, group, reasons}; }
   static Time wait(const Run& run) { return run.wait_; }
@@ -149,7 +149,7 @@ public:
   /// It was requested with director::keep, and at that level before: so it stays as it is.
   template <class Task>
   bool keeps() const requires(!handler) {
-    return requests<Task>() && rig_->state().staged_keep[place(edge<Task>())] != 0;
+    return requests<Task>() && rig_->state().staged_request[place(edge<Task>())].keep;
   }
   /// The data that were given with the request.
   template <class Task>
@@ -213,7 +213,9 @@ private:
   }
   std::size_t place(Index edge) const { return edge - rig_->engine.tables().groups[group].edges.begin; }
   /// The level at which it was requested, or nil.
-  Index level_of(Index edge) const { return outcome_ == Kind::pack ? rig_->state().staged_level[place(edge)] : nil; }
+  Index level_of(Index edge) const {
+    return outcome_ == Kind::pack ? rig_->state().staged_request[place(edge)].level : nil;
+  }
   std::int32_t value_of(Index state) const {
     return handler ? rig_->state().handler_values[state] : rig_->state().staged_value[state];
   }
@@ -345,7 +347,7 @@ private:
     const Tables& tables = rig_->engine.tables();
     const Range edges = tables.groups[group].edges;
     for (Index e = edges.begin; e != edges.end; ++e) {
-      state.request[e] = state.staged_level[e - edges.begin];
+      state.request[e] = state.staged_request[e - edges.begin].level;
       Standing& target = state.last[tables.edges[e].target];
       if (state.request[e] == nil && target.holder == e) target = {};
     }
@@ -356,10 +358,7 @@ private:
     const State& state = rig_->state();
     const Tables& tables = rig_->engine.tables();
     const Range edges = tables.groups[group].edges;
-    for (Index at = 0; at < edges.size(); ++at) {
-      state.staged_level[at] = nil;
-      state.staged_keep[at] = 0;
-    }
+    for (Index at = 0; at < edges.size(); ++at) state.staged_request[at] = {};
     for (Index s = 0; s < tables.states.size(); ++s) state.staged_value[s] = state.handler_values[s] = unset;
     state.counters->staged_count = state.counters->handled_count = 0;
     state.counters->handlers_set = 0;
