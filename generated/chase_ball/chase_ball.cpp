@@ -129,11 +129,10 @@ struct Bodies {
 Behaviour::Behaviour(Cart& cart, director::Observer observer)
     : Program(detail::Bodies::of(*this), observer), cart_(&cart) {}
 
-director::StepResult Behaviour::hand_on(director::StepResult result) {
+void Behaviour::throw_on() {
 #ifdef __cpp_exceptions
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 #endif
-  return result;
 }
 
 namespace names {

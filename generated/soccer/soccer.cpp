@@ -410,11 +410,10 @@ Behaviour::Behaviour(
     kicking_(&kicking), looking_(&looking), planning_(&planning), strategy_(&strategy), limbs_(&limbs),
     servos_(&servos) {}
 
-director::StepResult Behaviour::hand_on(director::StepResult result) {
+void Behaviour::throw_on() {
 #ifdef __cpp_exceptions
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 #endif
-  return result;
 }
 
 namespace names {

@@ -1320,7 +1320,11 @@ public:
 
 private:
   friend struct detail::Bodies;
-  director::StepResult hand_on(director::StepResult result);
+  director::StepResult hand_on(director::StepResult result) {
+    if (result == director::StepResult::fault) throw_on();
+    return result;
+  }
+  void throw_on();
 
   Recovery* recovery_;
   Safety* safety_;
