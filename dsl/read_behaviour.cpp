@@ -71,7 +71,7 @@ private:
     auto text = files_.read(path, largest_file);
     if (!text) {
       result_.diagnostics.push_back(unreadable(path, text.error(), import.span));
-      if (result_.diagnostics.back().id == "import_not_found")
+      if (text.error().kind == FileError::Kind::not_found)
         result_.diagnostics.back().help = "a path is relative to the file that it stands in";
       return std::nullopt;
     }

@@ -50,13 +50,13 @@ std::string scenario_findings(const std::string& path) {
 }
 
 /// Of the file itself, as a behaviour and as a scenario, and of a behaviour that imports it.
-void check_refused(const std::string& path, const std::string& id_and_message) {
+void check_refused(const std::string& path, const std::string& id_and_message, const std::string& help = "") {
   CAPTURE(path);
   const std::string shown = "1:1 `` " + id_and_message + "\n";
   CHECK(behaviour_findings(path) == shown);
   CHECK(scenario_findings(path) == shown);
   write("importer.yaml", "behaviour: importer\nlanguage: 1\nimports: [" + path + "]\n");
-  CHECK(behaviour_findings("importer.yaml") == "3:11 `" + path + "` " + id_and_message + "\n");
+  CHECK(behaviour_findings("importer.yaml") == "3:11 `" + path + "` " + id_and_message + help + "\n");
 }
 
 /// Does something as somebody who may not do everything.
@@ -72,7 +72,8 @@ void as_nobody(const Act& act) {
 
 TEST_CASE("A file that is missing is refused") {
   const Folder folder;
-  check_refused("none.yaml", "import_not_found: cannot read `none.yaml`: No such file or directory");
+  check_refused("none.yaml", "import_not_found: cannot read `none.yaml`: No such file or directory",
+                " (a path is relative to the file that it stands in)");
 }
 
 TEST_CASE("A folder is no file") {
@@ -142,7 +143,8 @@ TEST_CASE("A file that imports itself under another name is a cycle") {
   for (const std::string name : {"other.yaml", "./main.yaml", "sub/../main.yaml", "sub/up/main.yaml"}) {
     CAPTURE(name);
     write("main.yaml", "behaviour: main\nlanguage: 1\nimports: [" + name + "]\n");
-    CHECK(behaviour_findings("main.yaml") == "3:11 `" + name + "` import_cycle: `main.yaml` imports `main.yaml`\n");
+    CHECK(behaviour_findings("main.yaml") ==
+          "3:11 `" + name + "` import_cycle: `main.yaml` imports `main.yaml` (leave this import out)\n");
   }
 }
 
