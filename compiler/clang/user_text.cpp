@@ -1,4 +1,4 @@
-// Door: compiler/clang/user_text.hpp. Test: tests/clang/stubs_format_test.cpp.
+// Door: compiler/clang/user_text.hpp. Test: tests/clang/stubs/command_test.cpp.
 #include "compiler/clang/user_text.hpp"
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// Door: compiler/cli/stub_program.hpp. Test: tests/stubs/command_test.cpp.
+// Door: compiler/cli/stub_program.hpp. Test: tests/clang/stubs/command_test.cpp.
 #include "compiler/cli/stub_program.hpp"
 
 #include "compiler/facts/flags.hpp"

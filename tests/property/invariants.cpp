@@ -1,4 +1,4 @@
-// Door: tests/property/invariants.hpp. Test: tests/property/invariants_test.cpp.
+// Door: tests/property/invariants.hpp. Test: tests/property/property_test.cpp.
 #include "tests/property/invariants.hpp"
 
 #include "tests/oracle/order.hpp"

@@ -1,4 +1,4 @@
-// Door: tests/stubs/cheap_cpp.hpp. Test: tests/stubs/cheap_cpp_test.cpp.
+// Door: tests/stubs/cheap_cpp.hpp. Test: tests/stubs/orders_test.cpp.
 #include "tests/stubs/cheap_cpp.hpp"
 
 #include <algorithm>
