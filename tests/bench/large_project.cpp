@@ -1,0 +1,41 @@
+// Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
+//
+// large_project GROUPS FOLDER: writes a behaviour of so many groups, main.yaml and its modules, into FOLDER.
+// large_project FOLDER: every shape in its small and its large size, and prints a line for each: file, size, name.
+#include "tests/bench/project.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+} // namespace
+
+int main(int count, char** arguments) {
+  if (count != 2 && count != 3) {
+    std::cerr << "large_project GROUPS FOLDER\nlarge_project FOLDER\n";
+    return 2;
+  }
+  const fs::path folder = arguments[count - 1];
+  fs::create_directories(folder);
+  if (count == 3) {
+    for (const auto& [name, text] : bench::project(static_cast<std::size_t>(std::atoi(arguments[1]))))
+      write(folder / name, text);
+    return 0;
+  }
+  std::size_t number = 0;
+  for (const bench::Shape& shape : bench::shapes()) {
+    for (const std::size_t size : {shape.small, shape.large}) {
+      const fs::path path = folder / ("shape_" + std::to_string(++number) + ".yaml");
+      write(path, shape.text(size));
+      std::cout << path.string() << ' ' << size << ' ' << shape.name << '\n';
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,27 @@
+#pragma once
+// Large behaviours for the compiler, as the texts of their files: of the shape that people write, and of shapes that are
+// hard for one stage or another.
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bench {
+
+using Files = std::map<std::string, std::string>; ///< by name; the deployment is `main.yaml`
+
+/// Robots of 25 groups, a module each, that share a radio, an emergency and a charge: a mission with packs, skills that
+/// push one another, limbs. No errors and no warnings. `groups` is rounded down.
+Files project(std::size_t groups);
+
+/// One file. `size` is the number of what the shape is made of.
+struct Shape {
+  std::string_view name;
+  std::size_t small, large; ///< sizes to compare
+  std::string (*text)(std::size_t size);
+};
+const std::vector<Shape>& shapes();
+
+} // namespace bench
