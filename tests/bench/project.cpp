@@ -7,7 +7,7 @@ namespace bench {
 
 namespace {
 
-constexpr std::size_t groups_of_robot = 25;
+constexpr std::size_t groups_of_robot = 24;
 
 constexpr const char* common = R"(behaviour: common
 language: 1

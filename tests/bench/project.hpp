@@ -12,7 +12,7 @@ namespace bench {
 
 using Files = std::map<std::string, std::string>; ///< by name; the deployment is `main.yaml`
 
-/// Robots of 25 groups, a module each, that share a radio, an emergency and a charge: a mission with packs, skills that
+/// Robots of 24 groups, a module each, that share a radio, an emergency and a charge: a mission with packs, skills that
 /// push one another, limbs. No errors and no warnings. `groups` is rounded down.
 Files project(std::size_t groups);
 

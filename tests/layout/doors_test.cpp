@@ -15,6 +15,7 @@ std::vector<std::string> files_named(const std::string& line) {
   std::istringstream words(line);
   for (std::string word; words >> word;) {
     while (!word.empty() && (word.back() == '.' || word.back() == ',' || word.back() == ';')) word.pop_back();
+    if (word.starts_with("./")) word.erase(0, 2); // a script at the root
     const bool pattern = word.find_first_of("*<>") != std::string::npos;
     if (word.find('/') != std::string::npos && word != "//" && !pattern) out.push_back(word);
   }

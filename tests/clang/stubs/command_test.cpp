@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -29,16 +30,17 @@ groups:
         causing: [Motion == still within 2 s]
 )";
 
-/// A folder with a behaviour and a program.
+/// A folder with a behaviour and a program. Tests run side by side, each in a process of its own.
 class Workshop {
 public:
-  Workshop() : folder_(fs::canonical(binary_dir()) / "tests/stubs-command") {
+  Workshop() : folder_(fs::canonical(binary_dir()) / ("tests/stubs-command-" + std::to_string(getpid()))) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     write("cart.yaml", yaml);
     write(".clang-format", "DisableFormat: true\n"); // not the project's own
   }
   ~Workshop() { fs::remove_all(folder_); }
+  std::string folder() const { return folder_.string(); }
 
   void write(const std::string& path, const std::string& text) const {
     fs::create_directories((folder_ / path).parent_path());
@@ -251,9 +253,8 @@ TEST_CASE("a dry run prints a diff that can be applied") {
   const std::string diff = shop.stubs("--dry-run");
   CHECK(diff.starts_with("--- a/src/wheels.cpp\n+++ b/src/wheels.cpp\n@@ -1,3 +1,9 @@\n #include \"wheels.hpp\"\n"));
   shop.write("diff.txt", diff);
-  const std::string folder = (fs::canonical(binary_dir()) / "tests/stubs-command").string();
   if (std::system("command -v patch >/dev/null") == 0) {
-    CHECK(std::system(("cd '" + folder + "' && patch -s -p1 < diff.txt").c_str()) == 0);
+    CHECK(std::system(("cd '" + shop.folder() + "' && patch -s -p1 < diff.txt").c_str()) == 0);
     CHECK(shop.stubs("--check") == "");
   }
 }
