@@ -28,10 +28,11 @@ struct Task {
       requires { sizeof(Data); },
       "the data of a task are stored by value: the headers that `cpp` lists must define this type whole");
   static_assert(!std::is_abstract_v<Data>, "the data of a task are stored by value, and this class is abstract");
-  static_assert(std::is_nothrow_move_constructible_v<Data>,
-                "the data of a task are kept without heap: their move constructor must be noexcept");
+  // First, as what throws in its destructor counts as throwing when it moves.
   static_assert(std::is_nothrow_destructible_v<Data>,
                 "the data of a task are kept without heap: their destructor must be public and noexcept");
+  static_assert(std::is_nothrow_move_constructible_v<Data>,
+                "the data of a task are kept without heap: their move constructor must be noexcept");
   using Type = Data;
   explicit Task(Data given, LevelOf<Self> at = {}) : data(std::move(given)), level(at) {}
   Data data;

@@ -186,11 +186,11 @@ const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all{{"providers that need one group", 1'000, 10'000, needed_by_all},
                                       {"providers of one group", 100, 1'000, providers_of_one},
                                       {"a chain of tasks", 500, 5'000, chain_of_tasks},
-                                      {"a chain of needs", 500, 5'000, chain_of_needs},
+                                      {"a chain of needs", 100, 900, chain_of_needs},
                                       {"packs, each of as many tasks", 10, 100, wide_packs},
                                       {"conditions of each `when`", 100, 1'000, many_conditions},
                                       {"tasks of one provider", 1'000, 10'000, one_requests_all},
-                                      {"groups, each requesting all behind it", 60, 600, dense}};
+                                      {"groups, each requesting all behind it", 20, 100, dense}};
   return all;
 }
 
