@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Folder {
-  fs::path path = binary_dir() / "tests/stubs-change";
+  fs::path path = binary_dir() / ("tests/stubs-change-" + std::to_string(getpid())); // tests run side by side
   Folder() {
     fs::remove_all(path);
     fs::create_directories(path);

@@ -2,6 +2,7 @@
 #include "compiler/version.hpp"
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -65,7 +66,7 @@ TEST_CASE("a director-clang of another version is refused, and asked once") {
 }
 
 TEST_CASE("where director-clang is looked for") {
-  const fs::path root = fs::temp_directory_path() / "director_find_scanner_test";
+  const fs::path root = fs::temp_directory_path() / ("director_find_scanner_test_" + std::to_string(getpid()));
   fs::remove_all(root);
   const auto put = [&](const char* place) {
     fs::create_directories((root / place).parent_path());
