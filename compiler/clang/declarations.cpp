@@ -37,10 +37,12 @@ constexpr const char* virtual_folder = "/director-stubs";
 
 Json number(std::uint64_t value) { return Json::number(static_cast<std::int64_t>(value)); }
 
-Json texts(const std::set<std::string>& words) {
-  Json out = Json::list({});
-  for (const std::string& word : words) out.add(Json::text(word));
-  return out;
+Json texts(const std::set<std::string>& words) { return Json::texts({words.begin(), words.end()}); }
+
+std::string canonical(clang::FileEntryRef file) {
+  std::error_code fault;
+  const llvm::StringRef real = file.getFileEntry().tryGetRealPathName();
+  return fs::weakly_canonical(real.empty() ? file.getName().str() : real.str(), fault).string();
 }
 
 /// What is known after some units. A place that several units see counts once.
@@ -137,13 +139,6 @@ public:
   }
 
 private:
-  static std::string canonical(clang::FileEntryRef file) {
-    std::error_code fault;
-    const llvm::StringRef real = file.getFileEntry().tryGetRealPathName();
-    const fs::path path = fs::weakly_canonical(real.empty() ? file.getName().str() : real.str(), fault);
-    return path.string();
-  }
-
   std::pair<std::string, unsigned> place(SourceLocation at) const {
     const auto [file, offset] = sources_.getDecomposedExpansionLoc(at);
     const clang::OptionalFileEntryRef entry = sources_.getFileEntryRefForID(file);
@@ -386,11 +381,7 @@ public:
       line = sources.getExpansionLineNumber(at);
       column = sources.getExpansionColumnNumber(at);
       offset = sources.getFileOffset(at);
-      if (const auto file = sources.getFileEntryRefForID(sources.getFileID(at))) {
-        std::error_code unknown;
-        const llvm::StringRef real = file->getFileEntry().tryGetRealPathName();
-        path = fs::weakly_canonical(real.empty() ? file->getName().str() : real.str(), unknown).string();
-      }
+      if (const auto file = sources.getFileEntryRefForID(sources.getFileID(at))) path = canonical(*file);
     }
     out_.problems.try_emplace({path, offset}, Json::object({{"path", Json::text(path)},
                                                             {"line", number(line)},
@@ -453,7 +444,7 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files_of(const Json& request, co
 
 std::vector<std::string> command_for(const Json& unit) {
   std::vector<std::string> out{DIRECTOR_CLANG_COMPILER, std::string("-I") + virtual_folder};
-  for (const Json& flag : unit["flags"].items()) out.push_back(flag.as_text());
+  for (std::string& flag : unit["flags"].as_texts()) out.push_back(std::move(flag));
   for (const char* const flag :
        {"-fsyntax-only", "-fno-spell-checking", "-fno-caret-diagnostics", "-ferror-limit=0", "-w"})
     out.emplace_back(flag);
@@ -470,8 +461,8 @@ Json read_declarations(const Json& request) {
     return Json::object({{"answers", std::move(answers)}});
   }
   Findings out;
-  std::set<std::string> interfaces;
-  for (const Json& name : request["interfaces"].items()) interfaces.insert(name.as_text());
+  const std::vector<std::string> names = request["interfaces"].as_texts();
+  const std::set<std::string> interfaces(names.begin(), names.end());
   const std::string header = std::string(virtual_folder) + "/" + request["header"]["path"].as_text();
   const auto files = files_of(request, header);
   for (const Json& unit : request["units"].items()) {

@@ -25,12 +25,6 @@ Json Places::of(clang::SourceLocation begin, clang::SourceLocation end) {
   return Json::list({Json::number(row->second), Json::number(first), Json::number(last)});
 }
 
-Json Places::files() const {
-  Json out = Json::list({});
-  for (const std::string& path : files_) out.add(Json::text(path));
-  return out;
-}
-
 std::string name_of(const clang::NamedDecl& decl) {
   std::string name = decl.getDeclName().isIdentifier() && decl.getName().empty() ? "" : decl.getNameAsString();
   for (const clang::DeclContext* at = decl.getDeclContext(); at != nullptr; at = at->getParent()) {

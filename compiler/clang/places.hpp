@@ -24,7 +24,7 @@ public:
   /// Of the tokens from `begin` to `end`; where a macro stands there, of its name.
   Json of(clang::SourceLocation begin, clang::SourceLocation end);
   Json of(clang::SourceRange range) { return of(range.getBegin(), range.getEnd()); }
-  Json files() const;
+  Json files() const { return Json::texts(files_); }
 
 private:
   const clang::ASTContext& context_;

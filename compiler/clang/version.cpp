@@ -13,9 +13,7 @@ Json tell_version(const Json&) {
 }
 
 Unit unit_of(const compiler::Json& json) {
-  Unit unit{json["file"].as_text(), json["directory"].as_text(), {}, {}};
-  for (const Json& word : json["arguments"].items()) unit.arguments.push_back(word.as_text());
-  return unit;
+  return {json["file"].as_text(), json["directory"].as_text(), json["arguments"].as_texts(), {}};
 }
 
 } // namespace director::scanning

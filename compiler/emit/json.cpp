@@ -68,6 +68,18 @@ Json Json::text(std::string_view value) {
   return json;
 }
 
+Json Json::texts(const std::vector<std::string>& values) {
+  Json out = list({});
+  for (const std::string& value : values) out.add(text(value));
+  return out;
+}
+
+std::vector<std::string> Json::as_texts() const {
+  std::vector<std::string> out;
+  for (const Json& item : items_) out.push_back(item.as_text());
+  return out;
+}
+
 Json Json::list(std::vector<Json> items) {
   Json json;
   json.kind_ = Kind::list;

@@ -19,7 +19,8 @@ public:
   static Json number(std::int64_t value);
   static Json text(std::string_view value); ///< UTF-8; what is not becomes U+FFFD
   static Json list(std::vector<Json> items);
-  static Json object(Members members); ///< the caller gives each key once
+  static Json texts(const std::vector<std::string>& values); ///< a list of them
+  static Json object(Members members);                       ///< the caller gives each key once
 
   /// Behind the last one.
   Json& add(std::string_view key, Json value) &;
@@ -31,6 +32,7 @@ public:
   bool as_boolean() const { return kind_ == Kind::boolean && number_ != 0; }
   const std::vector<Json>& items() const { return items_; }      ///< of a list; the values of an object
   const std::vector<std::string>& keys() const { return keys_; } ///< of an object
+  std::vector<std::string> as_texts() const;                     ///< the items of a list
   bool is_null() const { return kind_ == Kind::null; }
   bool is_object() const { return kind_ == Kind::object; }
   bool is_list() const { return kind_ == Kind::list; }

@@ -5,12 +5,6 @@ namespace director::compiler::stubs {
 
 namespace {
 
-Json texts(const std::vector<std::string>& words) {
-  Json out = Json::list({});
-  for (const std::string& word : words) out.add(Json::text(word));
-  return out;
-}
-
 Json to_json(const Insertion& each) {
   return Json::object({{"path", Json::text(each.path)},
                        {"offset", Json::number(static_cast<std::int64_t>(each.offset))},
@@ -34,17 +28,11 @@ SourcePlace place_in(const Json& row) {
           static_cast<std::uint32_t>(row["column"].as_number())};
 }
 
-std::vector<std::string> texts_in(const Json& list) {
-  std::vector<std::string> out;
-  for (const Json& item : list.items()) out.push_back(item.as_text());
-  return out;
-}
-
 FoundClass class_in(const Json& row) {
   FoundClass out;
   out.name = row["name"].as_text();
-  out.interfaces = texts_in(row["interfaces"]);
-  out.bases = texts_in(row["bases"]);
+  out.interfaces = row["interfaces"].as_texts();
+  out.bases = row["bases"].as_texts();
   out.place = place_in(row);
   out.end = size_in(row["end"]);
   out.inside = row["inside"].as_number();
@@ -81,11 +69,11 @@ Json to_json(const DeclarationsRequest& request) {
   for (const Unit& unit : request.units)
     units.add(Json::object({{"path", Json::text(unit.path)},
                             {"directory", Json::text(unit.directory)},
-                            {"flags", texts(unit.flags)},
+                            {"flags", Json::texts(unit.flags)},
                             {"only_unseen", Json::boolean(unit.only_unseen)}}));
   for (const Artefact& file : request.fresh) fresh.add(to_json(file));
   return Json::object({{"header", to_json(request.header)},
-                       {"interfaces", texts(request.interfaces)},
+                       {"interfaces", Json::texts(request.interfaces)},
                        {"units", std::move(units)},
                        {"insertions", to_json(request.insertions)},
                        {"fresh", std::move(fresh)}});

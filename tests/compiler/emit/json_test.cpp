@@ -31,6 +31,13 @@ TEST_CASE("what was written is read again") {
   CHECK_FALSE(director::compiler::parse_json("{} {}"));
 }
 
+TEST_CASE("a list of texts") {
+  const Json list = Json::texts({"a", ""});
+  CHECK(to_line(list) == R"(["a",""])");
+  CHECK(list.as_texts() == std::vector<std::string>{"a", ""});
+  CHECK(Json::text("a").as_texts().empty());
+}
+
 TEST_CASE("what is of another kind, or is not there, is empty") {
   const Json json = *director::compiler::parse_json(R"({"a": 1.5, "b": {"c": "d"}})");
   CHECK(json["a"].as_number() == 1);
