@@ -5,11 +5,16 @@
 #include "compiler/emit/code.hpp"
 #include "compiler/emit/deployment.hpp"
 
+#include <string_view>
+
 namespace director::compiler {
 
 /// `soccer.hpp`
 Code header(const Deployment& deployment);
 /// `soccer.cpp`
 Code source(const Deployment& deployment);
+
+/// One of them begins like this, whichever version wrote it.
+bool has_notice(std::string_view text);
 
 } // namespace director::compiler

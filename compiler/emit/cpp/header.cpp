@@ -1,7 +1,6 @@
 // Door: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
-#include "compiler/version.hpp"
 
 #include <fmt/format.h>
 
@@ -12,9 +11,7 @@ Code header(const Deployment& deployment) {
   const Model& model = e.model;
   Code code;
   code.line("#pragma once");
-  code.comment(fmt::format("Written by directorc {} from {}. Whoever changes it here changes it in vain.", version(),
-                           portable_path(deployment, model.name_span.file)),
-               "//");
+  code.append(notice(e));
   code.comment("", "//");
   code.comment(
       "In this order: states, triggers and tasks; what the C++ compiler must know of the specification (detail); "

@@ -41,6 +41,9 @@ std::string conditions_text(const Model& model, const std::vector<ConditionUse>&
 /// What the specification says of a provider, a line for each word: "- needs: LeftLeg, RightLeg".
 std::vector<std::string> words_of(const Model& model, const Provider& provider);
 
+/// What both begin with: who wrote it, and of what.
+Code notice(const CppEmission& e);
+
 // What the header consists of.
 Code states_part(const CppEmission& e);
 Code triggers_part(const CppEmission& e);

@@ -1,7 +1,6 @@
 // Door: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
-#include "compiler/version.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +9,7 @@ namespace director::compiler {
 Code source(const Deployment& deployment) {
   const CppEmission e{deployment};
   Code code;
-  code.comment(fmt::format("Written by directorc {} from {}. Whoever changes it here changes it in vain.", version(),
-                           portable_path(deployment, e.model.name_span.file)),
-               "//");
+  code.append(notice(e));
   code.line(fmt::format("#include \"{}.hpp\"", e.model.name));
   code.blank();
   code.line("#if __STDC_HOSTED__");

@@ -1,3 +1,4 @@
+#include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/depfile.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/sha256.hpp"
@@ -90,6 +91,15 @@ TEST_CASE("the manifest says what was read, and where a generated line comes fro
   const std::string before = out.header.substr(0, out.header.find("struct Lamp final"));
   const auto line = std::count(before.begin(), before.end(), '\n') + 1;
   CHECK(has(out.manifest, "\"" + std::to_string(line) + "\": \"test.yaml:5\""));
+}
+
+TEST_CASE("what was generated is known by its beginning, whichever version wrote it") {
+  const Emitted out = emitted("roots: []\n");
+  CHECK(has_notice(out.header));
+  CHECK(has_notice(out.source));
+  CHECK(has_notice("// Written by directorc 0.0.1 from lamp.yaml."));
+  CHECK_FALSE(has_notice("#pragma once\nclass Lamp {};\n" + std::string(100, '\n') + out.source));
+  CHECK_FALSE(has_notice(""));
 }
 
 TEST_CASE("a depfile gives nothing in a path a meaning of its own") {
