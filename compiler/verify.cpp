@@ -2,12 +2,14 @@
 #include "compiler/verify.hpp"
 
 #include "compiler/checks/code_check.hpp"
+#include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/facts/includes.hpp"
 #include "compiler/facts/scanner.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/version.hpp"
+#include "dsl/load_file.hpp"
 
 #include <fmt/format.h>
 
@@ -21,8 +23,6 @@ namespace director::compiler {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t most_bytes = 64U << 20U;
 
 /// A file of the build, and the generated header that it would include.
 struct Candidate {
@@ -66,15 +66,10 @@ private:
   }
 
   bool find_candidates(const std::string& build, const std::string& generated) {
-    const std::string path = (fs::path(build) / "compile_commands.json").string();
-    const auto text = world_.files.read(path, most_bytes);
-    if (!text) {
-      return fail(fmt::format("cannot read `{}`: {}; CMake writes it with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON", path,
-                              text.error().message));
-    }
-    auto commands = read_compile_commands(text.value());
-    if (!commands) return fail(fmt::format("`{}` is wrong: {}", path, commands.error()));
-    commands_ = std::move(commands.value());
+    LoadedCommands loaded = load_compile_commands(build, world_.files);
+    if (!loaded.was_read) loaded.fault += "; CMake writes it with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON";
+    if (!loaded.fault.empty()) return fail(std::move(loaded.fault));
+    commands_ = std::move(loaded.commands);
     const std::string name = checked_.model.name + ".hpp";
     const std::string only =
         generated.empty() ? std::string{} : (fs::absolute(generated) / name).lexically_normal().string();
@@ -103,8 +98,8 @@ private:
   bool is_generated(const std::string& header) {
     const auto at = headers_.find(header);
     if (at != headers_.end()) return !at->second.empty();
-    const auto text = world_.files.read(header, most_bytes);
-    const bool ours = text && text.value().find("// Written by directorc ") != std::string::npos;
+    const auto text = world_.files.read(header, dsl::largest_file);
+    const bool ours = text && has_notice(text.value());
     return !headers_.emplace(header, ours ? text.value() : std::string{}).first->second.empty();
   }
 
@@ -168,11 +163,7 @@ private:
   }
 
   Json unit_of(const Candidate& candidate) {
-    Json words = Json::list({});
-    for (const std::string& word : compilers_.complete(candidate.flags)) words.add(Json::text(word));
-    return Json::object({{"file", Json::text(candidate.command->file)},
-                         {"directory", Json::text(candidate.command->directory)},
-                         {"arguments", std::move(words)}});
+    return unit_question(candidate.command->file, candidate.command->directory, compilers_.complete(candidate.flags));
   }
 
   void note_errors(const Candidate& candidate, const Json& answer) {

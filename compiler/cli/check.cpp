@@ -61,7 +61,7 @@ public:
     print(*checked);
     const bool unreachable = explained_ && !explained_->steps;
     if (dsl::has_errors(checked->findings) || unreachable) return found;
-    return print_undecided(*checked, console_) ? undecided : clean;
+    return print_undecided(checked->undecided, console_) ? undecided : clean;
   }
 
 private:

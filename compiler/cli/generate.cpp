@@ -29,7 +29,7 @@ int run(const Generate& request, Console& console) {
   if (!checked) return misused;
   print_findings(checked->findings, sources, console.err, console.err_colours);
   if (dsl::has_errors(checked->findings)) return found;
-  if (print_undecided(*checked, console)) return undecided;
+  if (print_undecided(checked->undecided, console)) return undecided;
   if (!checked->model.deployment) {
     console.err << fmt::format(
         "directorc: `{}` has no `roots`: it is a module for others to import, and nothing can be "

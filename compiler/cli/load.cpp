@@ -3,6 +3,7 @@
 
 #include "compiler/cli/fact_store.hpp"
 #include "compiler/facts/scanned_types.hpp"
+#include "dsl/load_file.hpp"
 #include "dsl/render.hpp"
 
 #include <fmt/format.h>
@@ -29,31 +30,14 @@ std::string shown_path(const std::string& path) {
 
 namespace {
 
-constexpr std::size_t most_bytes = 64U << 20U;
-
-TypeFlags flags_of_build(const std::string& path, bool certain, Console& console) {
-  TypeFlags out;
-  out.source = fmt::format("`{}`", path);
-  out.certain = certain;
-  const auto text = console.files.read(path, most_bytes);
-  if (!text) {
-    out.fault = fmt::format("cannot read `{}`: {}", path, text.error().message);
-    return out;
-  }
-  auto commands = read_compile_commands(text.value());
-  if (commands) {
-    out.commands = std::move(commands.value());
-  } else {
-    out.fault = fmt::format("`{}` is wrong: {}", path, commands.error());
-  }
-  return out;
+TypeFlags flags_of_build(LoadedCommands build) {
+  return {std::move(build.commands), std::move(build.fault), fmt::format("`{}`", build.path)};
 }
 
 TypeFlags flags_of_file(const std::string& path, Console& console) {
   TypeFlags out;
   out.source = fmt::format("`{}`", path);
-  out.certain = true;
-  const auto text = console.files.read(path, most_bytes);
+  const auto text = console.files.read(path, dsl::largest_file);
   if (!text) {
     out.fault = fmt::format("cannot read `{}`: {}", path, text.error().message);
     return out;
@@ -68,21 +52,15 @@ TypeFlags flags_of_file(const std::string& path, Console& console) {
   return out;
 }
 
-/// As clangd looks for it: in the file's folder and those above, and in their folders `build`.
 TypeFlags flags_near(const std::string& file, Console& console) {
   std::error_code fault;
-  for (fs::path folder = fs::absolute(file, fault).parent_path(); !fault && !folder.empty();
-       folder = folder.parent_path()) {
-    for (const fs::path& build : {folder, folder / "build"}) {
-      const std::string path = (build / "compile_commands.json").string();
-      if (console.files.read(path, most_bytes)) return flags_of_build(path, false, console);
-    }
-    if (folder == folder.root_path()) break;
+  const fs::path whole = fs::absolute(file, fault);
+  LoadedCommands build = find_compile_commands(whole.parent_path().string(), console.files);
+  if (!build.was_read) {
+    build.fault =
+        "how the headers are compiled is not known; `-p FOLDER` names a build's folder with compile_commands.json";
   }
-  TypeFlags out;
-  out.fault =
-      "how the headers are compiled is not known; `-p FOLDER` names a build's folder with compile_commands.json";
-  return out;
+  return flags_of_build(std::move(build));
 }
 
 /// Whose folder the cache goes into: the build's, or that of the flags, which a build wrote.
@@ -105,16 +83,12 @@ public:
 
   bool thorough() const override { return !cpp_.build.empty(); }
   Types read(const Question& question) override {
-    TypeFlags flags = !cpp_.flags.empty() ? flags_of_file(cpp_.flags, console_)
-                      : !cpp_.build.empty()
-                          ? flags_of_build((fs::path(cpp_.build) / "compile_commands.json").string(), true, console_)
-                          : flags_near(file_, console_);
-    return ScannedTypes(std::move(flags), scanner_, console_.programs, console_.files, store_, code_files_)
-        .read(question);
+    TypeFlags flags = !cpp_.flags.empty()   ? flags_of_file(cpp_.flags, console_)
+                      : !cpp_.build.empty() ? flags_of_build(load_compile_commands(cpp_.build, console_.files))
+                                            : flags_near(file_, console_);
+    return ScannedTypes(std::move(flags), scanner_, console_.programs, console_.files, store_).read(question);
   }
-  dsl::Span span(const CodePlace& place) override {
-    return place.path.empty() ? dsl::Span{} : dsl::Span{code_files_.of(place.path), place.begin, place.end};
-  }
+  dsl::Span span(const CodePlace& place) override { return code_files_.span(place); }
 
 private:
   const std::string& file_;
@@ -151,9 +125,9 @@ void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sou
   out << dsl::render(findings, sources, options);
 }
 
-bool print_undecided(const Checked& checked, Console& console) {
-  for (const std::string& line : checked.undecided) console.err << fmt::format("directorc: not decided: {}\n", line);
-  return !checked.undecided.empty();
+bool print_undecided(const std::vector<std::string>& lines, Console& console) {
+  for (const std::string& line : lines) console.err << fmt::format("directorc: not decided: {}\n", line);
+  return !lines.empty();
 }
 
 std::vector<dsl::Diagnostic> errors_of(const std::vector<dsl::Diagnostic>& findings) {

@@ -32,8 +32,8 @@ Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& 
 void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, std::ostream& out,
                     bool colours);
 
-/// Assertions that were not decided, on the error stream. False if there are none.
-bool print_undecided(const Checked& checked, Console& console);
+/// What was not decided, a line each, on the error stream. False if there is nothing.
+bool print_undecided(const std::vector<std::string>& lines, Console& console);
 
 /// Only the errors among them.
 std::vector<dsl::Diagnostic> errors_of(const std::vector<dsl::Diagnostic>& findings);

@@ -1,8 +1,10 @@
 // Door: compiler/cli/stub_program.hpp. Test: tests/clang/stubs/command_test.cpp.
 #include "compiler/cli/stub_program.hpp"
 
+#include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/stubs/merge.hpp"
+#include "dsl/load_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = 64'000'000; ///< of a file; a larger one was not written by a person
-
 std::string whole_path(const fs::path& path) {
   std::error_code fault;
   const fs::path absolute = fs::absolute(path.empty() ? fs::path(".") : path);
@@ -22,28 +22,14 @@ std::string whole_path(const fs::path& path) {
   return fault ? absolute.lexically_normal().string() : out.string();
 }
 
-/// compile_commands.json: where the user says, or beside the program or above it.
-std::vector<Compiled> read_commands(const Stubs& request, const std::string& folder, Console& console) {
-  std::vector<fs::path> places{fs::path(request.build)};
-  if (request.build.empty()) {
-    places.clear();
-    for (fs::path at = folder; !at.empty(); at = at.parent_path()) {
-      places.insert(places.end(), {at, at / "build"});
-      if (at == at.root_path()) break;
-    }
-  }
-  for (const fs::path& place : places) {
-    const auto text = console.files.read((place / "compile_commands.json").string(), most_bytes);
-    if (!text) continue;
-    const auto commands = read_compile_commands(text.value());
-    if (!commands) continue;
-    std::vector<Compiled> out;
-    Compilers compilers(console.programs);
-    for (const CompileCommand& each : commands.value())
-      out.push_back({whole_path(each.file), each.directory, compilers.complete(fit_for_clang(each.words))});
-    return out;
-  }
-  return {};
+/// Those that the user names, or those near the program. Without any, files are read as `default_flags` say.
+void read_commands(const Stubs& request, Console& console, Program& out) {
+  LoadedCommands loaded = request.build.empty() ? find_compile_commands(out.folder, console.files)
+                                                : load_compile_commands(request.build, console.files);
+  if (loaded.was_read || !request.build.empty()) out.fault = std::move(loaded.fault);
+  Compilers compilers(console.programs);
+  for (const CompileCommand& each : loaded.commands)
+    out.compiled.push_back({whole_path(each.file), each.directory, compilers.complete(fit_for_clang(each.words))});
 }
 
 /// How many folders two paths have in common.
@@ -76,16 +62,16 @@ Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console&
   out.folder = whole_path(request.folder);
   for (const std::string& path : console.outputs.list(out.folder)) {
     if (!stubs::is_cpp(path)) continue;
-    if (const auto text = console.files.read(path, most_bytes)) out.texts[whole_path(path)] = text.value();
+    if (const auto text = console.files.read(path, dsl::largest_file)) out.texts[whole_path(path)] = text.value();
   }
-  out.compiled = read_commands(request, out.folder, console);
+  read_commands(request, console, out);
   out.default_flags = {"-std=c++20", "-I" + whole_path(fs::path(request.file).parent_path())};
   for (const std::string& folder : request.includes) out.default_flags.push_back("-I" + whole_path(folder));
 
   for (const bool headers : {false, true}) {
     const stubs::Words words = headers ? stubs::interface_words(wanted) : stubs::telling_words(wanted);
     for (const auto& [path, text] : out.texts) {
-      const bool generated = fs::path(path).filename() == wanted.header && text.find("// Written by directorc ") < 20;
+      const bool generated = fs::path(path).filename() == wanted.header && has_notice(text);
       if (stubs::is_header(path) == headers && !generated && stubs::mentions(text, words))
         out.units.push_back(unit_for(out, path));
     }

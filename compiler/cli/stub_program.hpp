@@ -23,6 +23,7 @@ struct Program {
   stubs::Texts texts;             ///< all C++ below it, by whole paths
   std::vector<Compiled> compiled; ///< what compile_commands.json says
   std::vector<std::string> default_flags;
+  std::string fault;              ///< why it cannot be read as it is compiled; else empty
   std::vector<stubs::Unit> units; ///< to be read: sources first, then headers that none of them may include
 };
 

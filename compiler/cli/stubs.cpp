@@ -53,6 +53,7 @@ public:
   int run() {
     try {
       program_ = read_program(request_, wanted_, console_);
+      if (!program_.fault.empty()) throw refused(misused, program_.fault);
       const Plan plan = formatted_plan(planned());
       return carry_out(plan);
     } catch (const Refusal& refusal) {

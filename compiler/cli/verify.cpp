@@ -16,9 +16,7 @@ namespace {
 void print(const Verify& request, const Verified& verified, const dsl::Sources& sources, Console& console) {
   if (request.format == Format::json) {
     Json out = findings_json(verified.findings, sources);
-    Json lines = Json::list({});
-    for (const std::string& line : verified.not_decided) lines.add(Json::text(line));
-    out.add("not_decided", std::move(lines));
+    out.add("not_decided", Json::texts(verified.not_decided));
     out.add("bodies", Json::number(static_cast<std::int64_t>(verified.bodies)));
     out.add("seen", Json::number(static_cast<std::int64_t>(verified.seen)));
     console.out << to_lines(out);
@@ -29,7 +27,7 @@ void print(const Verify& request, const Verified& verified, const dsl::Sources& 
   } else {
     print_findings(verified.findings, sources, console.out, console.out_colours);
   }
-  for (const std::string& line : verified.not_decided) console.err << fmt::format("directorc: not decided: {}\n", line);
+  print_undecided(verified.not_decided, console);
 }
 
 } // namespace

@@ -2,13 +2,13 @@
 #include "compiler/facts/cache.hpp"
 
 #include "compiler/emit/sha256.hpp"
+#include "dsl/load_file.hpp"
 
 namespace director::compiler {
 
 namespace {
 
 constexpr std::size_t digits_of_sum = 64;
-constexpr std::size_t most_bytes = 64U << 20U;
 
 std::string file_of(const std::string& question) { return sha256(question).substr(0, 32) + ".json"; }
 
@@ -18,7 +18,7 @@ std::string FactCache::state_of(const std::string& path, bool system) {
   if (system) return store_.stamp(path);
   const auto at = states_.find(path);
   if (at != states_.end()) return at->second;
-  const auto text = files_.read(path, most_bytes);
+  const auto text = files_.read(path, dsl::largest_file);
   return states_.emplace(path, text ? sha256(text.value()) : std::string{}).first->second;
 }
 

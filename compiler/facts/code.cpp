@@ -1,45 +1,34 @@
 // Door: compiler/facts/code.hpp. Test: tests/checks/code_test.cpp.
 #include "compiler/facts/code.hpp"
 
+#include "dsl/load_file.hpp"
+
 #include <algorithm>
 
 namespace director::compiler {
 
 namespace {
 
-constexpr std::size_t most_bytes = 64U << 20U; // as of a behaviour file
-
 class UnitReader {
 public:
   UnitReader(const Json& unit, CodeFiles& files) : unit_(unit), files_(files) {}
 
-  std::string path_of(const Json& at) const {
-    const std::vector<Json>& paths = unit_["paths"].items();
-    if (at.items().size() != 3) return {};
-    const auto row = static_cast<std::size_t>(at.items()[0].as_number());
-    return row < paths.size() ? paths[row].as_text() : std::string{};
-  }
-
-  dsl::Span span(const Json& at) const {
-    const std::string path = path_of(at);
-    if (path.empty()) return {};
-    return {files_.of(path), static_cast<std::uint32_t>(at.items()[1].as_number()),
-            static_cast<std::uint32_t>(at.items()[2].as_number())};
-  }
+  dsl::Span span(const Json& at) const { return files_.span(place_in(at, unit_["paths"])); }
 
   CodeFunction function(const Json& from) const {
     CodeFunction out;
     out.key = from["key"].as_text();
     out.name = from["name"].as_text();
     out.span = span(from["at"]);
-    out.overrides = texts(from["overrides"]);
+    out.overrides = from["overrides"].as_texts();
     out.context = from["context"].as_text();
     out.class_name = from["class"].as_text();
     out.doubtful = !unit_["errors"].items().empty();
     for (const Json& each : from["does"].items()) out.words.push_back(word(each));
     for (const Json& each : from["calls"].items()) {
-      out.calls.push_back({each["to"].as_text(), each["name"].as_text(), span(each["at"]), path_of(each["declared"]),
-                           each["carries"].as_boolean(), each["maybe"].as_boolean(), each["virtual"].as_boolean()});
+      out.calls.push_back({each["to"].as_text(), each["name"].as_text(), span(each["at"]),
+                           place_in(each["declared"], unit_["paths"]).path, each["carries"].as_boolean(),
+                           each["maybe"].as_boolean(), each["virtual"].as_boolean()});
     }
     for (const Json& each : from["blocks"].items())
       out.blocks.push_back({each["name"].as_text(), each["why"].as_text(), span(each["at"])});
@@ -53,8 +42,8 @@ public:
                   from["name"].as_text(),
                   from["module"].as_text(),
                   span(from["at"]),
-                  texts(from["bases"]),
-                  texts(from["missing"]),
+                  from["bases"].as_texts(),
+                  from["missing"].as_texts(),
                   {}};
     for (const Json& each : from["stray"].items())
       out.stray.push_back({each["context"].as_text(), each["wrote"].as_text(), span(each["at"])});
@@ -62,12 +51,6 @@ public:
   }
 
 private:
-  static std::vector<std::string> texts(const Json& list) {
-    std::vector<std::string> out;
-    for (const Json& each : list.items()) out.push_back(each.as_text());
-    return out;
-  }
-
   CodeWord word(const Json& from) const {
     using Kind = CodeWord::Kind;
     const std::string& name = from["word"].as_text();
@@ -77,9 +60,10 @@ private:
                       : name == "done"  ? Kind::done
                       : name == "fail"  ? Kind::fail
                                         : Kind::keep;
-    CodeWord out{kind, from["context"].as_text(), from["pack"].as_text(), texts(from["tasks"]), from["state"].as_text(),
-                 {},   span(from["at"])};
-    if (from["values"].is_list()) out.values = texts(from["values"]);
+    CodeWord out{
+        kind, from["context"].as_text(), from["pack"].as_text(), from["tasks"].as_texts(), from["state"].as_text(),
+        {},   span(from["at"])};
+    if (from["values"].is_list()) out.values = from["values"].as_texts();
     return out;
   }
 
@@ -94,10 +78,22 @@ const CodeFunction* CodeFacts::find(std::string_view key) const {
   return at == by_key.end() ? nullptr : &functions[at->second];
 }
 
+CodePlace place_in(const Json& at, const Json& paths) {
+  if (at.items().size() != 3) return {};
+  const auto row = static_cast<std::size_t>(at.items()[0].as_number());
+  if (row >= paths.items().size()) return {};
+  return {paths.items()[row].as_text(), static_cast<std::uint32_t>(at.items()[1].as_number()),
+          static_cast<std::uint32_t>(at.items()[2].as_number())};
+}
+
+dsl::Span CodeFiles::span(const CodePlace& place) {
+  return place.path.empty() ? dsl::Span{} : dsl::Span{of(place.path), place.begin, place.end};
+}
+
 dsl::FileId CodeFiles::of(const std::string& path) {
   const auto at = known_.find(path);
   if (at != known_.end()) return at->second;
-  auto text = files_.read(path, most_bytes);
+  auto text = files_.read(path, dsl::largest_file);
   const dsl::FileId id = sources_.add(shown_(path), text ? std::move(text.value()) : std::string{});
   known_.emplace(path, id);
   return id;

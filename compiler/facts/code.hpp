@@ -96,6 +96,15 @@ struct CodeFacts {
   const CodeFunction* find(std::string_view key) const;
 };
 
+/// A place in a file that is not among the sources yet: most of these are never shown.
+struct CodePlace {
+  std::string path;
+  std::uint32_t begin = 0, end = 0;
+};
+
+/// `[row of paths, begin, end]`, as director-clang says a place; else an empty path.
+CodePlace place_in(const Json& at, const Json& paths);
+
 /// Gives the text of C++ files their places among the sources, each once.
 class CodeFiles {
 public:
@@ -104,6 +113,7 @@ public:
         sources_(sources),
         shown_(shown) {}
   dsl::FileId of(const std::string& path);
+  dsl::Span span(const CodePlace& place); ///< nowhere, if its path is empty
 
 private:
   dsl::FileAccess& files_;

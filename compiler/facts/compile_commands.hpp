@@ -2,6 +2,7 @@
 // compile_commands.json: how each file of a build is compiled. Source:
 // clang.llvm.org/docs/JSONCompilationDatabase.html.
 
+#include "dsl/file_access.hpp"
 #include "dsl/result.hpp"
 
 #include <string>
@@ -19,6 +20,20 @@ struct CompileCommand {
 
 /// The text of the file; or what is wrong with it.
 dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std::string_view text);
+
+struct LoadedCommands {
+  std::string path; ///< of the file
+  std::vector<CompileCommand> commands;
+  std::string fault;    ///< why there are none, in a sentence that names the file; else empty
+  bool was_read = true; ///< though it may be wrong
+};
+
+/// That of a build's folder.
+LoadedCommands load_compile_commands(const std::string& build, dsl::FileAccess& files);
+
+/// The nearest, looked for as clangd does: in the folder and those above it, and in their folders `build`. `folder` is
+/// absolute. Where none can be read, the fault names none.
+LoadedCommands find_compile_commands(const std::string& folder, dsl::FileAccess& files);
 
 /// Words of a command line, as a POSIX shell would take them apart; nothing else of a shell is known.
 std::vector<std::string> split_command(std::string_view line);

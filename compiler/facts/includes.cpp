@@ -1,6 +1,8 @@
 // Door: compiler/facts/includes.hpp. Test: tests/compiler/facts/flags_test.cpp.
 #include "compiler/facts/includes.hpp"
 
+#include "dsl/load_file.hpp"
+
 #include <filesystem>
 #include <string_view>
 
@@ -10,7 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_bytes = 64U << 20U;
 constexpr std::string_view blanks = " \t";
 
 std::string_view without_blanks(std::string_view text) {
@@ -24,7 +25,7 @@ const Includes::File& Includes::file(const std::string& path) {
   const auto at = known_.find(path);
   if (at != known_.end()) return at->second;
   File out;
-  if (const auto text = files_.read(path, most_bytes)) {
+  if (const auto text = files_.read(path, dsl::largest_file)) {
     out.exists = true;
     std::string_view rest = text.value();
     while (!rest.empty()) {

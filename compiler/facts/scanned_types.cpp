@@ -2,6 +2,7 @@
 #include "compiler/facts/scanned_types.hpp"
 
 #include "compiler/version.hpp"
+#include "dsl/load_file.hpp"
 
 #include <fmt/format.h>
 
@@ -14,31 +15,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_bytes = 64U << 20U;
-
-CodePlace place_of(const Json& at, const Json& paths) {
-  if (at.items().size() != 3) return {};
-  const auto row = static_cast<std::size_t>(at.items()[0].as_number());
-  if (row >= paths.items().size()) return {};
-  return {paths.items()[row].as_text(), static_cast<std::uint32_t>(at.items()[1].as_number()),
-          static_cast<std::uint32_t>(at.items()[2].as_number())};
-}
-
 CppType type_of(const Json& from, const Json& paths) {
   CppType out;
   out.wrong = from["wrong"].as_text();
   out.complete = from["complete"].as_boolean();
   const Json& values = from["enum"];
   out.is_enum = values.is_object();
-  out.place = place_of(out.is_enum ? values["at"] : from["at"], paths);
+  out.place = place_in(out.is_enum ? values["at"] : from["at"], paths);
   for (const Json& each : values["enumerators"].items())
-    out.enumerators.push_back({each["name"].as_text(), each["value"].as_text(), place_of(each["at"], paths)});
-  return out;
-}
-
-Json texts(const std::vector<std::string>& list) {
-  Json out = Json::list({});
-  for (const std::string& each : list) out.add(Json::text(each));
+    out.enumerators.push_back({each["name"].as_text(), each["value"].as_text(), place_in(each["at"], paths)});
   return out;
 }
 
@@ -49,17 +34,12 @@ const CppType* Types::find(std::string_view name) const {
   return at == by_name.end() ? nullptr : &at->second;
 }
 
-dsl::Span ScannedTypes::span(const CodePlace& place) {
-  if (place.path.empty()) return {};
-  return {code_files_.of(place.path), place.begin, place.end};
-}
-
 const CompileCommand* ScannedTypes::choose(const std::vector<std::string>& headers, std::string& missing) {
   for (const CompileCommand& command : flags_.commands) {
     const std::vector<std::string> folders = include_folders(fit_for_clang(command.words).words, command.directory);
     const auto is_found = [&](const std::string& header) {
       return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
-        return static_cast<bool>(files_.read((fs::path(folder) / header).string(), most_bytes));
+        return static_cast<bool>(files_.read((fs::path(folder) / header).string(), dsl::largest_file));
       });
     };
     const auto lost = std::find_if_not(headers.begin(), headers.end(), is_found);
@@ -69,7 +49,7 @@ const CompileCommand* ScannedTypes::choose(const std::vector<std::string>& heade
   return nullptr;
 }
 
-Types ScannedTypes::read(const Question& question) {
+Types ScannedTypes::read(const TypeReader::Question& question) {
   Types out;
   const auto fail = [&](std::string fault) {
     out.fault = std::move(fault);
@@ -84,13 +64,11 @@ Types ScannedTypes::read(const Question& question) {
   const Scan version = scanner_.version();
   if (!version) return fail(version.error().message);
   const std::string file = (fs::path(command->directory) / "director_types.cpp").string();
-  const Json unit = Json::object({{"file", Json::text(file)},
-                                  {"directory", Json::text(command->directory)},
-                                  {"arguments", texts(compilers_.complete(fit_for_clang(command->words)))}});
+  const Json unit = unit_question(file, command->directory, compilers_.complete(fit_for_clang(command->words)));
   Json request = Json::object({{"unit", unit},
-                               {"headers", texts(question.headers)},
+                               {"headers", Json::texts(question.headers)},
                                {"namespace", Json::text(question.name_space)},
-                               {"names", texts(question.names)}});
+                               {"names", Json::texts(question.names)}});
   Json asked = request;
   asked.add("director", Json::text(version.value()["director"].as_text())).add("clang", version.value()["clang"]);
   std::optional<Json> answer = cache_.recall(to_line(asked));

@@ -14,23 +14,18 @@ struct TypeFlags {
   std::vector<CompileCommand> commands; ///< the first that finds all headers counts
   std::string fault;                    ///< why there are none
   std::string source;                   ///< where they are from, for people
-  bool certain = false;                 ///< the user named them
 };
 
-class ScannedTypes final : public TypeReader {
+class ScannedTypes {
 public:
-  ScannedTypes(TypeFlags flags, Scanner& scanner, Programs& programs, dsl::FileAccess& files, FactStore& store,
-               CodeFiles& code_files)
+  ScannedTypes(TypeFlags flags, Scanner& scanner, Programs& programs, dsl::FileAccess& files, FactStore& store)
       : flags_(std::move(flags)),
         scanner_(scanner),
         compilers_(programs),
         files_(files),
-        cache_(store, files),
-        code_files_(code_files) {}
+        cache_(store, files) {}
 
-  bool thorough() const override { return flags_.certain; }
-  Types read(const Question& question) override;
-  dsl::Span span(const CodePlace& place) override;
+  Types read(const TypeReader::Question& question);
 
 private:
   const CompileCommand* choose(const std::vector<std::string>& headers, std::string& missing);
@@ -40,7 +35,6 @@ private:
   Compilers compilers_;
   dsl::FileAccess& files_;
   FactCache cache_;
-  CodeFiles& code_files_;
 };
 
 } // namespace director::compiler

@@ -41,6 +41,11 @@ std::string find_scanner(const std::string& directorc, const std::string& chosen
   return name;
 }
 
+Json unit_question(const std::string& file, const std::string& directory, const std::vector<std::string>& arguments) {
+  return Json::object(
+      {{"file", Json::text(file)}, {"directory", Json::text(directory)}, {"arguments", Json::texts(arguments)}});
+}
+
 Scan Scanner::ask(const std::string& subcommand, const Json& request) {
   const Answer answer = programs_.run({program_, subcommand}, to_line(request) + "\n");
   if (!answer.started) return absent();

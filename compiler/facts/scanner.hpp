@@ -24,6 +24,9 @@ using Scan = dsl::Result<Json, ScanFault>;
 /// search path.
 std::string find_scanner(const std::string& directorc, const std::string& chosen);
 
+/// A file, as director-clang is asked about it; the compiler is not among the arguments.
+Json unit_question(const std::string& file, const std::string& directory, const std::vector<std::string>& arguments);
+
 class Scanner {
 public:
   Scanner(std::string program, Programs& programs) : program_(std::move(program)), programs_(programs) {}

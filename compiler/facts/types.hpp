@@ -11,12 +11,6 @@
 
 namespace director::compiler {
 
-/// A place in a file that is not among the sources yet: most of these are never shown.
-struct CodePlace {
-  std::string path;
-  std::uint32_t begin = 0, end = 0;
-};
-
 struct CppType {
   std::string wrong;    ///< why there is no such type, in the words of Clang; else empty
   bool complete = true; ///< false: declared and not defined

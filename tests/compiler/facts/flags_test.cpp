@@ -39,6 +39,35 @@ TEST_CASE("compile_commands.json with commands and with arguments") {
         "an entry needs `directory`, `file`, and `command` or `arguments`");
 }
 
+TEST_CASE("compile_commands.json of a build, or what is wrong with it") {
+  director::dsl::MemoryFiles files;
+  const LoadedCommands absent = load_compile_commands("b", files);
+  CHECK_FALSE(absent.was_read);
+  CHECK(absent.fault == "cannot read `b/compile_commands.json`: no such file");
+  files.add("b/compile_commands.json", "nothing");
+  const LoadedCommands wrong = load_compile_commands("b", files);
+  CHECK(wrong.was_read);
+  CHECK(wrong.fault == "`b/compile_commands.json` is wrong: it is no JSON list");
+}
+
+TEST_CASE("the nearest compile_commands.json lies in a folder, in its `build`, or in those above") {
+  director::dsl::MemoryFiles files;
+  CHECK(find_compile_commands("/u/robot/src", files).fault ==
+        "no compile_commands.json can be read in `/u/robot/src` or above it");
+  const std::string text = R"([{"directory": "/b", "file": "/s/a.cpp", "command": "g++"}])";
+  for (const char* path : {"/build/compile_commands.json", "/u/compile_commands.json",
+                           "/u/robot/build/compile_commands.json", "/u/robot/src/compile_commands.json"}) {
+    files.add(path, text);
+    const LoadedCommands found = find_compile_commands("/u/robot/src", files);
+    CHECK(found.path == path);
+    CHECK(found.fault.empty());
+    CHECK(found.commands.size() == 1);
+  }
+  files.add("/u/robot/src/compile_commands.json", "{"); // it is not passed over for one further away
+  CHECK(find_compile_commands("/u/robot/src", files).fault ==
+        "`/u/robot/src/compile_commands.json` is wrong: it is no JSON list");
+}
+
 TEST_CASE("flags that only g++ knows are left out, and what is written too") {
   const Flags flags = fit_for_clang({"/usr/bin/ccache",
                                      "/usr/bin/g++",

@@ -39,20 +39,16 @@ struct World {
   World() { files.add("/u/types.hpp", "enum A { a };"); }
   Types read(TypeFlags flags) {
     Scanner scanner("director-clang", child);
-    CodeFiles code_files(files, sources, [](const std::string& path) { return path; });
-    ScannedTypes types(std::move(flags), scanner, child, files, store, code_files);
+    ScannedTypes types(std::move(flags), scanner, child, files, store);
     return types.read({{"types.hpp"}, {"A"}, "x"});
   }
   Child child;
   director::dsl::MemoryFiles files;
-  director::dsl::Sources sources;
   MemoryFacts store;
 };
 
-const TypeFlags good{{{"/u/other.cpp", "/b", {"g++", "-I/nowhere"}}, {"/u/main.cpp", "/b", {"g++", "-I/u", "-DX"}}},
-                     {},
-                     "`build`",
-                     true};
+const TypeFlags good{
+    {{"/u/other.cpp", "/b", {"g++", "-I/nowhere"}}, {"/u/main.cpp", "/b", {"g++", "-I/u", "-DX"}}}, {}, "`build`"};
 
 TEST_CASE("types are read with the flags of a file that finds the headers, and the second time not at all") {
   World world;
@@ -76,8 +72,8 @@ TEST_CASE("types are read with the flags of a file that finds the headers, and t
 
 TEST_CASE("why nothing is known of the types") {
   World world;
-  CHECK(world.read({{}, "cannot read `build`", {}, true}).fault == "cannot read `build`");
-  CHECK(world.read({{{"/u/other.cpp", "/b", {"g++", "-I/nowhere"}}}, {}, "`build`", true}).fault ==
+  CHECK(world.read({{}, "cannot read `build`", {}}).fault == "cannot read `build`");
+  CHECK(world.read({{{"/u/other.cpp", "/b", {"g++", "-I/nowhere"}}}, {}, "`build`"}).fault ==
         "no include folder of `build` has the header `types.hpp`");
   world.child.answer =
       R"({"types": [null], "paths": [], "files": [], "errors": [{"message": "'y.hpp' file not found"}]})";
