@@ -15,10 +15,10 @@
 #include <clang/Basic/DiagnosticSema.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/FrontendAction.h>
+#include <clang/Frontend/Utils.h>
 #include <clang/Lex/Lexer.h>
 #include <clang/Lex/PPCallbacks.h>
 #include <clang/Lex/Preprocessor.h>
-#include <clang/Tooling/Tooling.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
 #include <algorithm>
@@ -442,45 +442,87 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files_of(const Json& request, co
   return out;
 }
 
-std::vector<std::string> command_for(const Json& unit) {
-  std::vector<std::string> out{DIRECTOR_CLANG_COMPILER, std::string("-I") + virtual_folder};
-  for (std::string& flag : unit["flags"].as_texts()) out.push_back(std::move(flag));
-  for (const char* const flag :
-       {"-fsyntax-only", "-fno-spell-checking", "-fno-caret-diagnostics", "-ferror-limit=0", "-w"})
-    out.emplace_back(flag);
-  out.push_back(unit["path"].as_text());
-  return out;
+using Files = llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>;
+
+/// What Clang's driver makes of flags. To ask it takes longer than to read a small file, and most files of a program
+/// are compiled alike.
+class Invocations {
+public:
+  /// Null where the flags are not understood, which the faults have been told.
+  std::shared_ptr<clang::CompilerInvocation> make(const Json& unit, const Files& files, Faults& faults) {
+    const std::string& path = unit["path"].as_text();
+    std::vector<std::string> key = unit["flags"].as_texts();
+    key.insert(key.end(), {unit["directory"].as_text(), fs::path(path).extension().string()});
+    auto at = known_.find(key);
+    if (at == known_.end()) {
+      std::unique_ptr<clang::CompilerInvocation> fresh = ask(unit, files, faults);
+      if (fresh == nullptr || faults.getNumErrors() > 0) return nullptr;
+      at = known_.emplace(std::move(key), std::move(fresh)).first;
+    }
+    auto out = std::make_shared<clang::CompilerInvocation>(*at->second);
+    clang::FrontendOptions& options = out->getFrontendOpts();
+    options.Inputs = {clang::FrontendInputFile(path, options.Inputs.front().getKind())};
+    return out;
+  }
+
+private:
+  static std::unique_ptr<clang::CompilerInvocation> ask(const Json& unit, const Files& files, Faults& faults) {
+    std::vector<std::string> command{DIRECTOR_CLANG_COMPILER, std::string("-I") + virtual_folder};
+    for (std::string& flag : unit["flags"].as_texts()) command.push_back(std::move(flag));
+    for (const char* const flag : {"-fno-spell-checking", "-fno-caret-diagnostics", "-ferror-limit=0", "-w"})
+      command.emplace_back(flag);
+    command.push_back(unit["path"].as_text());
+    std::vector<const char*> words;
+    for (const std::string& word : command) words.push_back(word.c_str());
+    clang::CreateInvocationOptions options;
+    options.Diags = clang::CompilerInstance::createDiagnostics(new clang::DiagnosticOptions, &faults, false);
+    options.VFS = files;
+    return clang::createInvocation(words, options);
+  }
+
+  std::map<std::vector<std::string>, std::unique_ptr<clang::CompilerInvocation>> known_;
+};
+
+bool read(std::shared_ptr<clang::CompilerInvocation> invocation, const Files& files, Faults& faults,
+          ReadAction&& action) {
+  clang::CompilerInstance compiler;
+  compiler.setInvocation(std::move(invocation));
+  compiler.setFileManager(new clang::FileManager(clang::FileSystemOptions{}, files));
+  compiler.createDiagnostics(&faults, false);
+  compiler.createSourceManager(compiler.getFileManager());
+  return compiler.ExecuteAction(action);
 }
 
-} // namespace
-
-Json read_declarations(const Json& request) {
-  if (request["requests"].is_list()) { // many at once: to start this program costs more than to read a small file
-    Json answers = Json::list({});
-    for (const Json& each : request["requests"].items()) answers.add(read_declarations(each));
-    return Json::object({{"answers", std::move(answers)}});
-  }
+Json answer(const Json& request, Invocations& invocations) {
   Findings out;
   const std::vector<std::string> names = request["interfaces"].as_texts();
   const std::set<std::string> interfaces(names.begin(), names.end());
   const std::string header = std::string(virtual_folder) + "/" + request["header"]["path"].as_text();
-  const auto files = files_of(request, header);
+  const Files files = files_of(request, header);
   for (const Json& unit : request["units"].items()) {
     const std::string& path = unit["path"].as_text();
     if (unit["only_unseen"].as_boolean() && out.seen.count(path) > 0) continue;
     files->setCurrentWorkingDirectory(unit["directory"].as_text());
-    const auto manager = llvm::makeIntrusiveRefCnt<clang::FileManager>(clang::FileSystemOptions{}, files);
     Faults faults(out, path);
-    clang::tooling::ToolInvocation parse(command_for(unit), std::make_unique<ReadAction>(out, interfaces, header),
-                                         manager.get());
-    parse.setDiagnosticConsumer(&faults);
-    const bool understood = parse.run();
+    auto invocation = invocations.make(unit, files, faults);
+    const bool understood =
+        invocation != nullptr && read(std::move(invocation), files, faults, ReadAction(out, interfaces, header));
     if (!understood && faults.getNumErrors() == 0)
       return Json::object({{"error", Json::text("`" + path + "` cannot be read with these flags")}});
   }
   return Json::object({{"classes", Findings::list(out.classes)},
                        {"functions", Findings::list(out.functions)},
                        {"problems", Findings::list(out.problems)}});
+}
+
+} // namespace
+
+Json read_declarations(const Json& request) {
+  Invocations invocations;
+  if (!request["requests"].is_list()) return answer(request, invocations);
+  Json answers = Json::list({}); // many at once: to start this program costs more than to read a small file
+  for (const Json& each : request["requests"].items()) answers.add(answer(each, invocations));
+  return Json::object({{"answers", std::move(answers)}});
 }
 
 } // namespace director::scanning

@@ -32,7 +32,7 @@ public:
   explicit Lexer(std::string_view text) : text_(text) {}
 
   Tokens run() {
-    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+    if (text_.starts_with("\xEF\xBB\xBF")) begin_ = at_ = 3; // a byte order mark
     while (at_ < text_.size()) step();
     return std::move(out_);
   }
@@ -56,8 +56,8 @@ private:
 
   bool begins_line() const {
     std::size_t i = at_;
-    while (i > 0 && (text_[i - 1] == ' ' || text_[i - 1] == '\t')) --i;
-    return i == 0 || text_[i - 1] == '\n';
+    while (i > begin_ && (text_[i - 1] == ' ' || text_[i - 1] == '\t')) --i;
+    return i == begin_ || text_[i - 1] == '\n';
   }
   void skip_to(std::size_t found, std::size_t size) { at_ = found == text_.npos ? text_.size() : found + size; }
   void skip_quoted(char quote) {
@@ -104,7 +104,7 @@ private:
   }
 
   std::string_view text_;
-  std::size_t at_ = 0;
+  std::size_t begin_ = 0, at_ = 0;
   Tokens out_;
   std::vector<std::size_t> open_;
 };
@@ -114,6 +114,7 @@ struct FileReader {
   std::string_view text;
   const Wanted& wanted;
   const std::set<std::string>& contexts;
+  std::set<std::string>& types; ///< every class, also of those that implement nothing any more
   Found& out;
   Tokens tokens = Lexer(text).run();
   std::size_t i = 0;
@@ -206,6 +207,7 @@ struct FileReader {
       if (is(at, "public") && is(at + 1, ":")) type.is_public = true;
       if ((is(at, "private") || is(at, "protected")) && is(at + 1, ":")) type.is_public = false;
     }
+    types.insert(type.name);
     ++i;
     scope(type.name, &type);
     if (!type.interfaces.empty()) out.classes.push_back(type);
@@ -247,8 +249,7 @@ struct FileReader {
     qualifier.resize(qualifier.size() - 2);
     while (true) {
       const std::string whole = scope_name + (scope_name.empty() ? "" : "::") + qualifier;
-      for (const FoundClass& type : out.classes)
-        if (type.name == whole) return whole;
+      if (types.count(whole) > 0) return whole;
       if (scope_name.empty()) return qualifier;
       const std::size_t cut = scope_name.rfind("::");
       scope_name = cut == scope_name.npos ? "" : scope_name.substr(0, cut);
@@ -263,9 +264,10 @@ Found read_cheaply(const Texts& texts, const Wanted& wanted) {
   for (const WantedModule& module : wanted.modules)
     for (const WantedFunction& function : module.functions) contexts.insert(function.context);
   Found out;
+  std::set<std::string> types;
   for (const bool headers : {true, false}) { // classes first
     for (const auto& [path, text] : texts)
-      if (path.ends_with(".hpp") == headers) FileReader{path, text, wanted, contexts, out}.scope("", nullptr);
+      if (path.ends_with(".hpp") == headers) FileReader{path, text, wanted, contexts, types, out}.scope("", nullptr);
   }
   std::sort(out.classes.begin(), out.classes.end(), [](const FoundClass& a, const FoundClass& b) {
     return std::tie(a.place.path, a.place.line, a.place.column) < std::tie(b.place.path, b.place.line, b.place.column);

@@ -1,4 +1,4 @@
-// 2,000 orders, read by the cheap stand-in for Clang; tests/clang does some of them with Clang itself, and compares.
+// 2,000 orders, read by the cheap stand-in for Clang; tests/clang does the same ones with Clang itself, and compares.
 #include "compiler/stubs/merge.hpp"
 #include "tests/stubs/cheap_cpp.hpp"
 #include "tests/stubs/orders.hpp"
