@@ -477,7 +477,9 @@ private:
     clang::CreateInvocationOptions options;
     options.Diags = clang::CompilerInstance::createDiagnostics(new clang::DiagnosticOptions, &faults, false);
     options.VFS = files;
-    return clang::createInvocation(words, options);
+    auto out = clang::createInvocation(words, options);
+    if (out != nullptr) out->getFrontendOpts().DisableFree = false; // there are more files to come
+    return out;
   }
 
   std::map<std::vector<std::string>, std::unique_ptr<clang::CompilerInvocation>> known_;
