@@ -1,15 +1,14 @@
 // Door: compiler/clang/parse.hpp. Test: tests/clang.
 #include "compiler/clang/parse.hpp"
 
+#include "compiler/clang/invoke.hpp"
+
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/FrontendAction.h>
-#include <clang/Tooling/Tooling.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
-#include <algorithm>
 #include <map>
-#include <regex>
 
 namespace director::scanning {
 
@@ -117,44 +116,24 @@ Reading parse_once(const Unit& unit, const std::vector<std::string>& arguments,
     memory->addFile(unit.file, 0, llvm::MemoryBuffer::getMemBufferCopy(unit.text));
     disk->pushOverlay(memory);
   }
-  disk->setCurrentWorkingDirectory(unit.directory);
-  llvm::IntrusiveRefCntPtr<clang::FileManager> files(new clang::FileManager({}, disk));
-
-  std::vector<std::string> command{"clang++", "-fsyntax-only", "-resource-dir", DIRECTOR_CLANG_RESOURCES};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  for (const char* word : {"-w", "-ferror-limit=0", "-fno-caret-diagnostics"}) command.emplace_back(word);
-  command.push_back(unit.file);
-
   Errors errors(unit, reading.errors);
-  clang::tooling::ToolInvocation invocation(command, std::make_unique<Action>(unit, reading, look), files.get());
-  invocation.setDiagnosticConsumer(&errors);
-  invocation.run();
+  Action action(unit, reading, look);
+  Frontend().run({unit.file, unit.directory, arguments}, disk, action, errors);
   return reading;
-}
-
-/// Drops the words that Clang's command line does not know. False: there is none among the errors.
-bool drop_unknown(std::vector<std::string>& arguments, const std::vector<Fault>& errors) {
-  static const std::regex unknown{
-      "(?:unknown argument|unsupported option|unsupported argument).*?'([^']*)'(?:.*option '([^']*)')?.*"};
-  bool dropped = false;
-  for (const Fault& fault : errors) {
-    std::smatch match;
-    if (!fault.file.empty() || !std::regex_match(fault.message, match, unknown)) continue;
-    const std::string word = match[2].matched ? match[2].str() + match[1].str() : match[1].str();
-    const auto end = std::remove(arguments.begin(), arguments.end(), word);
-    dropped = dropped || end != arguments.end();
-    arguments.erase(end, arguments.end());
-  }
-  return dropped;
 }
 
 } // namespace
 
 Reading parse(const Unit& unit, const std::function<void(clang::ASTContext&)>& look) {
   std::vector<std::string> arguments = unit.arguments;
-  Reading reading = parse_once(unit, arguments, look);
-  while (drop_unknown(arguments, reading.errors)) reading = parse_once(unit, arguments, look);
-  return reading;
+  for (;;) {
+    Reading reading = parse_once(unit, arguments, look);
+    std::vector<std::string> of_command_line;
+    for (const Fault& fault : reading.errors) {
+      if (fault.file.empty()) of_command_line.push_back(fault.message);
+    }
+    if (!drop_unknown(arguments, of_command_line)) return reading;
+  }
 }
 
 } // namespace director::scanning

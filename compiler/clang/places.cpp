@@ -1,8 +1,6 @@
 // Door: compiler/clang/places.hpp. Test: tests/clang.
 #include "compiler/clang/places.hpp"
 
-#include "compiler/clang/parse.hpp"
-
 #include <clang/AST/ASTContext.h>
 #include <clang/Lex/Lexer.h>
 
@@ -36,18 +34,6 @@ std::string name_of(const clang::NamedDecl& decl) {
     name = outer->getNameAsString() + "::" + name;
   }
   return name;
-}
-
-void tell_reading(Json& answer, const Reading& reading) {
-  Json files = Json::list({}), errors = Json::list({});
-  for (const Included& file : reading.files) files.add(Json::list({Json::text(file.path), Json::boolean(file.system)}));
-  for (const Fault& fault : reading.errors) {
-    errors.add(Json::object({{"message", Json::text(fault.message)},
-                             {"file", Json::text(fault.file)},
-                             {"line", Json::number(static_cast<std::int64_t>(fault.line))}}));
-  }
-  answer.add("files", std::move(files));
-  answer.add("errors", std::move(errors));
 }
 
 } // namespace director::scanning

@@ -36,8 +36,4 @@ private:
 /// Without inline namespaces and template arguments: `std::basic_string::append`.
 std::string name_of(const clang::NamedDecl& decl);
 
-struct Reading;
-/// `files` as [path, is a system header], and `errors`.
-void tell_reading(Json& answer, const Reading& reading);
-
 } // namespace director::scanning

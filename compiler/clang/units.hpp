@@ -1,5 +1,5 @@
 #pragma once
-// Units as requests name them.
+// Units in JSON: as requests name them, and what is told of how one was read.
 
 #include "compiler/clang/parse.hpp"
 #include "compiler/emit/json.hpp"
@@ -8,5 +8,8 @@ namespace director::scanning {
 
 /// From {"file", "directory", "arguments": [...]}.
 Unit unit_of(const compiler::Json& json);
+
+/// Adds `files` as [path, is a system header], and `errors` as {"message", "file", "line"}.
+void tell_reading(compiler::Json& answer, const Reading& reading);
 
 } // namespace director::scanning

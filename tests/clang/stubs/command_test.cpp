@@ -234,6 +234,17 @@ TEST_CASE("C++ that cannot be read is told, and nothing is written") {
                         "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n");
 }
 
+TEST_CASE("flags that Clang does not know are left out, and a build's folder without compile_commands.json is told") {
+  const Workshop shop;
+  shop.write("src/wheels.cpp", "#include \"cart.hpp\"\nstruct Wheels : cart::Wheels {\n  " + decl_stop + "\n};\n");
+  const std::string entry = R"("directory": ")" + shop.folder() + R"(", "file": "src/wheels.cpp", "command": )";
+  const std::string flags = "g++ -std=c++20 -fno-such-thing --what-is-this -march=nothing -I" + source_dir().string();
+  shop.write("build/compile_commands.json", "[{" + entry + "\"" + flags + " -c src/wheels.cpp\"}]");
+  CHECK(shop.stubs("--check -p build") == "to be added to: src/wheels.cpp\nstatus 1\n");
+  CHECK(shop.stubs("--check -p bulid") ==
+        "directorc: cannot read `bulid/compile_commands.json`: No such file or directory\nstatus 2\n");
+}
+
 TEST_CASE("bodies are the user's affair, and a file that is in the way is not touched") {
   const Workshop shop;
   shop.write("src/wheels.hpp", "#pragma once\n");

@@ -1,0 +1,259 @@
+// Door: compiler/clang/book.hpp. Test: tests/clang/pages_test.cpp.
+#include "compiler/clang/blocking.hpp"
+#include "compiler/clang/book.hpp"
+#include "compiler/clang/contexts.hpp"
+#include "compiler/clang/values.hpp"
+
+#include <clang/AST/RecursiveASTVisitor.h>
+
+namespace director::scanning {
+
+namespace {
+
+using namespace clang;
+
+class BodyReader : public RecursiveASTVisitor<BodyReader> {
+public:
+  explicit BodyReader(Book& book) : book_(book), values_(book.context()) {}
+
+  Json does = Json::list({}), calls = Json::list({}), blocks = Json::list({}), hidden = Json::list({});
+
+  // What is written but never run.
+  bool TraverseTypeLoc(TypeLoc) { return true; }
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr*) { return true; }
+  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr*) { return true; }
+  bool TraverseCXXRecordDecl(CXXRecordDecl*) { return true; }
+
+  bool TraverseIfStmt(IfStmt* branch) {
+    bool holds = false;
+    const Expr* condition = branch->getCond();
+    if (condition == nullptr || condition->isValueDependent() ||
+        !condition->EvaluateAsBooleanCondition(holds, book_.context()))
+      return RecursiveASTVisitor::TraverseIfStmt(branch);
+    TraverseStmt(branch->getInit());
+    return TraverseStmt(holds ? branch->getThen() : branch->getElse());
+  }
+
+  bool TraverseLambdaExpr(LambdaExpr* lambda) {
+    // Who has it may call it. One with `auto` has a body for each way in which it is called.
+    if (!lambda->isGenericLambda()) {
+      const FunctionDecl* body = lambda->getCallOperator();
+      call(*body, lambda->getBeginLoc(), lambda->getBeginLoc(), true, given_to_std_.count(lambda) == 0, false);
+    } else if (const FunctionTemplateDecl* many = lambda->getDependentCallOperator()) {
+      for (const FunctionDecl* each : many->specializations())
+        call(*each, lambda->getBeginLoc(), lambda->getBeginLoc(), true, given_to_std_.count(lambda) == 0, false);
+    }
+    for (Expr* capture : lambda->capture_inits()) {
+      if (capture != nullptr) TraverseStmt(capture);
+    }
+    return true;
+  }
+
+  bool VisitCallExpr(CallExpr* expr) {
+    callees_.insert(expr->getCallee()->IgnoreParenImpCasts());
+    bool carries = false;
+    for (const Expr* argument : expr->arguments()) carries = carries || carries_context(argument->getType());
+    const Expr* object = nullptr;
+    if (const auto* member = llvm::dyn_cast<CXXMemberCallExpr>(expr)) object = member->getImplicitObjectArgument();
+    if (object != nullptr) carries = carries || carries_context(object->getType());
+    const FunctionDecl* callee = expr->getDirectCallee();
+    if (callee == nullptr) {
+      if (!llvm::isa<CXXPseudoDestructorExpr>(expr->getCallee()->IgnoreParens()) && !expr->isTypeDependent())
+        hide("a call through a pointer", expr->getBeginLoc(), expr->getEndLoc(), carries);
+      return true;
+    }
+    if (callee->getLocation().isInvalid()) return true; // built in
+    const auto* method = llvm::dyn_cast<CXXMethodDecl>(callee);
+    if (method != nullptr && object != nullptr && say_word(*expr, *method, *object)) return true;
+    const SourceLocation at = name_place(*expr);
+    if (is_directors(*callee)) return true;
+    bool is_virtual = false;
+    if (method != nullptr && method->isVirtual()) {
+      const auto* member = llvm::dyn_cast<MemberExpr>(expr->getCallee()->IgnoreParens());
+      is_virtual = member != nullptr && !member->hasQualifier() && object != nullptr &&
+                   const_cast<CXXMethodDecl*>(method)->getDevirtualizedMethod(object, false) == nullptr;
+    }
+    if (is_system(*callee)) {
+      system_call(*expr, *callee, at, carries);
+      return true;
+    }
+    call(*callee, at, at, carries, false, is_virtual);
+    return true;
+  }
+
+  bool VisitCXXConstructExpr(CXXConstructExpr* expr) {
+    const CXXConstructorDecl* callee = expr->getConstructor();
+    if (is_directors(*callee) || callee->isImplicit() || callee->isDefaulted()) return true;
+    if (is_system(*callee)) {
+      const bool copies_nothing = callee->isDefaultConstructor() || callee->isMoveConstructor();
+      block(name_of(*callee), !copies_nothing, expr->getBeginLoc());
+      return true;
+    }
+    bool carries = false;
+    for (const Expr* argument : expr->arguments()) carries = carries || carries_context(argument->getType());
+    call(*callee, expr->getBeginLoc(), expr->getBeginLoc(), carries, false, false);
+    return true;
+  }
+
+  bool VisitCXXNewExpr(CXXNewExpr* expr) {
+    if (expr->getNumPlacementArgs() == 0) block("operator new", true, expr->getBeginLoc());
+    return true;
+  }
+  bool VisitCXXDeleteExpr(CXXDeleteExpr* expr) {
+    block("operator delete", true, expr->getBeginLoc());
+    return true;
+  }
+
+  /// A function that is named and not called here may be called by whoever gets it.
+  bool VisitDeclRefExpr(DeclRefExpr* expr) {
+    const auto* function = llvm::dyn_cast<FunctionDecl>(expr->getDecl());
+    if (function == nullptr || callees_.count(expr) != 0 || is_system(*function) || is_directors(*function))
+      return true;
+    if (expr->isNonOdrUse() == NOUR_Unevaluated) return true;
+    call(*function, expr->getLocation(), expr->getLocation(), false, true, false);
+    return true;
+  }
+
+private:
+  static SourceLocation name_place(const CallExpr& expr) {
+    const Expr* callee = expr.getCallee()->IgnoreParenImpCasts();
+    if (const auto* member = llvm::dyn_cast<MemberExpr>(callee)) return member->getMemberLoc();
+    if (const auto* name = llvm::dyn_cast<DeclRefExpr>(callee)) return name->getLocation();
+    return expr.getBeginLoc();
+  }
+
+  /// The words of a context. True: it is one of these, and there is nothing else to it.
+  bool say_word(const CallExpr& expr, const CXXMethodDecl& method, const Expr& object) {
+    const std::string context = context_of(object.getType());
+    if (context.empty() || !method.getDeclName().isIdentifier()) return false;
+    const CXXRecordDecl* of = method.getParent();
+    const bool is_pack = !is_directors(*of) && context == name_of(*of);
+    if (!is_pack && !is_directors(*of)) return false; // a class of the user that has a context's words
+    const std::string word = method.getName().str();
+    Json fact = Json::object({{"context", Json::text(context)}});
+    const SourceLocation at = name_place(expr);
+    if (is_pack || word == "request") {
+      fact.add("word", Json::text(is_pack ? "pack" : "request"));
+      if (is_pack) fact.add("pack", Json::text(word));
+      Json tasks = Json::list({});
+      for (const Expr* argument : expr.arguments()) tasks.add(Json::text(task_of(argument->getType())));
+      fact.add("tasks", std::move(tasks));
+      fact.add("at", book_.places().of(at, at));
+    } else if (word == "set" || word == "try_set") {
+      if (expr.getNumArgs() == 0) return true;
+      fact.add("word", Json::text("set"));
+      fact.add("state", Json::text(values_.state_of(expr.getArg(0))));
+      if (const auto values = values_.of(expr.getArg(0)))
+        fact.add("values", Json::texts({values->begin(), values->end()}));
+      fact.add("at", book_.places().of(at, expr.getEndLoc()));
+    } else if (word == "done" || word == "fail" || word == "keep") {
+      fact.add("word", Json::text(word));
+      fact.add("at", book_.places().of(at, at));
+    } else {
+      return true;
+    }
+    does.add(std::move(fact));
+    return true;
+  }
+
+  /// `soccer::Walk`, also where it is to be kept.
+  static std::string task_of(QualType type) {
+    const CXXRecordDecl* record = bare(type)->getAsCXXRecordDecl();
+    if (const auto* special = llvm::dyn_cast_or_null<ClassTemplateSpecializationDecl>(record)) {
+      if (is_directors(*special) && special->getTemplateArgs().size() == 1 &&
+          special->getTemplateArgs()[0].getKind() == TemplateArgument::Type)
+        return task_of(special->getTemplateArgs()[0].getAsType());
+    }
+    return record == nullptr ? std::string{} : name_of(*record);
+  }
+
+  void system_call(const CallExpr& expr, const FunctionDecl& callee, SourceLocation at, bool carries) {
+    const std::string name = name_of(callee);
+    if (!block(name, true, at) && carries) {
+      static const std::set<std::string> passes_on{"std::forward",   "std::move",     "std::ref", "std::cref",
+                                                   "std::addressof", "std::as_const", "std::tie", "std::get"};
+      bool only_lambdas = true; // what they do is known
+      for (const Expr* argument : expr.arguments()) {
+        const CXXRecordDecl* record = bare(argument->getType())->getAsCXXRecordDecl();
+        const bool is_lambda = record != nullptr && record->isLambda();
+        only_lambdas = only_lambdas && (is_lambda || !carries_context(argument->getType()));
+      }
+      if (passes_on.count(name) == 0 && !only_lambdas) hide("what `" + name + "` does with it", at, at, true);
+    }
+    if (!name.starts_with("std::") || name == "std::async" || name.starts_with("std::thread")) return;
+    for (const Expr* argument : expr.arguments()) {
+      if (const auto* lambda = llvm::dyn_cast<LambdaExpr>(argument->IgnoreUnlessSpelledInSource()))
+        given_to_std_.insert(lambda);
+    }
+  }
+
+  bool block(const std::string& name, bool with_arguments, SourceLocation at) {
+    const std::string_view why = why_it_blocks(name, with_arguments);
+    if (why.empty()) return false;
+    blocks.add(Json::object({{"name", Json::text(name)}, {"why", Json::text(why)}, {"at", book_.places().of(at, at)}}));
+    return true;
+  }
+
+  void call(const FunctionDecl& callee, SourceLocation begin, SourceLocation end, bool carries, bool maybe,
+            bool is_virtual) {
+    // What the compiler writes itself has nothing of this.
+    const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
+    const bool is_lambda = method != nullptr && method->getParent()->isLambda();
+    if (callee.getLocation().isInvalid() || callee.isDefaulted() || (callee.isImplicit() && !is_lambda)) return;
+    Json fact = Json::object({{"to", Json::text(book_.want(callee))},
+                              {"name", Json::text(name_of(callee))},
+                              {"at", book_.places().of(begin, end)}});
+    const FunctionDecl* body = nullptr;
+    if (!callee.hasBody(body)) fact.add("declared", book_.places().of(callee.getLocation(), callee.getLocation()));
+    if (carries) fact.add("carries", Json::boolean(true));
+    if (maybe) fact.add("maybe", Json::boolean(true));
+    if (is_virtual) fact.add("virtual", Json::boolean(true));
+    calls.add(std::move(fact));
+  }
+
+  void hide(std::string what, SourceLocation begin, SourceLocation end, bool carries) {
+    Json fact = Json::object({{"what", Json::text(what)}, {"at", book_.places().of(begin, end)}});
+    if (carries) fact.add("carries", Json::boolean(true));
+    hidden.add(std::move(fact));
+  }
+
+  Book& book_;
+  Values values_;
+  std::set<const Expr*> callees_;
+  std::set<const LambdaExpr*> given_to_std_;
+};
+
+} // namespace
+
+void read_function(Book& book, const FunctionDecl& function) {
+  BodyReader reader(book);
+  if (const auto* maker = llvm::dyn_cast<CXXConstructorDecl>(&function)) {
+    for (const CXXCtorInitializer* initial : maker->inits()) {
+      if (initial->getInit() != nullptr) reader.TraverseStmt(initial->getInit());
+    }
+  }
+  reader.TraverseStmt(function.getBody());
+  const SourceLocation at = function.getLocation();
+  Json out = Json::object({{"key", Json::text(key_of(function))},
+                           {"name", Json::text(name_of(function))},
+                           {"at", book.places().of(at, at)}});
+  if (const auto* method = llvm::dyn_cast<CXXMethodDecl>(&function)) {
+    Json above = Json::list({});
+    for (const CXXMethodDecl* each : method->overridden_methods()) above.add(Json::text(key_of(*each)));
+    if (!above.items().empty()) out.add("overrides", std::move(above));
+    if (promised_by(*method) != nullptr) {
+      out.add("context", Json::text(parameter_context(*method)));
+      out.add("class", Json::text(name_of(*method->getParent())));
+    }
+  }
+  const auto add = [&](const char* name, Json& list) {
+    if (!list.items().empty()) out.add(name, std::move(list));
+  };
+  add("does", reader.does);
+  add("calls", reader.calls);
+  add("blocks", reader.blocks);
+  add("hidden", reader.hidden);
+  book.functions.push_back(std::move(out));
+}
+
+} // namespace director::scanning

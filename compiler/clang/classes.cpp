@@ -1,0 +1,86 @@
+// Door: compiler/clang/book.hpp. Test: tests/clang/pages_test.cpp.
+#include "compiler/clang/book.hpp"
+#include "compiler/clang/contexts.hpp"
+
+#include <clang/AST/CXXInheritance.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+#include <clang/Lex/Lexer.h>
+
+namespace director::scanning {
+
+namespace {
+
+using namespace clang;
+
+/// Classes that implement modules, and functions to begin at.
+class Finder : public RecursiveASTVisitor<Finder> {
+public:
+  explicit Finder(Book& book) : book_(book) {}
+  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool TraverseStmt(Stmt*) { return true; } // bodies are looked at when their turn comes
+
+  bool VisitFunctionDecl(FunctionDecl* function) {
+    if (!function->isThisDeclarationADefinition() || function->isDependentContext()) return true;
+    const auto* method = llvm::dyn_cast<CXXMethodDecl>(function);
+    const bool is_body = method != nullptr && promised_by(*method) != nullptr;
+    const SourceManager& sources = book_.context().getSourceManager();
+    if (is_body || sources.isInMainFile(sources.getFileLoc(function->getLocation()))) book_.want(*function);
+    return true;
+  }
+
+  bool VisitCXXRecordDecl(CXXRecordDecl* record) {
+    if (!record->isThisDeclarationADefinition() || record->isDependentContext() || record->getNumBases() == 0)
+      return true;
+    const CXXRecordDecl* module = interface_of(*record);
+    if (module == nullptr || is_directors(*record)) return true;
+    Json bases = Json::list({}), missing = Json::list({}), stray = Json::list({});
+    for (const CXXBaseSpecifier& base : record->bases()) {
+      if (const CXXRecordDecl* above = base.getType()->getAsCXXRecordDecl()) bases.add(Json::text(key_of(*above)));
+    }
+    CXXFinalOverriderMap overriders;
+    record->getFinalOverriders(overriders);
+    for (const auto& [method, by_subobject] : overriders) {
+      for (const auto& [subobject, last] : by_subobject) {
+        const CXXMethodDecl* final_one = last.front().Method;
+        if (final_one->isPureVirtual() && is_called_like_body(*final_one) && is_interface(*final_one->getParent()))
+          missing.add(Json::text(parameter_context(*final_one)));
+      }
+    }
+    for (const CXXMethodDecl* method : record->methods()) {
+      if (!is_called_like_body(*method) || method->size_overridden_methods() != 0) continue;
+      const std::string context = parameter_context(*method);
+      const bool is_lost = context.empty() && method->getNumParams() == 1 &&
+                           (method->isInvalidDecl() || method->getParamDecl(0)->isInvalidDecl());
+      if (context.empty() && !is_lost) continue;
+      Json each = Json::object({{"at", book_.places().of(method->getLocation(), method->getLocation())}});
+      if (is_lost) {
+        each.add("wrote", Json::text(written(*method->getParamDecl(0))));
+      } else {
+        each.add("context", Json::text(context));
+      }
+      stray.add(std::move(each));
+    }
+    book_.classes.push_back(Json::object({{"key", Json::text(key_of(*record))},
+                                          {"name", Json::text(name_of(*record))},
+                                          {"module", Json::text(name_of(*module))},
+                                          {"at", book_.places().of(record->getLocation(), record->getLocation())},
+                                          {"bases", std::move(bases)},
+                                          {"missing", std::move(missing)},
+                                          {"stray", std::move(stray)}}));
+    return true;
+  }
+
+private:
+  std::string written(const ParmVarDecl& parameter) const {
+    const CharSourceRange range = CharSourceRange::getTokenRange(parameter.getSourceRange());
+    return Lexer::getSourceText(range, book_.context().getSourceManager(), book_.context().getLangOpts()).str();
+  }
+
+  Book& book_;
+};
+
+} // namespace
+
+void find_classes(Book& book) { Finder(book).TraverseAST(book.context()); }
+
+} // namespace director::scanning

@@ -1,0 +1,28 @@
+// Door: compiler/clang/findings.hpp. Test: tests/clang/stubs/command_test.cpp.
+#include "compiler/clang/findings.hpp"
+
+#include <filesystem>
+
+namespace director::scanning {
+
+Json number(std::uint64_t value) { return Json::number(static_cast<std::int64_t>(value)); }
+
+std::string canonical(clang::FileEntryRef file) {
+  std::error_code fault;
+  const llvm::StringRef real = file.getFileEntry().tryGetRealPathName();
+  return std::filesystem::weakly_canonical(real.empty() ? file.getName().str() : real.str(), fault).string();
+}
+
+Findings::Place place_of(const clang::SourceManager& sources, clang::SourceLocation at) {
+  const auto [file, offset] = sources.getDecomposedExpansionLoc(at);
+  const clang::OptionalFileEntryRef entry = sources.getFileEntryRefForID(file);
+  return {entry ? canonical(*entry) : std::string{}, offset};
+}
+
+Json row_at(const clang::SourceManager& sources, clang::SourceLocation at) {
+  return Json::object({{"path", Json::text(place_of(sources, at).first)},
+                       {"line", number(sources.getExpansionLineNumber(at))},
+                       {"column", number(sources.getExpansionColumnNumber(at))}});
+}
+
+} // namespace director::scanning

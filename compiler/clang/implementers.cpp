@@ -1,0 +1,249 @@
+// Door: compiler/clang/implementers.hpp. Test: tests/clang/stubs/command_test.cpp.
+#include "compiler/clang/implementers.hpp"
+
+#include "compiler/clang/contexts.hpp"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclTemplate.h>
+#include <clang/Frontend/CompilerInstance.h>
+#include <clang/Lex/Lexer.h>
+
+#include <algorithm>
+
+namespace director::scanning {
+
+namespace {
+
+using clang::SourceLocation;
+
+class Implementers final : public clang::ASTConsumer {
+public:
+  Implementers(Findings& out, const std::set<std::string>& interfaces, const std::string& header,
+               const Structure& structure, clang::CompilerInstance& compiler)
+      : out_(out),
+        interfaces_(interfaces),
+        header_(header),
+        structure_(structure),
+        compiler_(compiler),
+        sources_(compiler.getSourceManager()) {}
+
+  void HandleTranslationUnit(clang::ASTContext& context) override {
+    for (auto file = sources_.fileinfo_begin(); file != sources_.fileinfo_end(); ++file)
+      out_.seen.insert(canonical(file->first));
+    for (const SourceLocation at : structure_.open) problem(sources_.getExpansionLoc(at), "this brace is never closed");
+    walk(*context.getTranslationUnitDecl());
+  }
+
+private:
+  void problem(SourceLocation at, const std::string& message) {
+    Json row = row_at(sources_, at);
+    row.add("message", Json::text(message));
+    out_.problems.try_emplace(place(at), std::move(row));
+  }
+
+  Findings::Place place(SourceLocation at) const { return place_of(sources_, at); }
+
+  bool is_users(SourceLocation at) const {
+    if (at.isInvalid()) return false;
+    const SourceLocation where = sources_.getExpansionLoc(at);
+    return !sources_.isInSystemHeader(where) && place(where).first != header_;
+  }
+
+  std::int64_t inside(SourceLocation at) const {
+    const auto [file, offset] = sources_.getDecomposedExpansionLoc(at);
+    return structure_.inside(file, offset);
+  }
+
+  std::string text(SourceLocation begin, SourceLocation end) const {
+    if (begin.isMacroID() || end.isMacroID() || begin.isInvalid() || end.isInvalid()) return {};
+    const auto range = clang::CharSourceRange::getCharRange(begin, end);
+    return clang::Lexer::getSourceText(range, sources_, compiler_.getLangOpts()).str();
+  }
+
+  SourceLocation behind_token(SourceLocation at) const {
+    return clang::Lexer::getLocForEndOfToken(at, 0, sources_, compiler_.getLangOpts());
+  }
+
+  void walk(const clang::DeclContext& context) {
+    for (const clang::Decl* decl : context.decls()) {
+      if (decl->isImplicit() || !is_users(decl->getLocation())) {
+        // What another header opens, the user's may go on in: only namespaces are looked through.
+        if (!llvm::isa<clang::LinkageSpecDecl>(decl)) continue;
+      }
+      if (const auto* name_space = llvm::dyn_cast<clang::NamespaceDecl>(decl)) walk(*name_space);
+      if (const auto* linkage = llvm::dyn_cast<clang::LinkageSpecDecl>(decl)) walk(*linkage);
+      if (const auto* type_template = llvm::dyn_cast<clang::ClassTemplateDecl>(decl))
+        read(*type_template->getTemplatedDecl());
+      if (const auto* type = llvm::dyn_cast<clang::CXXRecordDecl>(decl)) read(*type);
+      if (const auto* function = llvm::dyn_cast<clang::CXXMethodDecl>(decl)) read(*function);
+    }
+  }
+
+  void read(const clang::CXXRecordDecl& type) {
+    if (!type.isThisDeclarationADefinition()) return;
+    std::set<std::string> interfaces, bases;
+    look_up(type, interfaces, bases);
+    const SourceLocation end = type.getBraceRange().getEnd();
+    if (!interfaces.empty() && end.isValid()) {
+      Json row = row_at(sources_, type.getLocation());
+      row.add("name", Json::text(type.getQualifiedNameAsString()));
+      row.add("interfaces", Json::texts({interfaces.begin(), interfaces.end()}));
+      row.add("bases", Json::texts({bases.begin(), bases.end()}));
+      row.add("end", number(place(end).second));
+      row.add("inside", Json::number(inside(end)));
+      row.add("public", Json::boolean(access_at_end(type) == clang::AS_public));
+      row.add("macro", Json::boolean(end.isMacroID()));
+      row.add("only_inline", Json::boolean(type.isDependentContext() || type.isLocalClass() != nullptr));
+      out_.classes.try_emplace(place(type.getLocation()), std::move(row));
+    }
+    walk(type);
+  }
+
+  void look_up(const clang::CXXRecordDecl& type, std::set<std::string>& interfaces, std::set<std::string>& bases) {
+    for (const clang::CXXBaseSpecifier& specifier : type.bases()) {
+      const clang::CXXRecordDecl* base = specifier.getType()->getAsCXXRecordDecl();
+      if (base == nullptr || !base->hasDefinition()) continue;
+      base = base->getDefinition();
+      const std::string name = base->getQualifiedNameAsString();
+      if (interfaces_.count(name) > 0) {
+        interfaces.insert(name);
+      } else if (is_users(base->getLocation()) && bases.insert(name).second) {
+        look_up(*base, interfaces, bases);
+      }
+    }
+  }
+
+  static clang::AccessSpecifier access_at_end(const clang::CXXRecordDecl& type) {
+    clang::AccessSpecifier out = type.isClass() ? clang::AS_private : clang::AS_public;
+    for (const clang::Decl* decl : type.decls())
+      if (const auto* label = llvm::dyn_cast<clang::AccessSpecDecl>(decl)) out = label->getAccess();
+    return out;
+  }
+
+  /// What else a class has than functions that are called like bodies and have one parameter is not asked.
+  void read(const clang::CXXMethodDecl& function) {
+    const clang::FunctionTypeLoc type = function.getFunctionTypeLoc();
+    if (!is_called_like_body(function) || function.getNumParams() != 1 || !type) return;
+
+    const bool body = function.isThisDeclarationADefinition() && !function.isDeleted() && !function.isDefaulted();
+    const bool within = !function.isOutOfLine();
+    const End end = body ? end_of_body(type.getRParenLoc()) : end_of_declaration(type.getRParenLoc());
+    const SourceLocation begin = function.getBeginLoc(), at = function.getLocation();
+    const clang::ParmVarDecl& parameter = *function.getParamDecl(0);
+    const bool known = !parameter.isInvalidDecl();
+
+    Json row = row_at(sources_, at);
+    row.add("class", Json::text(function.getParent()->getQualifiedNameAsString()));
+    row.add("name", Json::text(function.getNameAsString()));
+    row.add("context", Json::text(known ? context_of(parameter) : written(type)));
+    row.add("begin", number(place(begin).second));
+    row.add("end", number(end.offset));
+    row.add("inside", Json::number(end.inside));
+    row.add("known", Json::boolean(known));
+    row.add("within", Json::boolean(within));
+    row.add("defines", Json::boolean(body || function.isPureVirtual() || function.isDeleted()));
+    row.add("overrides", Json::boolean(says_override(type.getRParenLoc())));
+    row.add("macro", Json::boolean(begin.isMacroID() || at.isMacroID() || end.in_macro));
+    row.add("inline", Json::boolean(!within && function.isInlineSpecified()));
+    row.add("result", Json::text(result_of(function)));
+    row.add("qualifier",
+            Json::text(within ? std::string{} : one_line(text(function.getQualifierLoc().getBeginLoc(), at))));
+    out_.functions.try_emplace(place(at), std::move(row));
+  }
+
+  struct End {
+    std::uint64_t offset = 0;
+    std::int64_t inside = -1;
+    bool in_macro = true;
+  };
+
+  End end_at(SourceLocation last) const {
+    if (last.isInvalid() || last.isMacroID()) return {};
+    const SourceLocation end = behind_token(last);
+    return {place(end).second, inside(last), false};
+  }
+
+  /// A body begins with the first brace behind the parameters; a function-try-block goes on with its handlers.
+  End end_of_body(SourceLocation parameters) const {
+    if (parameters.isInvalid() || parameters.isMacroID()) return {};
+    auto pair = structure_.braces.upper_bound(parameters);
+    while (pair != structure_.braces.end()) {
+      if (pair->second.in_macro || pair->second.close.isInvalid()) return {};
+      const auto next = clang::Lexer::findNextToken(pair->second.close, sources_, compiler_.getLangOpts());
+      const bool handles = next && next->is(clang::tok::raw_identifier) && next->getRawIdentifier() == "catch";
+      if (!handles) return end_at(pair->second.close);
+      pair = structure_.braces.upper_bound(pair->second.close);
+    }
+    return {};
+  }
+
+  /// Clang forgets the word where there is nothing to override, as when the interface is gone.
+  bool says_override(SourceLocation parameters) const {
+    if (parameters.isInvalid() || parameters.isMacroID()) return false;
+    auto next = clang::Lexer::findNextToken(parameters, sources_, compiler_.getLangOpts());
+    while (next && !next->isOneOf(clang::tok::eof, clang::tok::semi, clang::tok::l_brace, clang::tok::r_brace)) {
+      if (next->is(clang::tok::raw_identifier) && next->getRawIdentifier() == "override") return true;
+      next = clang::Lexer::findNextToken(next->getLocation(), sources_, compiler_.getLangOpts());
+    }
+    return false;
+  }
+
+  End end_of_declaration(SourceLocation parameters) const {
+    if (parameters.isInvalid() || parameters.isMacroID()) return {};
+    SourceLocation at = parameters;
+    while (true) {
+      const auto next = clang::Lexer::findNextToken(at, sources_, compiler_.getLangOpts());
+      if (!next || next->isOneOf(clang::tok::eof, clang::tok::l_brace, clang::tok::r_brace)) return {};
+      at = next->getLocation();
+      if (next->is(clang::tok::semi)) return end_at(at);
+    }
+  }
+
+  static std::string context_of(const clang::ParmVarDecl& parameter) {
+    const clang::QualType type = parameter.getType().getNonReferenceType().getCanonicalType().getUnqualifiedType();
+    if (const clang::CXXRecordDecl* const record = type->getAsCXXRecordDecl())
+      return record->getQualifiedNameAsString();
+    return type.getAsString();
+  }
+
+  /// The parameter's type as it stands there: `soccer::Walk::Halting`.
+  std::string written(const clang::FunctionTypeLoc& type) const {
+    std::string out = text(behind_token(type.getLParenLoc()), type.getRParenLoc());
+    out = out.substr(0, out.find_first_of("&,"));
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+    out.erase(std::remove_if(out.begin(), out.end(), is_blank), out.end());
+    return out;
+  }
+
+  static std::string one_line(const std::string& text) {
+    return text.find('\n') == std::string::npos ? text : std::string{};
+  }
+
+  /// As the user calls director::Outcome there.
+  std::string result_of(const clang::CXXMethodDecl& function) const {
+    const clang::CXXRecordDecl* const record = function.getReturnType()->getAsCXXRecordDecl();
+    const auto* const type = function.getType()->getAs<clang::FunctionProtoType>();
+    if (record == nullptr || record->getQualifiedNameAsString() != "director::Outcome") return {};
+    if (type == nullptr || type->hasTrailingReturn()) return {};
+    const clang::SourceRange range = function.getReturnTypeSourceRange();
+    if (range.isInvalid() || range.getEnd().isMacroID()) return {};
+    return one_line(text(range.getBegin(), behind_token(range.getEnd())));
+  }
+
+  Findings& out_;
+  const std::set<std::string>& interfaces_;
+  const std::string& header_;
+  const Structure& structure_;
+  clang::CompilerInstance& compiler_;
+  const clang::SourceManager& sources_;
+};
+
+} // namespace
+
+std::unique_ptr<clang::ASTConsumer> find_implementers(Findings& out, const std::set<std::string>& interfaces,
+                                                      const std::string& header, const Structure& structure,
+                                                      clang::CompilerInstance& compiler) {
+  return std::make_unique<Implementers>(out, interfaces, header, structure, compiler);
+}
+
+} // namespace director::scanning

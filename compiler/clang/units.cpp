@@ -1,0 +1,24 @@
+// Door: compiler/clang/units.hpp. Test: tests/clang/faults_test.cpp.
+#include "compiler/clang/units.hpp"
+
+namespace director::scanning {
+
+using compiler::Json;
+
+Unit unit_of(const Json& json) {
+  return {json["file"].as_text(), json["directory"].as_text(), json["arguments"].as_texts(), {}};
+}
+
+void tell_reading(Json& answer, const Reading& reading) {
+  Json files = Json::list({}), errors = Json::list({});
+  for (const Included& file : reading.files) files.add(Json::list({Json::text(file.path), Json::boolean(file.system)}));
+  for (const Fault& fault : reading.errors) {
+    errors.add(Json::object({{"message", Json::text(fault.message)},
+                             {"file", Json::text(fault.file)},
+                             {"line", Json::number(static_cast<std::int64_t>(fault.line))}}));
+  }
+  answer.add("files", std::move(files));
+  answer.add("errors", std::move(errors));
+}
+
+} // namespace director::scanning

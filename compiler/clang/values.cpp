@@ -1,0 +1,86 @@
+// Door: compiler/clang/values.hpp. Test: tests/clang/pages_test.cpp.
+#include "compiler/clang/values.hpp"
+
+#include "compiler/clang/contexts.hpp"
+#include "compiler/clang/places.hpp"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/ExprCXX.h>
+
+namespace director::scanning {
+
+namespace {
+
+using namespace clang;
+
+// Constants that name constants: nobody writes more than a few, and an initializer may name itself.
+constexpr int deepest = 6;
+
+/// What is meant, without what the compiler puts around it and without the types of director that wrap it.
+const Expr* stripped(const Expr* expr) {
+  for (;;) {
+    const Expr* inner = expr->IgnoreParenImpCasts();
+    if (const auto* full = llvm::dyn_cast<FullExpr>(inner)) inner = full->getSubExpr();
+    if (const auto* temporary = llvm::dyn_cast<MaterializeTemporaryExpr>(inner)) inner = temporary->getSubExpr();
+    if (const auto* bound = llvm::dyn_cast<CXXBindTemporaryExpr>(inner)) inner = bound->getSubExpr();
+    if (const auto* cast = llvm::dyn_cast<CXXFunctionalCastExpr>(inner)) inner = cast->getSubExpr();
+    if (const auto* substituted = llvm::dyn_cast<SubstNonTypeTemplateParmExpr>(inner))
+      inner = substituted->getReplacement();
+    if (const auto* made = llvm::dyn_cast<CXXConstructExpr>(inner)) {
+      const bool wraps = made->getNumArgs() == 1 && is_directors(*made->getConstructor());
+      if (wraps || (made->getNumArgs() == 1 && made->getConstructor()->isCopyOrMoveConstructor()))
+        inner = made->getArg(0);
+    }
+    if (inner == expr) return expr;
+    expr = inner;
+  }
+}
+
+std::string text(const llvm::APSInt& number, QualType type) {
+  if (const auto* of = type.getCanonicalType()->getAs<EnumType>()) {
+    for (const EnumConstantDecl* each : of->getDecl()->enumerators()) {
+      if (llvm::APSInt::isSameValue(each->getInitVal(), number)) return each->getNameAsString();
+    }
+  }
+  llvm::SmallString<24> digits;
+  number.toString(digits, 10);
+  return digits.str().str();
+}
+
+} // namespace
+
+std::optional<std::set<std::string>> Values::of(const Expr* expr) const { return of(expr, deepest); }
+
+std::optional<std::set<std::string>> Values::of(const Expr* expr, int depth) const {
+  if (expr == nullptr || depth == 0 || expr->isValueDependent()) return {};
+  expr = stripped(expr);
+  if (const auto* choice = llvm::dyn_cast<ConditionalOperator>(expr)) {
+    auto left = of(choice->getTrueExpr(), depth - 1);
+    const auto right = of(choice->getFalseExpr(), depth - 1);
+    if (!left || !right) return {};
+    left->insert(right->begin(), right->end());
+    return left;
+  }
+  if (const auto* list = llvm::dyn_cast<InitListExpr>(expr))
+    return list->getNumInits() == 1 ? of(list->getInit(0), depth - 1) : std::nullopt;
+  if (const auto* made = llvm::dyn_cast<CXXConstructExpr>(expr))
+    return made->getNumArgs() >= 1 ? of(made->getArg(0), depth - 1) : std::nullopt;
+  if (const auto* name = llvm::dyn_cast<DeclRefExpr>(expr)) {
+    const auto* variable = llvm::dyn_cast<VarDecl>(name->getDecl());
+    if (variable != nullptr && variable->getType().isConstQualified() && !variable->getType()->isReferenceType() &&
+        variable->getInit() != nullptr && !llvm::isa<ParmVarDecl>(variable) && !variable->getInit()->isValueDependent())
+      return of(variable->getInit(), depth - 1);
+  }
+  Expr::EvalResult result;
+  if (!expr->getType()->isIntegralOrEnumerationType() || !expr->EvaluateAsInt(result, context_)) return {};
+  return std::set<std::string>{text(result.Val.getInt(), expr->getType())};
+}
+
+std::string Values::state_of(const Expr* expr) const {
+  expr = expr->IgnoreUnlessSpelledInSource();
+  const QualType type = bare(stripped(expr)->getType());
+  if (const TagDecl* tag = type->getAsTagDecl()) return name_of(*tag);
+  return {};
+}
+
+} // namespace director::scanning

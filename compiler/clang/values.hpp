@@ -1,0 +1,28 @@
+#pragma once
+// Which values an expression may have, as far as they stand in the text: what a body sets a state to.
+
+#include <clang/AST/Expr.h>
+
+#include <optional>
+#include <set>
+#include <string>
+
+namespace director::scanning {
+
+class Values {
+public:
+  explicit Values(const clang::ASTContext& context) : context_(context) {}
+
+  /// Enumerators by name, numbers as such; nothing: it is computed.
+  std::optional<std::set<std::string>> of(const clang::Expr* expr) const;
+
+  /// Whose values: the enum, or the struct that a number is put into; empty: another type.
+  std::string state_of(const clang::Expr* expr) const;
+
+private:
+  std::optional<std::set<std::string>> of(const clang::Expr* expr, int depth) const;
+
+  const clang::ASTContext& context_;
+};
+
+} // namespace director::scanning
