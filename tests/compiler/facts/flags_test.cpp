@@ -43,7 +43,7 @@ TEST_CASE("compile_commands.json of a build, or what is wrong with it") {
   director::dsl::MemoryFiles files;
   const LoadedCommands absent = load_compile_commands("b", files);
   CHECK_FALSE(absent.was_read);
-  CHECK(absent.fault == "cannot read `b/compile_commands.json`: no such file");
+  CHECK(absent.fault == "cannot read `b/compile_commands.json`: No such file or directory");
   files.add("b/compile_commands.json", "nothing");
   const LoadedCommands wrong = load_compile_commands("b", files);
   CHECK(wrong.was_read);
