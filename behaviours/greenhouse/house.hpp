@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-class Gardener final : public greenhouse::Gardener {
+class Gardener : public greenhouse::Gardener {
 public:
   director::Outcome provide(greenhouse::Storm::Default& run) override { return run.request(greenhouse::Roof{0}); }
   director::Outcome provide(greenhouse::Garden::Default& run) override {

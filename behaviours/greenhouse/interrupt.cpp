@@ -14,23 +14,18 @@ std::optional<greenhouse::Behaviour::Post> way_in;
 
 void on_signal(int) { way_in->request<greenhouse::Storm>(); } // a root task: never refused, however full the inbox is
 
-class WindyGardener final : public greenhouse::Gardener {
+class WindyGardener final : public Gardener {
 public:
+  using Gardener::provide;
   director::Outcome provide(greenhouse::Storm::Default& run) override {
     std::puts("storm");
-    return run.request(greenhouse::Roof{0});
-  }
-  director::Outcome provide(greenhouse::Garden::Default& run) override {
-    return run.day(greenhouse::Airing{}, greenhouse::Watering{});
+    return Gardener::provide(run);
   }
   director::Outcome provide(greenhouse::Airing::Opening& run) override {
     std::raise(SIGINT); // the wind gauge, or somebody at the keyboard
     std::puts("the body that was interrupted goes on");
-    return run.request(greenhouse::Roof{60});
+    return Gardener::provide(run);
   }
-  director::Outcome provide(greenhouse::Watering::Pouring& run) override { return run.request(greenhouse::Pump{}); }
-  director::Outcome provide(greenhouse::Airing::Resting& run) override { return run.request(); }
-  director::Outcome provide(greenhouse::Watering::Resting& run) override { return run.request(); }
 };
 
 } // namespace
