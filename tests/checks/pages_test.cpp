@@ -1,10 +1,7 @@
-#include "compiler/lower/lower.hpp"
 #include "compiler/pipeline.hpp"
-#include "compiler/play/play.hpp"
-#include "compiler/play/resolve_scenario.hpp"
-#include "dsl/read_scenario.hpp"
 #include "dsl/render.hpp"
 #include "tests/checks/page.hpp"
+#include "tests/compiler/support/scenario_findings.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -56,20 +53,6 @@ std::string lines(std::vector<std::string> list) {
   return out;
 }
 
-/// What is wrong with a scenario of the behaviour.
-std::vector<dsl::Diagnostic> play(const std::string& path, const compiler::Model& model, dsl::FileAccess& files,
-                                  dsl::Sources& sources) {
-  const dsl::ReadScenarioResult read = dsl::read_scenario(path, files, sources);
-  if (dsl::has_errors(read.diagnostics)) return read.diagnostics;
-  const compiler::ResolvedScenario resolved = compiler::resolve_scenario(read.scenario, model);
-  if (dsl::has_errors(resolved.findings)) return resolved.findings;
-  const compiler::Lowered lowered = compiler::lower(model);
-  const compiler::Played played =
-      compiler::play(resolved.scenario, model, lowered, {}, [](const compiler::Happening&) {});
-  if (played.refused) return {*played.refused};
-  return {};
-}
-
 void try_out(const checks::Registered& check, const Specimen& specimen) {
   if (specimen.has_code) return; // where there is Clang, tests/clang does it
   dsl::MemoryFiles files;
@@ -82,7 +65,8 @@ void try_out(const checks::Registered& check, const Specimen& specimen) {
   for (const auto& [path, text] : specimen.files) {
     if (!path.ends_with(".scenario.yaml")) continue;
     REQUIRE(checked.lowerable);
-    for (dsl::Diagnostic& each : play(path, checked.model, files, sources)) checked.findings.push_back(std::move(each));
+    for (dsl::Diagnostic& each : scenario_findings(path, checked.model, files, sources))
+      checked.findings.push_back(std::move(each));
   }
   INFO(check.id << ".md:" << specimen.line << "\n" << dsl::render(checked.findings, sources));
   const Said said = words_of(checked.findings, sources);

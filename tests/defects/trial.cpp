@@ -1,12 +1,9 @@
 // Door: tests/defects/trial.hpp. Test: tests/defects/measure.cpp.
 #include "tests/defects/trial.hpp"
 
-#include "compiler/lower/lower.hpp"
 #include "compiler/pipeline.hpp"
-#include "compiler/play/play.hpp"
-#include "compiler/play/resolve_scenario.hpp"
-#include "dsl/read_scenario.hpp"
 #include "dsl/render.hpp"
+#include "tests/compiler/support/scenario_findings.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -44,18 +41,6 @@ void add_near_misses(Robot& robot, const Planter& planter) {
   for (File& file : robot.files) without_signs(file.node);
 }
 
-std::vector<dsl::Diagnostic> play(const compiler::Model& model, dsl::FileAccess& files, dsl::Sources& sources) {
-  const dsl::ReadScenarioResult read = dsl::read_scenario(std::string(scenario), files, sources);
-  if (dsl::has_errors(read.diagnostics)) return read.diagnostics;
-  const compiler::ResolvedScenario resolved = compiler::resolve_scenario(read.scenario, model);
-  if (dsl::has_errors(resolved.findings)) return resolved.findings;
-  const compiler::Lowered lowered = compiler::lower(model);
-  const compiler::Played played =
-      compiler::play(resolved.scenario, model, lowered, {}, [](const compiler::Happening&) {});
-  if (played.refused) return {*played.refused};
-  return {};
-}
-
 } // namespace
 
 Outcome try_out(const Case& one, bool defect) {
@@ -79,7 +64,8 @@ Outcome try_out(const Case& one, bool defect) {
   options.selection.lints.insert(id);
   compiler::Checked checked = compiler::check(robot.files.front().path, files, sources, options);
   if (out.texts.count(std::string(scenario)) != 0 && checked.lowerable) {
-    for (dsl::Diagnostic& each : play(checked.model, files, sources)) checked.findings.push_back(std::move(each));
+    for (dsl::Diagnostic& each : tests::scenario_findings(std::string(scenario), checked.model, files, sources))
+      checked.findings.push_back(std::move(each));
   }
   out.report = dsl::render(checked.findings, sources);
   for (const dsl::Diagnostic& finding : checked.findings) {

@@ -1,23 +1,12 @@
 #include "compiler/facts/cache.hpp"
+#include "tests/compiler/support/memory_facts.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
 using namespace director::compiler;
-
-class MemoryFacts final : public FactStore {
-public:
-  std::optional<std::string> load(const std::string& name) override {
-    const auto at = entries.find(name);
-    if (at == entries.end()) return {};
-    return at->second;
-  }
-  void save(const std::string& name, const std::string& text) override { entries[name] = text; }
-  std::string stamp(const std::string& path) override { return path + " " + system; }
-  std::map<std::string, std::string> entries;
-  std::string system = "of yesterday";
-};
+using director::tests::MemoryFacts;
 
 const char* const answer_text =
     R"({"values": [1], "files": [["/u/types.hpp", false], ["/usr/include/vector", true]], "errors": []})";

@@ -1,11 +1,13 @@
 #include "compiler/facts/scanned_types.hpp"
 #include "compiler/version.hpp"
+#include "tests/compiler/support/memory_facts.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
 using namespace director::compiler;
+using director::tests::MemoryFacts;
 
 /// director-clang: its version, then `answer`.
 class Child final : public Programs {
@@ -21,18 +23,6 @@ public:
       R"({"types": [{"complete": true, "enum": {"at": [0, 5, 6], "enumerators": [{"name": "a", "value": "0", "at": [0, 7, 8]}]}}],
                            "paths": ["/u/types.hpp"], "files": [["/u/types.hpp", false], ["/usr/include/vector", true]], "errors": []})";
   std::vector<std::string> asked;
-};
-
-class MemoryFacts final : public FactStore {
-public:
-  std::optional<std::string> load(const std::string& name) override {
-    const auto at = entries.find(name);
-    if (at == entries.end()) return {};
-    return at->second;
-  }
-  void save(const std::string& name, const std::string& text) override { entries[name] = text; }
-  std::string stamp(const std::string&) override { return "same"; }
-  std::map<std::string, std::string> entries;
 };
 
 struct World {
