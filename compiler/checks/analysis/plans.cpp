@@ -1,6 +1,7 @@
 // Door: compiler/checks/analysis/plans.hpp. Test: tests/checks/analysis/plans_test.cpp.
 #include "compiler/checks/analysis/plans.hpp"
 
+#include "compiler/checks/analysis/agenda.hpp"
 #include "compiler/graph/algorithms.hpp"
 
 #include <algorithm>
@@ -31,21 +32,15 @@ public:
   }
 
 private:
-  struct Agenda {
-    const std::vector<Use<GroupId>>* needs;
-    std::size_t next;
-    const Agenda* then;
-  };
-
   void meet(const Agenda* agenda) {
-    while (agenda != nullptr && agenda->next == agenda->needs->size()) agenda = agenda->then;
+    agenda = next_need(agenda);
     if (agenda == nullptr) {
       if (++count_.plans >= most_) stop();
       return;
     }
-    const GroupId group = (*agenda->needs)[agenda->next].id;
+    const GroupId group = agenda->group();
     if (used_[group.value]) return;
-    const Agenda rest{agenda->needs, agenda->next + 1, agenda->then};
+    const Agenda rest = agenda->rest();
     used_[group.value] = true;
     for (const ProviderId provider : model_.groups[group].providers) {
       if (steps_-- <= 0) stop();

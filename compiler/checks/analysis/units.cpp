@@ -1,6 +1,7 @@
 // Door: compiler/checks/analysis/units.hpp. Test: tests/checks/analysis/units_test.cpp.
 #include "compiler/checks/analysis/units.hpp"
 
+#include "compiler/checks/analysis/agenda.hpp"
 #include "compiler/checks/analysis/sparse_set.hpp"
 
 #include <algorithm>
@@ -31,21 +32,15 @@ public:
   }
 
 private:
-  struct Agenda {
-    const std::vector<Use<GroupId>>* needs;
-    std::size_t next;
-    const Agenda* then;
-  };
-
   void meet(const Agenda* agenda) {
-    while (agenda != nullptr && agenda->next == agenda->needs->size()) agenda = agenda->then;
+    agenda = next_need(agenda);
     if (agenda == nullptr) {
       stopped_ = !visitor_(now_);
       return;
     }
-    const GroupId group = (*agenda->needs)[agenda->next].id;
+    const GroupId group = agenda->group();
     if (!held_.add(group)) return;
-    const Agenda rest{agenda->needs, agenda->next + 1, agenda->then};
+    const Agenda rest = agenda->rest();
     for (const ProviderId provider : model_.groups[group].providers) {
       if (stopped_ || --steps_ < 0) break;
       const Region before = now_.region;
