@@ -10,7 +10,6 @@
 //   event.
 #include "dsl/yaml_tree.hpp"
 
-#include "dsl/plain_yaml.hpp"
 #include "dsl/tree_builder.hpp"
 #include "dsl/yaml_scan.hpp"
 
@@ -185,17 +184,12 @@ void refuse_tabs(TreeBuilder& builder, std::string_view text, const YamlNode& no
 } // namespace
 
 YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& diagnostics) {
+  TreeBuilder builder(file, text, diagnostics);
   if (const auto fault = yaml_scan::forbidden_bytes(text)) {
     const Span span{file, static_cast<std::uint32_t>(fault->begin), static_cast<std::uint32_t>(fault->end)};
     diagnostics.push_back({"yaml_syntax", Level::error, span, fault->message, {}, fault->help});
     return {};
   }
-  if (std::optional<YamlNode> root = read_plain_yaml(file, text)) return std::move(*root);
-  return read_any_yaml(file, text, diagnostics);
-}
-
-YamlNode read_any_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& diagnostics) {
-  TreeBuilder builder(file, text, diagnostics);
   try {
     Feed feed(text);
     std::istream stream(&feed);

@@ -15,7 +15,4 @@ namespace director::dsl {
 /// duplicate_key, input_limit, and wrong_node_kind for keys that are no words.
 YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& diagnostics);
 
-/// The same with yaml-cpp, whatever the text is, as long as no byte is forbidden.
-YamlNode read_any_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& diagnostics);
-
 } // namespace director::dsl

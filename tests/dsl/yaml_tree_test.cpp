@@ -2,7 +2,6 @@
 #include "dsl/tree_builder.hpp"
 #include "dsl/yaml_tree.hpp"
 #include "tests/dsl/reading.hpp"
-#include "tests/dsl/yaml_shape.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -23,6 +22,26 @@ struct Tree {
   std::string findings() {
     sort_by_place(diagnostics);
     return findings_text(diagnostics, sources);
+  }
+  std::string place(const Span& span) const { return fmt::format("{}-{}", span.begin, span.end); }
+  /// `{a 0-1: 3-4 'text'}`: kinds, places and texts.
+  std::string shape(const YamlNode& node) const {
+    std::string out = place(node.span);
+    switch (node.kind) {
+    case YamlNode::Kind::broken: return out + " broken";
+    case YamlNode::Kind::null: return out + " null";
+    case YamlNode::Kind::scalar: return out + (node.quoted() ? " \"" + node.text + "\"" : " " + node.text);
+    case YamlNode::Kind::list:
+      out += " [";
+      for (const YamlNode& item : node.items) out += (out.back() == '[' ? "" : ", ") + shape(item);
+      return out + "]";
+    case YamlNode::Kind::mapping:
+      out += " {";
+      for (const YamlPair& pair : node.pairs)
+        out += (out.back() == '{' ? "" : ", ") + pair.key.value + " " + place(pair.key.span) + ": " + shape(pair.value);
+      return out + "}";
+    }
+    return out;
   }
 };
 
@@ -62,14 +81,14 @@ TEST_CASE("Keys and values know where they begin and end") {
     CAPTURE(row.text);
     Tree tree(row.text);
     CHECK(tree.findings() == "");
-    CHECK(shape_of(tree.root) == row.shape);
+    CHECK(tree.shape(tree.root) == row.shape);
   }
 }
 
 TEST_CASE("Nulls stand at their word, or at the key or dash before them") {
   Tree tree("a: null\nb: ~\nc:\nd: [ , ~]\ne:\n  -\n  - Null\nf: nullable\ng: \"null\"");
   CHECK(tree.findings() == "");
-  CHECK(shape_of(tree.root) ==
+  CHECK(tree.shape(tree.root) ==
         "0-63 {a 0-1: 3-7 null, b 8-9: 11-12 null, c 13-14: 13-14 null, d 16-17: 19-25 [21-22 null, "
         "23-24 null], e 26-27: 31-41 [31-32 null, 37-41 null], f 42-43: 45-53 nullable, g 54-55: "
         "57-63 \"null\"}");
