@@ -18,6 +18,8 @@ using namespace std::chrono_literals;
 
 constexpr auto repeat_after = 200ms;
 
+bool is_name(const std::string& text) { return !text.empty() && text.size() <= longest_name; }
+
 } // namespace
 
 struct Asker::Parts {
@@ -45,9 +47,9 @@ struct Asker::Parts {
 
 void Asker::Parts::hear_members() {
   take<Member>(members, [this](const Member& sample, const dds_sample_info_t& info) {
-    std::uint64_t& known = sessions[{sample.robot, sample.behaviour}];
-    if (info.valid_data) known = sample.session;
-    if (info.instance_state != DDS_IST_ALIVE) known = 0;
+    const std::array<std::string, 2> key{sample.robot, sample.behaviour};
+    if (info.valid_data) sessions[key] = sample.session;
+    if (info.instance_state != DDS_IST_ALIVE) sessions.erase(key);
   });
 }
 
@@ -72,7 +74,8 @@ Reply Asker::Parts::ask(const To& to, Request request, std::chrono::milliseconds
   auto next = Clock::now();
   for (auto at = next; at < end; at = Clock::now()) {
     hear_members();
-    if (request.session == 0) request.session = sessions[key];
+    if (const auto known = sessions.find(key); request.session == 0 && known != sessions.end())
+      request.session = known->second;
     if (request.session != 0 && at >= next) {
       write(requests, request); // if it is not taken, it is said again
       next = at + repeat_after;
@@ -85,12 +88,20 @@ Reply Asker::Parts::ask(const To& to, Request request, std::chrono::milliseconds
   return Reply::unanswered;
 }
 
-Asker::Asker(std::string name, std::uint32_t domain) : parts_(std::make_unique<Parts>(std::move(name), domain)) {}
+Asker::Asker(std::string name, std::uint32_t domain) {
+  if (!is_name(name))
+    throw Failure("dds: an asker's name has 1 to " + std::to_string(longest_name) + " bytes, this one has " +
+                  std::to_string(name.size()));
+  parts_ = std::make_unique<Parts>(std::move(name), domain);
+}
 
 Asker::~Asker() = default;
 
 Reply Asker::request(const To& to, const std::string& task, std::chrono::milliseconds patience,
                      const std::string& level, std::span<const std::byte> data) {
+  // A robot takes it for noise and does not answer.
+  if (!is_name(task)) return Reply::unknown_task;
+  if (level.size() > longest_name || data.size() > longest_data) return Reply::refused;
   Request request{};
   request.task = text(task);
   request.level = text(level);
@@ -100,6 +111,7 @@ Reply Asker::request(const To& to, const std::string& task, std::chrono::millise
 }
 
 Reply Asker::cancel(const To& to, const std::string& task, std::chrono::milliseconds patience) {
+  if (!is_name(task)) return Reply::unknown_task;
   const std::string none;
   Request request{};
   request.kind = 1;

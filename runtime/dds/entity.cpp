@@ -10,47 +10,32 @@ namespace director::dds {
 
 namespace {
 
-// The names of ROS 2 for /director/...
+struct Topic {
+  const char* name; ///< as ROS 2 calls /director/...
+  const dds_topic_descriptor_t* type;
+};
 template <class Sample>
-struct TopicOf;
+constexpr Topic topic_of{};
 template <>
-struct TopicOf<Member> {
-  static constexpr const char* name = "rt/director/member";
-  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Member__desc;
-};
+constexpr Topic topic_of<Member>{"rt/director/member", &director_msgs_msg_dds__Member__desc};
 template <>
-struct TopicOf<State> {
-  static constexpr const char* name = "rt/director/state";
-  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__State__desc;
-};
+constexpr Topic topic_of<State>{"rt/director/state", &director_msgs_msg_dds__State__desc};
 template <>
-struct TopicOf<DecisionSample> {
-  static constexpr const char* name = "rt/director/decision";
-  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Decision__desc;
-};
+constexpr Topic topic_of<DecisionSample>{"rt/director/decision", &director_msgs_msg_dds__Decision__desc};
 template <>
-struct TopicOf<PromiseSample> {
-  static constexpr const char* name = "rt/director/promise";
-  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Promise__desc;
-};
+constexpr Topic topic_of<PromiseSample>{"rt/director/promise", &director_msgs_msg_dds__Promise__desc};
 template <>
-struct TopicOf<Request> {
-  static constexpr const char* name = "rt/director/request";
-  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Request__desc;
-};
+constexpr Topic topic_of<Request>{"rt/director/request", &director_msgs_msg_dds__Request__desc};
 template <>
-struct TopicOf<Answer> {
-  static constexpr const char* name = "rt/director/answer";
-  static constexpr const dds_topic_descriptor_t* type = &director_msgs_msg_dds__Answer__desc;
-};
+constexpr Topic topic_of<Answer>{"rt/director/answer", &director_msgs_msg_dds__Answer__desc};
 
 /// Deleted with its participant.
 template <class Sample>
-dds_entity_t topic(const Entity& participant) {
-  using Topic = TopicOf<Sample>;
-  const dds_entity_t topic = dds_create_topic(participant.get(), Topic::type, Topic::name, nullptr, nullptr);
-  check(topic, std::string("the topic ") + Topic::name);
-  return topic;
+dds_entity_t make_topic(const Entity& participant) {
+  constexpr Topic topic = topic_of<Sample>;
+  const dds_entity_t made = dds_create_topic(participant.get(), topic.type, topic.name, nullptr, nullptr);
+  check(made, std::string("the topic ") + topic.name);
+  return made;
 }
 
 } // namespace
@@ -81,15 +66,15 @@ Entity join(std::uint32_t domain) {
 template <class Sample>
 Entity make_writer(const Entity& participant, std::chrono::milliseconds say_again) {
   const Quality quality = quality_to_offer<Sample>(say_again);
-  return {dds_create_writer(participant.get(), topic<Sample>(participant), quality.get(), nullptr),
-          std::string("a writer of ") + TopicOf<Sample>::name};
+  return {dds_create_writer(participant.get(), make_topic<Sample>(participant), quality.get(), nullptr),
+          std::string("a writer of ") + topic_of<Sample>.name};
 }
 
 template <class Sample>
 Entity make_reader(const Entity& participant) {
   const Quality quality = quality_to_ask_for<Sample>();
-  Entity reader{dds_create_reader(participant.get(), topic<Sample>(participant), quality.get(), nullptr),
-                std::string("a reader of ") + TopicOf<Sample>::name};
+  Entity reader{dds_create_reader(participant.get(), make_topic<Sample>(participant), quality.get(), nullptr),
+                std::string("a reader of ") + topic_of<Sample>.name};
   check(dds_set_status_mask(reader.get(), DDS_DATA_AVAILABLE_STATUS | DDS_REQUESTED_INCOMPATIBLE_QOS_STATUS),
         "what a reader wakes for");
   return reader;

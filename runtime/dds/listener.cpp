@@ -5,9 +5,6 @@ namespace director::dds {
 
 namespace {
 
-// No name is longer, and no robot has more to say with a request.
-constexpr std::size_t longest_name = 255;
-constexpr std::size_t longest_data = 64 * 1024;
 // Far more than a team has: who invents names does not fill the memory.
 constexpr std::size_t most_members = 256;
 

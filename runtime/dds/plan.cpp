@@ -5,9 +5,8 @@ namespace director::dds {
 
 namespace {
 
-using Name = const char* (*)(Index);
-
-/// Rows end where names do: beyond them they are empty.
+/// "Mood, Door", by name(row); "none" where there are no rows.
+template <class Name>
 std::string listed(Name name, Index count) {
   std::string out;
   for (Index row = 0; row < count; ++row) out += (row == 0 ? "" : ", ") + std::string(name(row));
@@ -20,6 +19,8 @@ public:
 
   Plan plan() {
     if (settings_.robot.empty()) mistake("the robot needs a name");
+    if (settings_.robot.size() > longest_name)
+      mistake("the robot's name is longer than " + std::to_string(longest_name) + " bytes, so nobody would hear it");
     if (plug_.behaviour.empty()) mistake("the behaviour needs a name");
     if (settings_.say_again.count() <= 0) mistake("say_again must be above 0");
     for (const std::string& name : settings_.publish) {
@@ -56,11 +57,9 @@ private:
     Index edge = 0;
     while (edge < tables.root_edges && plug_.names.group(tables.edges[edge].target) != entry.task) ++edge;
     if (edge == tables.root_edges) {
-      std::string roots;
-      for (Index e = 0; e < tables.root_edges; ++e)
-        roots += (e == 0 ? "" : ", ") + std::string(plug_.names.group(tables.edges[e].target));
+      const auto root = [&](Index row) { return plug_.names.group(tables.edges[row].target); };
       return mistake("the behaviour " + plug_.behaviour + " has no root task " + entry.task + "; it has " +
-                     (roots.empty() ? "none" : roots));
+                     listed(root, tables.root_edges));
     }
     if (!entry.take && !plug_.bare(edge))
       return mistake("the task " + entry.task + " carries data, so its offer needs a function that reads them");

@@ -20,6 +20,9 @@ struct Failure final : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// In bytes. No robot hears more: of a name, and of the data of a request.
+inline constexpr std::size_t longest_name = 255, longest_data = 64 * 1024;
+
 /// A state of another robot that becomes an external state of this one. Names of values count, not their numbers.
 struct TakeIn {
   std::string robot{};

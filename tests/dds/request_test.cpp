@@ -52,6 +52,20 @@ TEST_CASE("a root task is requested and cancelled from another process") {
   CHECK(rests == 1);
 }
 
+TEST_CASE("what is longer than any robot hears is answered at once") {
+  CHECK_THROWS_WITH(dds::Asker("", loopback_domain()), "dds: an asker's name has 1 to 255 bytes, this one has 0");
+  CHECK_THROWS_WITH(dds::Asker(std::string(256, 'a'), loopback_domain()),
+                    "dds: an asker's name has 1 to 255 bytes, this one has 256");
+  Robot robot(offering());
+  dds::Asker asker("coach", loopback_domain());
+  const std::vector<std::byte> data(dds::longest_data + 1);
+  CHECK(asker.request(one, "Rest", 1h, {}, data) == Reply::refused);
+  CHECK(asker.request(one, "Rest", 1h, std::string(256, 'l')) == Reply::refused);
+  CHECK(asker.request(one, std::string(256, 't'), 1h) == Reply::unknown_task);
+  CHECK(asker.cancel(one, "", 1h) == Reply::unknown_task);
+  CHECK(robot.bridge.counts().bad_samples == 0);
+}
+
 TEST_CASE("what is not offered is not done") {
   Robot robot(offering());
   dds::Asker asker("coach", loopback_domain());
