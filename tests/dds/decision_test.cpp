@@ -24,47 +24,48 @@ struct Told {
   std::vector<std::string> decisions, ended;
 };
 
+/// A behaviour whose every event is heard.
+struct Heard {
+  Heard() {
+    told.plug = &plugged;
+    told.promises = &promises;
+  }
+  Plans plans;
+  Skills skills;
+  Told told;
+  courier::Behaviour behaviour{plans, skills, {&Told::hear, &told}};
+  const dds::Plug plugged = plug(behaviour);
+  dds::Promises promises{plugged};
+};
+
 } // namespace
 
 TEST_CASE("a decision is told in names") {
-  Plans plans;
-  Skills skills;
-  Told told;
-  courier::Behaviour behaviour{plans, skills, {&Told::hear, &told}};
-  const dds::Plug plugged = plug(behaviour);
-  dds::Promises promises(plugged);
-  told.plug = &plugged;
-  told.promises = &promises;
-  plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
-  behaviour.request<courier::Rest>();
-  behaviour.step(0s);
-  CHECK(told.decisions == std::vector<std::string>{"grant Rest.default for root: ", "run Rest.default for : new_task",
-                                                   "grant Sing.default for Rest: ", "run Sing.default for : new_task"});
+  Heard heard;
+  heard.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
+  heard.behaviour.request<courier::Rest>();
+  heard.behaviour.step(0s);
+  CHECK(heard.told.decisions ==
+        std::vector<std::string>{"grant Rest.default for root: ", "run Rest.default for : new_task",
+                                 "grant Sing.default for Rest: ", "run Sing.default for : new_task"});
 }
 
 TEST_CASE("a promise is kept by the run of its provider, and broken when its time is over") {
-  Plans plans;
-  Skills skills;
-  Told told;
-  courier::Behaviour behaviour{plans, skills, {&Told::hear, &told}};
-  const dds::Plug plugged = plug(behaviour);
-  dds::Promises promises(plugged);
-  told.plug = &plugged;
-  told.promises = &promises;
+  Heard heard;
   const auto hear = [&](Event event) {
-    if (const auto ended = promises.hear(event))
-      told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->condition);
+    if (const auto ended = heard.promises.hear(event))
+      heard.told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->condition);
   };
-  const Tables& t = plugged.tables();
+  const Tables& t = heard.plugged.tables();
   Index unlocking = 0;
   while (std::string(courier::names::provider(unlocking)) != "unlocking") ++unlocking;
   const Index open = t.providers[unlocking].group, door = state_row("Door");
   hear({.kind = Event::Kind::run, .group = open, .provider = unlocking, .micro_step = 5});
   hear({.kind = Event::Kind::set, .state = door, .value = 0, .micro_step = 5});
-  CHECK(told.ended.empty());
+  CHECK(heard.told.ended.empty());
   hear({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 6}); // by a handler, or a timer
-  CHECK(told.ended.empty());
+  CHECK(heard.told.ended.empty());
   hear({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 5});
   hear({.kind = Event::Kind::broken, .group = open, .provider = unlocking, .micro_step = 9});
-  CHECK(told.ended == std::vector<std::string>{"kept Door == open", "broken Door == open"});
+  CHECK(heard.told.ended == std::vector<std::string>{"kept Door == open", "broken Door == open"});
 }
