@@ -1,6 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
 #include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/told.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -34,6 +35,9 @@ struct Deadlock {
 
 /// So many groups are looked at closely for one pair of tasks; those with the shortest chains come first.
 constexpr std::size_t most_candidates = 50;
+/// So many steps down are gone to look closely, for all pairs together. A behaviour of 10,000 groups, as people write
+/// them, takes a hundredth.
+constexpr std::size_t most_effort = 10'000'000;
 
 std::vector<GroupId> in_common(const std::vector<GroupId>& a, const std::vector<GroupId>& b) {
   std::vector<GroupId> out;
@@ -45,22 +49,41 @@ class ContestSearch {
 public:
   explicit ContestSearch(const Shared& shared) : shared_(shared) {}
 
-  /// The one with the shortest chains for which these two levels of two entries are equal.
-  std::optional<Contest> find(const Meeting& meeting) {
-    if (meeting.first_level.priority != meeting.second_level.priority) return std::nullopt;
-    std::vector<Contest> candidates = find_candidates(meeting);
-    if (candidates.size() > most_candidates) candidates.resize(most_candidates);
-    for (Contest& contest : candidates) {
+  /// Where two levels of two entries are equal: what both may want, those with the shortest chains first.
+  std::vector<Contest> find_candidates(const Meeting& meeting) {
+    std::vector<Contest> out;
+    if (meeting.first_level.priority != meeting.second_level.priority) return out;
+    const Claims& first = shared_.claims(meeting.first->target);
+    const Claims& second = shared_.claims(meeting.second->target);
+    for (const GroupId group : in_common(first.groups(), second.groups())) {
+      for (const Reach a : all_reaches) {
+        for (const Reach b : all_reaches) {
+          const Claim* x = first.find(group, a);
+          const Claim* y = second.find(group, b);
+          if (match(meeting, x, a, y, b)) out.push_back({group, a, b, x->steps + y->steps, {}, {}});
+        }
+      }
+    }
+    std::stable_sort(out.begin(), out.end(), [](const Contest& x, const Contest& y) { return x.steps < y.steps; });
+    return out;
+  }
+
+  /// The first one with chains that do not meet before the end.
+  std::optional<Contest> find(const Meeting& meeting, const std::vector<Contest>& candidates) {
+    for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {
+      Contest contest = candidates[i];
       if (find_paths(meeting, contest)) return contest;
     }
     return std::nullopt;
   }
 
   /// For a contest that was found.
-  std::optional<Deadlock> find_deadlock(const Meeting& meeting, const Contest& contest) {
+  std::optional<Deadlock> find_deadlock(const Meeting& meeting, const std::vector<Contest>& candidates,
+                                        const Contest& contest) {
     const std::set<GroupId> held = held_before(contest.first_path);
     if (held.empty()) return std::nullopt;
-    for (Contest& other : find_candidates(meeting)) {
+    for (Contest other : candidates) {
+      if (effort_ > most_effort) return std::nullopt;
       if (held.count(other.group) == 0 || !find_paths(meeting, other)) continue;
       if (held_before(other.second_path).count(contest.group) != 0)
         return Deadlock{other.group, std::move(other.first_path), std::move(other.second_path)};
@@ -89,36 +112,24 @@ private:
     return first_optional == second_optional && !granted_before && compatible(a->region, b->region);
   }
 
-  std::vector<Contest> find_candidates(const Meeting& meeting) {
-    std::vector<Contest> out;
-    const Claims& first = shared_.claims(meeting.first->target);
-    const Claims& second = shared_.claims(meeting.second->target);
-    for (const GroupId group : in_common(first.groups(), second.groups())) {
-      for (const Reach a : all_reaches) {
-        for (const Reach b : all_reaches) {
-          const Claim* x = first.find(group, a);
-          const Claim* y = second.find(group, b);
-          if (match(meeting, x, a, y, b)) out.push_back({group, a, b, x->steps + y->steps, {}, {}});
-        }
-      }
-    }
-    std::stable_sort(out.begin(), out.end(), [](const Contest& x, const Contest& y) { return x.steps < y.steps; });
-    return out;
-  }
-
   /// Two chains that have no group in common above the contested one: a group is held once, so else they would meet
-  /// there.
+  /// there. When all effort is spent, chains that may.
   bool find_paths(const Meeting& meeting, Contest& contest) {
     contest.first_path = shared_.claims(meeting.first->target).path(contest.group, contest.first);
     std::vector<GroupId> above;
     for (const ClaimStep& step : contest.first_path) above.push_back(step.from);
     if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return false;
+    if (effort_ > most_effort) {
+      contest.second_path = shared_.claims(meeting.second->target).path(contest.group, contest.second);
+      return true;
+    }
     const Claim* ours = shared_.claims(meeting.first->target).find(contest.group, contest.first);
     const auto serves = [&](GroupId group, Reach reach, const Claim& claim) {
       return group == contest.group && reach == contest.second &&
              match(meeting, ours, contest.first, &claim, contest.second);
     };
     const Claims second(shared_.branches(), meeting.second->target, above, serves);
+    effort_ += second.effort();
     const Claim* theirs = second.find(contest.group, contest.second);
     if (!match(meeting, ours, contest.first, theirs, contest.second)) return false;
     contest.second_path = second.path(contest.group, contest.second);
@@ -126,6 +137,7 @@ private:
   }
 
   const Shared& shared_;
+  std::size_t effort_ = 0;
 };
 
 /// Each step once: two chains of one task often begin alike.
@@ -164,42 +176,63 @@ void report(const Model& model, const Meeting& meeting, const Contest& contest, 
                           : "give one of them a higher priority";
 }
 
-/// One finding for a pair, whatever its levels.
-void look_at(const Model& model, const Together& together, const Task& first, const Task& second, ContestSearch& search,
-             Findings& findings) {
+/// The group that two tasks want, and the priority that both have.
+using Stake = std::pair<GroupId, std::int32_t>;
+
+/// One finding for a pair, whatever its levels. All that it may be about.
+std::vector<Stake> look_at(const Model& model, const Together& together, const Task& first, const Task& second,
+                           ContestSearch& search, Findings& findings) {
   for (const Task::NamedLevel& a : first.levels) {
     for (const Task::NamedLevel& b : second.levels) {
       const Meeting meeting{&together, &first, &second, model.edges[first.edge].levels[a.level],
                             model.edges[second.edge].levels[b.level]};
-      if (const auto contest = search.find(meeting)) {
-        report(model, meeting, *contest, search.find_deadlock(meeting, *contest), findings);
-        return;
+      const std::vector<Contest> candidates = search.find_candidates(meeting);
+      const auto contest = search.find(meeting, candidates);
+      if (!contest) continue;
+      report(model, meeting, *contest, search.find_deadlock(meeting, candidates, *contest), findings);
+      std::vector<Stake> out;
+      for (const Contest& one : candidates) out.emplace_back(one.group, meeting.first_level.priority);
+      return out;
+    }
+  }
+  return {};
+}
+
+/// For each entry those before it that have a priority in common with it and may come to hold the same group, in order.
+/// Of many entries only few meet, so they are not all compared with each other.
+class Rivalry {
+public:
+  Rivalry(const Input& input, const std::vector<Task>& tasks) : stakes_(tasks.size()) {
+    if (tasks.size() < 2) return;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      std::set<std::int32_t> priorities;
+      for (const Task::NamedLevel& named : tasks[i].levels)
+        priorities.insert(input.model.edges[tasks[i].edge].levels[named.level].priority);
+      for (const GroupId group : input.shared.claims(tasks[i].target).groups()) {
+        for (const std::int32_t priority : priorities) {
+          std::vector<std::size_t>& all = claimed_by_[{group, priority}];
+          all.push_back(i);
+          stakes_[i].push_back(&all);
+        }
       }
     }
   }
-}
 
-/// Pairs of entries, the later one first, that have a priority in common and may come to hold the same group. Of many
-/// entries only few meet, so they are not all compared with each other.
-std::set<std::pair<std::size_t, std::size_t>> find_rivals(const Input& input, const std::vector<Task>& tasks) {
-  if (tasks.size() < 2) return {};
-  std::map<std::pair<GroupId, std::int32_t>, std::vector<std::size_t>> claimed_by;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    std::set<std::int32_t> priorities;
-    for (const Task::NamedLevel& named : tasks[i].levels)
-      priorities.insert(input.model.edges[tasks[i].edge].levels[named.level].priority);
-    for (const GroupId group : input.shared.claims(tasks[i].target).groups()) {
-      for (const std::int32_t priority : priorities) claimed_by[{group, priority}].push_back(i);
+  std::vector<std::size_t> before(std::size_t entry) const {
+    std::vector<std::size_t> out;
+    for (const std::vector<std::size_t>* all : stakes_[entry])
+      out.insert(out.end(), all->begin(), std::lower_bound(all->begin(), all->end(), entry));
+    if (stakes_[entry].size() > 1) {
+      std::sort(out.begin(), out.end());
+      out.erase(std::unique(out.begin(), out.end()), out.end());
     }
+    return out;
   }
-  std::set<std::pair<std::size_t, std::size_t>> out;
-  for (const auto& [key, entries] : claimed_by) {
-    for (std::size_t b = 1; b < entries.size(); ++b) {
-      for (std::size_t a = 0; a < b; ++a) out.emplace(entries[b], entries[a]);
-    }
-  }
-  return out;
-}
+
+private:
+  std::map<Stake, std::vector<std::size_t>> claimed_by_;
+  std::vector<std::vector<const std::vector<std::size_t>*>> stakes_; ///< of each entry
+};
 
 } // namespace
 
@@ -208,10 +241,17 @@ void equal_priority(const Input& input, Findings& findings) {
   ContestSearch search(input.shared);
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
-    for (const auto& [j, i] : find_rivals(input, tasks)) {
-      // Asked at once, the edge that is declared first wins.
-      const bool swapped = tasks[j].edge < tasks[i].edge;
-      look_at(model, together, tasks[swapped ? j : i], tasks[swapped ? i : j], search, findings);
+    const Rivalry rivalry(input, tasks);
+    Told<Stake> told(tasks.size());
+    for (std::size_t j = 1; j < tasks.size(); ++j) {
+      for (const std::size_t i : rivalry.before(j)) {
+        if (told.covers(i, j)) continue;
+        // Asked at once, the edge that is declared first wins.
+        const bool swapped = tasks[j].edge < tasks[i].edge;
+        for (const Stake& stake :
+             look_at(model, together, tasks[swapped ? j : i], tasks[swapped ? i : j], search, findings))
+          told.tell(i, j, stake);
+      }
     }
   }
 }

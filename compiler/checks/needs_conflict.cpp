@@ -23,17 +23,20 @@ struct Clash {
   std::vector<NeedStep> from_first, from_second;
 };
 
+/// For so many groups the chains are found, to choose the shortest of them.
+constexpr int most_compared = 200;
+
 /// The one with the shortest chains, of these the first.
 std::optional<Clash> find_clash(const Model& model, const Provider& provider, const Indispensable& indispensable) {
   std::optional<Clash> best;
   std::size_t length = 0;
+  int compared = 0;
   for (std::size_t j = 1; j < provider.needs.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
       const Use<GroupId>& a = provider.needs[i];
       const Use<GroupId>& b = provider.needs[j];
-      if (!indispensable.of(a.id) || !indispensable.of(b.id)) continue; // a cycle, reported as one
-      for (const GroupId group : *indispensable.of(a.id)) {
-        if (!indispensable.contains(b.id, group)) continue;
+      for (const GroupId group : indispensable.in_common(a.id, b.id)) { // none in a cycle, which is reported as one
+        if (compared++ == most_compared) return best;
         Clash clash{&a, &b, group, need_path(model, a.id, group), need_path(model, b.id, group)};
         const std::size_t steps = clash.from_first.size() + clash.from_second.size();
         if (best && steps >= length) continue;

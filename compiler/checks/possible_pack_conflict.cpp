@@ -2,6 +2,7 @@
 #include "compiler/checks/analysis/choice.hpp"
 #include "compiler/checks/analysis/needs.hpp"
 #include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/told.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -181,11 +182,15 @@ std::set<std::pair<std::size_t, std::size_t>> find_rivals(Units& units, const st
 void look_at(const Input& input, Units& units, const Pack& pack, Findings& findings) {
   const std::vector<const Task*> members = unit_members(input.model, pack);
   if (members.size() < 2) return;
+  Told<std::pair<ProviderId, GroupId>> told(members.size());
   for (const auto& [j, i] : find_rivals(units, members)) {
+    if (told.covers(i, j)) continue;
     const auto first = find_ways(units, members[i]->target), second = find_ways(units, members[j]->target);
     if (!first || !second) continue;
-    if (const auto clash = PairSearch(input, *first, *second).run())
-      report(input, *members[i], *members[j], *clash, findings);
+    const auto clash = PairSearch(input, *first, *second).run();
+    if (!clash) continue;
+    report(input, *members[i], *members[j], *clash, findings);
+    told.tell(i, j, {clash->first->provider(), *group_in_common(*clash->first, *clash->second)});
   }
 }
 

@@ -53,6 +53,7 @@ public:
 private:
   /// That the two are never granted together is a finding of its own.
   bool exclude(const Task& a, const Task& b) const {
+    if (!input_.shared.indispensable().in_common(a.target, b.target).empty()) return true;
     const auto at = conflicts_.find(&a);
     return at != conflicts_.end() && at->second.count(&b) != 0;
   }

@@ -153,6 +153,12 @@ std::string one_requests_all(std::size_t size) {
          rows(size, "      T{0}: {{priority: {0}}}\n") + rows(size, "  T{}: {{}}\n");
 }
 
+/// All want one group, and none ranks before another.
+std::string rivals(std::size_t size) {
+  return std::string(head) + "roots: [All]\ngroups:\n  Shared: {}\n  All:\n    tasks:\n" +
+         rows(size, "      T{0}: {{}}\n") + rows(size, "  T{}: {{needs: [Shared], tasks: [Shared]}}\n");
+}
+
 /// Everybody requests all that come behind, each at its own priority.
 std::string dense(std::size_t size) {
   std::string out = std::string(head) + "roots: [T0]\ngroups:\n";
@@ -190,7 +196,8 @@ const std::vector<Shape>& shapes() {
                                       {"packs, each of as many tasks", 10, 100, wide_packs},
                                       {"conditions of each `when`", 100, 1'000, many_conditions},
                                       {"tasks of one provider", 1'000, 10'000, one_requests_all},
-                                      {"groups, each requesting all behind it", 20, 100, dense}};
+                                      {"groups, each requesting all behind it", 20, 100, dense},
+                                      {"tasks of equal rank that want one group", 200, 2'000, rivals}};
   return all;
 }
 

@@ -1,8 +1,6 @@
 // Door: compiler/checks/analysis/claims.hpp. Test: compiler/checks/equal_priority.md.
 #include "compiler/checks/analysis/claims.hpp"
 
-#include "compiler/checks/analysis/sparse_set.hpp"
-
 #include <algorithm>
 #include <deque>
 
@@ -66,18 +64,17 @@ const Region& Branches::grantable(GroupId group) const {
 
 Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without, const Enough& enough) {
   std::deque<std::pair<GroupId, Reach>> open;
-  SparseSet<GroupId> been;
 
   // First in, first out: the first way to a group is a shortest one. A group whose region grows is gone through again.
-  claims_[0].emplace(task, Claim{branches.grantable(task), {}, false, {}, Reach::own, 0});
+  claims_[0].emplace(task, Claim{branches.grantable(task), 0, {}, false, {}, Reach::own});
   open.emplace_back(task, Reach::own);
   bool ended = enough && enough(task, Reach::own, claims_[0].at(task));
   while (!open.empty() && !ended) {
     const auto [group, reach] = open.front();
     open.pop_front();
     const Claim here = *find(group, reach); // a copy: it may grow on the way round
-    const bool first_time = been.add(group);
     const auto go = [&](const Branch& branch, Reach next) {
+      ++effort_;
       Region region = here.region;
       region.meet(branch.region);
       region.meet(branches.grantable(branch.to));
@@ -85,15 +82,11 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
       const auto [at, is_new] = claims_[static_cast<std::size_t>(next)].try_emplace(branch.to);
       Claim& there = at->second;
       if (is_new) {
-        there = Claim{std::move(region), {group}, branch.by_need, branch.span, reach, here.steps + 1};
+        there = Claim{std::move(region), here.steps + 1, group, branch.by_need, branch.span, reach};
         open.emplace_back(branch.to, next);
         ended = ended || (enough && enough(branch.to, next, there));
         return;
       }
-      // Who is here for the first time is among them only as the last one.
-      const bool known = first_time ? !there.from.empty() && there.from.back() == group
-                                    : std::find(there.from.begin(), there.from.end(), group) != there.from.end();
-      if (!known) there.from.push_back(group);
       Region more = hull(there.region, region);
       if (more.states == there.region.states) return;
       there.region = std::move(more);
@@ -119,7 +112,7 @@ std::vector<ClaimStep> Claims::path(GroupId group, Reach reach) const {
   std::vector<ClaimStep> out;
   // Ends at the task itself, also where needs lead back to it.
   for (const Claim* claim = find(group, reach); claim != nullptr && claim->steps > 0;) {
-    const GroupId from = claim->from.front();
+    const GroupId from = claim->from;
     out.push_back({from, group, claim->by_need, claim->span});
     group = from;
     claim = find(group, reach = claim->reach_from);

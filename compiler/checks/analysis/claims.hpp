@@ -21,13 +21,12 @@ enum class Reach {
 inline constexpr Reach all_reaches[] = {Reach::own, Reach::mandatory, Reach::optional};
 
 struct Claim {
-  Region region; ///< under which it may happen
-  std::vector<GroupId>
-      from; ///< the groups that hold it for themselves, each once, the one found first in front; empty: the task
-  bool by_need = false;          ///< the one in front needs it; else requests it
+  Region region;                 ///< under which it may happen
+  std::size_t steps = 0;         ///< on a shortest way; 0: the task's own
+  GroupId from{};                ///< the last step of that way
+  bool by_need = false;          ///< it needs the group; else requests it
   Span span{};                   ///< where it does
-  Reach reach_from = Reach::own; ///< how the one in front is reached
-  std::size_t steps = 0;         ///< on a shortest way
+  Reach reach_from = Reach::own; ///< how it is reached
 };
 
 /// One way down from a group, and the states under which it is open.
@@ -80,12 +79,15 @@ public:
   }
   /// All that there is a claim to, in order.
   const std::vector<GroupId>& groups() const { return groups_; }
+  /// How many ways down were gone.
+  std::size_t effort() const { return effort_; }
   /// A shortest way to the group; empty for the task's own.
   std::vector<ClaimStep> path(GroupId group, Reach reach) const;
 
 private:
   std::unordered_map<GroupId, Claim> claims_[3];
   std::vector<GroupId> groups_;
+  std::size_t effort_ = 0;
 };
 
 } // namespace director::checks

@@ -4,6 +4,7 @@
 #include "compiler/checks/analysis/needs.hpp"
 #include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/told.hpp"
 #include "compiler/checks/analysis/words.hpp"
 
 #include <fmt/format.h>
@@ -29,11 +30,8 @@ struct SharedGroup {
 };
 
 std::optional<SharedGroup> find_shared_group(const Input& input, GroupId a, GroupId b) {
-  const Indispensable& indispensable = input.shared.indispensable();
-  if (!indispensable.of(a) || !indispensable.of(b)) return std::nullopt;
   std::optional<SharedGroup> best;
-  for (const GroupId group : *indispensable.of(a)) {
-    if (!indispensable.contains(b, group)) continue;
+  for (const GroupId group : input.shared.indispensable().in_common(a, b)) {
     SharedGroup shared{group, need_path(input.model, a, group), need_path(input.model, b, group)};
     if (!best || shared.first.size() + shared.second.size() < best->first.size() + best->second.size())
       best = std::move(shared);
@@ -100,7 +98,7 @@ std::string members_in_words(const Model& model, const std::vector<const Task*>&
   return list_of(names);
 }
 
-std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) {
+std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units, const Indispensable& indispensable) {
   std::vector<PackConflict> out;
   for (const ProviderId id : model.providers.ids()) {
     for (const Pack& pack : model.providers[id].packs) {
@@ -109,11 +107,13 @@ std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) 
       const UnitVerdict whole = units.verdict(targets_of(members));
       if (whole == UnitVerdict::possible) continue;
       const std::size_t before = out.size();
+      Told<GroupId> told(members.size());
       for (std::size_t j = 1; j < members.size(); ++j) {
         for (std::size_t i = 0; i < j; ++i) {
-          if (members[i]->target == members[j]->target) continue;
-          if (units.verdict({members[i]->target, members[j]->target}) == UnitVerdict::impossible)
-            out.push_back({id, &pack, {members[i], members[j]}, UnitVerdict::impossible});
+          const GroupId a = members[i]->target, b = members[j]->target;
+          if (a == b || told.covers(i, j) || units.verdict({a, b}) != UnitVerdict::impossible) continue;
+          out.push_back({id, &pack, {members[i], members[j]}, UnitVerdict::impossible});
+          for (const GroupId group : indispensable.in_common(a, b)) told.tell(i, j, group);
         }
       }
       if (out.size() == before && model.providers[id].has_packs) out.push_back({id, &pack, members, whole});

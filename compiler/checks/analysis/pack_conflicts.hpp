@@ -1,6 +1,7 @@
 #pragma once
 // Members of a pack that can never be granted together, and why.
 
+#include "compiler/checks/analysis/plans.hpp"
 #include "compiler/checks/analysis/units.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -17,7 +18,8 @@ struct PackConflict {
 };
 
 /// Of every pack and flat list of every provider; of a flat list only pairs, since nobody says that all is asked for.
-std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units);
+/// Of several that cannot do without one group, each with the first of them.
+std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units, const Indispensable& indispensable);
 
 /// Says what excludes what, to the bottom. `at`: the last member.
 void report_pack_conflict(const Input& input, Units& units, const PackConflict& conflict, Findings& findings);

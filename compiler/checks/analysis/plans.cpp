@@ -76,7 +76,7 @@ Parts by_provider(const Provider& provider, const IdTable<GroupId, Parts>& parts
   return out;
 }
 
-Parts in_common(Parts a, Parts b) {
+Parts intersected(Parts a, Parts b) {
   if (!a) return b;
   if (!b) return a;
   std::vector<GroupId> out;
@@ -111,7 +111,7 @@ Indispensable::Indispensable(const Model& model) : parts_(model.groups.size()) {
       const GroupId group{*node};
       Parts both;
       for (const ProviderId provider : model.groups[group].providers)
-        both = in_common(std::move(both), by_provider(model.providers[provider], parts_));
+        both = intersected(std::move(both), by_provider(model.providers[provider], parts_));
       if (both && !std::binary_search(both->begin(), both->end(), group))
         both->insert(std::upper_bound(both->begin(), both->end(), group), group);
       if (both == parts_[group]) continue;
@@ -119,6 +119,11 @@ Indispensable::Indispensable(const Model& model) : parts_(model.groups.size()) {
       changed = true;
     }
   }
+}
+
+std::vector<GroupId> Indispensable::in_common(GroupId a, GroupId b) const {
+  if (!parts_[a] || !parts_[b]) return {};
+  return *intersected(parts_[a], parts_[b]);
 }
 
 bool Indispensable::contains(GroupId group, GroupId part) const {

@@ -37,6 +37,8 @@ public:
   bool contains(GroupId group, GroupId part) const;
   /// In order; nothing: there is no way.
   const std::optional<std::vector<GroupId>>& of(GroupId group) const { return parts_[group]; }
+  /// What two groups both cannot do without, in order; none where there is no way to have one of them.
+  std::vector<GroupId> in_common(GroupId a, GroupId b) const;
 
 private:
   IdTable<GroupId, std::optional<std::vector<GroupId>>> parts_;

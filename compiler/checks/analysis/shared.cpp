@@ -56,7 +56,7 @@ Units& Shared::units() const {
 }
 
 const std::vector<PackConflict>& Shared::pack_conflicts() const {
-  if (!pack_conflicts_) pack_conflicts_ = find_pack_conflicts(model_, units());
+  if (!pack_conflicts_) pack_conflicts_ = find_pack_conflicts(model_, units(), indispensable());
   return *pack_conflicts_;
 }
 
