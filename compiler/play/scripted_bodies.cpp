@@ -5,8 +5,6 @@
 
 namespace director::compiler {
 
-namespace {
-
 director::Reason engine_reason(dsl::Reason reason) {
   switch (reason) {
   case dsl::Reason::new_task: return director::Reason::new_task;
@@ -17,8 +15,6 @@ director::Reason engine_reason(dsl::Reason reason) {
   }
   return director::Reason::trigger;
 }
-
-} // namespace
 
 ScriptedBodies::ScriptedBodies(const Scenario& scenario, const Tables& tables, const Onlooker* onlooker)
     : scenario_(scenario),

@@ -9,6 +9,9 @@
 
 namespace director::compiler {
 
+/// What the language calls a reason, in the engine's words.
+director::Reason engine_reason(dsl::Reason reason);
+
 class ScriptedBodies {
 public:
   /// The scenario, the tables and the onlooker, if there is one, are only referred to.

@@ -2,6 +2,7 @@
 #include "tests/arm/plan_text.hpp"
 
 #include "compiler/emit/cpp/parts.hpp"
+#include "compiler/play/scripted_bodies.hpp"
 #include "runtime/core/words.hpp"
 
 #include <fmt/format.h>
@@ -44,17 +45,6 @@ std::string_view answer_of(const Case& each) {
   case Case::Answer::keep: break;
   }
   return "keep";
-}
-
-director::Reason reason_of(dsl::Reason reason) {
-  switch (reason) {
-  case dsl::Reason::new_task: return director::Reason::new_task;
-  case dsl::Reason::pushed: return director::Reason::pushed;
-  case dsl::Reason::subtask_done: return director::Reason::subtask_done;
-  case dsl::Reason::wait: return director::Reason::wait;
-  case dsl::Reason::trigger: break;
-  }
-  return director::Reason::trigger;
 }
 
 std::string_view input_of(dsl::InputSpec::Kind kind) {
@@ -143,7 +133,7 @@ private:
       asked_.all.push_back(fmt::format("{{{}, {}, {}, {}}}", task.edge.value, level(task), data(task.data), task.keep));
     for (const compiler::Setting& one : each.set) settings_.all.push_back(setting(one));
     std::string out = "{";
-    if (each.reason) out += fmt::format(".reason = {}, ", static_cast<unsigned>(reason_of(*each.reason)));
+    if (each.reason) out += fmt::format(".reason = {}, ", static_cast<unsigned>(engine_reason(*each.reason)));
     out += fmt::format(".answer = target::Case::Answer::{}", answer_of(each));
     if (each.data) out += ", .any_data = false, .data = " + data(each.data);
     if (each.trigger) out += fmt::format(", .trigger = {}", each.trigger->value);
