@@ -4,7 +4,20 @@
 #include "compiler/explore/report.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
+#include <string>
+
 namespace director::tests {
+
+/// Who walks must halt before somebody kicks. Which states there are, the test says.
+inline const std::string walker_groups = R"(roots: {Walk: {priority: 10}, Kick: {priority: 20}}
+groups:
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
+  Kick: {when: [Pose == standing], needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
 
 inline compiler::Exploration explore_all(const compiler::Ground& ground, std::size_t bound = 100'000,
                                          unsigned threads = 2) {

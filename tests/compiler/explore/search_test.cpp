@@ -6,18 +6,9 @@ using director::tests::explore_all;
 
 namespace {
 
-const std::string walker = R"(behaviour: walker
-language: 1
-states: {Pose: {values: [moving, standing], external: true}}
-roots: {Walk: {priority: 10}, Kick: {priority: 20}}
-groups:
-  Walk:
-    providers:
-      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
-      - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
-  Kick: {when: [Pose == standing], needs: [Legs], tasks: [Legs]}
-  Legs: {}
-)";
+const std::string walker = "behaviour: walker\nlanguage: 1\n"
+                           "states: {Pose: {values: [moving, standing], external: true}}\n" +
+                           director::tests::walker_groups;
 
 } // namespace
 

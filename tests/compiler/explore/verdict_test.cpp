@@ -30,17 +30,8 @@ std::string verdict_of(const std::string& groups, const std::string& assertion, 
   return (verdict.kind == Verdict::Kind::proven ? "proven: " : "refuted: ") + verdict.why;
 }
 
-const std::string walker = R"(
-states: {Pose: {values: [moving, standing], initial: standing}}
-roots: {Walk: {priority: 10}, Kick: {priority: 20}}
-groups:
-  Walk:
-    providers:
-      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
-      - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
-  Kick: {when: [Pose == standing], needs: [Legs], tasks: [Legs]}
-  Legs: {}
-)";
+const std::string walker =
+    "states: {Pose: {values: [moving, standing], initial: standing}}\n" + director::tests::walker_groups;
 
 const std::string two = R"(
 states: {S: {values: [x, y], initial: x, external: true}}
@@ -48,6 +39,19 @@ roots: {A: {priority: 10}, B: {priority: 10}}
 groups:
   A: {when: [S == x]}
   B: {when: [S == y]}
+)";
+
+/// A walk that can be cut off only while it halts.
+const std::string latched = R"(
+states: {Hold: {values: [free, held], initial: free, of: Walk}}
+roots: {Walk: {priority: 10}, Kick: {priority: 20}}
+groups:
+  Walk:
+    providers:
+      - {name: walking, when: [Hold == free], needs: [Legs], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Hold == held], sets: [Hold == free], tasks: [Legs]}
+  Kick: {when: [Hold == held], stay: [Hold == free|held], needs: [Legs], tasks: [Legs]}
+  Legs: {}
 )";
 
 } // namespace
@@ -91,35 +95,14 @@ TEST_CASE("a walk that does not say that it moves is cut off hard") {
 }
 
 TEST_CASE("behind a latch a hand-over is soft") {
-  const std::string latched = R"(
-states: {Hold: {values: [free, held], initial: free, of: Walk}}
-roots: {Walk: {priority: 10}, Kick: {priority: 20}}
-groups:
-  Walk:
-    providers:
-      - {name: walking, when: [Hold == free], needs: [Legs], tasks: [Legs]}
-      - {name: halting, needs: [Legs], causing: [Hold == held], sets: [Hold == free], tasks: [Legs]}
-  Kick: {when: [Hold == held], stay: [Hold == free|held], needs: [Legs], tasks: [Legs]}
-  Legs: {}
-)";
   CHECK(verdict_of(latched, "{soft: {from: Walk, to: Kick}}") ==
         "proven: `Kick` waits for what only `Walk.halting` sets, and only while that runs");
 }
 
 TEST_CASE("the states say of a latch what its proof says") {
-  const auto compiled = director::tests::compile(R"(behaviour: b
-language: 1
-states: {Hold: {values: [free, held], initial: free, of: Walk}}
-roots: {Walk: {priority: 10}, Kick: {priority: 20}}
-groups:
-  Walk:
-    providers:
-      - {name: walking, when: [Hold == free], needs: [Legs], tasks: [Legs]}
-      - {name: halting, needs: [Legs], causing: [Hold == held], sets: [Hold == free], tasks: [Legs]}
-  Kick: {when: [Hold == held], stay: [Hold == free|held], needs: [Legs], tasks: [Legs]}
-  Legs: {}
-assertions: [{soft: {from: Walk, to: Kick}}, {never_together: [Walk, Kick]}, {beats: {Kick: Walk}}]
-)");
+  const auto compiled = director::tests::compile("behaviour: b\nlanguage: 1\n" + latched +
+                                                 "assertions: [{soft: {from: Walk, to: Kick}}, {never_together: "
+                                                 "[Walk, Kick]}, {beats: {Kick: Walk}}]\n");
   const Ground ground(compiled.model);
   SearchOptions options;
   options.assertions = {0, 1, 2};
