@@ -26,7 +26,7 @@ packages_bench=(libbenchmark-dev valgrind:valgrind)
 packages_dds=(cyclonedds-dev idlc:cyclonedds-tools)
 packages_packages=(mmdebstrap:mmdebstrap dpkg-shlibdeps:dpkg-dev file:file clang-19 libclang-19-dev llvm-19-dev)
 packages_clang=(clang-19 libclang-19-dev llvm-19-dev)
-packages_asan=(clang++-19:clang-19 libclang-rt-19-dev)
+packages_asan=(clang++-19:clang-19 libclang-rt-19-dev lld-19)
 
 # missing_packages <package>...: those that are not installed, one a line. Without dpkg nobody can tell, so nothing is missing: CMake will say.
 missing_packages() {

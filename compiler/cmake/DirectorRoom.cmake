@@ -8,10 +8,10 @@ target_compile_options(director_warnings INTERFACE -Wall -Wextra -Wpedantic -Wco
 # Clang blames whoever sorts stably for a deprecated function that libstdc++ 12 itself calls.
 target_compile_options(director_warnings INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
 
-# director_room(<target> <alias> FOLDER <folder> [EXCLUDE <regex>...] [LINK <library>...] [PRIVATE_LINK <library>...])
-# A room without a source yet is an interface library, so that the rooms can be furnished in any order.
+# director_room(<target> <alias> FOLDER <folder> [EXCLUDE <regex>...] [LINK <library>...] [PRIVATE_LINK <library>...] [PRECOMPILE <header>...])
+# PRECOMPILE names headers from outside that many of the room's sources include: with DIRECTOR_PCH they are read once. A room without a source yet is an interface library, so that the rooms can be furnished in any order.
 function(director_room target alias)
-  cmake_parse_arguments(room "" "FOLDER" "EXCLUDE;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(room "" "FOLDER" "EXCLUDE;LINK;PRIVATE_LINK;PRECOMPILE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${room_FOLDER}/*.cpp)
   foreach(pattern IN LISTS room_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX ${pattern})
@@ -26,6 +26,11 @@ function(director_room target alias)
     target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:director_warnings,INTERFACE_COMPILE_OPTIONS>)
     if(DIRECTOR_FUZZABLE)
       target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    endif()
+    if(DIRECTOR_PCH AND room_PRECOMPILE)
+      target_precompile_headers(${target} PRIVATE ${room_PRECOMPILE})
+      # With the time in it, ccache would never see the same header twice.
+      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
     endif()
   else()
     add_library(${target} INTERFACE)
