@@ -24,11 +24,28 @@ void Engine::act(Index passes, bool stops) {
   for (Index i = 0; i < passes; ++i) adopt(s_.work[i]);
 }
 
+/// To a group that is granted as before. Whom it concerns that its orders are outdated, request() told already.
+inline void Engine::give_again(Index group) {
+  const Index holder = s_.last[group].holder;
+  s_.data_from[group] = holder;
+  if (s_.anew[holder] != 0) {
+    s_.pending[group] |= static_cast<std::uint8_t>(Reason::new_task);
+    if (!planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
+  }
+  enqueue(group);
+}
+
 /// Nothing was arbitrated, so nothing starts, stops or changes hands: only what is granted can gain a reason to run.
 void Engine::act_on_touched() {
   Counters& c = *s_.counters;
   const Index touched = c.touched_count;
   c.touched_count = 0;
+  if (touched == 1) {
+    const Index group = s_.touched[0];
+    untouch(group);
+    if (granted(group)) give_again(group);
+    return;
+  }
   Index count = 0;
   bool sorted = true; // as what one pack asks for mostly comes
   for (Index i = 0; i < touched; ++i) {
@@ -43,15 +60,7 @@ void Engine::act_on_touched() {
     s_.touched[count++] = group;
   }
   if (!sorted) sort_touched(count);
-  for (Index i = 0; i < count; ++i) {
-    const Index group = s_.touched[i], holder = s_.last[group].holder;
-    s_.data_from[group] = holder;
-    if (s_.anew[holder] != 0) { // whom it concerns that its orders are outdated, request() told already
-      s_.pending[group] |= static_cast<std::uint8_t>(Reason::new_task);
-      if (!planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
-    }
-    enqueue(group);
-  }
+  for (Index i = 0; i < count; ++i) give_again(s_.touched[i]);
 }
 
 void Engine::sort_touched(Index count) {

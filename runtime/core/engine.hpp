@@ -76,6 +76,7 @@ private:
   StepResult take_step(Time now);
   void take_first_step(Time now);
   bool micro_step();
+  StepResult come_to_rest();
   bool work_left() const;
 
   // inputs.cpp
@@ -124,6 +125,7 @@ private:
   void untouch(Index group);
   void add_reason(Index group, Reason reason);
   void enqueue(Index group);
+  Index next_of_queue();
   void leave_queue(Index group);
   void request(Index edge, Index level);
   void withdraw(Index edge);
@@ -144,6 +146,7 @@ private:
   void sort_touched(Index count);
   std::span<const Index> in_order(Index passes, bool before);
   void stop_group(Index group);
+  void give_again(Index group);
   void give_reasons(Index group);
   void keep_promises(Index group);
   void settle_data(Index edge);

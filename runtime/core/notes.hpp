@@ -57,6 +57,17 @@ DIRECTOR_INLINE void Engine::enqueue(Index group) {
   c.queue_last = group;
 }
 
+/// Takes the group away that is to run next.
+inline Index Engine::next_of_queue() {
+  Counters& c = *s_.counters;
+  const Index group = c.queue_first, before = s_.runs_before[group];
+  s_.in_queue[group] &= static_cast<std::uint8_t>(~place::queue);
+  c.queue_first = before;
+  (before == nil ? c.queue_last : s_.runs_after[before]) = nil;
+  s_.runs_before[group] = nil;
+  return group;
+}
+
 inline void Engine::leave_queue(Index group) {
   if ((s_.in_queue[group] & place::queue) == 0) return;
   s_.in_queue[group] &= static_cast<std::uint8_t>(~place::queue);

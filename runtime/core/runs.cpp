@@ -54,8 +54,7 @@ DIRECTOR_INLINE void Engine::commit(const Run& run, Outcome::Kind kind) {
 void Engine::run_next() {
   Counters& c = *s_.counters;
   ++c.micro_step;
-  const Index group = c.queue_first;
-  leave_queue(group);
+  const Index group = next_of_queue();
   std::uint8_t reasons = s_.pending[group];
   s_.pending[group] = 0;
   mark_stale(group);

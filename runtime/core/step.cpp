@@ -16,42 +16,8 @@ void Engine::take_first_step(Time now) {
   }
 }
 
-StepResult Engine::take_step(Time now) {
-  if (inside_) return StepResult::refused;
-  Counters& c = *s_.counters;
-  if (!c.begun) take_first_step(now);
-  c.quiet_until = first_time;
-  // Called again for the same time because the budget ran out: what was begun goes on at its own time.
-  const bool again = now <= c.until && (c.handlers_set || c.queue_first != nil || c.unsettled);
-  if (now > c.until) c.until = now;
-  if (!c.serving && !again) c.now = c.until;
-  inbox_.open();
-  for (std::uint32_t taken = 0;; ++taken) {
-    const bool more = taken < budget_;
-    if (more ? !micro_step() : !work_left()) {
-      c.serving = false; // the budget may end together with what is due
-      c.now = c.until;
-      c.quiet_until = next_due();
-      return StepResult::quiescent;
-    }
-    if (!more) {
-      report(Event::Kind::exhausted);
-      return StepResult::budget_exhausted;
-    }
-    if (faulted_) {
-      faulted_ = false;
-      return StepResult::fault;
-    }
-  }
-}
-
-bool Engine::work_left() const {
-  const Counters& c = *s_.counters;
-  return c.handlers_set || c.queue_first != nil || c.unsettled || inbox_.due() || next_due() <= c.until;
-}
-
 /// False: nothing is left to do up to the time given to `step`.
-inline bool Engine::micro_step() {
+DIRECTOR_INLINE bool Engine::micro_step() {
   Counters& c = *s_.counters;
   for (;;) {
     if (c.handlers_set) return take_handlers_input(), true;
@@ -68,6 +34,40 @@ inline bool Engine::micro_step() {
     c.now = due;
     c.serving = true;
   }
+}
+
+StepResult Engine::take_step(Time now) {
+  if (inside_) return StepResult::refused;
+  Counters& c = *s_.counters;
+  if (!c.begun) take_first_step(now);
+  c.quiet_until = first_time;
+  // Called again for the same time because the budget ran out: what was begun goes on at its own time.
+  const bool again = now <= c.until && (c.handlers_set || c.queue_first != nil || c.unsettled);
+  if (now > c.until) c.until = now;
+  if (!c.serving && !again) c.now = c.until;
+  inbox_.open();
+  for (std::uint32_t left = budget_; left != 0; --left) {
+    if (!micro_step()) return come_to_rest();
+    if (!faulted_) continue;
+    faulted_ = false;
+    return StepResult::fault;
+  }
+  if (!work_left()) return come_to_rest(); // the budget may end together with what is due
+  report(Event::Kind::exhausted);
+  return StepResult::budget_exhausted;
+}
+
+StepResult Engine::come_to_rest() {
+  Counters& c = *s_.counters;
+  c.serving = false;
+  c.now = c.until;
+  c.quiet_until = c.next_due;
+  return StepResult::quiescent;
+}
+
+bool Engine::work_left() const {
+  const Counters& c = *s_.counters;
+  return c.handlers_set || c.queue_first != nil || c.unsettled || inbox_.due() || next_due() <= c.until;
 }
 
 } // namespace director
