@@ -12,7 +12,7 @@ void Pass::try_unit(Index count) {
   const Index source = from == nil ? current : stale_source(from);
   const bool outdated = source != current;
   if (outdated && source != nil) s_.in_queue[source] |= place::counts;
-  in_turn_ = in_turn_ && count == 1; // what is below one member goes before the next
+  in_turn_ = in_turn_ && count == 1;                  // what is below one member goes before the next
   const Index together = outdated ? Index{1} : count; // below a stale group each member for itself
   for (Index first = 0; first < count; first = static_cast<Index>(first + together)) {
     for (Index i = 0; i < together; ++i) s_.member[i] = s_.unit[first + i];
