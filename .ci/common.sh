@@ -102,7 +102,9 @@ install_packages() {
 # need_disk <preset>...: says so before the build of those that have no tree yet fills the disk.
 need_disk() {
   local free needed=0 preset
-  for preset in "$@"; do [ -d "build/$preset" ] || needed=$((needed + 700)); done
+  for preset in "$@"; do
+    [ -d "build/$preset" ] || case $preset in asan) needed=$((needed + 1100)) ;; *) needed=$((needed + 800)) ;; esac
+  done
   free=$(df -Pm . | awk 'NR == 2 { print $4 }')
   [ "$free" -ge "$needed" ] || fail "the disk is nearly full: about $needed MB are needed in $PWD, $free MB are free"
 }
