@@ -11,6 +11,8 @@ namespace director::dsl {
 bool is_identifier(std::string_view text);
 /// Of C++20, with its alternative spellings (`and`, `xor`); they end where a name becomes a C++ name.
 bool is_cpp_keyword(std::string_view text);
+/// Of the standard headers, like `EOF` and `errno`.
+bool is_cpp_macro(std::string_view text);
 /// `start`, `stop`, `default`, `root`, `limbo`, with either case of the first letter.
 bool is_reserved(std::string_view text);
 /// What a run's context is asked for (`task`, `request`, `done` ...): no pack can be called so.

@@ -41,7 +41,8 @@ struct ModuleNames {
 
   std::string default_for(const dsl::BehaviourSpec& file) {
     std::string name = stem_as_name(r.sources[file.file].path());
-    while (dsl::is_reserved(name) || dsl::is_cpp_keyword(name) || capitalised(name) == "Behaviour" || !is_free(name))
+    while (dsl::is_reserved(name) || dsl::is_cpp_keyword(name) || dsl::is_cpp_macro(name) ||
+           capitalised(name) == "Behaviour" || !is_free(name))
       name += "_module";
     by_cpp_name.emplace(capitalised(name), name);
     return name;

@@ -27,6 +27,9 @@ bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole
   } else if (dsl::is_cpp_keyword(text)) {
     r.error("reserved_name", name.span,
             fmt::format("a {} cannot be called `{}`: that is a keyword of C++", kind, text));
+  } else if (kind != "layer" && dsl::is_cpp_macro(text)) {
+    r.error("reserved_name", name.span,
+            fmt::format("a {} cannot be called `{}`: that is a macro of the standard headers of C++", kind, text));
   } else if (whole_rule && dsl::is_reserved(text)) {
     r.error("reserved_name", name.span,
             fmt::format("a {} cannot be called `{}`: that is a word of Director's own", kind, text));
@@ -64,6 +67,11 @@ bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name) {
 
 void check_namespace(Resolver& r, const Word& name) {
   std::string_view rest = name.value;
+  if (rest == "main" || rest.starts_with("main::")) {
+    r.error("reserved_name", name.span, "a C++ namespace cannot be called `main`: that is the function of the program")
+        .help = "choose another one: `cpp: {namespace: ...}`";
+    return;
+  }
   for (bool more = true; more;) {
     const std::size_t end = rest.find("::");
     const std::string part(rest.substr(0, end));
@@ -76,6 +84,10 @@ void check_namespace(Resolver& r, const Word& name) {
     } else if (dsl::is_cpp_keyword(part)) {
       r.error("reserved_name", name.span,
               fmt::format("a C++ namespace cannot be called `{}`: that is a keyword of C++", part));
+    } else if (dsl::is_cpp_macro(part)) {
+      r.error(
+          "reserved_name", name.span,
+          fmt::format("a C++ namespace cannot be called `{}`: that is a macro of the standard headers of C++", part));
     } else if (part == "std" || part == "director") {
       r.error("reserved_name", name.span, fmt::format("the C++ of a behaviour cannot stand in a namespace `{}`", part))
           .help = "choose another one: `cpp: {namespace: ...}`";

@@ -142,7 +142,7 @@ TEST_CASE("A file that imports itself under another name is a cycle") {
   fs::create_symlink("main.yaml", "other.yaml");
   for (const std::string name : {"other.yaml", "./main.yaml", "sub/../main.yaml", "sub/up/main.yaml"}) {
     CAPTURE(name);
-    write("main.yaml", "behaviour: main\nlanguage: 1\nimports: [" + name + "]\n");
+    write("main.yaml", "behaviour: robot\nlanguage: 1\nimports: [" + name + "]\n");
     CHECK(behaviour_findings("main.yaml") ==
           "3:11 `" + name + "` import_cycle: `main.yaml` imports `main.yaml` (leave this import out)\n");
   }
@@ -171,9 +171,9 @@ TEST_CASE("A hundred thousand levels are refused after 64, in brackets and in li
                            Deep{"\n" + dashes, "3:127 `-` input_limit: nested deeper than 64 levels\n"}}) {
     MemoryFiles files;
     Sources sources;
-    files.add("main.yaml", "behaviour: main\nlayers: " + deep.text);
+    files.add("main.yaml", "behaviour: robot\nlayers: " + deep.text);
     CHECK(findings_text(read_behaviour("main.yaml", files, sources).diagnostics, sources) == deep.findings);
-    files.add("a.yaml", "behaviour: main\nlayers: " + deep.text);
+    files.add("a.yaml", "behaviour: robot\nlayers: " + deep.text);
     Sources others;
     CHECK(findings_text(read_scenario("a.yaml", files, others).diagnostics, others) == deep.findings);
   }

@@ -37,3 +37,8 @@ TEST_CASE("A name becomes a C++ name by its first letter") {
   CHECK(capitalised("_x") == "_x");
   CHECK(capitalised("") == "");
 }
+
+TEST_CASE("What the standard headers define is known, with its case") {
+  for (const char* macro : {"BUFSIZ", "EOF", "NULL", "assert", "errno", "va_arg"}) CHECK(is_cpp_macro(macro));
+  for (const char* word : {"Eof", "ERROR", "Assert", "null", ""}) CHECK_FALSE(is_cpp_macro(word));
+}

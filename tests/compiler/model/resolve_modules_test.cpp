@@ -11,7 +11,7 @@ std::string head(const std::string& name) { return "behaviour: " + name + "\nlan
 /// The modules of a deployment that imports one file of this name.
 std::string modules(const std::string& file, const std::string& text) {
   const auto checked = tests::check_files(
-      {{"main.yaml", head("main") + "imports: [\"" + file + "\"]\nroots: [Walk]\n"}, {file, head("other") + text}});
+      {{"main.yaml", head("robot") + "imports: [\"" + file + "\"]\nroots: [Walk]\n"}, {file, head("other") + text}});
   INFO(dsl::render(checked.checked.findings, checked.sources));
   CHECK(checked.checked.resolved);
   std::string out;

@@ -65,18 +65,18 @@ groups:
 
 TEST_CASE("what is imported is declared before what imports it, and its roots do not count") {
   const auto text =
-      check_files({{"main.yaml", head("main") + "imports: [b.yaml, a.yaml]\nroots: [Main]\ngroups: {Main: {}}\n"},
+      check_files({{"main.yaml", head("robot") + "imports: [b.yaml, a.yaml]\nroots: [Main]\ngroups: {Main: {}}\n"},
                    {"a.yaml", head("a") + "imports: [b.yaml]\nroots: [A]\ngroups: {A: {}}\n"},
                    {"b.yaml", head("b") + "groups: {B: {}}\n"}});
   CHECK(text.findings().empty());
   CHECK(lines_with(text.checked.model, "group") ==
         "group B: module b_module\ngroup A: module a_module\ngroup Main: module main_module\n" + std::string());
   CHECK(lines_with(text.checked.model, "edge") == "edge root>Main: 0\n");
-  CHECK(text.checked.model.name == "main");
+  CHECK(text.checked.model.name == "robot");
 }
 
 TEST_CASE("extensions take their place in the order of preference, one after the other") {
-  const auto text = check_files({{"main.yaml", head("main") + R"(
+  const auto text = check_files({{"main.yaml", head("robot") + R"(
 imports: [a.yaml]
 roots: [Walk]
 extend:
@@ -133,7 +133,7 @@ because: they wait for the rest
 }
 
 TEST_CASE("the main file's layers come first") {
-  const auto text = check_files({{"main.yaml", head("main") + "imports: [a.yaml]\nlayers: [top, low]\nroots: [A]\n"},
+  const auto text = check_files({{"main.yaml", head("robot") + "imports: [a.yaml]\nlayers: [top, low]\nroots: [A]\n"},
                                  {"a.yaml", head("a") + "layers: [low, middle]\ngroups: {A: {layer: middle}}\n"}});
   CHECK(lines_with(text.checked.model, "layer") == "layer top\nlayer low\nlayer middle\n");
 }
@@ -148,16 +148,16 @@ assertions:
   - can_run: B
   - never_together: [B, C]
 )";
-  const auto text = check_files({{"main.yaml", head("main") + "imports: [a.yaml]\nroots: [A]\n"}, {"a.yaml", module}});
+  const auto text = check_files({{"main.yaml", head("robot") + "imports: [a.yaml]\nroots: [A]\n"}, {"a.yaml", module}});
   CHECK(lines_with(text.checked.model, "assert") == "assert can run B\n");
 }
 
 TEST_CASE("headers of all files are included, the namespace is the main file's") {
   const auto text =
-      check_files({{"main.yaml", head("main") + "imports: [a.yaml]\ncpp: {headers: [m.hpp, a.hpp]}\nroots: [A]\n"},
+      check_files({{"main.yaml", head("robot") + "imports: [a.yaml]\ncpp: {headers: [m.hpp, a.hpp]}\nroots: [A]\n"},
                    {"a.yaml", head("a") + "cpp: {namespace: other, headers: [a.hpp]}\ngroups: {A: {}}\n"}});
   CHECK(text.checked.model.headers == std::vector<std::string>{"a.hpp", "m.hpp"});
-  CHECK(text.checked.model.name_space == "main");
+  CHECK(text.checked.model.name_space == "robot");
 }
 
 } // namespace

@@ -37,7 +37,7 @@ inline CheckedText check_files(const std::map<std::string, std::string>& texts,
 
 /// Behind the two lines that every file has.
 inline CheckedText check_text(const std::string& text, const compiler::CheckOptions& options = {}) {
-  return check_files({{"main.yaml", "behaviour: main\nlanguage: 1\n" + text}}, options);
+  return check_files({{"main.yaml", "behaviour: robot\nlanguage: 1\n" + text}}, options);
 }
 
 } // namespace director::tests

@@ -1,0 +1,4 @@
+#include <cstdio>
+#include <cassert>
+#include <cerrno>
+#include "main.hpp"
