@@ -18,16 +18,14 @@ Json read_declarations(const Json& request);
 /// Likewise: how what was put into files, and whole new ones, are laid out by the .clang-format above them.
 Json format_parts(const Json& request);
 
-/// {"unit": {"file", "directory", "arguments"}, "headers": ["robot/types.hpp"], "namespace": "soccer", "names":
-/// ["soccer::GamePhase"]}
-/// -> {"types": [...], "paths", "files", "errors"}. Of each name {"complete", "at", "enum": {"name", "at", "scoped",
-/// "enumerators": [{"name", "value", "at"}]}}, `enum` only of one; {"wrong": "..."} where there is no such type. The
-/// unit's file is not read: its name only says where the headers are looked for.
+/// {"unit": {"file", "directory", "arguments"}, "headers": ["robot/types.hpp"], "namespace": "soccer",
+/// "names": ["soccer::GamePhase"]} -> {"types": [...], "paths", "files", "errors"}. Of each name {"complete", "at",
+/// "enum": {"at", "enumerators": [{"name", "value", "at"}]}}, `enum` only of one; {"wrong": "..."} where there is no
+/// such type. The unit's file is not read: its name only says where the headers are looked for.
 Json tell_types(const Json& request);
 
 /// {"units": [{"file", "directory", "arguments"}], "namespace": "soccer"} -> {"units": [...]}, in the same order. Of
-/// each
-/// {"functions", "classes", "aliases", "paths", "files", "errors"}; compiler/facts/code.cpp reads them. Places are
+/// each {"functions", "classes", "aliases", "paths", "files", "errors"}; compiler/facts/code.cpp reads them. Places are
 /// [row of `paths`, begin, end] in bytes; `files` are [path, is a system header].
 Json tell_facts(const Json& request);
 

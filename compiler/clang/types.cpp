@@ -40,8 +40,6 @@ Source write_source(const Json& request) {
 }
 
 Json describe(const clang::EnumDecl& decl, Places& places) {
-  Json out =
-      Json::object({{"name", Json::text(name_of(decl))}, {"at", places.of(decl.getLocation(), decl.getLocation())}});
   Json enumerators = Json::list({});
   for (const clang::EnumConstantDecl* each : decl.enumerators()) {
     llvm::SmallString<24> digits;
@@ -50,9 +48,8 @@ Json describe(const clang::EnumDecl& decl, Places& places) {
                                   {"value", Json::text(digits.str().str())},
                                   {"at", places.of(each->getLocation(), each->getLocation())}}));
   }
-  out.add("scoped", Json::boolean(decl.isScoped()));
-  out.add("enumerators", std::move(enumerators));
-  return out;
+  return Json::object(
+      {{"at", places.of(decl.getLocation(), decl.getLocation())}, {"enumerators", std::move(enumerators)}});
 }
 
 /// Also what a template would be, which nobody has made complete yet.

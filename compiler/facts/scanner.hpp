@@ -19,9 +19,8 @@ struct ScanFault {
 using Scan = dsl::Result<Json, ScanFault>;
 
 /// Where director-clang should be: `chosen` (the variable DIRECTOR_CLANG) if it names something; else beside directorc,
-/// or in
-/// ../libexec/director, ../lib/director or ../lib/*/director from there, whichever exists; else its bare name, for the
-/// search path.
+/// or in ../libexec/director, ../lib/director or ../lib/*/director from there, whichever exists; else its bare name,
+/// for the search path.
 std::string find_scanner(const std::string& directorc, const std::string& chosen);
 
 /// A file, as director-clang is asked about it; the compiler is not among the arguments.
