@@ -1,4 +1,0 @@
-#include <cstdio>
-#include <cassert>
-#include <cerrno>
-#include "main.hpp"
