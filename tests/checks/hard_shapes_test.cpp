@@ -50,6 +50,11 @@ TEST_CASE("of a hundred members of a pack that exclude each other each but the f
         Counts{{"equal_priority", {99, 99}}, {"pack_conflict", {99, 99}}});
 }
 
+TEST_CASE("of twenty equal tasks of a list each is told of with every other") {
+  CHECK(count(rivals(20, "tasks: [" + names(0, 20) + "]")) ==
+        Counts{{"equal_priority", {190, 19}}, {"possible_pack_conflict", {190, 19}}});
+}
+
 TEST_CASE("of forty groups, each needing all behind it, none is left out") {
   std::string text = "roots: [T0]\ngroups:\n";
   for (std::size_t i = 0; i < 40; ++i) text += fmt::format("  T{}: {{needs: [{}]}}\n", i, names(i + 1, 40));

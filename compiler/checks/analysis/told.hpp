@@ -1,6 +1,7 @@
 #pragma once
 // Of many that are in conflict over one thing, each is told of with the first of them, and not with every other: fifty
-// tasks that want one group are 49 findings, not 1,225, and whoever mends these has mended those.
+// tasks that want one group are 49 findings, not 1,225. Of lists as people write them every pair is told of: who mends
+// or allows one pair has not mended the others.
 
 #include <cstddef>
 #include <map>
@@ -10,14 +11,18 @@
 
 namespace director::checks {
 
+/// Of lists up to this long every pair is told of.
+inline constexpr std::size_t told_in_pairs = 20;
+
 /// Entries of one list by their places in it. `Thing`: what makes two of them rivals, and them and a third one.
 template <class Thing>
 class Told {
 public:
   explicit Told(std::size_t entries) : circles_(entries) {}
 
-  /// Both were told of with one and the same other entry, over the same thing.
+  /// The list is long, and both were told of with one and the same other entry, over the same thing.
   bool covers(std::size_t a, std::size_t b) const {
+    if (circles_.size() <= told_in_pairs) return false;
     const std::set<std::size_t>&few = circles_[a].size() < circles_[b].size() ? circles_[a] : circles_[b],
           &many = &few == &circles_[a] ? circles_[b] : circles_[a];
     for (const std::size_t circle : few)
