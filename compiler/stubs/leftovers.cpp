@@ -1,4 +1,4 @@
-// Door: compiler/stubs/leftovers.hpp. Test: tests/stubs/orders_test.cpp.
+// Door: compiler/stubs/leftovers.hpp. Test: tests/stubs/leftovers_test.cpp.
 #include "compiler/stubs/leftovers.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Door: compiler/stubs/merge.hpp. Test: tests/stubs/orders_test.cpp.
+// Door: compiler/stubs/merge.hpp. Test: tests/stubs/merge_test.cpp.
 #include "compiler/stubs/merge.hpp"
 
 #include "compiler/stubs/layout.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/stubs/scan.hpp. Test: tests/stubs/orders_test.cpp.
+// Door: compiler/stubs/scan.hpp. Test: tests/stubs/scan_test.cpp.
 #include "compiler/stubs/scan.hpp"
 
 namespace director::compiler::stubs {
