@@ -24,7 +24,7 @@ packages_arm=(arm-none-eabi-g++:gcc-arm-none-eabi libstdc++-arm-none-eabi-dev li
 packages_schemas=(node:nodejs npm:npm)
 packages_bench=(libbenchmark-dev valgrind:valgrind)
 packages_dds=(cyclonedds-dev idlc:cyclonedds-tools)
-packages_packages=(mmdebstrap:mmdebstrap dpkg-shlibdeps:dpkg-dev file:file clang-19 libclang-19-dev llvm-19-dev)
+packages_packages=(mmdebstrap:mmdebstrap lintian:lintian dpkg-shlibdeps:dpkg-dev file:file clang-19 libclang-19-dev llvm-19-dev)
 packages_clang=(clang-19 libclang-19-dev llvm-19-dev)
 packages_asan=(clang++-19:clang-19 libclang-rt-19-dev lld-19)
 

@@ -39,6 +39,7 @@ struct Console {
   Outputs& outputs;
   Programs& programs;
   std::string scanner = "director-clang"; ///< the program that reads C++, or where it should be
+  std::string headers = {};               ///< the folder of the runtime's, as they are installed; empty: unknown
 };
 
 class DiskOutputs final : public Outputs {

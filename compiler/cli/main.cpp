@@ -58,7 +58,7 @@ int main(int count, char** words) {
     DiskOutputs outputs;
     ChildPrograms programs;
     Console console{std::cout, std::cerr, wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO), files, outputs,
-                    programs,  scanner()};
+                    programs,  scanner(), find_headers(own_path())};
     const Request request = parse({words + (count > 0 ? 1 : 0), words + count});
     const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
     std::cout.flush();

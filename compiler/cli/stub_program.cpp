@@ -67,6 +67,7 @@ Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console&
   read_commands(request, console, out);
   out.default_flags = {"-std=c++20", "-I" + whole_path(fs::path(request.file).parent_path())};
   for (const std::string& folder : request.includes) out.default_flags.push_back("-I" + whole_path(folder));
+  if (!console.headers.empty()) out.default_flags.insert(out.default_flags.end(), {"-isystem", console.headers});
 
   for (const bool headers : {false, true}) {
     const stubs::Words words = headers ? stubs::interface_words(wanted) : stubs::telling_words(wanted);

@@ -46,6 +46,12 @@ Json unit_question(const std::string& file, const std::string& directory, const 
       {{"file", Json::text(file)}, {"directory", Json::text(directory)}, {"arguments", Json::texts(arguments)}});
 }
 
+std::string find_headers(const std::string& directorc) {
+  const fs::path folder = fs::path(directorc).parent_path().parent_path() / "include/director";
+  std::error_code fault;
+  return fs::is_directory(folder / "runtime", fault) ? folder.string() : std::string{};
+}
+
 Scan Scanner::ask(const std::string& subcommand, const Json& request) {
   const Answer answer = programs_.run({program_, subcommand}, to_line(request) + "\n");
   if (!answer.started) return absent();

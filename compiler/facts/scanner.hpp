@@ -26,6 +26,9 @@ std::string find_scanner(const std::string& directorc, const std::string& chosen
 /// A file, as director-clang is asked about it; the compiler is not among the arguments.
 Json unit_question(const std::string& file, const std::string& directory, const std::vector<std::string>& arguments);
 
+/// Where the headers of the runtime are installed that came with directorc; empty where there are none.
+std::string find_headers(const std::string& directorc);
+
 class Scanner {
 public:
   Scanner(std::string program, Programs& programs) : program_(std::move(program)), programs_(programs) {}

@@ -31,6 +31,8 @@ set(pages ${page})
 install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT compiler OPTIONAL)
 # director_debian(<package>): what Debian wants of each. Nobody else does.
 function(director_debian name)
+  configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/lintian-overrides.in ${package}/${name}.lintian-overrides @ONLY)
+  install(FILES ${package}/${name}.lintian-overrides DESTINATION share/lintian/overrides RENAME ${name} COMPONENT debian-${name} EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/copyright ${changelog} DESTINATION share/doc/${name} COMPONENT debian-${name} EXCLUDE_FROM_ALL)
 endfunction()
 director_debian(director)

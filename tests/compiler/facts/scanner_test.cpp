@@ -88,4 +88,15 @@ TEST_CASE("where director-clang is looked for") {
   fs::remove_all(root);
 }
 
+TEST_CASE("where the headers of the runtime are looked for") {
+  const fs::path root = fs::temp_directory_path() / ("director_find_headers_test_" + std::to_string(getpid()));
+  fs::remove_all(root);
+  fs::create_directories(root / "include/director");
+  CHECK(find_headers((root / "bin/directorc").string()).empty());
+  fs::create_directories(root / "include/director/runtime");
+  CHECK(find_headers((root / "bin/directorc").string()) == (root / "include/director").string());
+  CHECK(find_headers("").empty());
+  fs::remove_all(root);
+}
+
 } // namespace
