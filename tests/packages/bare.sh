@@ -17,6 +17,7 @@ command -v mmdebstrap >/dev/null || skip 'there is no mmdebstrap (Debian: mmdebs
 mkdir -p "$work"
 base=$work/base root=$work/root log=$work/log kept=$work/downloads
 mkdir -p "$kept"
+: >"$log"
 
 # Packages come from where this machine gets them, and the way it does: through its proxy, whether the environment or apt knows of it. A mirror in a folder of
 # this machine is copied from, as it is not there within the other one.
@@ -32,9 +33,9 @@ apt-config dump | grep '^Acquire::' >"$work/acquire.conf" || true
 
 if [ ! -e "$base/made" ]; then
   rm -rf --one-file-system "$base"
-  mmdebstrap --mode=root --variant=apt --architectures="$(dpkg --print-architecture)" --aptopt="$work/acquire.conf" bookworm "$base" "${sources[@]}" >"$log" 2>&1 ||
+  mmdebstrap --mode=root --variant=apt --architectures="$(dpkg --print-architecture)" --aptopt="$work/acquire.conf" bookworm "$base" "${sources[@]}" >>"$log" 2>&1 ||
     { rm -rf --one-file-system "$base"
-      skip "no bare system can be made: the packages cannot be fetched, or may not be unpacked: $(grep -E '^(E|W|Err):' "$log" | tail -n 1) (its whole output: $log)"; }
+      skip "no bare system can be made: the packages cannot be fetched, or may not be unpacked: $(grep -m 1 '^E:' "$log") (its whole output: $log)"; }
   touch "$base/made"
 fi
 [ -n "$packages" ] || exit 0
@@ -70,9 +71,9 @@ bare_apt() {
 inside() { chroot "$root" /usr/bin/env -i HOME=/root TERM=dumb LC_ALL=C.UTF-8 PATH=/usr/local/bin:/usr/bin:/bin "$@"; }
 files() { (cd "$root" && find usr etc opt -path usr/share/man/man1/director\* -o -iname '*director*' -print | grep -vE 'usr/(lib|share)/(python|cmake-)' | sort); }
 
-bare_apt update || skip "the list of packages cannot be fetched: $(grep -E '^(E|W|Err):' "$log" | tail -n 1)"
+bare_apt update || skip "the list of packages cannot be fetched: $(grep -m 1 '^E:' "$log")"
 before=$(files)
-bare_apt install --no-install-recommends g++ cmake make || skip "the compiler for the bare system cannot be fetched: $(grep '^E:' "$log" | tail -n 1)"
+bare_apt install --no-install-recommends g++ cmake make || skip "the compiler for the bare system cannot be fetched: $(grep -m 1 '^E:' "$log")"
 
 echo 'installing director'
 mkdir "$root/packages"
