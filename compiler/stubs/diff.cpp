@@ -119,7 +119,8 @@ std::string diff(const std::string& path, std::string_view text, const std::vect
 }
 
 std::string diff_of_new(const std::string& path, std::string_view text) {
-  return fmt::format("--- /dev/null\n+++ b/{}\n{}", path_in_diff(path), hunks(edits_of({}, {{path, 0, std::string(text)}})));
+  return fmt::format("--- /dev/null\n+++ b/{}\n{}", path_in_diff(path),
+                     hunks(edits_of({}, {{path, 0, std::string(text)}})));
 }
 
 } // namespace director::compiler::stubs
