@@ -12,6 +12,7 @@ skip() {
   exit 77
 }
 if [ "$1" = --base ]; then packages='' work=$2; else packages=$1 work=$2 projects=$3; fi
+work=$(realpath -m "$work")
 [ "$(id -u)" = 0 ] || skip 'to make a bare system needs root rights'
 command -v mmdebstrap >/dev/null || skip 'there is no mmdebstrap (Debian: mmdebstrap)'
 mkdir -p "$work"
