@@ -26,6 +26,9 @@ public:
   /// the component.
   void decide(Index component);
 
+  /// Writes State::equals. Once, before the first pass.
+  void find_equals();
+
   /// The result may be another one when it is the last assignment itself.
   bool depends_on_last() const { return depends_on_last_; }
   /// The result may be another one when other groups are stale.
@@ -133,6 +136,7 @@ private:
   Index recall_plan(Index group);
   void finish();
   void begin_with_old_order(std::span<Index> claimed);
+  void sort_claimed(std::span<Index> claimed);
   void finish_pushes();
   bool asked_for(Index group) const;
 
@@ -158,6 +162,7 @@ private:
   Index root_ = nil;     ///< the next candidate of root
   Index next_ = nil;     ///< a candidate beside the heap
   bool in_turn_ = false; ///< groups were claimed in the order in which their edges stand
+  bool equals_ = false;  ///< edges may be equal
   bool pushed_ = false;  ///< there were pushes in the last assignment
   bool pushing_ = false; ///< there are in this one
   mutable bool depends_on_last_ = false, depends_on_stale_ = false;

@@ -26,6 +26,7 @@ bool Pass::alive(Index edge) const {
 
 /// Equals never take from each other. Its last holder is an edge, and another one.
 bool Pass::kept_by_equal(Index group, Index edge, bool record) {
+  if (!equals_) return false;
   const Index holder = s_.last[group].holder;
   if (planted(Fault::equals_take) || (s_.edge_marks[holder] & mark::refused) != 0 ||
       (s_.group_marks[group] & mark::forgotten) != 0 || !alive(holder) ||

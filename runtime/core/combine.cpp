@@ -19,6 +19,7 @@ bool Pass::may_deny(Index group, Index edge, Index member) const {
 
 /// Can an equal stand in the way of a choice of this member, whatever is chosen?
 bool Pass::may_be_denied(Index member) {
+  if (!equals_) return false;
   Index found = 0;
   const auto reach = [&](Index edge) {
     const Index group = t_.edges[edge].target;
@@ -39,6 +40,7 @@ bool Pass::may_be_denied(Index member) {
 
 /// The same where the member's target is flat: nothing is needed by what it needs.
 bool Pass::disputed(Index member) const {
+  if (!equals_) return false;
   const Index group = t_.edges[member].target;
   bool yes = may_deny(group, member, member);
   const Range providers = t_.groups[group].providers;

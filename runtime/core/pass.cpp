@@ -10,6 +10,7 @@ namespace director {
 void Pass::decide(Index component) {
   c_ = t_.components[component];
   component_ = component;
+  equals_ = s_.equals[component] != 0;
   pushed_ = depends_on_stale_ = false;
   for (const Index g : t_.list(c_.groups)) {
     s_.group_marks[g] = 0;

@@ -154,11 +154,11 @@ struct Counters {
 struct State {
   // The decision state.
   Counters* counters = nullptr;
-  std::uint64_t* stamp = nullptr;         ///< edge: micro-step in which it became requested or changed its level
-  Time* due = nullptr;                    ///< timer (see timers.cpp): when; never
-  Index* soonest = nullptr;               ///< timers, as a tree of which one is due first
-  std::int32_t* values = nullptr;         ///< state
-  Calm* calm = nullptr;                   ///< state
+  std::uint64_t* stamp = nullptr; ///< edge: micro-step of its last change: requested, withdrawn or another level
+  Time* due = nullptr;            ///< timer (see timers.cpp): when; never
+  Index* soonest = nullptr;       ///< timers, as a tree of which one is due first
+  std::int32_t* values = nullptr; ///< state
+  Calm* calm = nullptr;           ///< state
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
   Index* handled = nullptr;               ///< states with such a value
   Index* request = nullptr;               ///< edge: level (of Tables::levels) at which it is requested; nil
@@ -197,6 +197,7 @@ struct State {
   Index* sorted = nullptr;              ///< groups of several components, brought in order
   Lineage* lineage = nullptr;           ///< group that is claimed
   Bits* traits = nullptr;               ///< group: bits of `trait`, which follow from the tables
+  Bits* equals = nullptr;               ///< component: edges in it may be equal, which follows from the tables
   Index* trial = nullptr;               ///< group: edge that would claim it in the combination in hand
   Index* entry_group = nullptr;         ///< 2 * groups: plans of the members in hand, as stacks of entries
   Index* entry_need = nullptr;          ///< the edge by which an entry is needed
@@ -244,7 +245,7 @@ struct State {
     visit(s.own, n.groups), visit(s.first, n.groups), visit(s.touched, n.groups), visit(s.staged, n.states);
     visit(s.asked, n.edges);
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.sorted, n.groups);
-    visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.trial, n.groups);
+    visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.equals, n.components), visit(s.trial, n.groups);
     visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
     visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
     visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
