@@ -98,7 +98,6 @@ std::uint64_t Machine::key(std::uint64_t watch) {
     hash.add(stands.holder, stands.active);
     hash.add(stands.planned, stands.push.edge);
     hash.add(stands.push.provider, stands.push.condition);
-    hash.add(stands.serves.provider, stands.serves.condition);
   }
   hash.part();
   for (Index slot = 0; slot < t.plan_groups.size(); ++slot) {

@@ -123,26 +123,26 @@ void Engine::handle(Index group, Reason reason) {
 }
 
 void Engine::give_reasons(Index group) {
-  const Index holder = s_.now[group].holder, provider = s_.now[group].active;
-  const bool starts = s_.last[group].active == nil;
-  const bool was_granted = (s_.last[group].flags & flag::granted) != 0;
-  s_.data_from[group] = holder;
+  const Standing &now = s_.now[group], &last = s_.last[group];
+  s_.data_from[group] = now.holder;
+  const bool starts = last.active == nil;
   if (starts) {
     starting_ = group;
     handle(group, Reason::started);
     starting_ = nil;
   }
-  const bool handed_on = s_.last[group].holder != holder && !planted(Fault::a_new_holder_is_no_news);
-  if (starts || !was_granted || handed_on || s_.anew[holder] != 0) add_reason(group, Reason::new_task);
-  if (s_.last[group].active != provider) {
-    add_reason(group, (s_.now[group].flags & flag::in_force) != 0 ? Reason::pushed : Reason::new_task);
-    const Time every = t_.providers[provider].every; // the period begins when the provider becomes active
+  const bool handed_on = last.holder != now.holder && !planted(Fault::a_new_holder_is_no_news);
+  if (starts || !last.granted() || handed_on || s_.anew[now.holder] != 0) add_reason(group, Reason::new_task);
+  if (last.active != now.active) {
+    add_reason(group, (now.flags & flag::in_force) != 0 ? Reason::pushed : Reason::new_task);
+    const Time every = t_.providers[now.active].every; // the period begins when the provider becomes active
     disarm(Due::every, group);
     if (every != 0) arm(Due::every, group, s_.counters->now + every);
   }
-  const Service& serves = s_.now[group].serves;
-  const bool lost = serves.condition != nil && serves != s_.last[group].serves;
-  if (lost && !planted(Fault::a_lost_state_is_nobodys_concern)) add_reason(group, Reason::pushed);
+  const bool served = (last.flags & flag::serving) != 0 && now.push.provider == last.push.provider &&
+                      now.push.condition == last.push.condition;
+  if ((now.flags & flag::serving) != 0 && !served && !planted(Fault::a_lost_state_is_nobodys_concern))
+    add_reason(group, Reason::pushed);
   enqueue(group);
 }
 

@@ -38,6 +38,7 @@ namespace flag {
 inline constexpr Index granted = 1;  ///< a unit got it as its target in the last pass
 inline constexpr Index needed = 2;   ///< its holder claimed it for a plan
 inline constexpr Index in_force = 4; ///< its active provider runs because of the push on it
+inline constexpr Index serving = 8;  ///< and the condition that the push was made for is false
 } // namespace flag
 
 /// Bits of State::component: what the next arbitration has to know about it.
@@ -80,12 +81,6 @@ struct Push {
   constexpr bool operator==(const Push&) const = default;
 };
 
-/// What a push in force serves; condition == nil: nothing, or its condition holds.
-struct Service {
-  Index provider = nil, condition = nil;
-  constexpr bool operator==(const Service&) const = default;
-};
-
 /// Why an edge is queued; the first false condition where it waits for one.
 struct Queued {
   Why why = Why::none;
@@ -101,7 +96,6 @@ struct Standing {
   Index planned = nil; ///< provider whose needs its plan meets; nil: it has no plan
   Index flags = 0;     ///< bits of `flag`
   Push push{};
-  Service serves{};
   constexpr bool granted() const { return (flags & flag::granted) != 0; }
   constexpr bool operator==(const Standing&) const = default;
 };
