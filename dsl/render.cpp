@@ -104,18 +104,35 @@ std::string snippet(const SourceFile& file, const Span& span, const RenderOption
   return out + marked_line(file, to.line, indentation, last.size(), false, options, colour);
 }
 
+/// Names may stand in quotes with anything in them: what would move a terminal's cursor or change its colours is
+/// spelled out.
+std::string harmless(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool c1 =
+        byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0; // U+0080 to U+009F
+    if (c1) ++i;
+    if (c1 || byte < 0x20 || byte == 0x7F)
+      out += fmt::format("\\x{:02X}", static_cast<unsigned char>(text[i]));
+    else
+      out += text[i];
+  }
+  return out;
+}
+
 std::string headline(const SourceFile& file, const Span& span, std::string_view kind, std::string_view message,
                      const Palette& colour) {
   const Place place = file.place(span.begin);
-  return fmt::format("{}{}:{}:{}:{} {}{}:{} {}{}{}\n", colour.bold, file.path(), place.line, place.column, colour.reset,
-                     colour.level, kind, colour.reset, colour.bold, message, colour.reset);
+  return fmt::format("{}{}:{}:{}:{} {}{}:{} {}{}{}\n", colour.bold, harmless(file.path()), place.line, place.column,
+                     colour.reset, colour.level, kind, colour.reset, colour.bold, harmless(message), colour.reset);
 }
 
 } // namespace
 
 std::string render(const Diagnostic& diagnostic, const Sources& sources, const RenderOptions& options) {
   if (diagnostic.span.file.value >= sources.size()) // there is no text to show
-    return fmt::format("{}: {} [{}]\n", name_of(diagnostic.level), diagnostic.message, diagnostic.id);
+    return fmt::format("{}: {} [{}]\n", name_of(diagnostic.level), harmless(diagnostic.message), diagnostic.id);
   const Palette colour = palette(options.colours, colour_of(diagnostic.level));
   const SourceFile& file = sources[diagnostic.span.file];
   std::string out = headline(file, diagnostic.span, name_of(diagnostic.level),
@@ -127,7 +144,8 @@ std::string render(const Diagnostic& diagnostic, const Sources& sources, const R
     out += headline(sources[note.span.file], note.span, "note", note.message, note_palette);
     out += snippet(sources[note.span.file], note.span, options, note_palette);
   }
-  if (!diagnostic.help.empty()) out += fmt::format("  {}help:{} {}\n", colour.bold, colour.reset, diagnostic.help);
+  if (!diagnostic.help.empty())
+    out += fmt::format("  {}help:{} {}\n", colour.bold, colour.reset, harmless(diagnostic.help));
   return out;
 }
 

@@ -66,6 +66,22 @@ TEST_CASE("Marks stand below what they mean in lines with tabs and letters of se
                                                       "      |                   ^~~~\n");
 }
 
+TEST_CASE("What a name holds does not reach the terminal as a command") {
+  const Shown shown("roots: [\"\\e[31mred\\n\\x9B\"]\n");
+  Diagnostic finding = shown.error("\"\\e[31mred\\n\\x9B\"");
+  finding.message = "there is no group called `\033[31mred\n\xC2\x9B`";
+  finding.help = "did you mean `\x7F`, `ä` or `\t`?";
+  finding.notes.push_back({finding.span, "\rhere"});
+  CHECK(render(finding, shown.sources) ==
+        "walk.yaml:1:9: error: there is no group called `\\x1B[31mred\\x0A\\x9B` [unknown_key]\n"
+        "    1 | roots: [\"\\e[31mred\\n\\x9B\"]\n"
+        "      |         ^~~~~~~~~~~~~~~~~\n"
+        "walk.yaml:1:9: note: \\x0Dhere\n"
+        "    1 | roots: [\"\\e[31mred\\n\\x9B\"]\n"
+        "      |         ^~~~~~~~~~~~~~~~~\n"
+        "  help: did you mean `\\x7F`, `ä` or `\\x09`?\n");
+}
+
 TEST_CASE("A span of several lines shows the first and the last") {
   const Shown two("a:\n  b: 1\n"), many("a:\n  b: 1\n  c: 2\n  d: 3\n");
   CHECK(render(two.error("a:\n  b: 1"), two.sources) == R"(walk.yaml:1:1: error: no such key [unknown_key]
