@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unused_causing.md.
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -12,6 +13,7 @@ void unused_causing(const Input& input, Findings& findings) {
   const Model& model = input.model;
   std::set<dsl::Span> waited;
   for (const Graph::Causing& arrow : input.graph.causing) waited.insert(arrow.promise.span);
+  for (const Imprecise& fault : input.shared.imprecise()) waited.insert(fault.promise.span); // waited for, and told of
   for (const ProviderId id : model.providers.ids()) {
     for (const ConditionUse& use : model.providers[id].causing) {
       if (waited.count(use.span) != 0) continue;

@@ -24,7 +24,8 @@ void add_providers(Resolver& r, const Word& group, GroupSource& source, const st
   for (const dsl::ProviderSpec& spec : specs) {
     if (!spec.direct) check_name(r, "provider", spec.name);
     const std::string name = capitalised(spec.name.value);
-    if (name == capitalised(group.value)) {
+    if (!spec.direct &&
+        name == capitalised(group.value)) { // what is written without `providers` has no name of its own
       r.error("redefined_name", spec.name.span,
               fmt::format("the provider `{}` and its group `{}` become one name in C++, `{}`", spec.name.value,
                           group.value, name))
