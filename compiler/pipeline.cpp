@@ -1,7 +1,7 @@
 // Door: compiler/pipeline.hpp. Test: tests/compiler/pipeline_test.cpp.
 #include "compiler/pipeline.hpp"
 
-#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/explore/refuted.hpp"
 #include "compiler/graph/deep_needs.hpp"
 #include "compiler/model/lost_names.hpp"

@@ -1,9 +1,9 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
-#include "compiler/checks/analysis/company.hpp"
-#include "compiler/checks/analysis/gaps.hpp"
-#include "compiler/checks/analysis/notes.hpp"
+#include "compiler/checks/analysis/requests/company.hpp"
+#include "compiler/checks/analysis/requests/gaps.hpp"
 #include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/words/notes.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/contradictory_when.md.
-#include "compiler/checks/analysis/facts.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
-#include "compiler/checks/analysis/notes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/told.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/words/notes.hpp"
+#include "compiler/checks/analysis/words/told.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/missing_handler.md.
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
 
 #include <fmt/format.h>

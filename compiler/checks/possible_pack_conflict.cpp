@@ -1,9 +1,9 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/possible_pack_conflict.md.
-#include "compiler/checks/analysis/choice.hpp"
-#include "compiler/checks/analysis/needs.hpp"
+#include "compiler/checks/analysis/needs/needs.hpp"
 #include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/told.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/states/choice.hpp"
+#include "compiler/checks/analysis/words/told.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

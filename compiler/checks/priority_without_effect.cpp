@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/priority_without_effect.md.
-#include "compiler/checks/analysis/pushes.hpp"
+#include "compiler/checks/analysis/facts/pushes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

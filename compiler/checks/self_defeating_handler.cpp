@@ -1,6 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/self_defeating_handler.md.
-#include "compiler/checks/analysis/self_defeats.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/causing/self_defeats.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

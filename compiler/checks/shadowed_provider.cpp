@@ -1,8 +1,8 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
-#include "compiler/checks/analysis/choice.hpp"
-#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/states/choice.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

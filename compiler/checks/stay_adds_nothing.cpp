@@ -1,6 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/stay_adds_nothing.md.
-#include "compiler/checks/analysis/region.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/states/region.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

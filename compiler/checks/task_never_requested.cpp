@@ -1,6 +1,6 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/task_never_requested.md.
-#include "compiler/checks/analysis/code_words.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/code/code_words.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
 
 #include <fmt/format.h>

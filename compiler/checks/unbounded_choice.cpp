@@ -1,6 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unbounded_choice.md.
-#include "compiler/checks/analysis/plans.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/plans/plans.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
-#include "compiler/checks/analysis/gaps.hpp"
-#include "compiler/checks/analysis/notes.hpp"
-#include "compiler/checks/analysis/self_defeats.hpp"
+#include "compiler/checks/analysis/causing/self_defeats.hpp"
+#include "compiler/checks/analysis/requests/gaps.hpp"
 #include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/words/notes.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

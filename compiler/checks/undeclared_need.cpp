@@ -1,8 +1,8 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/undeclared_need.md.
-#include "compiler/checks/analysis/contenders.hpp"
-#include "compiler/checks/analysis/needs.hpp"
-#include "compiler/checks/analysis/notes.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/conflicts/contenders.hpp"
+#include "compiler/checks/analysis/needs/needs.hpp"
+#include "compiler/checks/analysis/words/notes.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/undone_by_itself.md.
-#include "compiler/checks/analysis/notes.hpp"
+#include "compiler/checks/analysis/causing/undoing.hpp"
 #include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/undoing.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/words/notes.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

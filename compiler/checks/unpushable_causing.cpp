@@ -1,8 +1,8 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unpushable_causing.md.
-#include "compiler/checks/analysis/facts.hpp"
-#include "compiler/checks/analysis/meetings.hpp"
+#include "compiler/checks/analysis/chains/meetings.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unreachable_when.md.
-#include "compiler/checks/analysis/facts.hpp"
-#include "compiler/checks/analysis/sources.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/analysis/states/sources.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

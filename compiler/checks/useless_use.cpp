@@ -1,5 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/useless_use.md.
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/waiting_company.md.
-#include "compiler/checks/analysis/choice.hpp"
 #include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words.hpp"
+#include "compiler/checks/analysis/states/choice.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

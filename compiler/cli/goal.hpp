@@ -1,7 +1,7 @@
 #pragma once
 // What `--explain-reachable` is asked about: `Kick`, `Walk.halting`, `Pose == standing`.
 
-#include "compiler/checks/analysis/witness.hpp"
+#include "compiler/checks/analysis/facts/witness.hpp"
 
 #include <string>
 

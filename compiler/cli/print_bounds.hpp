@@ -1,7 +1,7 @@
 #pragma once
 // What `directorc check --verbose` says of memory and of what the engine may cost at most.
 
-#include "compiler/checks/analysis/bounds.hpp"
+#include "compiler/checks/analysis/plans/bounds.hpp"
 #include "compiler/emit/json.hpp"
 
 #include <string>

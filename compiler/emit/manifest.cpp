@@ -1,7 +1,7 @@
 // Door: compiler/emit/manifest.hpp. Test: tests/compiler/emit/emit_test.cpp.
 #include "compiler/emit/manifest.hpp"
 
-#include "compiler/checks/analysis/bounds.hpp"
+#include "compiler/checks/analysis/plans/bounds.hpp"
 #include "compiler/emit/json.hpp"
 #include "compiler/emit/sha256.hpp"
 #include "compiler/version.hpp"

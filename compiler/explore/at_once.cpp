@@ -20,7 +20,7 @@
 // of all its other providers exclude. Then from the moment in which the causing provider set it the condition holds at
 // most for as long as `from` lives, and it is that provider which is active: a stop of `from` takes the value back
 // before anything else is decided.
-#include "compiler/checks/analysis/plans.hpp"
+#include "compiler/checks/analysis/plans/plans.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/lower/plans.hpp"
 

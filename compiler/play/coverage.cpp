@@ -1,10 +1,10 @@
 // Door: compiler/play/coverage.hpp. Test: tests/compiler/play/coverage_test.cpp.
 #include "compiler/play/coverage.hpp"
 
-#include "compiler/checks/analysis/claims.hpp"
-#include "compiler/checks/analysis/facts.hpp"
-#include "compiler/checks/analysis/meetings.hpp"
-#include "compiler/checks/analysis/pushes.hpp"
+#include "compiler/checks/analysis/chains/claims.hpp"
+#include "compiler/checks/analysis/chains/meetings.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/analysis/facts/pushes.hpp"
 
 #include <algorithm>
 #include <map>

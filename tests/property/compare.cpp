@@ -1,7 +1,7 @@
 // Door: tests/property/compare.hpp. Test: tests/property/property_test.cpp.
 #include "tests/property/compare.hpp"
 
-#include "compiler/checks/analysis/bounds.hpp"
+#include "compiler/checks/analysis/plans/bounds.hpp"
 #include "compiler/play/play.hpp"
 #include "tests/oracle/scripted.hpp"
 #include "tests/property/engine_run.hpp"

@@ -3,7 +3,7 @@
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many, instead of as many as take half a minute
-#include "compiler/checks/analysis/facts.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/explore/write_scenario.hpp"
 #include "tests/property/engine_run.hpp"

@@ -1,19 +1,19 @@
 #pragma once
 // What more than one check asks for, found when the first one does and kept for the run.
 
-#include "compiler/checks/analysis/choice.hpp"
-#include "compiler/checks/analysis/claims.hpp"
-#include "compiler/checks/analysis/clashes.hpp"
-#include "compiler/checks/analysis/facts.hpp"
-#include "compiler/checks/analysis/imprecise.hpp"
-#include "compiler/checks/analysis/meetings.hpp"
-#include "compiler/checks/analysis/pack_conflicts.hpp"
-#include "compiler/checks/analysis/plans.hpp"
-#include "compiler/checks/analysis/promises.hpp"
-#include "compiler/checks/analysis/requests.hpp"
-#include "compiler/checks/analysis/starving.hpp"
-#include "compiler/checks/analysis/units.hpp"
-#include "compiler/checks/analysis/wants.hpp"
+#include "compiler/checks/analysis/causing/imprecise.hpp"
+#include "compiler/checks/analysis/causing/promises.hpp"
+#include "compiler/checks/analysis/causing/wants.hpp"
+#include "compiler/checks/analysis/chains/claims.hpp"
+#include "compiler/checks/analysis/chains/meetings.hpp"
+#include "compiler/checks/analysis/clashes/clashes.hpp"
+#include "compiler/checks/analysis/conflicts/pack_conflicts.hpp"
+#include "compiler/checks/analysis/conflicts/starving.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/analysis/needs/units.hpp"
+#include "compiler/checks/analysis/plans/plans.hpp"
+#include "compiler/checks/analysis/requests/requests.hpp"
+#include "compiler/checks/analysis/states/choice.hpp"
 
 #include <map>
 #include <optional>

@@ -1,0 +1,106 @@
+// Door: compiler/checks/analysis/causing/promises.hpp. Test: compiler/checks/unreachable_causing.md.
+#include "compiler/checks/analysis/causing/promises.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/analysis/states/sources.hpp"
+#include "compiler/checks/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+using dsl::Note;
+
+/// Goes down from a provider that never runs, and says at each step what is missing there.
+class IdleReasons {
+public:
+  explicit IdleReasons(const Input& input)
+      : model_(input.model),
+        facts_(input.facts),
+        sources_(find_sources(input.model)) {}
+
+  std::vector<Note> run(ProviderId id) {
+    explain(id);
+    return std::move(notes_);
+  }
+
+private:
+  void explain(ProviderId id) {
+    if (facts_.active.contains(id) || !seen_.insert(id).second) return;
+    const Provider& provider = model_.providers[id];
+    if (!facts_.requested.contains(provider.group)) explain_request(provider.group);
+    for (const ConditionUse& use : provider.when) {
+      if (!facts_.may_hold(model_, id, use)) explain_condition(use);
+    }
+    for (const Use<GroupId>& need : provider.needs) {
+      if (facts_.capable_groups.contains(need.id)) continue;
+      notes_.push_back({need.span, fmt::format("it needs {}, which never can run", name_of(model_, need.id))});
+      for (const ProviderId below : model_.groups[need.id].providers) explain(below);
+    }
+  }
+
+  void explain_request(GroupId group) {
+    if (!groups_.insert(group).second) return;
+    std::vector<ProviderId> next;
+    bool asked = false;
+    for (const EdgeId edge : model_.groups[group].requesters) {
+      if (!model_.edges[edge].requester || model_.edges[edge].levels.empty()) continue;
+      for (const ProviderId id : model_.groups[*model_.edges[edge].requester].providers) {
+        const Span entry = entry_of(id, group);
+        if (entry == Span{}) continue;
+        asked = true;
+        notes_.push_back(
+            {entry, fmt::format("{} requests {}, but never runs itself", name_of(model_, id), name_of(model_, group))});
+        next.push_back(id);
+      }
+    }
+    if (!asked)
+      notes_.push_back({model_.groups[group].name.span, fmt::format("nothing requests {}", name_of(model_, group))});
+    for (const ProviderId id : next) explain(id);
+  }
+
+  Span entry_of(ProviderId id, GroupId target) const {
+    for (const Pack& pack : model_.providers[id].packs) {
+      for (const Task& task : pack.tasks) {
+        if (task.target == target) return task.span;
+      }
+    }
+    return {};
+  }
+
+  void explain_condition(const ConditionUse& use) {
+    const Condition& condition = model_.conditions[use.id];
+    std::vector<std::string> who;
+    std::vector<ProviderId> next;
+    for (const Source& source : sources_[condition.state]) {
+      if (source.values.intersected(condition.accepts).empty()) continue;
+      if (source.provider) {
+        who.push_back(name_of(model_, *source.provider));
+        next.push_back(*source.provider);
+      } else if (source.group) {
+        who.push_back(fmt::format("the {} of {}", source.kind == Source::Kind::start ? "start" : "stop",
+                                  name_of(model_, *source.group)));
+        for (const ProviderId id : model_.groups[*source.group].providers) next.push_back(id);
+      }
+    }
+    notes_.push_back({use.span, fmt::format("it waits for {}, and only {} could set that", name_of(model_, use.id),
+                                            list_of(who, "or"))});
+    for (const ProviderId id : next) explain(id);
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  IdTable<StateId, std::vector<Source>> sources_;
+  std::vector<Note> notes_;
+  std::set<ProviderId> seen_;
+  std::set<GroupId> groups_;
+};
+
+} // namespace
+
+std::vector<Note> explain_idle(const Input& input, ProviderId provider) { return IdleReasons(input).run(provider); }
+
+} // namespace director::checks

@@ -1,0 +1,21 @@
+#pragma once
+// Promises that overlap what somebody waits for without lying within it: no reason to push.
+
+#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/analysis/facts/pushes.hpp"
+
+#include <vector>
+
+namespace director::checks {
+
+struct Imprecise {
+  ProviderId waiter{};
+  ConditionUse condition{};
+  ProviderId causer{};
+  ConditionUse promise{};
+};
+
+/// Of conditions in the `when` of requested groups that nothing else serves; in order of waiter, condition, causer.
+std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers, const Facts& facts);
+
+} // namespace director::checks

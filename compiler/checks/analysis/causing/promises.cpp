@@ -1,0 +1,223 @@
+// Door: compiler/checks/analysis/causing/promises.hpp. Test: compiler/checks/unreachable_causing.md.
+#include "compiler/checks/analysis/causing/promises.hpp"
+
+#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/analysis/facts/pushes.hpp"
+#include "compiler/checks/analysis/states/sources.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+/// The blame: from each provider that never runs to those that might change it.
+class Blame {
+public:
+  Blame(const Model& model, const Facts& facts, const Chains& chains)
+      : model_(model),
+        facts_(facts),
+        chains_(chains),
+        causers_(find_causers(model)),
+        sources_(find_sources(model)),
+        arrows_(model.providers.size()) {
+    for (const ProviderId id : model_.providers.ids()) {
+      if (!facts_.active.contains(id)) arrows_[id.value] = find_blamed(id);
+    }
+    find_unpushed();
+  }
+
+  bool is_idle(ProviderId id) const { return !facts_.active.contains(id); }
+  const Arrows& arrows() const { return arrows_; }
+
+  /// Conditions of a provider that never hold, and are not reported as impossible.
+  std::vector<ConditionUse> unmet(ProviderId id) const {
+    std::vector<ConditionUse> out;
+    for (const ConditionUse& use : model_.providers[id].when) {
+      if (!facts_.may_hold(model_, id, use)) out.push_back(use);
+    }
+    return out;
+  }
+
+private:
+  static void add(std::vector<Node>& row, ProviderId id) {
+    if (std::find(row.begin(), row.end(), id.value) == row.end()) row.push_back(id.value);
+  }
+
+  std::vector<Node> find_blamed(ProviderId id) const {
+    std::vector<Node> out;
+    const Provider& provider = model_.providers[id];
+    if (!facts_.requested.contains(provider.group)) {
+      for (const ProviderId requester : requesters(provider.group)) add(out, requester);
+    }
+    for (const ConditionUse& use : unmet(id)) {
+      for (const ProviderId setter : setters(use)) add(out, setter);
+    }
+    for (const Use<GroupId>& need : provider.needs) {
+      if (facts_.capable_groups.contains(need.id)) continue;
+      for (const ProviderId below : model_.groups[need.id].providers) add(out, below);
+    }
+    return out;
+  }
+
+  /// One that is capable and lacks a push: on what its waiters lack besides.
+  void find_unpushed() {
+    for (const GroupId waiter : model_.groups.ids()) {
+      if (!facts_.requested.contains(waiter)) continue;
+      std::optional<PushGoals> found; // few groups wait for something that could be caused and is not
+      for (const auto& [provider, use] : waited_conditions(model_, waiter)) {
+        for (const ProviderId causer : causers_[use.id]) {
+          if (!is_idle(causer) || !facts_.capable.contains(causer)) continue;
+          if (!found) found = find_push_goals(model_, facts_, chains_, causers_, waiter);
+          const PushGoals& goals = *found;
+          if (!goals.beaten.contains(model_.providers[causer].group)) continue;
+          for (const ConditionUse& other : unmet(provider)) {
+            if (goals.servable.contains(other.id)) continue;
+            for (const ProviderId setter : setters(other)) {
+              if (setter != causer) add(arrows_[causer.value], setter);
+            }
+          }
+        }
+      }
+    }
+  }
+
+  std::vector<ProviderId> requesters(GroupId group) const {
+    std::vector<ProviderId> out;
+    for (const EdgeId edge : model_.groups[group].requesters) {
+      const std::optional<GroupId> requester = model_.edges[edge].requester;
+      if (!requester) continue;
+      for (const ProviderId id : model_.groups[*requester].providers) {
+        for (const Pack& pack : model_.providers[id].packs) {
+          if (std::any_of(pack.tasks.begin(), pack.tasks.end(),
+                          [&](const Task& task) { return task.target == group; })) {
+            out.push_back(id);
+            break;
+          }
+        }
+      }
+    }
+    return out;
+  }
+
+  /// Providers that would give the state a value that the condition accepts.
+  std::vector<ProviderId> setters(const ConditionUse& use) const {
+    const Condition& condition = model_.conditions[use.id];
+    std::vector<ProviderId> out;
+    for (const Source& source : sources_[condition.state]) {
+      if (source.values.intersected(condition.accepts).empty()) continue;
+      if (source.provider) out.push_back(*source.provider);
+      if (source.group) {
+        const std::vector<ProviderId>& all = model_.groups[*source.group].providers;
+        out.insert(out.end(), all.begin(), all.end());
+      }
+    }
+    return out;
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  const Chains& chains_;
+  Causers causers_;
+  IdTable<StateId, std::vector<Source>> sources_;
+  Arrows arrows_;
+};
+
+using Waiting = NeverKept::Waiting;
+
+class PromiseSearch {
+public:
+  PromiseSearch(const Model& model, const Graph& graph, const Facts& facts, const Chains& chains)
+      : model_(model),
+        graph_(graph),
+        facts_(facts),
+        blame_(model, facts, chains),
+        candidate_(model.providers.size(), false) {}
+
+  Promises run() {
+    find_relevant();
+    Promises out;
+    out.explained = relevant_;
+    std::set<ProviderId> done;
+    for (const ProviderId id : model_.providers.ids()) {
+      if (!candidate_[id.value] || done.count(id) != 0) continue;
+      const std::vector<ProviderId> circle = lowest_circle(id);
+      if (circle.empty()) continue;
+      done.insert(circle.begin(), circle.end());
+      out.never_kept.push_back(make(id));
+    }
+    return out;
+  }
+
+private:
+  /// What somebody waits for whose group is requested (or held for one that is), and all that is to blame for that.
+  void find_relevant() {
+    relevant_ = IdSet<ProviderId>(model_.providers.size());
+    std::vector<ProviderId> open;
+    for (const GroupId group : model_.groups.ids()) {
+      if (!facts_.requested.contains(group)) continue;
+      for (const auto& [provider, use] : waited_conditions(model_, group)) {
+        if (!facts_.may_hold(model_, provider, use)) open.push_back(provider);
+      }
+    }
+    while (!open.empty()) {
+      const ProviderId id = open.back();
+      open.pop_back();
+      if (!relevant_.add(id)) continue;
+      for (const Node next : blame_.arrows()[id.value]) {
+        if (blame_.is_idle(ProviderId{next})) open.push_back(ProviderId{next});
+      }
+    }
+    for (const Graph::Causing& arrow : graph_.causing) {
+      if (relevant_.contains(arrow.waiter) && blame_.is_idle(arrow.causer) &&
+          !facts_.may_hold(model_, arrow.waiter, arrow.condition))
+        candidate_[arrow.causer.value] = true;
+    }
+  }
+
+  /// The candidates that blame each other with this one; none if one of them can blame somebody else.
+  std::vector<ProviderId> lowest_circle(ProviderId id) const {
+    const std::vector<bool> below = reachable(blame_.arrows(), id.value);
+    std::vector<ProviderId> out{id};
+    for (Node other = 0; other < below.size(); ++other) {
+      if (!below[other] || !candidate_[other] || other == id.value) continue;
+      if (!reachable(blame_.arrows(), other)[id.value]) return {};
+      out.push_back(ProviderId{other});
+    }
+    return out;
+  }
+
+  NeverKept make(ProviderId causer) const {
+    NeverKept out;
+    out.causer = causer;
+    out.pushable = !(facts_.requested.contains(model_.providers[causer].group) && facts_.capable.contains(causer));
+    std::set<ProviderId> seen{causer};
+    std::vector<ProviderId> open{causer};
+    for (std::size_t next = 0; next < open.size(); ++next) {
+      for (const Graph::Causing& arrow : graph_.causing) {
+        if (arrow.causer != open[next] || facts_.may_hold(model_, arrow.waiter, arrow.condition)) continue;
+        if (out.waiting.empty()) out.promise = arrow.promise;
+        if (arrow.waiter == causer || !seen.insert(arrow.waiter).second) continue;
+        out.waiting.push_back({arrow.waiter, arrow.condition});
+        open.push_back(arrow.waiter);
+      }
+    }
+    return out;
+  }
+
+  const Model& model_;
+  const Graph& graph_;
+  const Facts& facts_;
+  Blame blame_;
+  IdSet<ProviderId> relevant_;
+  std::vector<bool> candidate_;
+};
+
+} // namespace
+
+Promises find_promises(const Model& model, const Graph& graph, const Facts& facts, const Chains& chains) {
+  return PromiseSearch(model, graph, facts, chains).run();
+}
+
+} // namespace director::checks

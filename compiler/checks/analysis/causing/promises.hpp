@@ -1,0 +1,36 @@
+#pragma once
+// Promises that are never kept although somebody waits for them and nothing else serves: who is to blame. A provider
+// that never runs is blamed on what it lacks, and that on what keeps it away, down to where nothing else is to blame.
+
+#include "compiler/checks/analysis/chains/meetings.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <vector>
+
+namespace director::checks {
+
+struct NeverKept {
+  ProviderId causer{};
+  ConditionUse promise{};
+  bool pushable = true; ///< false: it could run, but is neither chosen nor pushed
+
+  struct Waiting {
+    ProviderId provider{};
+    ConditionUse condition{};
+  };
+  std::vector<Waiting> waiting; ///< those that wait for this promise, then those that wait for them, each once
+};
+
+struct Promises {
+  std::vector<NeverKept> never_kept; ///< the lowest ones only, by causer
+  IdSet<ProviderId> explained;       ///< providers that never run because of one of them, the lowest included
+};
+
+/// `chains`: over the providers that may be active.
+Promises find_promises(const Model& model, const Graph& graph, const Facts& facts, const Chains& chains);
+
+/// Why a provider never runs, to the bottom: each reason at its own place.
+std::vector<dsl::Note> explain_idle(const Input& input, ProviderId provider);
+
+} // namespace director::checks

@@ -1,0 +1,15 @@
+#pragma once
+// Values that make a condition of a running task false again.
+
+#include "compiler/checks/analysis/causing/wants.hpp"
+
+namespace director::checks {
+
+/// Of `values` those under which the provider, chosen while its condition held, cannot go on: neither by its `when` nor
+/// by its `stay`, and no other provider of its group accepts them.
+ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values);
+
+/// What helps where a wanted condition is undone by these values.
+std::string stay_help(const Model& model, const Want& want, const ValueSet& values);
+
+} // namespace director::checks

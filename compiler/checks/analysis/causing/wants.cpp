@@ -1,0 +1,110 @@
+// Door: compiler/checks/analysis/causing/wants.hpp. Test: tests/checks/analysis/causing/wants_test.cpp.
+#include "compiler/checks/analysis/causing/wants.hpp"
+
+#include "compiler/checks/analysis/chains/sparse_set.hpp"
+
+#include <algorithm>
+
+namespace director::checks {
+
+namespace {
+
+class WantSearch {
+public:
+  WantSearch(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers)
+      : model_(model),
+        facts_(facts),
+        chains_(chains),
+        causers_(causers) {}
+
+  std::vector<Wanting> run() {
+    for (const GroupId task : model_.groups.ids()) {
+      if (facts_.requested.contains(task)) look_at(task);
+    }
+    return std::move(out_);
+  }
+
+private:
+  void look_at(GroupId task) {
+    std::vector<Wanting> found;
+    for (const ProviderId provider : model_.groups[task].providers) {
+      if (!facts_.capable.contains(provider)) continue;
+      Wanting wanting{task, provider, {}};
+      for (const ProviderId waiter : with_needs(provider)) {
+        for (const ConditionUse& use : model_.providers[waiter].when) {
+          if (may_be_lacking(use.id)) wanting.wants.push_back({waiter, use, {}});
+        }
+      }
+      if (!wanting.wants.empty()) found.push_back(std::move(wanting));
+    }
+    if (found.empty()) return;
+    const std::vector<ProviderId> pushable = find_push_goals(model_, facts_, chains_, causers_, task).pushable;
+    for (Wanting& wanting : found) {
+      for (Want& want : wanting.wants) want.causers = causers_for(want, task, pushable);
+      const auto is_hopeless = [](const Want& want) { return want.causers.empty(); };
+      wanting.wants.erase(std::remove_if(wanting.wants.begin(), wanting.wants.end(), is_hopeless), wanting.wants.end());
+      if (!wanting.wants.empty()) out_.push_back(std::move(wanting));
+    }
+  }
+
+  bool may_be_lacking(ConditionId id) const {
+    const Condition& condition = model_.conditions[id];
+    if (causers_[id].empty()) return false;
+    return model_.states[condition.state].may_be_unset() ||
+           !facts_.values[condition.state].subset_of(condition.accepts);
+  }
+
+  std::vector<ProviderId> causers_for(const Want& want, GroupId task, const std::vector<ProviderId>& pushable) const {
+    std::vector<ProviderId> out;
+    for (const ProviderId id : causers_[want.condition.id]) {
+      const GroupId group = model_.providers[id].group;
+      if (group == task || group == model_.providers[want.waiter].group || !facts_.active.contains(id)) continue;
+      if (std::binary_search(pushable.begin(), pushable.end(), id)) out.push_back(id);
+    }
+    return out;
+  }
+
+  /// The provider, and those of the groups that its needs may come down to.
+  std::vector<ProviderId> with_needs(ProviderId provider) const {
+    std::vector<ProviderId> out{provider};
+    SparseSet<GroupId> seen;
+    for (std::size_t next = 0; next < out.size(); ++next) {
+      for (const Use<GroupId>& need : model_.providers[out[next]].needs) {
+        if (!seen.add(need.id)) continue;
+        const std::vector<ProviderId>& below = model_.groups[need.id].providers;
+        out.insert(out.end(), below.begin(), below.end());
+      }
+    }
+    return out;
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  const Chains& chains_;
+  const Causers& causers_;
+  std::vector<Wanting> out_;
+};
+
+} // namespace
+
+std::vector<Wanting> find_wants(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers) {
+  return WantSearch(model, facts, chains, causers).run();
+}
+
+const ConditionUse& promise_of(const Model& model, ProviderId causer, ConditionId condition) {
+  const std::vector<ConditionUse>& promises = model.providers[causer].causing;
+  return *std::find_if(promises.begin(), promises.end(),
+                       [&](const ConditionUse& use) { return model.satisfies(use.id, condition); });
+}
+
+ValueSet values_set_by(const Model& model, const Provider& provider, StateId state) {
+  ValueSet out;
+  for (const std::vector<ConditionUse>* uses : {&provider.causing, &provider.sets}) {
+    for (const ConditionUse& use : *uses) {
+      if (model.conditions[use.id].state == state) out = out.united(model.conditions[use.id].accepts);
+    }
+  }
+  return out;
+}
+
+} // namespace director::checks

@@ -1,0 +1,199 @@
+// Door: compiler/checks/analysis/facts/facts.hpp. Test: tests/checks/analysis/facts/facts_test.cpp.
+#include "compiler/checks/analysis/facts/facts.hpp"
+
+#include "compiler/checks/analysis/chains/meetings.hpp"
+#include "compiler/checks/analysis/facts/pushes.hpp"
+#include "compiler/checks/analysis/states/choice.hpp"
+#include "compiler/checks/analysis/states/region.hpp"
+#include "compiler/checks/analysis/states/sources.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace director::checks {
+
+namespace {
+
+class FactFinder {
+public:
+  FactFinder(const Model& model, const Graph& graph)
+      : model_(model),
+        graph_(graph),
+        sources_(find_sources(model)),
+        causers_(find_causers(model)),
+        rivals_(model, graph) {
+    const std::size_t groups = model.groups.size(), providers = model.providers.size();
+    facts_.declared = facts_.values = IdTable<StateId, ValueSet>(model.states.size());
+    facts_.plans = IdTable<ProviderId, PlanVerdict>(providers, PlanVerdict::found);
+    facts_.capable_groups = facts_.requested = IdSet<GroupId>(groups);
+    facts_.capable = facts_.chosen = facts_.pushed = facts_.active = IdSet<ProviderId>(providers);
+  }
+
+  Facts run() {
+    find_declared();
+    for (const ProviderId id : model_.providers.ids()) {
+      facts_.plans[id] = find_plan(model_, id);
+      find_impossible(id, false);
+      find_impossible(id, true);
+    }
+    for (const Task& root : model_.roots) facts_.requested.add(root.target);
+    do {
+      // Who may push whom takes the longest: it is asked only where all else has settled.
+      do {
+        changed_ = false;
+        take_one_round();
+      } while (changed_);
+      find_pushed();
+    } while (changed_);
+    return std::move(facts_);
+  }
+
+private:
+  void find_declared() {
+    for (const StateId state : model_.states.ids()) {
+      for (const Source& source : sources_[state])
+        facts_.declared[state] = facts_.declared[state].united(source.values);
+    }
+  }
+
+  void find_impossible(ProviderId id, bool stay) {
+    const Provider& provider = model_.providers[id];
+    const std::vector<ConditionUse>& conditions = stay ? provider.stay : provider.when;
+    for (const auto& [state, accepted] : region_of(model_, conditions).states) {
+      Impossible fault{id, stay, state, Impossible::Why::contradictory, {}};
+      if (!accepted.empty()) {
+        if (!accepted.intersected(facts_.declared[state]).empty()) continue;
+        fault.why = sources_[state].empty() ? Impossible::Why::without_source : Impossible::Why::unreachable;
+      }
+      for (const ConditionUse& use : conditions) {
+        if (model_.conditions[use.id].state == state) fault.uses.push_back(use);
+      }
+      facts_.impossible.push_back(std::move(fault));
+    }
+  }
+
+  /// All that follows at once; requesters come before what they request, so few rounds do.
+  void take_one_round() {
+    for (const StateId state : model_.states.ids()) {
+      for (const Source& source : sources_[state]) {
+        if (acts(source)) grow(state, source.values);
+      }
+    }
+    // What is needed comes last in the graph's order, and its capability first.
+    for (auto node = graph_.order.rbegin(); node != graph_.order.rend(); ++node) find_capable(GroupId{*node});
+    for (const Node node : graph_.order) find_active(GroupId{node});
+  }
+
+  bool acts(const Source& source) const {
+    if (source.provider) return facts_.active.contains(*source.provider);
+    if (!source.group) return true;
+    const std::vector<ProviderId>& providers = model_.groups[*source.group].providers;
+    return std::any_of(providers.begin(), providers.end(), [&](ProviderId id) { return facts_.active.contains(id); });
+  }
+
+  void grow(StateId state, const ValueSet& values) {
+    ValueSet more = facts_.values[state].united(values);
+    if (more == facts_.values[state]) return;
+    facts_.values[state] = std::move(more);
+    changed_ = true;
+  }
+
+  template <class Id>
+  void add(IdSet<Id>& set, Id id) {
+    if (set.add(id)) changed_ = true;
+  }
+
+  void find_capable(GroupId group) {
+    for (const ProviderId id : model_.groups[group].providers) {
+      if (facts_.capable.contains(id)) continue;
+      const Provider& provider = model_.providers[id];
+      if (!conditions_may_hold(id)) continue;
+      // Needs that no plan can meet are reported as such; elsewhere they are taken for mended.
+      const bool has_needs = facts_.plans[id] != PlanVerdict::found ||
+                             std::all_of(provider.needs.begin(), provider.needs.end(), [&](const Use<GroupId>& need) {
+                               return facts_.capable_groups.contains(need.id);
+                             });
+      if (!has_needs) continue;
+      add(facts_.capable, id);
+      add(facts_.capable_groups, group);
+    }
+  }
+
+  bool conditions_may_hold(ProviderId id) const {
+    const Region region = region_of(model_, model_.providers[id].when);
+    return std::all_of(region.states.begin(), region.states.end(), [&](const auto& entry) {
+      return !entry.second.intersected(facts_.values[entry.first]).empty() || facts_.is_impossible(id, entry.first);
+    });
+  }
+
+  std::vector<StateId> mended_states(ProviderId id) const {
+    std::vector<StateId> out;
+    for (const Impossible& fault : facts_.impossible_of(id)) {
+      if (!fault.stay) out.push_back(fault.state);
+    }
+    return out;
+  }
+
+  std::vector<ProviderId> rivals_that_count(ProviderId id) const {
+    std::vector<ProviderId> out;
+    for (const ProviderId rival : rivals_.of(id)) {
+      if (facts_.plans[rival] == PlanVerdict::found && mended_states(rival).empty()) out.push_back(rival);
+    }
+    return out;
+  }
+
+  void find_active(GroupId group) {
+    for (const ProviderId id : model_.groups[group].providers) {
+      if (facts_.capable.contains(id) && !facts_.chosen.contains(id) &&
+          may_come_first(model_, id, rivals_that_count(id), facts_.values, mended_states(id)))
+        add(facts_.chosen, id);
+      if (!facts_.requested.contains(group) || facts_.active.contains(id)) continue;
+      if (!facts_.capable.contains(id) || !(facts_.chosen.contains(id) || facts_.pushed.contains(id))) continue;
+      add(facts_.active, id);
+      for (const Pack& pack : model_.providers[id].packs) {
+        for (const Task& task : pack.tasks) add(facts_.requested, task.target);
+      }
+    }
+  }
+
+  void find_pushed() {
+    const Chains chains(model_, [&](ProviderId id) { return facts_.active.contains(id); });
+    for (const GroupId waiter : model_.groups.ids()) {
+      if (!facts_.requested.contains(waiter)) continue;
+      for (const ProviderId id : find_push_goals(model_, facts_, chains, causers_, waiter).pushable)
+        add(facts_.pushed, id);
+    }
+  }
+
+  const Model& model_;
+  const Graph& graph_;
+  IdTable<StateId, std::vector<Source>> sources_;
+  Causers causers_;
+  Rivals rivals_;
+  Facts facts_;
+  bool changed_ = false;
+};
+
+} // namespace
+
+std::span<const Impossible> Facts::impossible_of(ProviderId provider) const {
+  const auto [first, last] =
+      std::equal_range(impossible.begin(), impossible.end(), Impossible{provider, false, {}, {}, {}},
+                       [](const Impossible& a, const Impossible& b) { return a.provider < b.provider; });
+  return {first, last};
+}
+
+bool Facts::is_impossible(ProviderId provider, StateId state) const {
+  const std::span<const Impossible> faults = impossible_of(provider);
+  return std::any_of(faults.begin(), faults.end(),
+                     [&](const Impossible& fault) { return !fault.stay && fault.state == state; });
+}
+
+bool Facts::may_hold(const Model& model, ProviderId provider, const ConditionUse& use) const {
+  const Condition& condition = model.conditions[use.id];
+  return is_impossible(provider, condition.state) || !values[condition.state].intersected(condition.accepts).empty();
+}
+
+Facts find_facts(const Model& model, const Graph& graph) { return FactFinder(model, graph).run(); }
+
+} // namespace director::checks

@@ -1,0 +1,134 @@
+// Door: compiler/checks/analysis/plans/plans.hpp. Test: tests/checks/analysis/plans/plans_test.cpp.
+#include "compiler/checks/analysis/plans/plans.hpp"
+
+#include "compiler/checks/analysis/plans/agenda.hpp"
+#include "compiler/graph/algorithms.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace director::checks {
+
+namespace {
+
+/// Depth first over what is still to be met, the nearest need first. The agenda is a linked list on the stack of the
+/// search itself, so that taking a step back costs nothing.
+class PlanSearch {
+public:
+  PlanSearch(const Model& model, std::int64_t most, std::int64_t steps, const IdSet<ProviderId>* mended)
+      : model_(model),
+        used_(model.groups.size(), false),
+        most_(most),
+        steps_(steps),
+        mended_(mended) {}
+
+  PlanCount run(ProviderId provider) {
+    const Provider& row = model_.providers[provider];
+    used_[row.group.value] = true;
+    const Agenda agenda{&row.needs, 0, nullptr};
+    meet(&agenda);
+    return count_;
+  }
+
+private:
+  void meet(const Agenda* agenda) {
+    agenda = next_need(agenda);
+    if (agenda == nullptr) {
+      if (++count_.plans >= most_) stop();
+      return;
+    }
+    const GroupId group = agenda->group();
+    if (used_[group.value]) return;
+    const Agenda rest = agenda->rest();
+    used_[group.value] = true;
+    for (const ProviderId provider : model_.groups[group].providers) {
+      if (steps_-- <= 0) stop();
+      if (!count_.complete) break;
+      const bool is_mended = mended_ != nullptr && mended_->contains(provider);
+      const Agenda below{&model_.providers[provider].needs, 0, &rest};
+      meet(is_mended ? &rest : &below);
+    }
+    used_[group.value] = false;
+  }
+
+  void stop() { count_.complete = false; }
+
+  const Model& model_;
+  std::vector<bool> used_;
+  std::int64_t most_;
+  std::int64_t steps_;
+  const IdSet<ProviderId>* mended_;
+  PlanCount count_;
+};
+
+using Parts = std::optional<std::vector<GroupId>>; ///< sorted; nothing: all groups
+
+/// What is indispensable by way of one provider: whatever its needs cannot do without.
+Parts by_provider(const Provider& provider, const IdTable<GroupId, Parts>& parts) {
+  std::vector<GroupId> out;
+  for (const Use<GroupId>& need : provider.needs) {
+    if (!parts[need.id]) return std::nullopt;
+    out.insert(out.end(), parts[need.id]->begin(), parts[need.id]->end());
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+Parts intersected(Parts a, Parts b) {
+  if (!a) return b;
+  if (!b) return a;
+  std::vector<GroupId> out;
+  std::set_intersection(a->begin(), a->end(), b->begin(), b->end(), std::back_inserter(out));
+  return out;
+}
+
+} // namespace
+
+PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, std::int64_t steps) {
+  return PlanSearch(model, most, steps, nullptr).run(provider);
+}
+
+PlanVerdict find_plan(const Model& model, ProviderId provider, const IdSet<ProviderId>* mended) {
+  if (model.providers[provider].needs.empty()) return PlanVerdict::found;
+  const PlanCount count = PlanSearch(model, 1, plan_steps, mended).run(provider);
+  if (count.plans > 0) return PlanVerdict::found;
+  return count.complete ? PlanVerdict::none : PlanVerdict::undecided;
+}
+
+Indispensable::Indispensable(const Model& model) : parts_(model.groups.size()) {
+  Arrows needs(model.groups.size());
+  for (const Edge& edge : model.edges) {
+    if (edge.needed) needs[edge.requester->value].push_back(edge.target.value);
+  }
+  const std::vector<Node> order = topological_order(needs);
+  // A greatest fixed point: begin with everything and take away what some provider does without. What is needed comes
+  // first, so one round does where there is no cycle, and a second one sees that it did.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto node = order.rbegin(); node != order.rend(); ++node) {
+      const GroupId group{*node};
+      Parts both;
+      for (const ProviderId provider : model.groups[group].providers)
+        both = intersected(std::move(both), by_provider(model.providers[provider], parts_));
+      if (both && !std::binary_search(both->begin(), both->end(), group))
+        both->insert(std::upper_bound(both->begin(), both->end(), group), group);
+      if (both == parts_[group]) continue;
+      parts_[group] = std::move(both);
+      changed = true;
+    }
+  }
+}
+
+std::vector<GroupId> Indispensable::in_common(GroupId a, GroupId b) const {
+  if (!parts_[a] || !parts_[b]) return {};
+  return *intersected(parts_[a], parts_[b]);
+}
+
+bool Indispensable::contains(GroupId group, GroupId part) const {
+  const Parts& parts = parts_[group];
+  return !parts || std::binary_search(parts->begin(), parts->end(), part);
+}
+
+} // namespace director::checks

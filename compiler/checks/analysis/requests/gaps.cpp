@@ -1,0 +1,141 @@
+// Door: compiler/checks/analysis/requests/gaps.hpp. Test: tests/checks/analysis/requests/gaps_test.cpp.
+#include "compiler/checks/analysis/requests/gaps.hpp"
+
+#include "compiler/checks/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::checks {
+
+namespace {
+
+/// More would be no help to anybody who reads them.
+constexpr std::size_t most_boxes = 256;
+/// A group with more different ways to run is taken to be able to run always.
+constexpr std::size_t most_ways = 32;
+
+/// The parts of the box that are outside the region.
+void subtract(const Box& box, const Region& region, std::vector<Box>& out) {
+  Box rest = box;
+  for (const auto& [state, accepted] : region.states) {
+    Possible& here = rest[state];
+    const Possible outside{here.values.without(accepted), here.unset};
+    here = {here.values.intersected(accepted), false};
+    if (outside.empty()) continue;
+    const Possible inside = here;
+    here = outside;
+    out.push_back(rest);
+    rest[state] = inside;
+    if (inside.empty()) return;
+  }
+}
+
+bool within(const Region& inner, const Region& outer) {
+  return std::all_of(outer.states.begin(), outer.states.end(), [&](const auto& entry) {
+    const auto at = inner.states.find(entry.first);
+    return at != inner.states.end() && at->second.subset_of(entry.second);
+  });
+}
+
+/// Leaves out what another way allows anyway.
+void add_way(std::vector<Region>& ways, Region way) {
+  if (way.empty()) return;
+  if (std::any_of(ways.begin(), ways.end(), [&](const Region& other) { return within(way, other); })) return;
+  ways.erase(std::remove_if(ways.begin(), ways.end(), [&](const Region& other) { return within(other, way); }),
+             ways.end());
+  ways.push_back(std::move(way));
+}
+
+} // namespace
+
+Box box_of(const Facts& facts, const Region& region) {
+  Box out;
+  for (const auto& [state, accepted] : region.states)
+    out.emplace(state, Possible{facts.values[state].intersected(accepted), false});
+  return out;
+}
+
+std::optional<std::vector<Box>> find_gaps(const Model& model, const Facts& facts, Box start,
+                                          const std::vector<Region>& ways) {
+  for (const Region& way : ways) {
+    for (const auto& [state, accepted] : way.states)
+      start.try_emplace(state, Possible{facts.values[state], model.states[state].may_be_unset()});
+  }
+  if (std::any_of(start.begin(), start.end(), [](const auto& entry) { return entry.second.empty(); }))
+    return std::vector<Box>{};
+  std::vector<Box> boxes{std::move(start)};
+  for (const Region& way : ways) {
+    std::vector<Box> next;
+    for (const Box& box : boxes) subtract(box, way, next);
+    if (next.size() > most_boxes) return std::nullopt;
+    boxes = std::move(next);
+  }
+  return boxes;
+}
+
+std::string gap_in_words(const Model& model, const Facts& facts, const Box& box) {
+  std::vector<std::string> parts;
+  for (const auto& [id, possible] : box) {
+    const State& state = model.states[id];
+    if (possible == Possible{facts.values[id], state.may_be_unset()}) continue;
+    parts.push_back(
+        fmt::format("{} is {}", name_of(model, id), values_in_words(state, possible.values, possible.unset)));
+  }
+  return parts.empty() ? "always" : "while " + list_of(parts);
+}
+
+Ways::Ways(const Model& model, const Facts& facts, bool with_stay,
+           std::function<bool(ProviderId, const ConditionUse&)> counts)
+    : model_(model),
+      facts_(facts),
+      with_stay_(with_stay),
+      counts_(std::move(counts)) {}
+
+const std::vector<Region>& Ways::of(GroupId group) {
+  const auto [at, is_new] = ways_.try_emplace(group);
+  if (!is_new) return at->second; // in a circle of needs: no way
+  std::vector<Region> out;
+  for (const ProviderId id : model_.groups[group].providers) {
+    for (Region& way : of(id)) add_way(out, std::move(way));
+  }
+  if (out.size() > most_ways) out = {Region{}};
+  return ways_[group] = std::move(out);
+}
+
+std::vector<Region> Ways::of(ProviderId id) {
+  const Provider& provider = model_.providers[id];
+  // What is reported elsewhere is taken for mended.
+  if (facts_.plans[id] != PlanVerdict::found) return {Region{}};
+  const auto region_by = [&](const std::vector<ConditionUse>& uses, bool stay) {
+    Region region;
+    for (const ConditionUse& use : uses) {
+      const Condition& condition = model_.conditions[use.id];
+      const auto faults = facts_.impossible_of(id);
+      const bool mended = std::any_of(faults.begin(), faults.end(), [&](const Impossible& fault) {
+        return fault.stay == stay && fault.state == condition.state;
+      });
+      if (!mended && (stay || counts_(id, use))) region.meet(condition.state, condition.accepts);
+    }
+    return region;
+  };
+  std::vector<Region> out;
+  add_way(out, region_by(provider.when, false));
+  if (with_stay_ && !provider.stay.empty()) add_way(out, region_by(provider.stay, true));
+  for (const Use<GroupId>& need : provider.needs) {
+    std::vector<Region> both;
+    for (const Region& own : out) {
+      for (const Region& below : of(need.id)) {
+        Region way = own;
+        way.meet(below);
+        add_way(both, std::move(way));
+      }
+    }
+    if (both.size() > most_ways) return {Region{}};
+    out = std::move(both);
+  }
+  return out;
+}
+
+} // namespace director::checks

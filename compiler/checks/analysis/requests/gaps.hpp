@@ -1,0 +1,56 @@
+#pragma once
+// Which values of states no way to run covers: what is left of all combinations when the regions of the ways are taken
+// away.
+
+#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/analysis/states/region.hpp"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace director::checks {
+
+/// What a state may be.
+struct Possible {
+  ValueSet values;
+  bool unset = false;
+  bool empty() const { return values.empty() && !unset; }
+  bool operator==(const Possible&) const = default;
+};
+
+/// States that are looked at, each for itself; any other state may be anything that it can be.
+using Box = std::map<StateId, Possible>;
+
+/// The states of the region with the values that they may have.
+Box box_of(const Facts& facts, const Region& region);
+
+/// Disjoint boxes in which none of the ways is open. Nothing: they are too many to be found.
+std::optional<std::vector<Box>> find_gaps(const Model& model, const Facts& facts, Box start,
+                                          const std::vector<Region>& ways);
+
+/// "`A` is 0 or unset while `B` is 1": of the states that `ways` speak of those that `box` narrows.
+std::string gap_in_words(const Model& model, const Facts& facts, const Box& box);
+
+/// In which regions a group or provider can run: its own conditions with those of the providers that its needs can come
+/// down to.
+class Ways {
+public:
+  /// `counts`: conditions that are taken into account; others are taken to hold.
+  Ways(const Model& model, const Facts& facts, bool with_stay,
+       std::function<bool(ProviderId, const ConditionUse&)> counts);
+
+  const std::vector<Region>& of(GroupId group);
+  std::vector<Region> of(ProviderId provider);
+
+private:
+  const Model& model_;
+  const Facts& facts_;
+  bool with_stay_;
+  std::function<bool(ProviderId, const ConditionUse&)> counts_;
+  std::map<GroupId, std::vector<Region>> ways_;
+};
+
+} // namespace director::checks

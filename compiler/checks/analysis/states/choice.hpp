@@ -1,0 +1,32 @@
+#pragma once
+// When a provider is the first of its group that can run.
+
+#include "compiler/checks/analysis/states/region.hpp"
+#include "compiler/graph/graph.hpp"
+
+#include <vector>
+
+namespace director::checks {
+
+/// For each provider the earlier ones of its group that can run whenever their `when` holds and this one can run: what
+/// they need nobody else can hold, or this one needs it itself.
+class Rivals {
+public:
+  Rivals(const Model& model, const Graph& graph);
+  const std::vector<ProviderId>& of(ProviderId provider) const { return rivals_[provider]; }
+
+private:
+  IdTable<ProviderId, std::vector<ProviderId>> rivals_;
+};
+
+/// `own` can hold while each of `others` lacks something, each state having one of `values` or, where it may, none.
+/// True also where that takes too long to find out.
+bool may_escape(const Model& model, const Region& own, const std::vector<Region>& others,
+                const IdTable<StateId, ValueSet>& values);
+
+/// Its `when` can hold while each of `rivals` lacks something, each state having one of `values` or, where it may,
+/// none. `open`: states that are no obstacle to it. True also where that takes too long to find out.
+bool may_come_first(const Model& model, ProviderId provider, const std::vector<ProviderId>& rivals,
+                    const IdTable<StateId, ValueSet>& values, const std::vector<StateId>& open);
+
+} // namespace director::checks

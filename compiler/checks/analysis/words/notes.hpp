@@ -1,0 +1,24 @@
+#pragma once
+// What several checks tell in notes, each at the place where it is written.
+
+#include "compiler/checks/analysis/chains/claims.hpp"
+#include "compiler/checks/analysis/needs/needs.hpp"
+#include "dsl/diagnostic.hpp"
+
+#include <vector>
+
+namespace director::checks {
+
+/// A chain: one note for each step. `begins`: whether it goes on from the note before.
+void add_chain(const Model& model, const std::vector<ClaimStep>& chain, std::vector<dsl::Note>& notes,
+               dsl::Note::Link begins = dsl::Note::Link::first);
+void add_chain(const Model& model, const std::vector<NeedStep>& chain, std::vector<dsl::Note>& notes,
+               dsl::Note::Link begins = dsl::Note::Link::first);
+
+/// The provider promises what satisfies the condition.
+dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition);
+
+/// The condition is one of the provider's `when`.
+dsl::Note runs_only_while(const Model& model, ProviderId provider, const ConditionUse& condition);
+
+} // namespace director::checks

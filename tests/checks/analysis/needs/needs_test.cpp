@@ -1,0 +1,48 @@
+#include "compiler/checks/analysis/needs/needs.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::checks;
+
+std::string faults(const std::string& groups) {
+  const auto compiled = tests::compile("behaviour: test\nlanguage: 1\nroots: []\ngroups:\n" + groups);
+  const Facts facts = find_facts(compiled.model, make_graph(compiled.model));
+  std::string out;
+  for (const auto& circle : find_need_circles(compiled.model, facts)) {
+    out += "circle";
+    for (const NeedStep& step : circle) out += " " + compiled.model.groups[step.from].name.value;
+    out += "\n";
+  }
+  for (const ProviderId id : find_need_conflicts(compiled.model, facts))
+    out += "conflict " + compiled.model.full_name(id) + "\n";
+  return out;
+}
+
+TEST_CASE("only the circle itself is at fault, not who needs a part of it") {
+  CHECK(faults("  A: {needs: [B]}\n  B: {needs: [C]}\n  C: {needs: [D]}\n  D: {needs: [B]}\n") == "circle B C D\n");
+}
+
+TEST_CASE("two circles are two faults") {
+  CHECK(faults("  A: {needs: [B]}\n  B: {needs: [A, C]}\n  C: {needs: [C]}\n") == "circle A B\ncircle C\n");
+}
+
+TEST_CASE("a circle that one provider leads out of is none") {
+  CHECK(faults("  A: {needs: [B]}\n  B: {providers: [{name: x, needs: [C]}, {name: y}]}\n  C: {providers: [{name: x, "
+               "needs: [B]}, {name: y}]}\n")
+            .empty());
+}
+
+TEST_CASE("a conflict below is not reported again above") {
+  CHECK(faults("  A: {needs: [B]}\n  B: {needs: [C, D]}\n  C: {needs: [E]}\n  D: {needs: [E]}\n  E: {}\n") ==
+        "conflict B\n");
+}
+
+TEST_CASE("a provider whose own group is needed below it goes in a circle") {
+  CHECK(faults("  A: {providers: [{name: x, needs: [B]}, {name: y}]}\n  B: {needs: [A]}\n") == "circle A B\n");
+}
+
+} // namespace

@@ -1,0 +1,70 @@
+#include "compiler/checks/analysis/plans/plans.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::checks;
+
+std::string head() { return "behaviour: test\nlanguage: 1\nroots: []\ngroups:\n"; }
+
+TEST_CASE("plans are counted without those that use a group twice") {
+  const auto compiled = tests::compile(head() + R"(
+  Juggle: {needs: [First, Second]}
+  First: {providers: [{name: left, needs: [Left]}, {name: right, needs: [Right]}]}
+  Second: {providers: [{name: left, needs: [Left]}, {name: right, needs: [Right]}]}
+  Third: {needs: [First, Second, Left]}
+  Left: {}
+  Right: {}
+)");
+  const auto count = [&](const char* name, std::int64_t most) {
+    return count_plans(compiled.model, compiled.provider(name), most);
+  };
+  CHECK(count("Juggle", 100).plans == 2);
+  CHECK(count("Juggle", 100).complete);
+  CHECK(count("Juggle", 1).plans == 1);
+  CHECK_FALSE(count("Juggle", 1).complete);
+  CHECK(count("Left", 100).plans == 1);
+  CHECK(count("Third", 100).plans == 0);
+  CHECK(find_plan(compiled.model, compiled.provider("Third")) == PlanVerdict::none);
+  CHECK(find_plan(compiled.model, compiled.provider("Juggle")) == PlanVerdict::found);
+}
+
+TEST_CASE("a search that takes too long says that it did not decide") {
+  // Twelve tasks that share eleven limbs: pigeons and holes, which no search of this kind finishes.
+  std::string text = head() + "  All: {needs: [";
+  for (int i = 0; i < 12; ++i) text += (i == 0 ? "T" : ", T") + std::to_string(i);
+  text += "]}\n";
+  for (int i = 0; i < 12; ++i) {
+    text += "  T" + std::to_string(i) + ":\n    providers:\n";
+    for (int j = 0; j < 11; ++j)
+      text += "      - {name: by" + std::to_string(j) + ", needs: [L" + std::to_string(j) + "]}\n";
+  }
+  for (int j = 0; j < 11; ++j) text += "  L" + std::to_string(j) + ": {}\n";
+  const auto compiled = tests::compile(text);
+  CHECK(find_plan(compiled.model, compiled.provider("All")) == PlanVerdict::undecided);
+}
+
+TEST_CASE("a group is indispensable if every way leads to it") {
+  const auto compiled = tests::compile(head() + R"(
+  Walk: {needs: [Legs]}
+  Legs: {providers: [{name: both, needs: [Left, Right]}, {name: one, needs: [Left]}]}
+  Left: {}
+  Right: {}
+  Loop: {needs: [Loop]}
+)");
+  const Indispensable indispensable(compiled.model);
+  const auto walk_needs = [&](const char* name) {
+    return indispensable.contains(compiled.group("Walk"), compiled.group(name));
+  };
+  CHECK(walk_needs("Walk"));
+  CHECK(walk_needs("Legs"));
+  CHECK(walk_needs("Left"));
+  CHECK_FALSE(walk_needs("Right"));
+  CHECK(indispensable.of(compiled.group("Walk"))->size() == 3);
+  CHECK_FALSE(indispensable.of(compiled.group("Loop")));
+}
+
+} // namespace

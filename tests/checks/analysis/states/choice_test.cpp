@@ -1,0 +1,63 @@
+#include "compiler/checks/analysis/states/choice.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::checks;
+
+bool comes_first(const std::string& text, const char* name) {
+  const auto compiled = tests::compile("behaviour: test\nlanguage: 1\n" + text);
+  const Graph graph = make_graph(compiled.model);
+  IdTable<StateId, ValueSet> values(compiled.model.states.size());
+  for (const StateId id : compiled.model.states.ids()) values[id] = compiled.model.states[id].domain();
+  const ProviderId provider = compiled.provider(name);
+  return may_come_first(compiled.model, provider, Rivals(compiled.model, graph).of(provider), values, {});
+}
+
+const std::string states = "states:\n  X: {values: [a, b, c], initial: a, external: true}\n"
+                           "  Y: {values: [a, b], external: true}\n";
+
+TEST_CASE("a provider comes first where the earlier ones lack something") {
+  CHECK(comes_first(
+      states + "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X == a]}, {name: q, when: [X != b]}]}}\n",
+      "G.q"));
+  CHECK_FALSE(comes_first(
+      states + "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X != b]}, {name: q, when: [X == a]}]}}\n",
+      "G.q"));
+  CHECK_FALSE(
+      comes_first(states + "roots: [G]\ngroups: {G: {providers: [{name: p}, {name: q, when: [X == a]}]}}\n", "G.q"));
+}
+
+TEST_CASE("an unset state fails every condition on it") {
+  CHECK(comes_first(
+      states +
+          "roots: [G]\ngroups: {G: {providers: [{name: p, when: [Y == a]}, {name: q, when: [Y == b]}, {name: r}]}}\n",
+      "G.r"));
+  CHECK_FALSE(comes_first(
+      states +
+          "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X == a]}, {name: q, when: [X != a]}, {name: r}]}}\n",
+      "G.r"));
+}
+
+TEST_CASE("several rivals must all be able to fail at once") {
+  const std::string rivals = "{name: p, when: [X == a]}, {name: q, when: [X == b, Y == a]}";
+  CHECK_FALSE(comes_first(
+      states + "roots: [G]\ngroups: {G: {providers: [" + rivals + ", {name: r, when: [X != c, Y == a]}]}}\n", "G.r"));
+  CHECK(comes_first(states + "roots: [G]\ngroups: {G: {providers: [" + rivals + ", {name: r, when: [X != c]}]}}\n",
+                    "G.r"));
+}
+
+TEST_CASE("a rival whose needs somebody else may hold can fail") {
+  CHECK(comes_first(
+      "roots: [G, H]\ngroups: {G: {providers: [{name: p, needs: [L]}, {name: q}]}, H: {tasks: [L]}, L: {}}\n", "G.q"));
+  CHECK_FALSE(comes_first(
+      "roots: [G]\ngroups: {G: {providers: [{name: p, needs: [L]}, {name: q}]}, H: {tasks: [L]}, L: {}}\n", "G.q"));
+  CHECK_FALSE(comes_first("roots: [G, H]\ngroups: {G: {providers: [{name: p, needs: [L]}, {name: q, needs: [L]}]}, H: "
+                          "{tasks: [L]}, L: {}}\n",
+                          "G.q"));
+}
+
+} // namespace

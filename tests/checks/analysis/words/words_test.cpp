@@ -1,0 +1,37 @@
+#include "compiler/checks/analysis/words/words.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::checks;
+
+TEST_CASE("lists are written as people write them") {
+  CHECK(list_of({}).empty());
+  CHECK(list_of({"`a`"}) == "`a`");
+  CHECK(list_of({"`a`", "`b`"}) == "`a` and `b`");
+  CHECK(list_of({"a", "b", "c"}, "or") == "a, b or c");
+}
+
+TEST_CASE("values and chains in words") {
+  const auto compiled = tests::compile(R"(behaviour: test
+language: 1
+states:
+  Pose: {values: [a, b, c], external: true}
+  Charge: {range: [0, 100], external: true}
+roots: [A]
+groups: {A: {tasks: [B]}, B: {tasks: [C]}, C: {}}
+)");
+  const State& pose = compiled.model.states[*compiled.model.find_state("Pose")];
+  const State& charge = compiled.model.states[*compiled.model.find_state("Charge")];
+  CHECK(values_in_words(pose, pose.domain()) == "a, b or c");
+  CHECK(values_in_words(pose, {}) == "nothing");
+  CHECK(values_in_words(charge, charge.domain().without(ValueSet::interval(1, 98))) == "0 or 99 to 100");
+  const GroupId a = compiled.group("A"), b = compiled.group("B"), c = compiled.group("C");
+  CHECK(chain_in_words(compiled.model, {a, b, c}, "requests") == "`A` requests `B`, which requests `C`");
+  CHECK(chain_in_words(compiled.model, {a, b, a}, "needs") == "`A` needs `B`, which needs `A` again");
+}
+
+} // namespace
