@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/requests/company.hpp"
 #include "compiler/checks/analysis/requests/gaps.hpp"
 #include "compiler/checks/analysis/shared.hpp"
@@ -24,7 +25,7 @@ public:
         findings_(findings),
         ways_(model_, facts_, false, [](ProviderId, const ConditionUse&) { return true; }) {
     for (const NeverKept& promise : shared_.promises().never_kept) explained_.insert(promise.causer);
-    for (const Clash& clash : shared_.clashes()) {
+    for (const Clash& clash : input.conflicts.clashes()) {
       if (clash.kind == Clash::Kind::vain) in_vain_.insert({clash.second_waiter, clash.second.id});
     }
   }

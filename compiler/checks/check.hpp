@@ -20,13 +20,16 @@ using namespace director::compiler; // a check speaks of nothing but groups, pro
 struct Facts;
 struct CodeInput;
 class Shared;
+class Conflicts;
 
-/// What every check sees. The facts are computed once for all of them, and so is what is shared, if somebody asks.
+/// What every check sees. The facts are computed once for all of them, and so is what is shared and what is in
+/// conflict, if somebody asks.
 struct Input {
   const Model& model;
   const Graph& graph;
   const Facts& facts;
   const Shared& shared;
+  const Conflicts& conflicts;
 };
 
 /// Takes what one check finds.

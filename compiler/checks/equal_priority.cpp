@@ -23,14 +23,14 @@ struct Contest {
   GroupId group{};
   Reach first = Reach::own, second = Reach::own;
   std::size_t steps = 0;
-  std::vector<ClaimStep> first_path, second_path;
+  std::vector<ChainStep> first_path, second_path;
 };
 
 /// What the first one may hold while it waits for the group of the contest, and the second one waits for that while it
 /// holds the group of the contest.
 struct Deadlock {
   GroupId held{};
-  std::vector<ClaimStep> first_path, second_path; ///< to what is held
+  std::vector<ChainStep> first_path, second_path; ///< to what is held
 };
 
 /// So many groups are looked at closely for one pair of tasks; those with the shortest chains come first.
@@ -93,8 +93,8 @@ public:
 
 private:
   /// What is held for certain when the last request of a chain is made: what comes by needs comes all at once.
-  std::set<GroupId> held_before(const std::vector<ClaimStep>& chain) const {
-    const auto last = std::find_if(chain.rbegin(), chain.rend(), [](const ClaimStep& step) { return !step.by_need; });
+  std::set<GroupId> held_before(const std::vector<ChainStep>& chain) const {
+    const auto last = std::find_if(chain.rbegin(), chain.rend(), [](const ChainStep& step) { return !step.by_need; });
     std::set<GroupId> out;
     for (auto step = last; step != chain.rend(); ++step) {
       const auto& parts = shared_.indispensable().of(step->from);
@@ -117,7 +117,7 @@ private:
   bool find_paths(const Meeting& meeting, Contest& contest) {
     contest.first_path = shared_.claims(meeting.first->target).path(contest.group, contest.first);
     std::vector<GroupId> above;
-    for (const ClaimStep& step : contest.first_path) above.push_back(step.from);
+    for (const ChainStep& step : contest.first_path) above.push_back(step.from);
     if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return false;
     if (effort_ > most_effort) {
       contest.second_path = shared_.claims(meeting.second->target).path(contest.group, contest.second);
@@ -141,7 +141,7 @@ private:
 };
 
 /// Each step once: two chains of one task often begin alike.
-void add_new(const Model& model, const std::vector<ClaimStep>& chain, dsl::Note::Link begins, Diagnostic& finding) {
+void add_new(const Model& model, const std::vector<ChainStep>& chain, dsl::Note::Link begins, Diagnostic& finding) {
   std::vector<dsl::Note> steps;
   add_chain(model, chain, steps, begins);
   for (dsl::Note& step : steps) {

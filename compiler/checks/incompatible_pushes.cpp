@@ -1,5 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/incompatible_pushes.md.
-#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -9,7 +9,7 @@ namespace director::checks {
 
 void incompatible_pushes(const Input& input, Findings& findings) {
   const Model& model = input.model;
-  for (const Clash& clash : input.shared.clashes()) {
+  for (const Clash& clash : input.conflicts.clashes()) {
     if (clash.kind != Clash::Kind::incompatible) continue;
     const std::string second = name_of(model, clash.second_causer);
     dsl::Diagnostic& finding = findings.add(

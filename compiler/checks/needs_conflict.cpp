@@ -20,7 +20,7 @@ struct Clash {
   const Use<GroupId>* first = nullptr;
   const Use<GroupId>* second = nullptr;
   GroupId group{};
-  std::vector<NeedStep> from_first, from_second;
+  std::vector<ChainStep> from_first, from_second;
 };
 
 /// For so many groups the chains are found, to choose the shortest of them.

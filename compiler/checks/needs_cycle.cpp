@@ -10,9 +10,9 @@ namespace director::checks {
 
 namespace {
 
-void report(const Model& model, const std::vector<NeedStep>& circle, Findings& findings) {
+void report(const Model& model, const std::vector<ChainStep>& circle, Findings& findings) {
   std::vector<GroupId> groups;
-  for (const NeedStep& step : circle) groups.push_back(step.from);
+  for (const ChainStep& step : circle) groups.push_back(step.from);
   groups.push_back(circle.back().to);
   if (groups.size() == 2) {
     findings.add(circle[0].span, fmt::format("{} needs itself", name_of(model, groups[0]))).help =
@@ -21,7 +21,7 @@ void report(const Model& model, const std::vector<NeedStep>& circle, Findings& f
   }
   dsl::Diagnostic& finding = findings.add(
       circle[0].span, fmt::format("{}: no plan gets out of this circle", chain_in_words(model, groups, "needs")));
-  add_chain(model, std::vector<NeedStep>(circle.begin() + 1, circle.end()), finding.notes);
+  add_chain(model, std::vector<ChainStep>(circle.begin() + 1, circle.end()), finding.notes);
   finding.help = fmt::format("remove one of these needs, or give {} a provider that does without",
                              name_of(model, circle.back().from));
 }
@@ -29,7 +29,7 @@ void report(const Model& model, const std::vector<NeedStep>& circle, Findings& f
 } // namespace
 
 void needs_cycle(const Input& input, Findings& findings) {
-  for (const std::vector<NeedStep>& circle : find_need_circles(input.model, input.facts))
+  for (const std::vector<ChainStep>& circle : find_need_circles(input.model, input.facts))
     report(input.model, circle, findings);
 }
 

@@ -1,11 +1,12 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/pack_conflict.md.
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/check.hpp"
 
 namespace director::checks {
 
 void pack_conflict(const Input& input, Findings& findings) {
-  for (const PackConflict& conflict : input.shared.pack_conflicts()) {
+  for (const PackConflict& conflict : input.conflicts.pack_conflicts()) {
     if (input.model.providers[conflict.provider].has_packs)
       report_pack_conflict(input, input.shared.units(), conflict, findings);
   }

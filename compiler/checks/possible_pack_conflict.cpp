@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/possible_pack_conflict.md.
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/needs/needs.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/states/choice.hpp"
@@ -198,7 +199,7 @@ void look_at(const Input& input, Units& units, const Pack& pack, Findings& findi
 
 void possible_pack_conflict(const Input& input, Findings& findings) {
   Units& units = input.shared.units();
-  for (const PackConflict& conflict : input.shared.pack_conflicts()) {
+  for (const PackConflict& conflict : input.conflicts.pack_conflicts()) {
     if (!input.model.providers[conflict.provider].has_packs) report_pack_conflict(input, units, conflict, findings);
   }
   for (const ProviderId id : input.model.providers.ids()) {

@@ -1,5 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/push_cycle.md.
-#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -9,7 +9,7 @@ namespace director::checks {
 
 void push_cycle(const Input& input, Findings& findings) {
   const Model& model = input.model;
-  for (const Clash& clash : input.shared.clashes()) {
+  for (const Clash& clash : input.conflicts.clashes()) {
     if (clash.kind != Clash::Kind::cycle) continue;
     dsl::Diagnostic& finding =
         findings.add(clash.second.span,

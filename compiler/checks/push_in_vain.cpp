@@ -1,5 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/push_in_vain.md.
-#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -48,7 +48,7 @@ std::string help_of(const Model& model, const Clash& clash) {
 
 void push_in_vain(const Input& input, Findings& findings) {
   const Model& model = input.model;
-  for (const Clash& clash : input.shared.clashes()) {
+  for (const Clash& clash : input.conflicts.clashes()) {
     if (clash.kind != Clash::Kind::vain) continue;
     dsl::Diagnostic& finding = findings.add(clash.second.span, message_of(model, clash));
     add_parties(model, clash, finding);

@@ -1,6 +1,7 @@
 // Door: compiler/checks/run_checks.hpp. Test: tests/checks/run_checks_test.cpp.
 #include "compiler/checks/run_checks.hpp"
 
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/code_check.hpp"
 
@@ -109,12 +110,12 @@ std::string summary_of(const Registered& check) {
 
 std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts) {
   const Shared shared(model, graph, facts);
-  const Input input{model, graph, facts, shared};
+  const Conflicts conflicts(model, graph, facts, shared);
   std::vector<Diagnostic> all;
   for (const Registered& check : registered()) {
     if (check.run == nullptr) continue;
     Findings findings(check.id, level_of(check));
-    check.run(input, findings);
+    check.run(conflicts.input(), findings);
     for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));
   }
   dsl::sort_by_place(all);

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/sibling_starvation.md.
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
@@ -24,7 +25,7 @@ std::optional<std::int32_t> rank_in_unit(const Model& model, const Task& task) {
 class Starvation {
 public:
   Starvation(const Input& input, Findings& findings) : input_(input), findings_(findings) {
-    for (const PackConflict& conflict : input.shared.pack_conflicts()) {
+    for (const PackConflict& conflict : input.conflicts.pack_conflicts()) {
       for (const Task* member : conflict.members)
         conflicts_[member].insert(conflict.members.begin(), conflict.members.end());
     }

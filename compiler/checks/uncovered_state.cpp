@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 #include "compiler/checks/analysis/causing/self_defeats.hpp"
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/requests/gaps.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"
@@ -28,7 +29,7 @@ public:
         findings_(findings),
         explained_(input.shared.promises().explained) {
     for (const Imprecise& fault : shared_.imprecise()) explained_.add(fault.waiter);
-    for (const Clash& clash : shared_.clashes()) {
+    for (const Clash& clash : input.conflicts.clashes()) {
       explained_.add(clash.first_waiter);
       explained_.add(clash.second_waiter);
     }

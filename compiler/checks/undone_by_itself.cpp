@@ -37,7 +37,7 @@ public:
   }
 
 private:
-  void look_below(const Want& want, GroupId group, const std::vector<ClaimStep>& path) {
+  void look_below(const Want& want, GroupId group, const std::vector<ChainStep>& path) {
     Region here = region_of(model_, model_.providers[want.waiter].when);
     for (const ProviderId id : model_.groups[group].providers) {
       const Provider& provider = model_.providers[id];
@@ -48,7 +48,7 @@ private:
   }
 
   void look_at_entry(const Want& want, ProviderId setter, const ConditionUse& entry, bool promised,
-                     const std::vector<ClaimStep>& path) {
+                     const std::vector<ChainStep>& path) {
     const Condition& set = model_.conditions[entry.id];
     if (set.state != model_.conditions[want.condition.id].state) return;
     const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/waiting_company.md.
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/states/choice.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
@@ -19,7 +20,7 @@ public:
       : input_(input),
         findings_(findings),
         explained_(input.model.groups.size()) {
-    for (const PackConflict& conflict : input.shared.pack_conflicts()) conflicts_.insert(conflict.pack);
+    for (const PackConflict& conflict : input.conflicts.pack_conflicts()) conflicts_.insert(conflict.pack);
     for (const Impossible& fault : input.facts.impossible) explain(fault.provider);
     for (const NeverKept& promise : input.shared.promises().never_kept) {
       for (const NeverKept::Waiting& waiting : promise.waiting) explain(waiting.provider);

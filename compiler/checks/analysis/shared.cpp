@@ -35,11 +35,6 @@ const std::vector<Wanting>& Shared::wants() const {
   return *wants_;
 }
 
-const std::vector<Clash>& Shared::clashes() const {
-  if (!clashes_) clashes_ = find_clashes(model_, graph_, facts_, *this);
-  return *clashes_;
-}
-
 const Indispensable& Shared::indispensable() const {
   if (!indispensable_) indispensable_.emplace(model_);
   return *indispensable_;
@@ -53,16 +48,6 @@ const Rivals& Shared::rivals() const {
 Units& Shared::units() const {
   if (!units_) units_.emplace(model_, facts_);
   return *units_;
-}
-
-const std::vector<PackConflict>& Shared::pack_conflicts() const {
-  if (!pack_conflicts_) pack_conflicts_ = find_pack_conflicts(model_, units(), indispensable());
-  return *pack_conflicts_;
-}
-
-const std::vector<StarvingTask>& Shared::starving_tasks() const {
-  if (!starving_tasks_) starving_tasks_ = find_starving_tasks({model_, graph_, facts_, *this});
-  return *starving_tasks_;
 }
 
 const Branches& Shared::branches() const {

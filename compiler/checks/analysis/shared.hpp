@@ -6,9 +6,6 @@
 #include "compiler/checks/analysis/causing/wants.hpp"
 #include "compiler/checks/analysis/chains/claims.hpp"
 #include "compiler/checks/analysis/chains/meetings.hpp"
-#include "compiler/checks/analysis/clashes/clashes.hpp"
-#include "compiler/checks/analysis/conflicts/pack_conflicts.hpp"
-#include "compiler/checks/analysis/conflicts/starving.hpp"
 #include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/needs/units.hpp"
 #include "compiler/checks/analysis/plans/plans.hpp"
@@ -34,13 +31,9 @@ public:
   const Causers& causers() const;
   const std::vector<Imprecise>& imprecise() const;
   const std::vector<Wanting>& wants() const;
-  const std::vector<Clash>& clashes() const;
   const Indispensable& indispensable() const;
   const Rivals& rivals() const;
   Units& units() const;
-  /// Of all packs and flat lists.
-  const std::vector<PackConflict>& pack_conflicts() const;
-  const std::vector<StarvingTask>& starving_tasks() const;
   /// Of the providers that may be active.
   const Branches& branches() const;
   /// What a task for this group may come to hold, by providers that may be active.
@@ -60,12 +53,9 @@ private:
   mutable std::optional<Causers> causers_;
   mutable std::optional<std::vector<Imprecise>> imprecise_;
   mutable std::optional<std::vector<Wanting>> wants_;
-  mutable std::optional<std::vector<Clash>> clashes_;
   mutable std::optional<Indispensable> indispensable_;
   mutable std::optional<Rivals> rivals_;
   mutable std::optional<Units> units_;
-  mutable std::optional<std::vector<PackConflict>> pack_conflicts_;
-  mutable std::optional<std::vector<StarvingTask>> starving_tasks_;
   mutable std::optional<Branches> branches_;
   mutable std::map<GroupId, Claims> claims_;
   mutable std::map<std::pair<GroupId, GroupId>, Claims> claims_without_;

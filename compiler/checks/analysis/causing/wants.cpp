@@ -91,20 +91,4 @@ std::vector<Wanting> find_wants(const Model& model, const Facts& facts, const Ch
   return WantSearch(model, facts, chains, causers).run();
 }
 
-const ConditionUse& promise_of(const Model& model, ProviderId causer, ConditionId condition) {
-  const std::vector<ConditionUse>& promises = model.providers[causer].causing;
-  return *std::find_if(promises.begin(), promises.end(),
-                       [&](const ConditionUse& use) { return model.satisfies(use.id, condition); });
-}
-
-ValueSet values_set_by(const Model& model, const Provider& provider, StateId state) {
-  ValueSet out;
-  for (const std::vector<ConditionUse>* uses : {&provider.causing, &provider.sets}) {
-    for (const ConditionUse& use : *uses) {
-      if (model.conditions[use.id].state == state) out = out.united(model.conditions[use.id].accepts);
-    }
-  }
-  return out;
-}
-
 } // namespace director::checks

@@ -26,10 +26,4 @@ struct Wanting {
 /// In order of task and provider. `chains`: over the providers that may be active.
 std::vector<Wanting> find_wants(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers);
 
-/// Where the provider promises what satisfies the condition.
-const ConditionUse& promise_of(const Model& model, ProviderId causer, ConditionId condition);
-
-/// Every value that a provider may set, with a promise or without.
-ValueSet values_set_by(const Model& model, const Provider& provider, StateId state);
-
 } // namespace director::checks

@@ -108,8 +108,8 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
   groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
 }
 
-std::vector<ClaimStep> Claims::path(GroupId group, Reach reach) const {
-  std::vector<ClaimStep> out;
+std::vector<ChainStep> Claims::path(GroupId group, Reach reach) const {
+  std::vector<ChainStep> out;
   // Ends at the task itself, also where needs lead back to it.
   for (const Claim* claim = find(group, reach); claim != nullptr && claim->steps > 0;) {
     const GroupId from = claim->from;

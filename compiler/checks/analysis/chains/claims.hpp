@@ -2,6 +2,7 @@
 // What a task may come to hold: its group, what that needs, what it requests, and so on down. For each group the states
 // under which that can happen, as far as one state at a time tells.
 
+#include "compiler/checks/analysis/chains/step.hpp"
 #include "compiler/checks/analysis/states/region.hpp"
 #include "compiler/model/model.hpp"
 
@@ -56,13 +57,6 @@ private:
   mutable IdTable<GroupId, std::optional<Region>> grantable_;
 };
 
-/// One step down: a group that needs or requests the next.
-struct ClaimStep {
-  GroupId from{}, to{};
-  bool by_need = false;
-  Span span{};
-};
-
 class Claims {
 public:
   /// Ends the search early: of a group, how it is reached, and its claim, which may grow if it goes on.
@@ -82,7 +76,7 @@ public:
   /// How many ways down were gone.
   std::size_t effort() const { return effort_; }
   /// A shortest way to the group; empty for the task's own.
-  std::vector<ClaimStep> path(GroupId group, Reach reach) const;
+  std::vector<ChainStep> path(GroupId group, Reach reach) const;
 
 private:
   std::unordered_map<GroupId, Claim> claims_[3];

@@ -102,7 +102,7 @@ private:
     std::vector<GroupId> above{own_, meeting.first->target};
     for (const Reach how : all_reaches) {
       if (ours.find(own_, how) == nullptr) continue;
-      for (const ClaimStep& step : ours.path(own_, how)) above.push_back(step.from);
+      for (const ChainStep& step : ours.path(own_, how)) above.push_back(step.from);
       break;
     }
     if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return std::nullopt;

@@ -12,7 +12,7 @@ namespace director::checks {
 
 struct Contender {
   Meeting meeting;             ///< first: above the provider; second: above the contender
-  std::vector<ClaimStep> path; ///< from the second entry down to the group
+  std::vector<ChainStep> path; ///< from the second entry down to the group
 };
 
 /// The one with the shortest chain, of those that hold it while this provider can run.

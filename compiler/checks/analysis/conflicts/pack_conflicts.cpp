@@ -26,7 +26,7 @@ std::vector<GroupId> targets_of(const std::vector<const Task*>& members) {
 /// A group that two tasks cannot do without, by the shortest chains.
 struct SharedGroup {
   GroupId group{};
-  std::vector<NeedStep> first, second;
+  std::vector<ChainStep> first, second;
 };
 
 std::optional<SharedGroup> find_shared_group(const Input& input, GroupId a, GroupId b) {

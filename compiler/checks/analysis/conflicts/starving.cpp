@@ -2,6 +2,7 @@
 #include "compiler/checks/analysis/conflicts/starving.hpp"
 
 #include "compiler/checks/analysis/conflicts/certainties.hpp"
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/needs/needs.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"
@@ -26,7 +27,7 @@ public:
         entries_(input.model.groups.size()),
         taken_(input.model.groups.size()),
         never_runs_(input.model.groups.size()) {
-    for (const PackConflict& conflict : input.shared.pack_conflicts()) conflicts_.insert(&conflict.pack->tasks);
+    for (const PackConflict& conflict : input.conflicts.pack_conflicts()) conflicts_.insert(&conflict.pack->tasks);
     for (const Together& together : input.shared.chains().together()) {
       for (const Task& task : *together.tasks) entries_[task.target].push_back({&together, &task});
     }

@@ -26,17 +26,17 @@ IdSet<GroupId> find_ending(const Model& model, std::optional<GroupId> without) {
   return ending;
 }
 
-NeedStep step_between(const Model& model, GroupId from, GroupId to) {
+ChainStep step_between(const Model& model, GroupId from, GroupId to) {
   for (const ProviderId provider : model.groups[from].providers) {
     for (const Use<GroupId>& need : model.providers[provider].needs) {
-      if (need.id == to) return {from, to, need.span};
+      if (need.id == to) return {from, to, true, need.span};
     }
   }
-  return {from, to, model.groups[from].name.span};
+  return {from, to, true, model.groups[from].name.span};
 }
 
-std::vector<NeedStep> steps_along(const Model& model, const std::vector<Node>& path) {
-  std::vector<NeedStep> out;
+std::vector<ChainStep> steps_along(const Model& model, const std::vector<Node>& path) {
+  std::vector<ChainStep> out;
   for (std::size_t i = 1; i < path.size(); ++i)
     out.push_back(step_between(model, GroupId{path[i - 1]}, GroupId{path[i]}));
   return out;
@@ -51,7 +51,7 @@ Arrows arrows_of_needs(const Model& model) {
 }
 
 /// Where every provider of every group needs another group of these.
-std::vector<std::vector<NeedStep>> circles_of_groups(const Model& model) {
+std::vector<std::vector<ChainStep>> circles_of_groups(const Model& model) {
   const IdSet<GroupId> ending = find_ending(model, std::nullopt);
   Arrows stuck = arrows_of_needs(model);
   for (const GroupId group : model.groups.ids()) {
@@ -59,7 +59,7 @@ std::vector<std::vector<NeedStep>> circles_of_groups(const Model& model) {
     const auto leads_out = [&](Node to) { return ending.contains(group) || ending.contains(GroupId{to}); };
     row.erase(std::remove_if(row.begin(), row.end(), leads_out), row.end());
   }
-  std::vector<std::vector<NeedStep>> out;
+  std::vector<std::vector<ChainStep>> out;
   for (const std::vector<Node>& nodes : cycles(stuck))
     out.push_back(steps_along(model, shortest_path(stuck, nodes[0], nodes[0])));
   return out;
@@ -96,14 +96,14 @@ std::vector<ProviderId> find_faulty(const Model& model, const Facts& facts) {
 
 } // namespace
 
-std::vector<std::vector<NeedStep>> find_need_circles(const Model& model, const Facts& facts) {
-  std::vector<std::vector<NeedStep>> out = circles_of_groups(model);
+std::vector<std::vector<ChainStep>> find_need_circles(const Model& model, const Facts& facts) {
+  std::vector<std::vector<ChainStep>> out = circles_of_groups(model);
   for (const ProviderId id : find_faulty(model, facts)) {
     const Use<GroupId>* need = find_need_of_itself(model, id);
     if (need == nullptr) continue;
     const GroupId group = model.providers[id].group;
-    std::vector<NeedStep> circle{{group, need->id, need->span}};
-    for (const NeedStep& step : need_path(model, need->id, group)) circle.push_back(step);
+    std::vector<ChainStep> circle{{group, need->id, true, need->span}};
+    for (const ChainStep& step : need_path(model, need->id, group)) circle.push_back(step);
     out.push_back(std::move(circle));
   }
   return out;
@@ -117,7 +117,7 @@ std::vector<ProviderId> find_need_conflicts(const Model& model, const Facts& fac
   return out;
 }
 
-std::vector<NeedStep> need_path(const Model& model, GroupId from, GroupId to) {
+std::vector<ChainStep> need_path(const Model& model, GroupId from, GroupId to) {
   if (from == to) return {};
   // Asked for once a finding, so it looks at no more than it has to.
   std::unordered_map<GroupId, GroupId> above;
@@ -130,7 +130,7 @@ std::vector<NeedStep> need_path(const Model& model, GroupId from, GroupId to) {
     }
   }
   if (above.count(to) == 0) return {};
-  std::vector<NeedStep> out;
+  std::vector<ChainStep> out;
   for (GroupId group = to; group != from; group = above[group]) out.push_back(step_between(model, above[group], group));
   std::reverse(out.begin(), out.end());
   return out;

@@ -1,26 +1,21 @@
 #pragma once
 // Why a provider has no plan: its needs lead around in a circle, or two of them come down to one group.
 
+#include "compiler/checks/analysis/chains/step.hpp"
 #include "compiler/checks/analysis/facts/facts.hpp"
 
 #include <vector>
 
 namespace director::checks {
 
-/// One need, as it is written.
-struct NeedStep {
-  GroupId from{}, to{};
-  Span span{};
-};
-
 /// Circles of needs from which no choice of providers leads out, the first step where the circle is first met. Every
 /// provider without a plan that is not explained by another one has either one of these or a conflict.
-std::vector<std::vector<NeedStep>> find_need_circles(const Model& model, const Facts& facts);
+std::vector<std::vector<ChainStep>> find_need_circles(const Model& model, const Facts& facts);
 
 /// The providers whose needs exclude each other, or for which that was not decided.
 std::vector<ProviderId> find_need_conflicts(const Model& model, const Facts& facts);
 
 /// A shortest way from one group to another by needs; empty if they are the same.
-std::vector<NeedStep> need_path(const Model& model, GroupId from, GroupId to);
+std::vector<ChainStep> need_path(const Model& model, GroupId from, GroupId to);
 
 } // namespace director::checks

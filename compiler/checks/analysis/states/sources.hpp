@@ -24,4 +24,10 @@ struct Source {
 /// By state, in the order of Kind, then of providers and groups.
 IdTable<StateId, std::vector<Source>> find_sources(const Model& model);
 
+/// Where the provider promises what satisfies the condition.
+const ConditionUse& promise_of(const Model& model, ProviderId causer, ConditionId condition);
+
+/// Every value that a provider may set, with a promise or without.
+ValueSet values_set_by(const Model& model, const Provider& provider, StateId state);
+
 } // namespace director::checks

@@ -1,7 +1,7 @@
 // Door: compiler/checks/analysis/words/notes.hpp. Test: compiler/checks/equal_priority.md.
 #include "compiler/checks/analysis/words/notes.hpp"
 
-#include "compiler/checks/analysis/causing/wants.hpp"
+#include "compiler/checks/analysis/states/sources.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 
 #include <fmt/format.h>
@@ -10,20 +10,12 @@ namespace director::checks {
 
 using dsl::Note;
 
-void add_chain(const Model& model, const std::vector<ClaimStep>& chain, std::vector<Note>& notes, Note::Link begins) {
-  for (const ClaimStep& step : chain) {
+void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vector<Note>& notes, Note::Link begins) {
+  for (const ChainStep& step : chain) {
     notes.push_back({step.span,
                      fmt::format("{} {} {}", name_of(model, step.from), step.by_need ? "needs" : "requests",
                                  name_of(model, step.to)),
                      begins});
-    begins = Note::Link::next;
-  }
-}
-
-void add_chain(const Model& model, const std::vector<NeedStep>& chain, std::vector<Note>& notes, Note::Link begins) {
-  for (const NeedStep& step : chain) {
-    notes.push_back(
-        {step.span, fmt::format("{} needs {}", name_of(model, step.from), name_of(model, step.to)), begins});
     begins = Note::Link::next;
   }
 }

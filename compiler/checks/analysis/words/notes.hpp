@@ -1,8 +1,7 @@
 #pragma once
 // What several checks tell in notes, each at the place where it is written.
 
-#include "compiler/checks/analysis/chains/claims.hpp"
-#include "compiler/checks/analysis/needs/needs.hpp"
+#include "compiler/checks/analysis/chains/step.hpp"
 #include "dsl/diagnostic.hpp"
 
 #include <vector>
@@ -10,9 +9,7 @@
 namespace director::checks {
 
 /// A chain: one note for each step. `begins`: whether it goes on from the note before.
-void add_chain(const Model& model, const std::vector<ClaimStep>& chain, std::vector<dsl::Note>& notes,
-               dsl::Note::Link begins = dsl::Note::Link::first);
-void add_chain(const Model& model, const std::vector<NeedStep>& chain, std::vector<dsl::Note>& notes,
+void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vector<dsl::Note>& notes,
                dsl::Note::Link begins = dsl::Note::Link::first);
 
 /// The provider promises what satisfies the condition.

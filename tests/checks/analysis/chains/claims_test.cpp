@@ -19,7 +19,7 @@ groups:
   const Branches branches(c.model, all, all);
   const Claims claims(branches, c.group("Walk"));
   CHECK(claims.path(c.group("Walk"), Reach::own).empty());
-  const std::vector<ClaimStep> path = claims.path(c.group("Hip"), Reach::own);
+  const std::vector<ChainStep> path = claims.path(c.group("Hip"), Reach::own);
   REQUIRE(path.size() == 2);
   CHECK(path[0].from == c.group("Walk"));
   CHECK(path[0].to == c.group("Legs"));

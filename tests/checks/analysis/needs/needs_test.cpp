@@ -14,7 +14,7 @@ std::string faults(const std::string& groups) {
   std::string out;
   for (const auto& circle : find_need_circles(compiled.model, facts)) {
     out += "circle";
-    for (const NeedStep& step : circle) out += " " + compiled.model.groups[step.from].name.value;
+    for (const ChainStep& step : circle) out += " " + compiled.model.groups[step.from].name.value;
     out += "\n";
   }
   for (const ProviderId id : find_need_conflicts(compiled.model, facts))

@@ -1,0 +1,16 @@
+#pragma once
+// One step down a chain: a group that needs or requests the next one.
+
+#include "compiler/model/model.hpp"
+
+namespace director::checks {
+
+using namespace director::compiler;
+
+struct ChainStep {
+  GroupId from{}, to{};
+  bool by_need = false; ///< else by a request
+  Span span{};          ///< where it is written
+};
+
+} // namespace director::checks

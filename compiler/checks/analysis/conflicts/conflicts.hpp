@@ -1,0 +1,37 @@
+#pragma once
+// What excludes each other, which more than one check asks for: found when the first one does and kept for the run, as
+// what is shared is, from which it follows.
+
+#include "compiler/checks/analysis/clashes/clashes.hpp"
+#include "compiler/checks/analysis/conflicts/pack_conflicts.hpp"
+#include "compiler/checks/analysis/conflicts/starving.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace director::checks {
+
+class Conflicts {
+public:
+  Conflicts(const Model& model, const Graph& graph, const Facts& facts, const Shared& shared)
+      : input_{model, graph, facts, shared, *this} {}
+  Conflicts(const Conflicts&) = delete;
+  Conflicts& operator=(const Conflicts&) = delete;
+
+  /// All that a check sees.
+  const Input& input() const { return input_; }
+
+  const std::vector<Clash>& clashes() const;
+  /// Of all packs and flat lists.
+  const std::vector<PackConflict>& pack_conflicts() const;
+  const std::vector<StarvingTask>& starving_tasks() const;
+
+private:
+  Input input_;
+  mutable std::optional<std::vector<Clash>> clashes_;
+  mutable std::optional<std::vector<PackConflict>> pack_conflicts_;
+  mutable std::optional<std::vector<StarvingTask>> starving_tasks_;
+};
+
+} // namespace director::checks
