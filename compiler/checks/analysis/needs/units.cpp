@@ -2,70 +2,52 @@
 #include "compiler/checks/analysis/needs/units.hpp"
 
 #include "compiler/checks/analysis/chains/sparse_set.hpp"
-#include "compiler/checks/analysis/plans/agenda.hpp"
+#include "compiler/checks/analysis/plans/choices.hpp"
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace director::checks {
 
 namespace {
 
-/// Depth first over what is still to be had. The agenda is a linked list on the stack, as in the search for plans.
-class UnitSearch {
+/// The choice so far, with what its conditions leave.
+class Combining {
 public:
-  UnitSearch(const Model& model, const Facts& facts, const Units& units, bool by_groups_alone,
-             const std::function<bool(const Combination&)>& visitor)
+  Combining(const Model& model, const Facts& facts, const Units& units, bool by_groups_alone,
+            const std::function<bool(const Combination&)>& visitor)
       : model_(model),
         facts_(facts),
         units_(units),
         by_groups_alone_(by_groups_alone),
         visitor_(visitor) {}
 
-  /// False: it ran out of steps.
-  bool run(const std::vector<GroupId>& members) {
-    std::vector<Use<GroupId>> needs;
-    for (const GroupId member : members) needs.push_back({member, {}});
-    const Agenda agenda{&needs, 0, nullptr};
-    meet(&agenda);
-    return steps_ >= 0;
+  bool pick(ProviderId provider) {
+    Region both = now_.region;
+    both.meet(units_.region_at_best(provider));
+    if (!by_groups_alone_ && both.empty()) return false;
+    now_.picks.push_back({model_.providers[provider].group, provider});
+    before_.push_back(std::exchange(now_.region, std::move(both)));
+    return true;
   }
+  void drop() {
+    now_.picks.pop_back();
+    now_.region = std::move(before_.back());
+    before_.pop_back();
+  }
+  /// A provider without a plan is reported as such; here it is taken to need nothing.
+  bool leave_needs(ProviderId provider) const { return facts_.plans[provider] != PlanVerdict::found; }
+  bool complete() const { return visitor_(now_); }
 
 private:
-  void meet(const Agenda* agenda) {
-    agenda = next_need(agenda);
-    if (agenda == nullptr) {
-      stopped_ = !visitor_(now_);
-      return;
-    }
-    const GroupId group = agenda->group();
-    if (!held_.add(group)) return;
-    const Agenda rest = agenda->rest();
-    for (const ProviderId provider : model_.groups[group].providers) {
-      if (stopped_ || --steps_ < 0) break;
-      const Region before = now_.region;
-      now_.region.meet(units_.region_at_best(provider));
-      if (by_groups_alone_ || !now_.region.empty()) {
-        now_.picks.push_back({group, provider});
-        // A provider without a plan is reported as such; here it is taken to need nothing.
-        const Agenda below{&model_.providers[provider].needs, 0, &rest};
-        meet(facts_.plans[provider] == PlanVerdict::found ? &below : &rest);
-        now_.picks.pop_back();
-      }
-      now_.region = before;
-    }
-    held_.remove(group);
-  }
-
   const Model& model_;
   const Facts& facts_;
   const Units& units_;
   bool by_groups_alone_;
   const std::function<bool(const Combination&)>& visitor_;
-  SparseSet<GroupId> held_;
   Combination now_;
-  int steps_ = Units::most_steps;
-  bool stopped_ = false;
+  std::vector<Region> before_; ///< each pick
 };
 
 } // namespace
@@ -150,7 +132,10 @@ UnitVerdict Units::verdict(const std::vector<GroupId>& members, bool by_groups_a
 
 bool Units::visit(const std::vector<GroupId>& members, bool by_groups_alone,
                   const std::function<bool(const Combination&)>& visitor) {
-  return UnitSearch(model_, facts_, *this, by_groups_alone, visitor).run(members);
+  std::vector<Use<GroupId>> needs;
+  for (const GroupId member : members) needs.push_back({member, {}});
+  Combining combining(model_, facts_, *this, by_groups_alone, visitor);
+  return ChoiceSearch(model_, most_steps, combining).run(needs);
 }
 
 } // namespace director::checks

@@ -1,7 +1,7 @@
 // Door: compiler/checks/analysis/plans/plans.hpp. Test: tests/checks/analysis/plans/plans_test.cpp.
 #include "compiler/checks/analysis/plans/plans.hpp"
 
-#include "compiler/checks/analysis/plans/agenda.hpp"
+#include "compiler/checks/analysis/plans/choices.hpp"
 #include "compiler/graph/algorithms.hpp"
 
 #include <algorithm>
@@ -12,55 +12,31 @@ namespace director::checks {
 
 namespace {
 
-/// Depth first over what is still to be met, the nearest need first. The agenda is a linked list on the stack of the
-/// search itself, so that taking a step back costs nothing.
-class PlanSearch {
+class PlanCounter {
 public:
-  PlanSearch(const Model& model, std::int64_t most, std::int64_t steps, const IdSet<ProviderId>* mended)
-      : model_(model),
-        used_(model.groups.size(), false),
-        most_(most),
-        steps_(steps),
-        mended_(mended) {}
+  PlanCounter(std::int64_t most, const IdSet<ProviderId>* mended) : most_(most), mended_(mended) {}
 
-  PlanCount run(ProviderId provider) {
-    const Provider& row = model_.providers[provider];
-    used_[row.group.value] = true;
-    const Agenda agenda{&row.needs, 0, nullptr};
-    meet(&agenda);
-    return count_;
-  }
+  bool pick(ProviderId) const { return true; }
+  void drop() const {}
+  bool leave_needs(ProviderId provider) const { return mended_ != nullptr && mended_->contains(provider); }
+  bool complete() { return ++plans_ < most_; }
+
+  std::int64_t plans() const { return plans_; }
 
 private:
-  void meet(const Agenda* agenda) {
-    agenda = next_need(agenda);
-    if (agenda == nullptr) {
-      if (++count_.plans >= most_) stop();
-      return;
-    }
-    const GroupId group = agenda->group();
-    if (used_[group.value]) return;
-    const Agenda rest = agenda->rest();
-    used_[group.value] = true;
-    for (const ProviderId provider : model_.groups[group].providers) {
-      if (steps_-- <= 0) stop();
-      if (!count_.complete) break;
-      const bool is_mended = mended_ != nullptr && mended_->contains(provider);
-      const Agenda below{&model_.providers[provider].needs, 0, &rest};
-      meet(is_mended ? &rest : &below);
-    }
-    used_[group.value] = false;
-  }
-
-  void stop() { count_.complete = false; }
-
-  const Model& model_;
-  std::vector<bool> used_;
   std::int64_t most_;
-  std::int64_t steps_;
+  std::int64_t plans_ = 0;
   const IdSet<ProviderId>* mended_;
-  PlanCount count_;
 };
+
+PlanCount count(const Model& model, ProviderId provider, std::int64_t most, std::int64_t steps,
+                const IdSet<ProviderId>* mended) {
+  PlanCounter counter(most, mended);
+  ChoiceSearch search(model, steps, counter);
+  search.hold(model.providers[provider].group);
+  const bool finished = search.run(model.providers[provider].needs);
+  return {counter.plans(), finished && counter.plans() < most};
+}
 
 using Parts = std::optional<std::vector<GroupId>>; ///< sorted; nothing: all groups
 
@@ -87,14 +63,14 @@ Parts intersected(Parts a, Parts b) {
 } // namespace
 
 PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, std::int64_t steps) {
-  return PlanSearch(model, most, steps, nullptr).run(provider);
+  return count(model, provider, most, steps, nullptr);
 }
 
 PlanVerdict find_plan(const Model& model, ProviderId provider, const IdSet<ProviderId>* mended) {
   if (model.providers[provider].needs.empty()) return PlanVerdict::found;
-  const PlanCount count = PlanSearch(model, 1, plan_steps, mended).run(provider);
-  if (count.plans > 0) return PlanVerdict::found;
-  return count.complete ? PlanVerdict::none : PlanVerdict::undecided;
+  const PlanCount one = count(model, provider, 1, plan_steps, mended);
+  if (one.plans > 0) return PlanVerdict::found;
+  return one.complete ? PlanVerdict::none : PlanVerdict::undecided;
 }
 
 Indispensable::Indispensable(const Model& model) : parts_(model.groups.size()) {
