@@ -1,0 +1,104 @@
+// Door: compiler/explore/retelling.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+#include "compiler/explore/retelling.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler {
+
+namespace {
+
+constexpr Time tick = 1'000; ///< between a wait and what it is asked for, in microseconds
+
+} // namespace
+
+bool Retelling::tell(const std::vector<Taken>& way) {
+  last_run_.resize(g_.tables.groups.size());
+  last_set_.resize(g_.tables.states.size(), 0);
+  for (const Taken& taken : way) {
+    if (taken.happens.kind != Happens::Kind::go && !input(taken)) return false;
+    for (const Deed& deed : taken.deeds) act(deed);
+  }
+  return true;
+}
+
+void Retelling::repeat(const std::vector<Taken>& round) {
+  for (const Taken& taken : round) {
+    for (const Deed& deed : taken.deeds) {
+      const auto [name, words] = words_.effects(deed);
+      if (!words.empty() && repeated_.insert(name).second) script_[name].push_back(words);
+    }
+  }
+}
+
+void Retelling::begin_step(const Taken& taken) {
+  if (taken.before == Phase::rest) steps_.emplace_back();
+}
+
+bool Retelling::advance(Time by) {
+  if (by <= 0) return false;
+  steps_.push_back({"advance: " + duration_in_words(by)});
+  now_ += by;
+  return true;
+}
+
+bool Retelling::input(const Taken& taken) {
+  using Kind = Happens::Kind;
+  const Index row = taken.happens.row;
+  switch (taken.happens.kind) {
+  case Kind::go: break;
+  case Kind::request:
+    begin_step(taken);
+    steps_.back().push_back(words_.request(g_.requests[row]));
+    break;
+  case Kind::cancel:
+    begin_step(taken);
+    steps_.back().push_back("cancel: " + words_.group(g_.tables.edges[row].target));
+    break;
+  case Kind::set:
+    begin_step(taken);
+    steps_.back().push_back(words_.set(g_.sets[row]));
+    for (const Put& put : g_.sets[row]) last_set_[put.state] = now_;
+    break;
+  case Kind::fire:
+    begin_step(taken);
+    steps_.back().push_back("trigger: " + m_.triggers[TriggerId{row}].name);
+    break;
+  case Kind::wake: {
+    const LastRun& last = last_run_[row];
+    if (last.cases == nullptr) return false;
+    (*last.cases)[last.at].push_back("wait: " + duration_in_words(now_ + tick - last.time));
+    return advance(tick);
+  }
+  case Kind::expire: {
+    const Index state = g_.expiries[row].state;
+    return advance(last_set_[state] + m_.states[StateId{state}].expires->after - now_);
+  }
+  case Kind::breaks: {
+    const Provider& provider = m_.providers[ProviderId{g_.broken[row].provider}];
+    const LastRun& last = last_run_[provider.group.value];
+    for (const ConditionUse& use : provider.causing) {
+      if (use.within) return advance(last.time + *use.within - now_);
+    }
+    return false;
+  }
+  }
+  return true;
+}
+
+void Retelling::act(const Deed& deed) {
+  auto [name, words] = words_.effects(deed);
+  words.insert(words.begin(), fmt::format("run: {}", ++counts_[name]));
+  for (const Put& put : words_.puts_of(deed)) last_set_[put.state] = now_;
+  if (deed.kind != Deed::Kind::run) {
+    lines_.push_back(fmt::format("{} {}", deed.kind == Deed::Kind::start ? "start" : "stop", words_.group(deed.group)));
+    if (words.size() > 1) script_[name].push_back(std::move(words));
+    return;
+  }
+  lines_.push_back("run " + name);
+  if (deed.answer == Deed::Answer::done) lines_.push_back("done " + words_.group(deed.group));
+  Cases& cases = script_[name];
+  cases.push_back(std::move(words));
+  last_run_[deed.group] = {&cases, cases.size() - 1, now_};
+}
+
+} // namespace director::compiler

@@ -1,0 +1,59 @@
+#pragma once
+// A way through the exploration told in steps and a script: what the bodies did becomes the script, timers become time
+// that passes.
+
+#include "compiler/explore/scenario_words.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+class Retelling {
+public:
+  using Words = std::vector<std::string>;
+  using Cases = std::vector<Words>;
+
+  explicit Retelling(const Ground& ground) : g_(ground), m_(ground.model), words_(ground) {}
+
+  /// Once. False: it cannot be told.
+  bool tell(const std::vector<Taken>& way);
+
+  /// What they do behind the way, whenever they are called.
+  void repeat(const std::vector<Taken>& round);
+
+  /// A provider that the way says nothing about only goes on. True if that is new.
+  bool quieten(const std::string& name) { return script_.try_emplace(name, Cases{{"continue: true"}}).second; }
+
+  const std::vector<std::string>& lines() const { return lines_; }
+  const std::vector<Words>& steps() const { return steps_; }
+  const std::map<std::string, Cases>& script() const { return script_; }
+
+private:
+  void begin_step(const Taken& taken);
+  bool advance(Time by);
+  bool input(const Taken& taken);
+  void act(const Deed& deed);
+
+  struct LastRun {
+    Cases* cases = nullptr;
+    std::size_t at = 0;
+    Time time = 0;
+  };
+
+  const Ground& g_;
+  const Model& m_;
+  ScenarioWords words_;
+  std::map<std::string, Cases> script_; ///< by whom it is about
+  std::map<std::string, int> counts_;
+  std::set<std::string> repeated_;
+  std::vector<Words> steps_;
+  std::vector<std::string> lines_; ///< what happens on the way
+  std::vector<LastRun> last_run_;
+  std::vector<Time> last_set_;
+  Time now_ = 0;
+};
+
+} // namespace director::compiler

@@ -1,0 +1,109 @@
+// Door: compiler/explore/scenario_words.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+#include "compiler/explore/scenario_words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+std::string duration_in_words(Time time) {
+  return time % 1'000'000 == 0 ? fmt::format("{} s", time / 1'000'000)
+         : time % 1'000 == 0   ? fmt::format("{} ms", time / 1'000)
+                               : fmt::format("{} us", time);
+}
+
+std::string ScenarioWords::provider(Index index) const {
+  const ProviderId id{index};
+  return m_.group_of(id).name.value + "." + m_.providers[id].name;
+}
+
+std::string ScenarioWords::request(const Asks& asks) const {
+  std::vector<std::string> words;
+  for (const Ask& ask : asks) words.push_back(asked(m_.roots, ask, false));
+  return words.size() == 1 && words.front().find(':') == std::string::npos
+             ? "request: " + words.front()
+             : fmt::format("request: [{}]", fmt::join(words, ", "));
+}
+
+std::string ScenarioWords::set(const Puts& puts) const {
+  std::vector<std::string> out;
+  for (const Put& put : puts) {
+    const State& state = m_.states[StateId{put.state}];
+    out.push_back(fmt::format("{}: {}", state.name.value, state.value_text(put.value)));
+  }
+  return fmt::format("set: {{{}}}", fmt::join(out, ", "));
+}
+
+const Puts& ScenarioWords::puts_of(const Deed& deed) const {
+  switch (deed.kind) {
+  case Deed::Kind::start: return g_.starting[deed.group][deed.puts];
+  case Deed::Kind::stop: return g_.stopping[deed.group][deed.puts];
+  case Deed::Kind::run: break;
+  }
+  return g_.bodies[deed.provider].puts[deed.puts];
+}
+
+std::pair<std::string, std::vector<std::string>> ScenarioWords::effects(const Deed& deed) const {
+  const bool runs = deed.kind == Deed::Kind::run;
+  std::vector<std::string> words;
+  if (runs) {
+    const FreeBody& body = g_.bodies[deed.provider];
+    const Provider& row = m_.providers[ProviderId{deed.provider}];
+    switch (deed.answer) {
+    case Deed::Answer::keep: words.emplace_back("continue: true"); break;
+    case Deed::Answer::done: words.emplace_back("done: true"); break;
+    case Deed::Answer::pack:
+    case Deed::Answer::kept: answer(row, body.packs[deed.pack], deed.answer == Deed::Answer::kept, words); break;
+    }
+  }
+  if (!puts_of(deed).empty()) words.push_back(set(puts_of(deed)));
+  const std::string name =
+      runs ? provider(deed.provider) : group(deed.group) + (deed.kind == Deed::Kind::start ? ".start" : ".stop");
+  return {name, words};
+}
+
+std::string ScenarioWords::asked(const std::vector<Task>& tasks, const Ask& ask, bool keep) const {
+  std::vector<std::string> words;
+  for (const Task& task : tasks) {
+    if (task.edge.value != ask.edge) continue;
+    const Index level = ask.level - g_.tables.edges[ask.edge].levels.begin;
+    for (std::size_t i = 1; i < task.levels.size() && task.levels.front().level != level; ++i) {
+      if (task.levels[i].level == level) words = {"level: " + task.levels[i].name};
+    }
+  }
+  if (keep) words.emplace_back("keep: true");
+  const std::string& name = group(g_.tables.edges[ask.edge].target);
+  return words.empty() ? name : fmt::format("{}: {{{}}}", name, fmt::join(words, ", "));
+}
+
+void ScenarioWords::answer(const Provider& row, const Asks& asks, bool kept, std::vector<std::string>& words) const {
+  if (row.packs.empty()) return;
+  const Pack* pack = &row.packs.front();
+  std::vector<std::string> entries;
+  if (row.has_packs) {
+    for (const Pack& each : row.packs) {
+      const bool same = each.tasks.size() == asks.size() &&
+                        std::equal(asks.begin(), asks.end(), each.tasks.begin(), [&](const Ask& ask, const Task& task) {
+                          const Index level = ask.level - g_.tables.edges[ask.edge].levels.begin;
+                          return ask.edge == task.edge.value &&
+                                 std::any_of(task.levels.begin(), task.levels.end(),
+                                             [&](const Task::NamedLevel& named) { return named.level == level; });
+                        });
+      if (same) pack = &each;
+      if (same) break;
+    }
+    words.push_back("pack: " + pack->name);
+    for (const Ask& ask : asks) {
+      const std::string word = asked(pack->tasks, ask, kept);
+      if (word.find(':') != std::string::npos) entries.push_back(word);
+    }
+    if (!entries.empty()) words.push_back(fmt::format("with: [{}]", fmt::join(entries, ", ")));
+    return;
+  }
+  for (const Ask& ask : asks) entries.push_back(asked(pack->tasks, ask, kept));
+  words.push_back(fmt::format("tasks: [{}]", fmt::join(entries, ", ")));
+}
+
+} // namespace director::compiler

@@ -1,0 +1,39 @@
+#pragma once
+// What the program and the bodies do, in the words of a scenario file: one entry of a step or of the script each.
+
+#include "compiler/explore/search.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace director::compiler {
+
+class ScenarioWords {
+public:
+  explicit ScenarioWords(const Ground& ground) : g_(ground), m_(ground.model) {}
+
+  const std::string& group(Index index) const { return m_.groups[GroupId{index}].name.value; }
+  std::string provider(Index index) const; ///< `Walk.default`
+
+  std::string request(const Asks& asks) const; ///< `request: Walk`
+  std::string set(const Puts& puts) const;     ///< `set: {Pose: standing}`
+
+  /// What a body or a handler sets in this deed.
+  const Puts& puts_of(const Deed& deed) const;
+  /// Whose entry of the script, and the words of its case without a guard.
+  std::pair<std::string, std::vector<std::string>> effects(const Deed& deed) const;
+
+private:
+  /// With the level's name, where it is not the first of the entry.
+  std::string asked(const std::vector<Task>& tasks, const Ask& ask, bool keep) const;
+  void answer(const Provider& row, const Asks& asks, bool kept, std::vector<std::string>& words) const;
+
+  const Ground& g_;
+  const Model& m_;
+};
+
+/// `20 ms`: in the largest unit that is whole. `time` is in microseconds.
+std::string duration_in_words(Time time);
+
+} // namespace director::compiler
