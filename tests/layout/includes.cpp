@@ -102,18 +102,32 @@ std::string quoted_fault(std::string_view path, std::string_view name) {
   return header + " is a room that " + std::string(room->folder.substr(0, room->folder.size() - 1)) + " must not know";
 }
 
+// What stands before the name, and the name.
+bool is_include(const std::string& line, std::smatch& match) {
+  static const std::regex include{R"(^\s*#\s*include\s*([<"])([^>"]*)[>"])"};
+  return std::regex_search(line, match, include);
+}
+
 } // namespace
 
 std::string include_fault(std::string_view path, std::string_view name, bool angled) {
   return angled ? angled_fault(path, name) : quoted_fault(path, name);
 }
 
+std::vector<std::string> project_includes(const std::vector<std::string>& lines) {
+  std::vector<std::string> out;
+  for (const std::string& line : lines) {
+    std::smatch match;
+    if (is_include(line, match) && match[1] == "\"") out.push_back(match[2].str());
+  }
+  return out;
+}
+
 std::vector<std::string> include_faults(std::string_view path, const std::vector<std::string>& lines) {
-  static const std::regex include{R"(^\s*#\s*include\s*([<"])([^>"]*)[>"])"};
   std::vector<std::string> faults;
   for (std::size_t index = 0; index < lines.size(); ++index) {
     std::smatch match;
-    if (!std::regex_search(lines[index], match, include)) continue;
+    if (!is_include(lines[index], match)) continue;
     if (const std::string fault = include_fault(path, match[2].str(), match[1] == "<"); !fault.empty())
       faults.push_back(std::string(path) + ":" + std::to_string(index + 1) + ": " + fault);
   }

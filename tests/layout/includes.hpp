@@ -14,4 +14,7 @@ std::string include_fault(std::string_view path, std::string_view name, bool ang
 // All faults of a file, as "path:line: fault".
 std::vector<std::string> include_faults(std::string_view path, const std::vector<std::string>& lines);
 
+// The headers that a file includes by their path from the root of the project.
+std::vector<std::string> project_includes(const std::vector<std::string>& lines);
+
 } // namespace director::tests

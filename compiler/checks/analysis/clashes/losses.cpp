@@ -2,7 +2,9 @@
 #include "compiler/checks/analysis/clashes/losses.hpp"
 
 #include "compiler/checks/analysis/clashes/holdings.hpp"
+#include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
+#include "compiler/checks/analysis/states/region.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 
