@@ -120,7 +120,8 @@ void Pass::finish_pushes() {
     if (s_.now[g].active != push.provider || (!s_.now[g].granted() && !was_in_force) ||
         !applies(push, s_.now[g].holder))
       continue;
-    s_.now[g].flags |= holds(push.condition) ? flag::in_force : flag::in_force | flag::serving;
+    s_.now[g].flags |= flag::in_force;
+    if (!holds(push.condition)) s_.now[g].flags |= flag::serving;
   }
 }
 
