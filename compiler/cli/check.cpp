@@ -1,4 +1,6 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/check_test.cpp.
+#include "compiler/checks/analysis/causing/promises.hpp"
+#include "compiler/checks/analysis/states/sources.hpp"
 #include "compiler/cli/goal.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/print_bounds.hpp"
@@ -17,13 +19,36 @@ namespace {
 struct Explained {
   std::string words;
   std::optional<std::vector<dsl::Note>> steps; ///< nothing: it is not reachable
+  std::vector<dsl::Note> missing;              ///< then: what it lacks, each thing before what that lacks
 
-  std::string told() const { return fmt::format("`{}` {}", words, steps ? "may be reached:" : "can never be reached"); }
+  std::string told() const {
+    const char* none = missing.empty() ? "can never be reached" : "can never be reached:";
+    return fmt::format("`{}` {}", words, steps ? "may be reached:" : none);
+  }
+  const std::vector<dsl::Note>& notes() const { return steps ? *steps : missing; }
 };
+
+/// What keeps the goal from being: whoever could bring it about never runs.
+std::vector<dsl::Note> missing_for(const Model& model, const checks::Facts& facts, const checks::Goal& goal) {
+  std::vector<ProviderId> providers;
+  if (const auto* group = std::get_if<GroupId>(&goal)) providers = model.groups[*group].providers;
+  if (const auto* provider = std::get_if<ProviderId>(&goal)) providers = {*provider};
+  if (const auto* value = std::get_if<checks::StateValue>(&goal)) {
+    const auto sources = checks::find_sources(model);
+    for (const checks::Source& source : sources[value->state]) {
+      if (source.values.intersected(ValueSet::single(value->value)).empty()) continue;
+      if (source.provider) providers.push_back(*source.provider);
+      if (!source.group) continue;
+      const std::vector<ProviderId>& live = model.groups[*source.group].providers;
+      providers.insert(providers.end(), live.begin(), live.end());
+    }
+  }
+  return checks::explain_idle(model, facts, providers);
+}
 
 std::string to_text(const Explained& explained, const dsl::Sources& sources) {
   std::string out = explained.told() + "\n";
-  for (const dsl::Note& step : explained.steps.value_or(std::vector<dsl::Note>{})) {
+  for (const dsl::Note& step : explained.notes()) {
     const dsl::SourceFile& file = sources[step.span.file];
     const dsl::Place place = file.place(step.span.begin);
     out += fmt::format("  {}:{}:{}: {}\n", file.path(), place.line, place.column, step.message);
@@ -37,6 +62,10 @@ Json to_json(const Explained& explained, const dsl::Sources& sources) {
   Json out =
       Json::object({{"of", Json::text(explained.words)}, {"reachable", Json::boolean(explained.steps.has_value())}});
   out.add("steps", std::move(steps));
+  if (explained.steps) return out;
+  Json missing = Json::list({});
+  for (const dsl::Note& each : explained.missing) missing.add(note_json(each, sources));
+  out.add("missing", std::move(missing));
   return out;
 }
 
@@ -74,7 +103,8 @@ private:
     const ParsedGoal parsed = parse_goal(checked.model, request_.reachable);
     if (!parsed.goal) return parsed.wrong;
     const checks::Facts facts = checks::find_facts(checked.model, checked.graph);
-    explained_ = Explained{request_.reachable, checks::find_witness(checked.model, facts, *parsed.goal)};
+    explained_ = Explained{request_.reachable, checks::find_witness(checked.model, facts, *parsed.goal), {}};
+    if (!explained_->steps) explained_->missing = missing_for(checked.model, facts, *parsed.goal);
     return {};
   }
 

@@ -22,7 +22,39 @@ TEST_CASE("how something may be reached is told behind the findings") {
                      "  lamp.yaml:6:3: `Lamp` may run\n"
                      "  lamp.yaml:6:17: `Lamp` may set `Day == yes`\n");
   CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=Bell", "--allow=yaml_word_trap"}) == 1);
-  CHECK(world.out == "`Bell` can never be reached\n");
+  CHECK(world.out == "`Bell` can never be reached:\n"
+                     "  lamp.yaml:7:3: nothing requests `Bell`\n");
+}
+
+TEST_CASE("what is missing is told to the bottom") {
+  World world;
+  world.files.add("door.yaml", R"(behaviour: door
+language: 1
+states: {Door: {values: [shut, open], initial: shut}, Key: {values: [lost, found, turned], initial: lost}}
+roots: {Enter: {priority: 20}, Open: {priority: 10}}
+groups:
+  Enter: {when: [Door == open]}
+  Open: {when: [Key == turned], causing: [Door == open]}
+  Seek: {tasks: [Turn]}
+  Turn: {when: [Key == found], sets: [Key == turned]}
+)");
+  CHECK(world.directorc({"check", "door.yaml", "--explain-reachable=Enter"}) == 1);
+  const std::string told = "  door.yaml:6:18: it waits for `Door == open`, and only `Open` could set that\n"
+                           "  door.yaml:7:17: it waits for `Key == turned`, and only `Turn` could set that\n"
+                           "  door.yaml:8:18: `Seek` requests `Turn`, but never runs itself\n"
+                           "  door.yaml:8:3: nothing requests `Seek`\n";
+  CHECK(world.out.ends_with("`Enter` can never be reached:\n" + told));
+  CHECK(world.directorc({"check", "door.yaml", "--explain-reachable=Door == open"}) == 1);
+  CHECK(world.out.ends_with("`Door == open` can never be reached:\n" + told.substr(told.find('\n') + 1)));
+  CHECK(world.directorc({"check", "door.yaml", "--explain-reachable=Key == found", "--format=json"}) == 1);
+  CHECK(world.out.ends_with(R"(  "reachable": {
+    "of": "Key == found",
+    "reachable": false,
+    "steps": [],
+    "missing": []
+  }
+}
+)"));
 }
 
 TEST_CASE("what it may be asked about") {

@@ -17,13 +17,12 @@ using dsl::Note;
 /// Goes down from a provider that never runs, and says at each step what is missing there.
 class IdleReasons {
 public:
-  explicit IdleReasons(const Input& input)
-      : model_(input.model),
-        facts_(input.facts),
-        sources_(find_sources(input.model)) {}
+  IdleReasons(const Model& model, const Facts& facts) : model_(model), facts_(facts), sources_(find_sources(model)) {}
 
-  std::vector<Note> run(ProviderId id) {
-    explain(id);
+  std::vector<Note> run(ProviderId id) { return run(std::vector{id}); }
+
+  std::vector<Note> run(const std::vector<ProviderId>& providers) {
+    for (const ProviderId id : providers) explain(id);
     return std::move(notes_);
   }
 
@@ -101,6 +100,12 @@ private:
 
 } // namespace
 
-std::vector<Note> explain_idle(const Input& input, ProviderId provider) { return IdleReasons(input).run(provider); }
+std::vector<Note> explain_idle(const Input& input, ProviderId provider) {
+  return IdleReasons(input.model, input.facts).run(provider);
+}
+
+std::vector<Note> explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers) {
+  return IdleReasons(model, facts).run(providers);
+}
 
 } // namespace director::checks

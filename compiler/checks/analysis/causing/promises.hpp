@@ -32,5 +32,6 @@ Promises find_promises(const Model& model, const Graph& graph, const Facts& fact
 
 /// Why a provider never runs, to the bottom: each reason at its own place.
 std::vector<dsl::Note> explain_idle(const Input& input, ProviderId provider);
+std::vector<dsl::Note> explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers);
 
 } // namespace director::checks
