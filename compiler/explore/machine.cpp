@@ -44,6 +44,7 @@ Machine::Machine(const Ground& ground, Breadth breadth)
   engine_.set_budget(1);
   engine_.step(0);
   read(first_);
+  find_marks();
 }
 
 Bodies Machine::table() {
@@ -63,20 +64,32 @@ Bodies Machine::table() {
   return out;
 }
 
+/// Else to keep it is the same as to ask for it anew.
+bool Machine::keeps(const Asks& asks) const {
+  const director::State& s = engine_.memory();
+  return std::any_of(asks.begin(), asks.end(), [&](const Ask& ask) { return s.request[ask.edge] == ask.level; });
+}
+
+Machine::Answers Machine::answers(Index group, Index provider) const {
+  const std::vector<Asks>& packs = ground_.bodies[provider].packs;
+  Answers out;
+  out.packs = packs.size();
+  if (breadth_ != Breadth::lean) {
+    out.kept = static_cast<std::size_t>(
+        std::count_if(packs.begin(), packs.end(), [&](const Asks& asks) { return keeps(asks); }));
+  }
+  out.others = engine_.memory().done[group] == 0 ? 2 : 1;
+  return out;
+}
+
 Outcome Machine::run(Run& run) {
   const FreeBody& body = ground_.bodies[run.provider()];
-  const director::State& s = engine_.memory();
-  const auto keeps = [&](const Asks& asks) { // else it is the same as new
-    return std::any_of(asks.begin(), asks.end(), [&](const Ask& ask) { return s.request[ask.edge] == ask.level; });
-  };
-  const auto kept = breadth_ == Breadth::lean
-                        ? std::size_t{0}
-                        : static_cast<std::size_t>(std::count_if(body.packs.begin(), body.packs.end(), keeps));
-  const std::size_t packs = body.packs.size(), others = s.done[run.group()] == 0 ? 2 : 1;
+  const Answers all = answers(run.group(), run.provider());
+  const std::size_t packs = all.packs, kept = all.kept;
   Deed deed;
   deed.group = run.group();
   deed.provider = run.provider();
-  std::size_t answer = tape_->pick(packs + kept + others);
+  std::size_t answer = tape_->pick(all.count());
   deed.puts = tape_->pick(body.puts.size());
   for (const Put& put : body.puts[deed.puts]) run.set(put.state, put.value);
   if (answer >= packs + kept) {
@@ -120,7 +133,11 @@ void Machine::read(std::vector<std::uint64_t>& out) const {
 void Machine::write(const std::vector<std::uint64_t>& from) {
   const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
   std::memcpy(memory_.data(), from.data(), block_);
-  if (queued != 0) std::memcpy(static_cast<void*>(engine_.memory().queued), from.data() + words(block_), queued);
+  const director::State& s = engine_.memory();
+  if (queued != 0) std::memcpy(static_cast<void*>(s.queued), from.data() + words(block_), queued);
+  // Between micro-steps what the last pass decided stands in `now` as well, and an act that gives reasons in a
+  // component that was not decided again reads it there.
+  if (ground_.tables.components.size() > 1) std::copy_n(s.last.group, ground_.tables.groups.size(), s.now.group);
 }
 
 void Machine::start() {
@@ -128,15 +145,18 @@ void Machine::start() {
   phase_ = Phase::rest;
 }
 
-/// What differs from the first state: a bit for each word, and those words. Each word is written whether it differs or
-/// not, since a branch that nobody can foresee costs more.
+/// What differs from the first state: a bit for each word, and those words. Eight words that are all the same, as most
+/// are, are passed over; of others each is written whether it differs or not, since a branch that nobody can foresee
+/// costs more.
 void Machine::pack(Packed& out) const {
   read(now_);
   const std::size_t count = first_.size(), maps = (count + 63) / 64;
   differs_.resize(maps + count);
+  std::fill_n(differs_.begin(), maps, 0);
   std::size_t end = maps;
-  for (std::size_t map = 0; map < maps; ++map) {
-    const std::size_t begin = map * 64, size = std::min<std::size_t>(64, count - begin);
+  for (std::size_t begin = 0; begin < count; begin += 8) {
+    const std::size_t size = std::min<std::size_t>(8, count - begin);
+    if (size == 8 && std::memcmp(&now_[begin], &first_[begin], 8 * sizeof(std::uint64_t)) == 0) continue;
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const std::uint64_t word = now_[begin + i], differs = word != first_[begin + i] ? 1 : 0;
@@ -144,7 +164,7 @@ void Machine::pack(Packed& out) const {
       end += differs;
       bits |= differs << i;
     }
-    differs_[map] = bits;
+    differs_[begin / 64] |= bits << (begin % 64);
   }
   out.words.assign(differs_.begin(), differs_.begin() + static_cast<std::ptrdiff_t>(end));
   out.phase = phase_;
@@ -154,11 +174,14 @@ void Machine::unpack(const Packed& packed) {
   const std::size_t count = first_.size();
   std::size_t at = (count + 63) / 64;
   loaded_ = first_;
-  for (std::size_t i = 0; i < count; ++i) {
-    if ((packed.words[i / 64] >> (i % 64) & 1) != 0) loaded_[i] = packed.words[at++];
+  for (std::size_t begin = 0; begin < count; begin += 64) {
+    for (std::uint64_t bits = packed.words[begin / 64]; bits != 0; bits &= bits - 1)
+      loaded_[begin + static_cast<std::size_t>(std::countr_zero(bits))] = packed.words[at++];
   }
   loaded_phase_ = packed.phase;
   again();
+  const std::int32_t* values = engine_.memory().values;
+  loaded_values_.assign(values, values + ground_.tables.states.size());
 }
 
 void Machine::again() {
@@ -212,9 +235,26 @@ void Machine::list(std::vector<Happens>& out) const {
   }
 }
 
+/// The engine's next micro-step without an input calls a body.
+bool Machine::runs_next() const {
+  const director::State& s = engine_.memory();
+  const Index group = s.counters->queue_first;
+  if (phase_ == Phase::rest || s.counters->handlers_set || group == nil) return false;
+  const auto pushed = static_cast<std::uint8_t>(Reason::pushed);
+  return engine_.in_force(group) ? s.pending[group] != 0 : (s.pending[group] & ~pushed) != 0;
+}
+
+Choices Machine::choices(const Happens& happens) const {
+  if (happens.kind == Happens::Kind::set) return {false, 1, {&ground_.sets[happens.row], 1}};
+  if (happens.kind != Happens::Kind::go || !runs_next()) return {};
+  const Index group = engine_.memory().counters->queue_first, provider = engine_.active(group);
+  return {true, answers(group, provider).count(), ground_.bodies[provider].puts};
+}
+
 void Machine::post(const Happens& happens) {
   using Kind = Happens::Kind;
-  std::vector<Input> records;
+  std::vector<Input>& records = records_;
+  records.clear();
   const auto set = [&](const Put& put) {
     records.push_back(record(Input::Kind::set, put.state));
     records.back().value = put.value;

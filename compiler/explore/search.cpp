@@ -3,65 +3,27 @@
 // A state that was found is kept as its key, the state that it was found from, and which of the things that can happen
 // there led to it: 24 bytes. Only states whose turn has not come are kept whole, packed. The frontier is taken slice by
 // slice: all cores expand the states of a slice, then one adds what is new, in order, so that neither the number of
-// cores nor their haste changes anything.
+// cores nor their haste changes anything. Micro-steps that end as one that was taken before are counted, and not taken
+// again (Machine::foresee): all that they lead to was found then.
 #include "compiler/explore/search.hpp"
+
+#include "compiler/explore/known.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <deque>
 #include <map>
 #include <memory>
 #include <thread>
+#include <utility>
 
 namespace director::compiler {
 
 namespace {
 
-using Number = std::uint32_t;
-constexpr Number none = static_cast<Number>(-1);
 constexpr std::size_t slice_size = 1'024;
 constexpr std::size_t most_cycles = 8;
-
-/// Key -> number, by open addressing; at most half full.
-class Known {
-public:
-  Known() : slots_(1U << 12) {}
-  Number find(std::uint64_t key) const {
-    for (std::size_t at = key & mask();; at = (at + 1) & mask()) {
-      if (slots_[at].key == key || slots_[at].key == 0) return slots_[at].key == 0 ? none : slots_[at].number;
-    }
-  }
-  void add(std::uint64_t key, Number number) {
-    if (++count_ * 2 > slots_.size()) grow();
-    put(key, number);
-  }
-  void clear() {
-    std::fill(slots_.begin(), slots_.end(), Slot{});
-    count_ = 0;
-  }
-  std::size_t bytes() const { return slots_.size() * sizeof(Slot); }
-
-private:
-  struct Slot {
-    std::uint64_t key = 0;
-    Number number = none;
-  };
-  std::size_t mask() const { return slots_.size() - 1; }
-  void put(std::uint64_t key, Number number) {
-    std::size_t at = key & mask();
-    while (slots_[at].key != 0) at = (at + 1) & mask();
-    slots_[at] = {key, number};
-  }
-  void grow() {
-    std::vector<Slot> old(slots_.size() * 2);
-    old.swap(slots_);
-    for (const Slot& slot : old) {
-      if (slot.key != 0) put(slot.key, slot.number);
-    }
-  }
-  std::vector<Slot> slots_;
-  std::size_t count_ = 0;
-};
 
 struct Origin {
   Number parent = none;
@@ -104,48 +66,85 @@ public:
 
   void begin_slice() { mine_.clear(); }
 
-  void expand(const Packed& from, const Known& known, Expansion& out) {
+  /// `played`: what was played in the slices before.
+  void expand(const Packed& from, const Known& known, const Played& played, Expansion& out) {
     out.steps.clear();
     out.seen.clear();
     machine.unpack(from);
     watch.before(machine, from.watch);
     machine.list(happens_);
-    std::uint32_t place = 0;
+    place_ = 0;
+    moved_ = false;
+    const Print print = machine.print();
     for (const Happens& happens : happens_) {
-      tape_.clear();
-      do {
-        if (place != 0) machine.again();
-        machine.take(happens, tape_);
-        seen_.clear();
-        const std::uint64_t remembered = watch.after(machine, seen_);
-        for (const std::size_t assertion : seen_) out.seen.push_back({assertion, place});
-        Step step;
-        step.key = machine.key(remembered);
-        step.place = place;
-        step.usual = happens.kind == Happens::Kind::go && tape_.usual();
-        // What this worker found before in the slice stands before this in it, too, and with its state.
-        const bool fresh = known.find(step.key) == none && mine_.find(step.key) == none;
-        if (fresh) {
-          mine_.add(step.key, 0);
-          machine.pack(step.state);
-          step.state.watch = remembered;
-          step.roots = roots_of(machine);
+      const Choices choices = machine.choices(happens);
+      if (choices.answers == 0) {
+        tape_.begin();
+        take_all(happens, known, out);
+      }
+      for (std::size_t answer = 0; answer < choices.answers; ++answer) {
+        for (std::size_t puts = 0; puts < choices.puts.size(); ++puts) {
+          const std::uint64_t key = machine.foresee(print, from.watch, choices, answer, puts, watch.minds_puts());
+          const bool usual = choices.body && answer == 0 && puts == 0;
+          std::size_t ways = usual ? 0 : mine_played_.find(key);
+          if (ways == 0 && !usual) ways = played.find(key);
+          if (ways != 0) {
+            place_ += static_cast<std::uint32_t>(ways);
+            continue;
+          }
+          const std::uint32_t before = place_;
+          choices.body ? tape_.begin({answer, puts}) : tape_.begin();
+          take_all(happens, known, out);
+          mine_played_.add(key, place_ - before);
+          newly_played.emplace_back(key, place_ - before);
         }
-        if (fresh || step.usual) out.steps.push_back(std::move(step));
-        ++place;
-      } while (tape_.next());
+      }
     }
-    out.micro_steps = place;
+    out.micro_steps = place_;
   }
 
   Machine machine;
   Watch watch;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> newly_played;
 
 private:
+  /// Takes it with all that the tape can be from where it is.
+  void take_all(const Happens& happens, const Known& known, Expansion& out) {
+    do {
+      if (moved_) machine.again();
+      moved_ = true;
+      machine.take(happens, tape_);
+      seen_.clear();
+      const std::uint64_t remembered = watch.after(machine, seen_);
+      for (const std::size_t assertion : seen_) out.seen.push_back({assertion, place_});
+      const std::uint64_t key = Machine::key(machine.print(), remembered);
+      const bool usual = happens.kind == Happens::Kind::go && tape_.usual();
+      // What this worker found before in the slice stands before this in it, too, and with its state.
+      const bool fresh = known.find(key) == none && mine_.find(key) == none;
+      if (fresh || usual) {
+        Step& step = out.steps.emplace_back();
+        step.key = key;
+        step.place = place_;
+        step.usual = usual;
+        if (fresh) {
+          mine_.add(key, 0);
+          step.roots = roots_of(machine);
+          machine.forget();
+          machine.pack(step.state);
+          step.state.watch = remembered;
+        }
+      }
+      ++place_;
+    } while (tape_.next());
+  }
+
   std::vector<Happens> happens_;
   std::vector<std::size_t> seen_;
   Tape tape_;
-  Known mine_; ///< found in this slice
+  Known mine_;                   ///< found in this slice
+  Played mine_played_{1U << 15}; ///< and played, in any
+  std::uint32_t place_ = 0;      ///< of what is next
+  bool moved_ = false;           ///< the machine is elsewhere than where it was loaded
 };
 
 class Search {
@@ -163,7 +162,8 @@ public:
     Machine& machine = workers_.front()->machine;
     machine.start();
     Step first;
-    first.key = machine.key(0);
+    first.key = Machine::key(machine.print(), 0);
+    machine.forget();
     machine.pack(first.state);
     first.roots = roots_of(machine);
     add(std::move(first), none);
@@ -202,13 +202,15 @@ private:
     std::atomic<std::size_t> next{0};
     const auto work = [&](Worker& worker) {
       worker.begin_slice();
-      for (std::size_t i = next++; i < count; i = next++) worker.expand(frontier_[i].state, known_, expansions_[i]);
+      for (std::size_t i = next++; i < count; i = next++)
+        worker.expand(frontier_[i].state, known_, played_, expansions_[i]);
     };
     std::vector<std::thread> helpers;
     for (std::size_t i = 1; i < workers_.size() && count >= 64; ++i)
       helpers.emplace_back([&, i] { work(*workers_[i]); });
     work(*workers_.front());
     for (std::thread& helper : helpers) helper.join();
+    remember_played();
     for (std::size_t i = 0; i < count && !cut_; ++i) {
       merge(i);
       cut_ = enough() && (i + 1 < count || frontier_.size() > count);
@@ -217,9 +219,18 @@ private:
       frontier_bytes_ -= sizeof(Waiting) + frontier_.front().state.words.size() * sizeof(std::uint64_t);
       frontier_.pop_front();
     }
-    out_.most_bytes = std::max(out_.most_bytes,
-                               frontier_bytes_ + known_.bytes() + origins_.size() * (sizeof(Origin) + sizeof(Number)));
+    out_.most_bytes = std::max(out_.most_bytes, frontier_bytes_ + known_.bytes() + played_.bytes() +
+                                                    origins_.size() * (sizeof(Origin) + sizeof(Number)));
     if (options_.progress) options_.progress(origins_.size(), frontier_.size());
+  }
+
+  void remember_played() {
+    const std::size_t slots = std::min(Played::most_slots, std::bit_ceil(4 * origins_.size()));
+    if (slots > played_.size()) played_.grow(slots);
+    for (const auto& worker : workers_) {
+      for (const auto& [key, ways] : worker->newly_played) played_.add(key, ways);
+      worker->newly_played.clear();
+    }
   }
 
   void merge(std::size_t place) {
@@ -280,6 +291,7 @@ private:
   const SearchOptions& options_;
   std::vector<std::unique_ptr<Worker>> workers_;
   Known known_;
+  Played played_{1U << 10};
   std::vector<Origin> origins_;
   std::vector<Number> usual_;
   std::deque<Waiting> frontier_;
@@ -301,7 +313,7 @@ template <class Before, class After>
 void replay(const Ground& ground, const Way& way, Breadth breadth, Before&& before, After&& after) {
   Machine machine(ground, breadth);
   machine.start();
-  machine.key(0);
+  machine.forget();
   std::vector<Happens> happens;
   Packed here;
   Tape tape;
@@ -313,7 +325,7 @@ void replay(const Ground& ground, const Way& way, Breadth breadth, Before&& befo
     std::uint32_t at = 0;
     bool found = false;
     for (std::size_t i = 0; i < happens.size() && !found; ++i) {
-      tape.clear();
+      tape.begin();
       do {
         found = at++ == place;
         if (at != 1) machine.again();
@@ -322,7 +334,7 @@ void replay(const Ground& ground, const Way& way, Breadth breadth, Before&& befo
         if (found) after(machine, happens[i], phase);
       } while (!found && tape.next());
     }
-    machine.key(0);
+    machine.forget();
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 namespace director::compiler {
@@ -19,14 +20,17 @@ public:
   bool next() {
     picks_.resize(at_);
     at_ = 0;
-    while (!picks_.empty()) {
+    while (picks_.size() > fixed_) {
       if (++picks_.back().taken < picks_.back().count) return true;
       picks_.pop_back();
     }
     return false;
   }
-  void clear() {
+  /// From the first picks again; of these, the first ones stay as they are given.
+  void begin(std::initializer_list<std::size_t> given = {}) {
     picks_.clear();
+    for (const std::size_t taken : given) picks_.push_back({static_cast<std::uint32_t>(taken), 0});
+    fixed_ = picks_.size();
     at_ = 0;
   }
   /// Every pick is the first.
@@ -42,7 +46,7 @@ private:
     std::uint32_t taken, count;
   };
   std::vector<Pick> picks_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, fixed_ = 0;
 };
 
 } // namespace director::compiler

@@ -40,6 +40,7 @@ Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions, b
       ground_(ground),
       strict_(strict),
       before_(ground.tables.groups.size()) {
+  for (Index e = 0; e < ground.tables.edges.size(); ++e) waiting_.push_back(e);
   std::uint64_t bit = 1;
   for (const std::size_t at : assertions) {
     const Assertion& assertion = ground.model.assertions[at];
@@ -52,6 +53,7 @@ Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions, b
       one.ran_since = bit;
       one.active_since = bit << 1;
       bit <<= 2;
+      minds_puts_ = true;
     }
     watched_.push_back(std::move(one));
   }
@@ -205,10 +207,16 @@ void Watch::note(const Machine& machine) {
       return false;
     });
   };
-  for (Index e = 0; e < t.edges.size(); ++e) {
-    if (happened.granted[e]) continue;
+  for (std::size_t i = 0; i < waiting_.size();) {
+    const Index e = waiting_[i];
     const RunState state = engine.state(e);
-    if (state == RunState::running) happened.granted[e] = true;
+    if (state == RunState::running) {
+      happened.granted[e] = true;
+      waiting_[i] = waiting_.back();
+      waiting_.pop_back();
+      continue;
+    }
+    ++i;
     if (state != RunState::queued || happened.asked[e]) continue;
     const Range providers = t.groups[t.edges[e].target].providers;
     for (Index p = providers.begin; p != providers.end; ++p) happened.asked[e] = happened.asked[e] || met(p);

@@ -36,6 +36,9 @@ public:
   /// to `seen`.
   std::uint64_t after(const Machine& machine, std::vector<std::size_t>& seen);
 
+  /// What is remembered depends on what bodies set, not only on the values that states have then.
+  bool minds_puts() const { return minds_puts_; }
+
   Happened happened;
 
 private:
@@ -61,9 +64,10 @@ private:
   void note(const Machine& machine);
 
   const Ground& ground_;
-  bool strict_;
+  bool strict_, minds_puts_ = false;
   std::vector<One> watched_;
   std::vector<Held> before_;
+  std::vector<Index> waiting_; ///< edges whose target was never granted for them yet
   std::uint64_t bits_ = 0;
 };
 
