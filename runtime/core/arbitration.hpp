@@ -136,7 +136,6 @@ private:
   Index recall_plan(Index group);
   void finish();
   void begin_with_old_order(std::span<Index> claimed);
-  void sort_claimed(std::span<Index> claimed);
   void finish_pushes();
   bool asked_for(Index group) const;
 

@@ -3,7 +3,6 @@
 // Section 4.4, Hand-over, when no candidate is left; and what follows from the claims when the pass ends.
 
 #include "runtime/core/arbitration.hpp"
-#include "runtime/core/heap_sort.hpp"
 #include "runtime/core/marks.hpp"
 #include "runtime/core/planted.hpp"
 
@@ -75,20 +74,13 @@ void Pass::finish() {
   if (pushing_) finish_pushes();
   if (in_turn_) return; // who is tried next goes behind all that was tried
   begin_with_old_order(claimed);
-  sort_claimed(claimed);
+  sort(claimed, Along::now);
 }
 
 /// What is held as before stands in the old order, and what is new behind it: so little is left to sort.
 void Pass::begin_with_old_order(std::span<Index> claimed) {
-  const std::uint64_t micro_step = s_.counters->micro_step;
-  const auto as_before = [&](Index g) { return s_.now[g].holder == s_.last[g].holder; };
-  for (const Index g : claimed) { // who holds stands before what it holds
-    const Index holder = s_.now[g].holder, from = requester(holder);
-    if (!as_before(g) || is_limbo(holder) || s_.stamp[holder] == micro_step ||
-        (from != nil && (s_.group_marks[from] & mark::moved) != 0))
-      s_.group_marks[g] |= mark::moved;
-  }
   const std::span<const Index> old{s_.order + c_.order, s_.order_count[component_]};
+  const auto as_before = [&](Index g) { return s_.now[g].holder == s_.last[g].holder; };
   Index count = 0;
   for (const Index g : old) {
     if (as_before(g)) s_.sorted[count++] = g;
@@ -97,14 +89,6 @@ void Pass::begin_with_old_order(std::span<Index> claimed) {
     if (!as_before(g)) s_.sorted[count++] = g;
   }
   for (Index i = 0; i < count; ++i) claimed[i] = s_.sorted[i];
-}
-
-/// Of two that may not have moved it is known which was before.
-void Pass::sort_claimed(std::span<Index> claimed) {
-  heap_sort(claimed, [&](Index a, Index b) {
-    if (((s_.group_marks[a] | s_.group_marks[b]) & mark::moved) == 0) return s_.place[a] < s_.place[b];
-    return before_in_order(a, b, Along::now);
-  });
 }
 
 void Pass::finish_pushes() {

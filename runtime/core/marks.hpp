@@ -20,7 +20,6 @@ inline constexpr std::uint8_t busy = 8;       ///< its push serves a condition o
 inline constexpr std::uint8_t outdated = 16;  ///< it is granted, and its orders are outdated
 inline constexpr std::uint8_t differs = 32;   ///< it stands elsewhere than after the last pass
 inline constexpr std::uint8_t looked_at = 64; ///< set only while a member's choices are searched for equals
-inline constexpr std::uint8_t moved = 128;    ///< it may stand elsewhere in the order than after the last pass
 // On conditions.
 inline constexpr std::uint8_t wanted = 1;
 } // namespace mark

@@ -98,7 +98,6 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
 DIRECTOR_INLINE void Engine::withdraw(Index edge) {
   if (s_.request[edge] == nil) return;
   s_.request[edge] = nil;
-  s_.stamp[edge] = s_.counters->micro_step;
   mark(t_.groups[t_.edges[edge].target].component,
        edge < t_.root_edges ? work::changed | work::reordered : work::changed);
 }

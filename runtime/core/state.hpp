@@ -148,11 +148,11 @@ struct Counters {
 struct State {
   // The decision state.
   Counters* counters = nullptr;
-  std::uint64_t* stamp = nullptr; ///< edge: micro-step of its last change: requested, withdrawn or another level
-  Time* due = nullptr;            ///< timer (see timers.cpp): when; never
-  Index* soonest = nullptr;       ///< timers, as a tree of which one is due first
-  std::int32_t* values = nullptr; ///< state
-  Calm* calm = nullptr;           ///< state
+  std::uint64_t* stamp = nullptr;         ///< edge: micro-step in which it became requested or changed its level
+  Time* due = nullptr;                    ///< timer (see timers.cpp): when; never
+  Index* soonest = nullptr;               ///< timers, as a tree of which one is due first
+  std::int32_t* values = nullptr;         ///< state
+  Calm* calm = nullptr;                   ///< state
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
   Index* handled = nullptr;               ///< states with such a value
   Index* request = nullptr;               ///< edge: level (of Tables::levels) at which it is requested; nil
