@@ -3,7 +3,8 @@
 // Which classes of a program implement the modules of a behaviour, and where. Function bodies are skipped: they are the
 // user's affair, and what is wrong in them is not asked. The generated header may be newer than the program, so errors
 // of meaning do not count (an interface or a context that is gone, an override of nothing); only what cannot be parsed
-// is told, because then nothing that stands behind it can be trusted.
+// is told, because then nothing that stands behind it can be trusted. And a class, or the behaviour itself, that is not
+// declared where a body of it stands: an #include is missing there, and what stands behind it would count as missing.
 #include "compiler/clang/implementers.hpp"
 #include "compiler/clang/invoke.hpp"
 #include "compiler/clang/subcommands.hpp"
@@ -13,8 +14,10 @@
 #include <clang/Basic/DiagnosticSema.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/FrontendAction.h>
+#include <clang/Lex/Lexer.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace director::scanning {
 
@@ -30,7 +33,23 @@ bool is_fatal(const clang::Diagnostic& fault) {
   return name == "Parse Issue" || name == "Lexical or Preprocessor Issue" || fault.getLocation().isInvalid();
 }
 
-/// Keeps what is fatal.
+/// A name before `::` that is not declared there.
+struct Unknown {
+  std::string name, scope; ///< in which it is looked for; empty: in all around
+  Json row;                ///< its place
+};
+
+/// The words that a message quotes.
+std::vector<std::string> quoted(llvm::StringRef message) {
+  std::vector<std::string> out;
+  for (auto [before, rest] = message.split('\''); !rest.empty(); std::tie(before, rest) = rest.split('\'')) {
+    out.push_back(rest.split('\'').first.str());
+    rest = rest.split('\'').second;
+  }
+  return out;
+}
+
+/// Keeps what is fatal, and which names before `::` are not declared.
 class FatalFaults final : public clang::DiagnosticConsumer {
 public:
   explicit FatalFaults(std::string path) : path_(std::move(path)) {}
@@ -38,9 +57,9 @@ public:
   void HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& fault) override {
     clang::DiagnosticConsumer::HandleDiagnostic(level, fault);
     if (level < clang::DiagnosticsEngine::Error) return;
-    if (level != clang::DiagnosticsEngine::Fatal && !is_fatal(fault)) return;
     llvm::SmallString<256> message;
     fault.FormatDiagnostic(message);
+    if (level != clang::DiagnosticsEngine::Fatal && !is_fatal(fault)) return note_unknown(fault, message);
     const bool has_place = fault.hasSourceManager() && fault.getLocation().isValid();
     if (!has_place) of_command_line.push_back(message.str().str());
     // What is wrong with the command line is told of the first line of the file.
@@ -54,8 +73,25 @@ public:
 
   std::map<Findings::Place, Json> problems;
   std::vector<std::string> of_command_line;
+  std::map<Findings::Place, Unknown> unknown;
 
 private:
+  void note_unknown(const clang::Diagnostic& fault, llvm::StringRef message) {
+    namespace diag = clang::diag;
+    const unsigned id = fault.getID();
+    if (id != diag::err_undeclared_var_use && id != diag::err_no_member) return;
+    const clang::SourceManager& sources = fault.getSourceManager();
+    clang::LangOptions language;
+    language.CPlusPlus = true;
+    const auto next = clang::Lexer::findNextToken(fault.getLocation(), sources, language);
+    if (!next || next->isNot(clang::tok::coloncolon)) return;
+    const std::vector<std::string> words = quoted(message);
+    if (words.empty()) return;
+    unknown.try_emplace(
+        place_of(sources, fault.getLocation()),
+        Unknown{words[0], words.size() > 1 ? words[1] : std::string{}, row_at(sources, fault.getLocation())});
+  }
+
   std::string path_;
 };
 
@@ -104,9 +140,39 @@ Json list(const std::map<Findings::Place, Json>& rows) {
   return out;
 }
 
+/// The names around the last one.
+llvm::StringRef scope_of(llvm::StringRef name) { return name.substr(0, name.rfind("::")); }
+
+void add_parts(llvm::StringRef name, std::set<std::string>& out) {
+  for (; !name.empty(); name = name.split("::").second) out.insert(name.split("::").first.str());
+}
+
+/// Tells of those unknown names that the bodies stand under: the behaviour's namespace, and what module classes are
+/// called; each once in a file. What the behaviour has no more is unknown within its namespace, and no fault.
+void tell_unknown(const std::map<Findings::Place, Unknown>& unknown, const std::set<std::string>& interfaces,
+                  Findings& out) {
+  std::set<std::string> names, scopes;
+  std::set<std::pair<std::string, std::string>> told;
+  for (const std::string& each : interfaces) {
+    scopes.insert(scope_of(each).str());
+    add_parts(scope_of(each), names);
+  }
+  for (const auto& [place, row] : out.classes) add_parts(row["name"].as_text(), names);
+  for (const auto& [place, each] : unknown) {
+    const bool within = std::any_of(scopes.begin(), scopes.end(), [&](const std::string& scope) {
+      return each.scope == scope || each.scope.starts_with(scope + "::");
+    });
+    if (within || names.count(each.name) == 0 || !told.emplace(place.first, each.name).second) continue;
+    Json row = each.row;
+    row.add("message", Json::text("`" + each.name + "` is not declared here: an `#include` is missing"));
+    out.problems.try_emplace(place, std::move(row));
+  }
+}
+
 /// False: Clang does not even begin with such flags, and has not said why.
-bool read_unit(const Json& unit, Findings& out, const std::set<std::string>& interfaces, const std::string& header,
-               const Files& files, Frontend& frontend) {
+bool read_unit(const Json& unit, Findings& out, std::map<Findings::Place, Unknown>& unknown,
+               const std::set<std::string>& interfaces, const std::string& header, const Files& files,
+               Frontend& frontend) {
   const std::string& path = unit["path"].as_text();
   std::vector<std::string> flags = unit["flags"].as_texts();
   flags.insert(flags.begin(), {std::string("-I") + virtual_folder, "-fno-spell-checking"});
@@ -116,12 +182,14 @@ bool read_unit(const Json& unit, Findings& out, const std::set<std::string>& int
     const bool understood = frontend.run({path, unit["directory"].as_text(), flags}, files, action, faults);
     if (drop_unknown(flags, faults.of_command_line)) continue;
     out.problems.merge(faults.problems);
+    unknown.merge(faults.unknown);
     return understood || faults.getNumErrors() > 0;
   }
 }
 
 Json answer(const Json& request, Frontend& frontend) {
   Findings out;
+  std::map<Findings::Place, Unknown> unknown;
   const std::vector<std::string> names = request["interfaces"].as_texts();
   const std::set<std::string> interfaces(names.begin(), names.end());
   const std::string header = std::string(virtual_folder) + "/" + request["header"]["path"].as_text();
@@ -129,9 +197,10 @@ Json answer(const Json& request, Frontend& frontend) {
   for (const Json& unit : request["units"].items()) {
     const std::string& path = unit["path"].as_text();
     if (unit["only_unseen"].as_boolean() && out.seen.count(path) > 0) continue;
-    if (!read_unit(unit, out, interfaces, header, files, frontend))
+    if (!read_unit(unit, out, unknown, interfaces, header, files, frontend))
       return Json::object({{"error", Json::text("`" + path + "` cannot be read with these flags")}});
   }
+  tell_unknown(unknown, interfaces, out);
   return Json::object(
       {{"classes", list(out.classes)}, {"functions", list(out.functions)}, {"problems", list(out.problems)}});
 }

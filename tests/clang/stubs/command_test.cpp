@@ -234,6 +234,38 @@ TEST_CASE("C++ that cannot be read is told, and nothing is written") {
                         "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n");
 }
 
+TEST_CASE("where an #include is missing, that is told, and what stands there is not added again") {
+  const Workshop shop;
+  shop.stubs();
+  const std::string header = shop.text("src/wheels.hpp"), source = shop.text("src/wheels.cpp");
+  const std::string refusal = "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n";
+
+  // Of the class: whatever the file is called.
+  for (const std::string file : {"src/wheels.cpp", "src/bodies.cpp"}) {
+    fs::remove(shop.folder() + "/src/wheels.cpp");
+    shop.write(file, source.substr(source.find('\n') + 1));
+    CHECK(shop.stubs() == file + ":3:6: error: `Wheels` is not declared here: an `#include` is missing\n" + file +
+                              ":3:19: error: `cart` is not declared here: an `#include` is missing\n" + refusal);
+    fs::remove(shop.folder() + "/" + file);
+  }
+  // Of the behaviour: where the class is called otherwise than its first files would be.
+  std::string other = header;
+  other.erase(other.find("#include \"cart.hpp\"\n"), 20);
+  fs::remove(shop.folder() + "/src/wheels.hpp");
+  shop.write("src/robot.hpp", other);
+  CHECK(shop.stubs() == "src/robot.hpp:5:29: error: `cart` is not declared here: an `#include` is missing\n" + refusal);
+  CHECK(!fs::exists(shop.folder() + "/src/wheels.hpp"));
+
+  // What stands in a namespace that is known, and a behaviour that has changed: only the first is a fault.
+  shop.write("src/robot.hpp", "#pragma once\n#include \"cart.hpp\"\nnamespace my { struct Wheels : cart::Wheels {\n  " +
+                                  decl_stop + "\n  " + decl_rolling + "\n  " + decl_braking +
+                                  "\n  void start(cart::Steer::Start&);\n}; }\n");
+  shop.write("src/robot.cpp", "#include \"cart.hpp\"\nnamespace my { struct Map; }\nvoid my::Wheels::stop("
+                              "cart::Drive::Stop&) {}\n");
+  CHECK(shop.stubs() ==
+        "src/robot.cpp:3:10: error: `Wheels` is not declared here: an `#include` is missing\n" + refusal);
+}
+
 TEST_CASE("flags that Clang does not know are left out, and a build's folder without compile_commands.json is told") {
   const Workshop shop;
   shop.write("src/wheels.cpp", "#include \"cart.hpp\"\nstruct Wheels : cart::Wheels {\n  " + decl_stop + "\n};\n");
