@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <numeric>
 #include <set>
 
 namespace director::tests {
@@ -28,8 +30,9 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
 
 } // namespace
 
-Order::Order(unsigned number) : random_(number) {
-  steps_ = 3 + pick(6);
+Order::Order(unsigned number) : number_(number), random_(number) {
+  steps_.resize(static_cast<std::size_t>(2 + pick(6)));
+  std::iota(steps_.begin(), steps_.end(), 1);
   for (int i = 1 + pick(3); i > 0; --i) groups_.push_back({fresh_name("G"), pick(2), chance(40), chance(40), {}});
   renew_wanted();
   if (chance(50)) write_module_by_hand();
@@ -51,7 +54,9 @@ std::string Order::yaml() const {
 
 void Order::renew_wanted() { wanted_ = wanted_of(yaml(), "b.yaml"); }
 
-void Order::edit() {
+void Order::edit(int step) {
+  constexpr unsigned most_steps = 16;
+  random_.seed(number_ * most_steps + static_cast<unsigned>(step));
   if (chance(45)) {
     edit_behaviour();
     renew_wanted();
@@ -228,6 +233,31 @@ std::vector<std::string> Order::carry_out(const Merge& merge) {
     for (const compiler::Artefact& file : files) add_new(folder + file.path, file.text);
   }
   return faults;
+}
+
+std::vector<int> shrunk(std::vector<int> steps, const std::function<bool(const std::vector<int>&)>& fails) {
+  for (std::size_t i = 0; i < steps.size();) {
+    std::vector<int> fewer = steps;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (!fails(fewer)) {
+      ++i;
+      continue;
+    }
+    steps = std::move(fewer);
+    i = 0; // one that was needed for what is gone may not be needed any more
+  }
+  return steps;
+}
+
+std::string to_text(const Order& order) {
+  std::string out = order.yaml();
+  for (const auto& [path, text] : order.texts()) out += fmt::format("==== {}\n{}\n", path, text);
+  return out;
+}
+
+unsigned from_environment(const char* name, unsigned otherwise) {
+  const char* const text = std::getenv(name);
+  return text == nullptr ? otherwise : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
 }
 
 std::string small_header(const Wanted& wanted) {

@@ -1,11 +1,12 @@
 #pragma once
 // Random orders of what happens to a program: its behaviour is edited, its C++ is edited, stubs are written. Each order
-// is made of its number alone.
+// is made of its number alone, and so is each of its steps: some may be left out, and what is left does what it did.
 
 #include "compiler/stubs/insertion.hpp"
 #include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/wanted.hpp"
 
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -14,15 +15,19 @@ namespace director::tests {
 
 class Order {
 public:
+  /// The program as it is at first.
   explicit Order(unsigned number);
 
-  /// Something that the user does to the behaviour or to the C++.
-  void edit();
-  int steps() const { return steps_; }
+  /// Something that the user does to the behaviour or to the C++, a step of its own.
+  void edit(int step);
+  /// Those that follow on the beginning: 1, 2 ...
+  const std::vector<int>& steps() const { return steps_; }
 
   const compiler::stubs::Wanted& wanted() const { return wanted_; }
   const compiler::stubs::Texts& texts() const { return texts_; }
   std::string yaml() const;
+  /// The program, from now on.
+  void adopt(compiler::stubs::Texts texts) { texts_ = std::move(texts); }
 
   /// As `directorc stubs` goes on from what was found; a text for each fault: a byte of the user's that is gone or has
   /// moved, a file that was there and is written anew.
@@ -50,13 +55,23 @@ private:
   void move_definition(const compiler::stubs::FoundFunction& row);
   void renew_wanted();
 
+  unsigned number_;
   std::mt19937 random_;
-  int steps_ = 0;
+  std::vector<int> steps_;
   int names_ = 0;
   std::vector<Group> groups_;
   compiler::stubs::Wanted wanted_;
   compiler::stubs::Texts texts_;
 };
+
+/// As few of the steps as fail still: each is left out if what remains fails.
+std::vector<int> shrunk(std::vector<int> steps, const std::function<bool(const std::vector<int>&)>& fails);
+
+/// The behaviour and the C++ of an order, for whoever has to see why it failed.
+std::string to_text(const Order& order);
+
+/// A number that the environment names, such as DIRECTOR_ORDERS.
+unsigned from_environment(const char* name, unsigned otherwise);
 
 /// A header as small as it can be that says the same as the generated one of what matters here.
 std::string small_header(const compiler::stubs::Wanted& wanted);
