@@ -62,7 +62,21 @@ constexpr std::array waits{Names{"std::condition_variable::wait"},
                            Names{"sendmsg"},
                            Names{"system"},
                            Names{"popen"},
-                           Names{"getaddrinfo"}};
+                           Names{"getaddrinfo"},
+                           Names{"pause"},
+                           Names{"sigwait"},
+                           Names{"sigsuspend"},
+                           Names{"flock"},
+                           Names{"lockf"},
+                           Names{"mq_receive"},
+                           Names{"msgrcv"},
+                           Names{"semop"},
+                           Names{"pthread_barrier_wait"},
+                           Names{"std::atomic_flag::wait"},
+                           Names{"std::timed_mutex::try_lock_for"},
+                           Names{"std::timed_mutex::try_lock_until"},
+                           Names{"std::counting_semaphore::try_acquire_for"},
+                           Names{"std::counting_semaphore::try_acquire_until"}};
 
 constexpr std::array locks{Names{"std::mutex::lock"},
                            Names{"std::recursive_mutex::lock"},
@@ -85,25 +99,46 @@ constexpr std::array locking_constructors{Names{"std::lock_guard::lock_guard"}, 
                                           Names{"std::shared_lock::shared_lock"}};
 
 constexpr std::array talks{
-    Names{"open"},         Names{"openat"},     Names{"read"},         Names{"write"},      Names{"pread"},
-    Names{"pwrite"},       Names{"fsync"},      Names{"ioctl"},        Names{"fopen"},      Names{"fclose"},
-    Names{"fread"},        Names{"fwrite"},     Names{"fflush"},       Names{"fgets"},      Names{"fputs"},
-    Names{"fgetc"},        Names{"fputc"},      Names{"getc"},         Names{"putc"},       Names{"getchar"},
-    Names{"putchar"},      Names{"gets"},       Names{"puts"},         Names{"printf"},     Names{"fprintf"},
-    Names{"vprintf"},      Names{"vfprintf"},   Names{"scanf"},        Names{"fscanf"},     Names{"perror"},
-    Names{"std::getline"}, Names{"std::print"}, Names{"std::println"}, Names{"std::flush"}, Names{"std::endl"}};
+    Names{"open"},         Names{"openat"},     Names{"read"},     Names{"write"},        Names{"pread"},
+    Names{"pwrite"},       Names{"fsync"},      Names{"ioctl"},    Names{"fopen"},        Names{"fclose"},
+    Names{"fread"},        Names{"fwrite"},     Names{"fflush"},   Names{"fgets"},        Names{"fputs"},
+    Names{"fgetc"},        Names{"fputc"},      Names{"getc"},     Names{"putc"},         Names{"getchar"},
+    Names{"putchar"},      Names{"gets"},       Names{"puts"},     Names{"printf"},       Names{"fprintf"},
+    Names{"vprintf"},      Names{"vfprintf"},   Names{"scanf"},    Names{"fscanf"},       Names{"perror"},
+    Names{"syslog"},       Names{"vsyslog"},    Names{"close"},    Names{"creat"},        Names{"unlink"},
+    Names{"mkdir"},        Names{"opendir"},    Names{"readdir"},  Names{"ftruncate"},    Names{"fdatasync"},
+    Names{"sync"},         Names{"mmap"},       Names{"munmap"},   Names{"msync"},        Names{"fcntl"},
+    Names{"tcdrain"},      Names{"socket"},     Names{"fork"},     Names{"std::getline"}, Names{"std::print"},
+    Names{"std::println"}, Names{"std::flush"}, Names{"std::endl"}};
 constexpr std::array streams{Names{"std::basic_ifstream::"}, Names{"std::basic_ofstream::"},
                              Names{"std::basic_fstream::"},  Names{"std::basic_filebuf::"},
                              Names{"std::basic_ostream::"},  Names{"std::basic_istream::"},
                              Names{"std::filesystem::"}};
 
-constexpr std::array allocates{Names{"malloc"},           Names{"calloc"},
-                               Names{"realloc"},          Names{"aligned_alloc"},
-                               Names{"strdup"},           Names{"free"},
-                               Names{"std::make_unique"}, Names{"std::make_shared"},
-                               Names{"std::to_string"},   Names{"std::allocator::allocate"},
-                               Names{"std::async"},       Names{"operator new"},
-                               Names{"operator new[]"},   Names{"operator delete"},
+constexpr std::array allocates{Names{"malloc"},
+                               Names{"calloc"},
+                               Names{"realloc"},
+                               Names{"aligned_alloc"},
+                               Names{"strdup"},
+                               Names{"free"},
+                               Names{"std::make_unique"},
+                               Names{"std::make_shared"},
+                               Names{"std::to_string"},
+                               Names{"std::allocator::allocate"},
+                               Names{"std::async"},
+                               Names{"posix_memalign"},
+                               Names{"std::stable_sort"},
+                               Names{"std::stable_partition"},
+                               Names{"std::inplace_merge"},
+                               Names{"std::allocate_shared"},
+                               Names{"std::unique_ptr::reset"},
+                               Names{"std::shared_ptr::reset"},
+                               Names{"std::regex_match"},
+                               Names{"std::regex_search"},
+                               Names{"std::regex_replace"},
+                               Names{"operator new"},
+                               Names{"operator new[]"},
+                               Names{"operator delete"},
                                Names{"operator delete[]"}};
 constexpr std::array containers{Names{"vector"},
                                 Names{"deque"},
@@ -117,17 +152,25 @@ constexpr std::array containers{Names{"vector"},
                                 Names{"unordered_set"},
                                 Names{"basic_string"},
                                 Names{"unordered_multimap"},
-                                Names{"unordered_multiset"}};
-constexpr std::array grows{Names{"push_back"}, Names{"emplace_back"}, Names{"push_front"},  Names{"emplace_front"},
-                           Names{"insert"},    Names{"emplace"},      Names{"try_emplace"}, Names{"insert_or_assign"},
-                           Names{"resize"},    Names{"reserve"},      Names{"assign"},      Names{"append"},
-                           Names{"operator+="}};
+                                Names{"unordered_multiset"},
+                                Names{"queue"},
+                                Names{"stack"},
+                                Names{"priority_queue"}};
+constexpr std::array grows{Names{"push_back"},   Names{"emplace_back"}, Names{"push_front"},  Names{"emplace_front"},
+                           Names{"insert"},      Names{"emplace"},      Names{"try_emplace"}, Names{"insert_or_assign"},
+                           Names{"resize"},      Names{"reserve"},      Names{"assign"},      Names{"append"},
+                           Names{"operator+="},  Names{"operator="},    Names{"push"},        Names{"replace"},
+                           Names{"append_range"}};
 constexpr std::array with_memory{Names{"std::basic_stringstream::basic_stringstream"},
                                  Names{"std::basic_ostringstream::basic_ostringstream"},
                                  Names{"std::basic_istringstream::basic_istringstream"},
                                  Names{"std::thread::thread"},
                                  Names{"std::jthread::jthread"},
-                                 Names{"std::promise::promise"}};
+                                 Names{"std::promise::promise"},
+                                 Names{"std::basic_regex::basic_regex"}};
+/// Only if it is given something that does not fit.
+constexpr std::array keeps_memory{Names{"std::shared_ptr::shared_ptr"}, Names{"std::function::function"}};
+constexpr std::array lock_tags{Names{"std::defer_lock_t"}, Names{"std::try_to_lock_t"}, Names{"std::adopt_lock_t"}};
 
 bool among(const auto& list, std::string_view name) { return std::find(list.begin(), list.end(), name) != list.end(); }
 
@@ -145,11 +188,16 @@ bool grows_container(std::string_view name, bool with_arguments) {
   if (colon == std::string_view::npos || !among(containers, name.substr(0, colon))) return false;
   const std::string_view method = name.substr(colon + 2);
   const bool is_map = name.find("map") < colon;
+  if (method == "operator=" && !with_arguments) return false;
   return among(grows, method) || (is_map && method == "operator[]") ||
          (with_arguments && method == name.substr(0, colon));
 }
 
 } // namespace
+
+bool is_container(std::string_view name) { return name.starts_with("std::") && among(containers, name.substr(5)); }
+
+bool only_takes_lock(std::string_view name) { return among(lock_tags, name); }
 
 std::string_view why_it_blocks(std::string_view name, bool with_arguments) {
   if (among(sleeps, name)) return "sleeps";
@@ -162,7 +210,7 @@ std::string_view why_it_blocks(std::string_view name, bool with_arguments) {
   }
   if (among(allocates, name) || among(allocates, plain(name)) || grows_container(name, with_arguments))
     return "uses the heap";
-  if (among(with_memory, name)) return "uses the heap";
+  if (among(with_memory, name) || (with_arguments && among(keeps_memory, name))) return "uses the heap";
   return {};
 }
 

@@ -11,4 +11,10 @@ namespace director::scanning {
 /// `std::lock_guard::lock_guard`.
 std::string_view why_it_blocks(std::string_view name, bool with_arguments);
 
+/// `std::basic_string`: what it holds lies on the heap.
+bool is_container(std::string_view name);
+
+/// `std::try_to_lock_t`: who is given that does not lock.
+bool only_takes_lock(std::string_view name);
+
 } // namespace director::scanning

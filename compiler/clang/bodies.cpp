@@ -12,6 +12,8 @@ namespace {
 
 using namespace clang;
 
+constexpr int most_parts = 8; ///< objects in objects whose parts are looked at
+
 class BodyReader : public RecursiveASTVisitor<BodyReader> {
 public:
   explicit BodyReader(Book& book) : book_(book), values_(book.context()) {}
@@ -77,16 +79,20 @@ public:
       system_call(*expr, *callee, at, carries);
       return true;
     }
+    if (callee->isDefaulted()) go_into(callee->getBody(), at); // an assignment
     call(*callee, at, at, carries, false, is_virtual);
     return true;
   }
 
   bool VisitCXXConstructExpr(CXXConstructExpr* expr) {
     const CXXConstructorDecl* callee = expr->getConstructor();
-    if (is_directors(*callee) || callee->isImplicit() || callee->isDefaulted()) return true;
+    if (is_directors(*callee)) return true;
     if (is_system(*callee)) {
-      const bool copies_nothing = callee->isDefaultConstructor() || callee->isMoveConstructor();
-      block(name_of(*callee), !copies_nothing, expr->getBeginLoc());
+      block(name_of(*callee), uses_what_it_gets(*expr), expr->getBeginLoc());
+      return true;
+    }
+    if (callee->isImplicit() || callee->isDefaulted()) {
+      for (const CXXCtorInitializer* part : callee->inits()) go_into(part->getInit(), expr->getBeginLoc());
       return true;
     }
     bool carries = false;
@@ -101,6 +107,37 @@ public:
   }
   bool VisitCXXDeleteExpr(CXXDeleteExpr* expr) {
     block("operator delete", true, expr->getBeginLoc());
+    if (!expr->getDestroyedType().isNull()) destroy(expr->getDestroyedType(), expr->getBeginLoc());
+    return true;
+  }
+
+  // What nobody writes and yet is run: destructors, and parts of loops and of objects.
+  bool VisitVarDecl(VarDecl* variable) {
+    if (!variable->hasLocalStorage() || llvm::isa<ParmVarDecl>(variable)) return true;
+    if (variable->isCXXForRangeDecl() && variable->getInit() != nullptr)
+      go_into(variable->getInit(), variable->getLocation());
+    destroy(variable->getType(), variable->getLocation());
+    return true;
+  }
+  bool VisitCXXBindTemporaryExpr(CXXBindTemporaryExpr* expr) {
+    destroy(expr->getType(), expr->getBeginLoc());
+    return true;
+  }
+  bool VisitCXXForRangeStmt(CXXForRangeStmt* loop) {
+    const auto made = [](const DeclStmt* each) -> const Stmt* {
+      const auto* variable = each == nullptr ? nullptr : llvm::dyn_cast<VarDecl>(each->getSingleDecl());
+      return variable == nullptr ? nullptr : variable->getInit();
+    };
+    const Stmt* const parts[]{made(loop->getBeginStmt()), made(loop->getEndStmt()), loop->getCond(), loop->getInc()};
+    for (const Stmt* part : parts) go_into(part, loop->getColonLoc());
+    return true;
+  }
+  bool VisitCXXDefaultInitExpr(CXXDefaultInitExpr* expr) {
+    go_into(expr->getExpr(), expr->getBeginLoc());
+    return true;
+  }
+  bool VisitCXXDefaultArgExpr(CXXDefaultArgExpr* expr) {
+    go_into(expr->getExpr(), expr->getBeginLoc());
     return true;
   }
 
@@ -120,6 +157,32 @@ private:
     if (const auto* member = llvm::dyn_cast<MemberExpr>(callee)) return member->getMemberLoc();
     if (const auto* name = llvm::dyn_cast<DeclRefExpr>(callee)) return name->getLocation();
     return expr.getBeginLoc();
+  }
+
+  /// Something that stands elsewhere and is run here: this is its place.
+  void go_into(const Stmt* part, SourceLocation here) {
+    if (part == nullptr || inside_ == most_parts) return;
+    const SourceLocation before = here_;
+    if (here_.isInvalid()) here_ = here;
+    ++inside_;
+    TraverseStmt(const_cast<Stmt*>(part));
+    --inside_;
+    here_ = before;
+  }
+
+  /// What of the user's runs when such an object goes.
+  void destroy(QualType type, SourceLocation at) {
+    if (type->isReferenceType() || type->isDependentType()) return;
+    destroy(book_.context().getBaseElementType(type)->getAsCXXRecordDecl(), carries_context(type), at);
+  }
+  void destroy(const CXXRecordDecl* record, bool carries, SourceLocation at) {
+    if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
+    if (is_system(*record) || is_directors(*record)) return;
+    const CXXDestructorDecl* own = record->getDestructor();
+    if (own != nullptr && own->isUserProvided()) call(*own, at, at, carries, false, false);
+    for (const FieldDecl* field : record->fields())
+      destroy(book_.context().getBaseElementType(field->getType())->getAsCXXRecordDecl(), carries, at);
+    for (const CXXBaseSpecifier& base : record->bases()) destroy(base.getType()->getAsCXXRecordDecl(), carries, at);
   }
 
   /// The words of a context. True: it is one of these, and there is nothing else to it.
@@ -169,7 +232,9 @@ private:
 
   void system_call(const CallExpr& expr, const FunctionDecl& callee, SourceLocation at, bool carries) {
     const std::string name = name_of(callee);
-    if (!block(name, true, at) && carries) {
+    const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
+    const bool moves = method != nullptr && method->isMoveAssignmentOperator();
+    if (!block(name, !moves, at) && !returns_memory(callee, at) && carries) {
       static const std::set<std::string> passes_on{"std::forward",   "std::move",     "std::ref", "std::cref",
                                                    "std::addressof", "std::as_const", "std::tie", "std::get"};
       bool only_lambdas = true; // what they do is known
@@ -187,15 +252,45 @@ private:
     }
   }
 
+  /// A function of the standard library that makes a string, or another container, of its own.
+  bool returns_memory(const FunctionDecl& callee, SourceLocation at) {
+    const CXXRecordDecl* record = callee.getReturnType()->getAsCXXRecordDecl();
+    const std::string name = name_of(callee);
+    if (record == nullptr || !is_container(name_of(*record)) || name == "std::exchange") return false;
+    return tell_block(name, "uses the heap", at);
+  }
+
+  /// Whether a constructor of the standard library takes, or copies, what it is given.
+  bool uses_what_it_gets(const CXXConstructExpr& expr) const {
+    const CXXConstructorDecl& callee = *expr.getConstructor();
+    if (expr.getNumArgs() == 0 || callee.isDefaultConstructor() || callee.isMoveConstructor()) return false;
+    const std::string name = name_of(callee);
+    const auto type = [&](unsigned i) { return bare(expr.getArg(i)->getType()); };
+    if (name == "std::shared_ptr::shared_ptr") return expr.getArg(0)->getType()->isPointerType();
+    if (name == "std::function::function") {
+      constexpr std::int64_t small = 16; // of the standard library: it lies within the function
+      const CXXRecordDecl* object = type(0)->getAsCXXRecordDecl();
+      return object != nullptr && object->isLambda() &&
+             book_.context().getTypeSizeInChars(type(0)).getQuantity() > small;
+    }
+    const TagDecl* last = type(expr.getNumArgs() - 1)->getAsTagDecl();
+    return last == nullptr || !only_takes_lock(name_of(*last));
+  }
+
   bool block(const std::string& name, bool with_arguments, SourceLocation at) {
     const std::string_view why = why_it_blocks(name, with_arguments);
-    if (why.empty()) return false;
+    return !why.empty() && tell_block(name, why, at);
+  }
+
+  bool tell_block(const std::string& name, std::string_view why, SourceLocation at) {
+    if (here_.isValid()) at = here_;
     blocks.add(Json::object({{"name", Json::text(name)}, {"why", Json::text(why)}, {"at", book_.places().of(at, at)}}));
     return true;
   }
 
   void call(const FunctionDecl& callee, SourceLocation begin, SourceLocation end, bool carries, bool maybe,
             bool is_virtual) {
+    if (here_.isValid()) begin = end = here_;
     // What the compiler writes itself has nothing of this.
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
     const bool is_lambda = method != nullptr && method->getParent()->isLambda();
@@ -221,6 +316,8 @@ private:
   Values values_;
   std::set<const Expr*> callees_;
   std::set<const LambdaExpr*> given_to_std_;
+  SourceLocation here_; ///< while something is read that stands elsewhere: where it is run
+  int inside_ = 0;
 };
 
 } // namespace
