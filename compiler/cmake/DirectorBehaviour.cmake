@@ -1,7 +1,8 @@
 # director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY] [STUBS <folder>])
 #
 # Checks the behaviour with directorc, generates its C++ into the build tree and makes it part of <target>: its sources, its include path (so that
-# `#include "<behaviour>.hpp"` finds the header) and the runtime. Findings of level error stop the build. The C++ is generated again when the file,
+# `#include "<behaviour>.hpp"` finds the header) and the runtime. The headers that the behaviour names are found on the target's include path, and
+# beside the file. Findings of level error stop the build. The C++ is generated again when the file,
 # anything it imports, or directorc itself changes, and only then; what is the same afterwards is not compiled again. A target may have several
 # behaviours, and a behaviour may be part of several targets.
 #
@@ -105,6 +106,9 @@ function(director_add_behaviour)
     set_source_files_properties(${outputs} TARGET_DIRECTORY ${target} PROPERTIES GENERATED TRUE)
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
+  # For `#include "..."` alone, so that nothing in this folder can stand for a header of the system.
+  cmake_path(GET file PARENT_PATH beside)
+  target_compile_options(${target} PUBLIC $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:C,CXX>:-iquote${beside}>>)
   target_link_libraries(${target} PUBLIC Director::core)
 
   if(arg_VERIFY OR arg_STUBS)

@@ -30,7 +30,7 @@ int watch() {
   Bulb bulb;
   buoy::Behaviour first{bell, {count, &events}};
   lighthouse::Behaviour second{bulb, keeper, {count, &events}};
-  first.request<buoy::Ring>();
+  first.request(buoy::Ring{harbour::Sound{.hertz = 220}});
   second.request<lighthouse::Turn>();
   first.step();
   second.step();

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace harbour {
+
+struct Sound {
+  int hertz = 0;
+};
+
+} // namespace harbour
