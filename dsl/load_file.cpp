@@ -14,6 +14,8 @@ LoadedFile load_file(const std::string& path, FileAccess& files, Sources& source
   if (text) return {sources.add(path, std::move(text.value())), true};
   const FileId id = sources.add(path, "");
   diagnostics.push_back(unreadable(path, text.error(), {id, 0, 0}));
+  if (text.error().kind == FileError::Kind::not_found)
+    diagnostics.back().help = "a path is relative to the folder in which the program runs";
   return {id, false};
 }
 
@@ -24,8 +26,14 @@ Diagnostic unreadable(const std::string& path, const FileError& error, Span plac
             place,
             fmt::format("`{}` is larger than {} MiB", path, largest_file >> 20U),
             {},
-            ""};
-  return {"import_not_found", Level::error, place, fmt::format("cannot read `{}`: {}", path, error.message), {}, ""};
+            "divide it into files that import one another"};
+  return {"import_not_found",
+          Level::error,
+          place,
+          fmt::format("cannot read `{}`: {}", path, error.message),
+          {},
+          error.kind == FileError::Kind::not_found ? "a path is relative to the file that it stands in"
+                                                   : "name a file that can be read"};
 }
 
 std::string beside(const std::string& file, const std::string& relative) {

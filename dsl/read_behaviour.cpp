@@ -59,25 +59,31 @@ private:
         std::find_if(open_.begin(), open_.end(), [&](const OpenFile& file) { return file.identity == identity; });
     if (again != open_.end()) {
       const auto first = static_cast<std::size_t>(again - open_.begin());
-      report("import_cycle", import, cycle(first));
+      report("import_cycle", import, cycle(first), "leave this import out");
       add_way(first, result_.diagnostics.back());
       return std::nullopt;
     }
     if (const auto known = known_.find(identity); known != known_.end()) return known->second;
     if (open_.size() == deepest_import) {
-      report("input_limit", import, fmt::format("files that import one another deeper than {} levels", deepest_import));
+      report("input_limit", import, fmt::format("files that import one another deeper than {} levels", deepest_import),
+             "import it from a file nearer to the main one");
       return std::nullopt;
     }
     auto text = files_.read(path, largest_file);
     if (!text) {
       result_.diagnostics.push_back(unreadable(path, text.error(), import.span));
-      if (text.error().kind == FileError::Kind::not_found)
-        result_.diagnostics.back().help = "a path is relative to the file that it stands in";
+      if (text.error().kind == FileError::Kind::not_found && is_there(path + ".yaml"))
+        result_.diagnostics.back().help = fmt::format("did you mean `{}.yaml`?", import.value);
       return std::nullopt;
     }
     const FileId id = sources_.add(path, std::move(text.value()));
     read(path, id, import.span);
     return id;
+  }
+
+  bool is_there(const std::string& path) {
+    const auto text = files_.read(path, 0);
+    return text || text.error().kind == FileError::Kind::too_large;
   }
 
   /// `a.yaml imports b.yaml imports a.yaml`.
@@ -92,12 +98,11 @@ private:
     for (std::size_t i = first + 1; i < open_.size(); ++i)
       finding.notes.push_back({*open_[i].import, fmt::format("`{}` imports `{}`", open_[i - 1].path, open_[i].path),
                                i == first + 1 ? Note::Link::first : Note::Link::next});
-    finding.help = finding.notes.empty() ? "leave this import out"
-                                         : "move what both need into a file that imports neither of them";
+    if (!finding.notes.empty()) finding.help = "move what both need into a file that imports neither of them";
   }
 
-  void report(std::string id, const Word& import, std::string message) {
-    result_.diagnostics.push_back({std::move(id), Level::error, import.span, std::move(message), {}, ""});
+  void report(std::string id, const Word& import, std::string message, std::string help) {
+    result_.diagnostics.push_back({std::move(id), Level::error, import.span, std::move(message), {}, std::move(help)});
   }
 
   FileAccess& files_;

@@ -152,7 +152,7 @@ private:
     const Token rest{begin, std::max(begin, text_.find_last_not_of(" \t\r\n") + 1)};
     const auto duration = parse_duration(text(rest));
     if (use_ != ConditionUse::causing)
-      fail({keyword.begin, rest.end}, "`within` belongs to a promise: it stands in `causing` only");
+      fail({keyword.begin, rest.end}, "`within` belongs to a promise: it stands in `causing` only", "leave it out");
     else if (!duration || duration->amount == 0)
       fail(rest, fmt::format("expected a duration such as 2 s behind `within`, found {}", found(rest)),
            "a whole number above 0 and one of us, ms, s, min");

@@ -21,7 +21,9 @@ bool read_language(Reader& reader, const YamlNode& root) {
   const auto version = reader.number(root.find("language"), "language");
   if (!version || version->value == known_language) return true;
   reader.error("language_version", version->span,
-               fmt::format("this compiler reads language {}, found {}", known_language, version->value));
+               fmt::format("this compiler reads language {}, found {}", known_language, version->value),
+               version->value > known_language ? "use the compiler that the file was written for"
+                                               : fmt::format("write `language: {}`", known_language));
   return false;
 }
 
@@ -49,7 +51,8 @@ std::vector<Word> read_pair(Reader& reader, const YamlNode& node) {
   if (!reader.is_mapping(&node, "beats", "a mapping such as {Winner: Loser}")) return {};
   if (node.pairs.size() != 1) {
     reader.error("wrong_node_kind", node.span,
-                 fmt::format("`beats`: expected one pair {{Winner: Loser}}, found {}", node.pairs.size()));
+                 fmt::format("`beats`: expected one pair {{Winner: Loser}}, found {}", node.pairs.size()),
+                 "write an assertion for each pair");
     return {};
   }
   auto loser = reader.word(&node.pairs[0].value, node.pairs[0].key.value, "the name of a group");
@@ -63,7 +66,8 @@ std::vector<Word> read_from_to(Reader& reader, const YamlNode& node, Span key) {
   if (!reader.is_mapping(&node, "soft", "a mapping {from: A, to: B}")) return groups;
   reader.know_keys(node, "`soft`", keys);
   for (const std::string& end : keys)
-    if (auto group = reader.word(reader.require(node, end, "`soft`", key), end, "the name of a group"))
+    if (auto group = reader.word(reader.require(node, end, "`soft`", key, "soft: {from: Walk, to: Kick}"), end,
+                                 "the name of a group"))
       groups.push_back(std::move(*group));
   return groups.size() == keys.size() ? groups : std::vector<Word>{};
 }
@@ -72,7 +76,8 @@ std::vector<Word> read_together(Reader& reader, const YamlNode& node) {
   std::vector<Word> groups = reader.words(&node, "never_together", "the name of a group");
   if (node.kind == YamlNode::Kind::list && node.items.size() < 2) {
     reader.error("wrong_node_kind", node.span,
-                 fmt::format("`never_together`: expected two groups or more, found {}", node.items.size()));
+                 fmt::format("`never_together`: expected two groups or more, found {}", node.items.size()),
+                 "for example `never_together: [Walk, GetUp]`");
     return {};
   }
   return groups;
@@ -84,10 +89,12 @@ std::optional<AssertionSpec> read_assertion(Reader& reader, const YamlNode& node
   if (!reader.is_mapping(&node, "assertions", "a mapping such as {can_run: Kick}")) return std::nullopt;
   reader.know_keys(node, "an assertion", kinds);
   for (std::size_t i = 0; i < kinds.size(); ++i)
-    for (std::size_t j = i + 1; j < kinds.size(); ++j) reader.exclude(node, kinds[i], kinds[j]);
+    for (std::size_t j = i + 1; j < kinds.size(); ++j)
+      reader.exclude(node, kinds[i], kinds[j], "write each as an entry of its own, with a `-`");
   if (node.pairs.empty())
     reader.error("wrong_node_kind", node.span,
-                 "`assertions`: expected one of never_together, beats, can_run, soft, found none");
+                 "`assertions`: expected one of never_together, beats, can_run, soft, found none",
+                 "for example `- can_run: Kick`");
   AssertionSpec out;
   out.span = node.span;
   for (std::size_t i = 0; i < kinds.size() && out.groups.empty(); ++i) {
@@ -129,8 +136,10 @@ BehaviourSpec read_file(Reader& reader, const YamlNode& root) {
   static const Elsewhere scenarios{{"scenario", "given", "script", "steps"},
                                    "this belongs to a scenario, which `directorc test` and `directorc simulate` play"};
   reader.know_keys(root, "a behaviour file", keys, scenarios);
-  reader.require(root, "language", "a behaviour file", first);
-  file.name = reader.word(reader.require(root, "behaviour", "a behaviour file", first), "behaviour", "a name")
+  reader.require(root, "language", "a behaviour file", first, fmt::format("language: {}", known_language));
+  file.name = reader
+                  .word(reader.require(root, "behaviour", "a behaviour file", first, "behaviour: soccer"), "behaviour",
+                        "a name")
                   .value_or(Word{"", first});
   file.doc = reader.text(root.find("doc"), "doc");
   for (Word& path : reader.words(root.find("imports"), "imports", "the path of a behaviour file"))

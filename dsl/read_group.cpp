@@ -33,7 +33,7 @@ void read_provider_words(Reader& reader, const YamlNode& mapping, ProviderSpec& 
   provider.every = reader.duration(mapping.find("every"), "every");
   provider.tasks = read_tasks(reader, mapping.find("tasks"), "tasks");
   provider.packs = read_packs(reader, mapping.find("packs"));
-  reader.exclude(mapping, "tasks", "packs");
+  reader.exclude(mapping, "tasks", "packs", "make one of the packs of the tasks");
   if (provider.tasks && provider.packs) provider.packs.reset();
 }
 
@@ -46,8 +46,8 @@ ProviderSpec read_provider(Reader& reader, const YamlNode& mapping) {
   reader.know_keys(mapping, named ? fmt::format("provider `{}`", name->text) : "a provider", keys);
   ProviderSpec provider;
   provider.span = mapping.span;
-  provider.name =
-      reader.word(reader.require(mapping, "name", "a provider", first), "name", "a name").value_or(Word{"", first});
+  provider.name = reader.word(reader.require(mapping, "name", "a provider", first, "name: walking"), "name", "a name")
+                      .value_or(Word{"", first});
   read_provider_words(reader, mapping, provider);
   provider.doc = reader.text(mapping.find("doc"), "doc");
   provider.allow = read_allow(reader, mapping);
@@ -92,10 +92,12 @@ std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, st
     }
   }
   if (node->kind != YamlNode::Kind::mapping || node->pairs.size() != 1 || !sets) {
-    reader.error("start_stop_shape", node->span,
-                 fmt::format("`{}`: expected true or a mapping with `sets` alone, found {}", which, found(*node)),
-                 node->kind == YamlNode::Kind::scalar && node->text == "false" ? "a group without one leaves it out"
-                                                                               : "");
+    reader.error(
+        "start_stop_shape", node->span,
+        fmt::format("`{}`: expected true or a mapping with `sets` alone, found {}", which, found(*node)),
+        node->kind == YamlNode::Kind::scalar && node->text == "false"
+            ? "a group without one leaves it out"
+            : fmt::format("write `{}: true`, or what it may set: `{}: {{sets: [Pose == standing]}}`", which, which));
     return std::nullopt;
   }
   handler.sets = read_conditions(reader, sets, "sets", ConditionUse::sets);
@@ -127,7 +129,8 @@ GroupSpec read_group(Reader& reader, const YamlPair& pair) {
     group.providers.push_back(read_direct_provider(reader, mapping, group));
     return group;
   }
-  for (const std::string_view word : provider_only) reader.exclude(mapping, "providers", word);
+  for (const std::string_view word : provider_only)
+    reader.exclude(mapping, "providers", word, fmt::format("move `{}` into the providers that it is meant for", word));
   group.providers = read_providers(reader, mapping.find("providers"));
   group.sets = read_conditions(reader, mapping.find("sets"), "sets", ConditionUse::sets);
   group.uses = reader.words(mapping.find("uses"), "uses", "the name of a group");
@@ -144,7 +147,8 @@ ExtendSpec read_extend(Reader& reader, const YamlPair& pair) {
   const std::string thing = fmt::format("extend of `{}`", pair.key.value);
   reader.know_keys(pair.value, thing, keys);
   extend.before = reader.word(pair.value.find("before"), "before", "the name of a provider");
-  extend.providers = read_providers(reader, reader.require(pair.value, "providers", thing, pair.key.span));
+  extend.providers = read_providers(
+      reader, reader.require(pair.value, "providers", thing, pair.key.span, "providers: [{name: quickly}]"));
   extend.doc = reader.text(pair.value.find("doc"), "doc");
   return extend;
 }

@@ -35,7 +35,8 @@ std::optional<std::size_t> only_word(Reader& reader, const YamlNode& mapping, st
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!mapping.find(words[i])) continue;
     if (found)
-      reader.exclude(mapping, words[*found], words[i]);
+      reader.exclude(mapping, words[*found], words[i],
+                     "make two steps of them, or `inputs: [...]` where they come at once");
     else
       found = i;
   }
@@ -44,7 +45,7 @@ std::optional<std::size_t> only_word(Reader& reader, const YamlNode& mapping, st
   });
   if (!found && all_known)
     reader.error("missing_key", mapping.pairs.empty() ? mapping.span : mapping.pairs.front().key.span,
-                 fmt::format("{} needs one of {}", thing, fmt::join(words, ", ")));
+                 fmt::format("{} needs one of {}", thing, fmt::join(words, ", ")), "for example `request: Walk`");
   return found;
 }
 
@@ -135,8 +136,8 @@ void read_top(Reader& reader, const YamlNode& root, const std::string& path, Sce
   reader.know_keys(root, "a scenario file", keys, behaviours);
   out.title = reader.text(root.find("scenario"), "scenario");
   out.behaviour = reader
-                      .word(reader.require(root, "behaviour", "a scenario file", first), "behaviour",
-                            "the path of a behaviour file")
+                      .word(reader.require(root, "behaviour", "a scenario file", first, "behaviour: walker.yaml"),
+                            "behaviour", "the path of a behaviour file")
                       .value_or(Word{"", first});
   if (!out.behaviour.value.empty()) out.behaviour_path = beside(path, out.behaviour.value);
   out.doc = reader.text(root.find("doc"), "doc");

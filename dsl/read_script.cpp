@@ -50,7 +50,8 @@ void read_answer(Reader& reader, const YamlNode& mapping, CaseSpec& out) {
   constexpr std::array<std::string_view, 5> answers{"pack", "tasks", "done", "failed",
                                                     "continue"}; // in the order of Answer
   for (std::size_t i = 0; i < answers.size(); ++i)
-    for (std::size_t j = i + 1; j < answers.size(); ++j) reader.exclude(mapping, answers[i], answers[j]);
+    for (std::size_t j = i + 1; j < answers.size(); ++j)
+      reader.exclude(mapping, answers[i], answers[j], "a case gives one answer: leave out the others");
   out.answer.span = mapping.span;
   for (std::size_t i = 0; i < answers.size() && out.answer.value == Answer::nothing; ++i)
     if (mapping.find(answers[i])) out.answer = {static_cast<Answer>(i + 1), Reader::key_of(mapping, answers[i]).span};

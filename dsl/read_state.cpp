@@ -15,14 +15,15 @@ std::optional<RangeSpec> read_range(Reader& reader, const YamlNode* node) {
   constexpr std::string_view expected = "a list of the lowest and the highest number";
   if (!reader.is_list(node, "range", expected)) return std::nullopt;
   if (node->items.size() != 2) {
-    reader.unexpected(*node, "range", expected);
+    reader.unexpected(*node, "range", expected, "for example `[0, 100]`");
     return std::nullopt;
   }
   const auto low = reader.number(&node->items[0], "range"), high = reader.number(&node->items[1], "range");
   if (!low || !high) return std::nullopt;
   if (low->value > high->value) {
     reader.error("wrong_node_kind", node->span,
-                 fmt::format("`range`: expected the lower number first, found {} above {}", low->value, high->value));
+                 fmt::format("`range`: expected the lower number first, found {} above {}", low->value, high->value),
+                 fmt::format("write `[{}, {}]`", high->value, low->value));
     return std::nullopt;
   }
   return RangeSpec{*low, *high, node->span};
@@ -37,7 +38,7 @@ std::optional<ExpiresSpec> read_expires(Reader& reader, const YamlNode* node, co
     return after ? std::optional(ExpiresSpec{*after, {}}) : std::nullopt;
   }
   reader.know_keys(*node, "`expires`", keys);
-  const auto after = reader.duration(reader.require(*node, "after", "`expires`", key.span), "after");
+  const auto after = reader.duration(reader.require(*node, "after", "`expires`", key.span, "after: 500 ms"), "after");
   auto to = reader.word(node->find("to"), "to", "a value of the state");
   return after ? std::optional(ExpiresSpec{*after, std::move(to)}) : std::nullopt;
 }
@@ -55,18 +56,21 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
   if (!reader.is_mapping(&mapping, pair.key.value)) return state;
   const std::string thing = fmt::format("state `{}`", pair.key.value);
   reader.know_keys(mapping, thing, keys);
-  for (const std::string_view other : {"values", "type"}) reader.exclude(mapping, "range", other);
-  reader.exclude(mapping, "of", "external");
+  reader.exclude(mapping, "range", "values", "leave out one: `range` is for whole numbers, `values` is for words");
+  reader.exclude(mapping, "range", "type", "leave out one: `range` is for whole numbers, `type` for an enum of C++");
+  reader.exclude(mapping, "of", "external", "leave out `of` if the outside may set it, else `external`");
   if (reader.lacks(mapping, "values") && reader.lacks(mapping, "range") && reader.lacks(mapping, "type"))
-    reader.error("missing_key", pair.key.span, thing + " needs `values`, `range` or `type`");
+    reader.error("missing_key", pair.key.span, thing + " needs `values`, `range` or `type`",
+                 "for example `values: [low, high]`, or `range: [0, 100]`");
   if (mapping.find("of") && reader.lacks(mapping, "initial"))
     reader.error("missing_key", pair.key.span, thing + " belongs to a group and needs `initial`",
-                 "it returns to that value when the group stops");
+                 "give it the value to which it returns when the group stops");
   state.type = reader.word(mapping.find("type"), "type", "a C++ enum");
   if (const YamlNode* values = mapping.find("values")) {
     state.values = reader.words(values, "values", "the name of a value");
     if (values->kind == YamlNode::Kind::list && values->items.empty())
-      reader.error("wrong_node_kind", values->span, "`values`: expected at least one value, found an empty list");
+      reader.error("wrong_node_kind", values->span, "`values`: expected at least one value, found an empty list",
+                   "for example `[low, high]`");
   }
   state.unordered = reader.words(mapping.find("unordered"), "unordered", "the name of a value");
   state.range = read_range(reader, mapping.find("range"));

@@ -24,14 +24,15 @@ void read_flags(Reader& reader, const YamlNode& mapping, LevelSpec& level) {
   if (const auto flag = reader.flag(mapping.find("optional"), "optional")) level.optional = *flag;
   if (const auto flag = reader.flag(mapping.find("apart"), "apart")) level.apart = *flag;
   if (!level.optional.value || !level.apart.value) return;
-  reader.exclude(mapping, "optional", "apart");
+  reader.exclude(mapping, "optional", "apart", "leave out `apart`: what is optional waits for itself alone anyway");
   level.apart.value = false;
 }
 
 bool names_a_level(Reader& reader, const YamlNode& mapping, std::string_view subject) {
   if (mapping.pairs.empty())
-    reader.error("wrong_node_kind", mapping.span,
-                 fmt::format("`{}`: expected at least one level, found none", subject));
+    reader.error("wrong_node_kind", mapping.span, fmt::format("`{}`: expected at least one level, found none", subject),
+                 subject == "levels" ? "for example `{normal: {priority: 10}}`"
+                                     : "for example `{normal: 10, urgent: 80}`");
   return !mapping.pairs.empty();
 }
 
@@ -67,7 +68,8 @@ std::vector<LevelSpec> read_levels(Reader& reader, const YamlNode& mapping) {
 void read_entry(Reader& reader, const YamlNode& mapping, TaskSpec& task) {
   static const Keys keys{"priority", "optional", "apart", "levels", "doc", "allow", "because"};
   reader.know_keys(mapping, fmt::format("task `{}`", task.name.value), keys);
-  for (const std::string_view other : {"priority", "optional", "apart"}) reader.exclude(mapping, "levels", other);
+  for (const std::string_view other : {"priority", "optional", "apart"})
+    reader.exclude(mapping, "levels", other, fmt::format("say `{}` in each of the levels", other));
   LevelSpec& level = task.levels.front();
   read_flags(reader, mapping, level);
   const YamlNode* priority = mapping.find("priority");
@@ -93,7 +95,8 @@ std::vector<AllowSpec> read_allow(Reader& reader, const YamlNode& mapping) {
     reader.error("missing_key", Reader::key_of(mapping, "allow").span, "`allow` needs `because`",
                  "say why it is wanted: `because: ...`");
   if (because && !allow)
-    reader.error("missing_key", Reader::key_of(mapping, "because").span, "`because` needs `allow`");
+    reader.error("missing_key", Reader::key_of(mapping, "because").span, "`because` needs `allow`",
+                 "say which check it is about, `allow: [...]`, or write it as `doc`");
   const std::optional<Word> reason = reader.text(because, "because");
   std::vector<AllowSpec> out;
   for (Word& id : reader.words(allow, "allow", "the id of a check")) out.push_back({std::move(id), reason});

@@ -96,12 +96,12 @@ void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Ke
   }
 }
 
-void Reader::exclude(const YamlNode& mapping, std::string_view key, std::string_view other) {
+void Reader::exclude(const YamlNode& mapping, std::string_view key, std::string_view other, std::string_view help) {
   if (!mapping.find(key) || !mapping.find(other)) return;
   Word first = key_of(mapping, key), second = key_of(mapping, other);
   if (second.span < first.span) std::swap(first, second);
-  error("exclusive_keys", second.span, fmt::format("`{}` and `{}` exclude each other", first.value, second.value), "",
-        {{first.span, fmt::format("`{}` stands here", first.value)}});
+  error("exclusive_keys", second.span, fmt::format("`{}` and `{}` exclude each other", first.value, second.value),
+        std::string(help), {{first.span, fmt::format("`{}` stands here", first.value)}});
 }
 
 const Word& Reader::key_of(const YamlNode& mapping, std::string_view key) {
@@ -115,9 +115,11 @@ bool Reader::lacks(const YamlNode& mapping, std::string_view key) const {
   return !mapping.find(key) && std::none_of(misspelt_.begin(), misspelt_.end(), meant);
 }
 
-const YamlNode* Reader::require(const YamlNode& mapping, std::string_view key, std::string_view thing, Span place) {
+const YamlNode* Reader::require(const YamlNode& mapping, std::string_view key, std::string_view thing, Span place,
+                                std::string_view example) {
   const YamlNode* node = mapping.find(key);
-  if (lacks(mapping, key)) error("missing_key", place, fmt::format("{} needs `{}`", thing, key));
+  if (lacks(mapping, key))
+    error("missing_key", place, fmt::format("{} needs `{}`", thing, key), fmt::format("for example `{}`", example));
   return node;
 }
 
@@ -151,7 +153,8 @@ std::vector<Word> Reader::words(const YamlNode* node, std::string_view subject, 
 }
 
 Word Reader::name(const YamlPair& pair) {
-  if (pair.key.value.empty()) error("wrong_node_kind", pair.key.span, "a name is a word, found the text ``");
+  if (pair.key.value.empty())
+    error("wrong_node_kind", pair.key.span, "a name is a word, found the text ``", "give it a name");
   warn_of_trap(pair.key, pair.key_style != YamlNode::Style::plain);
   return pair.key;
 }
@@ -165,7 +168,13 @@ std::optional<Located<bool>> Reader::flag(const YamlNode* node, std::string_view
   if (!is_scalar(node, subject, "true or false")) return std::nullopt;
   if (!node->quoted() && (node->text == "true" || node->text == "false"))
     return Located<bool>{node->text == "true", node->span};
-  unexpected(*node, subject, "true or false");
+  const std::string_view text = node->text;
+  const bool yes = text == "yes" || text == "on" || text == "True" || text == "TRUE" || text == "true" || text == "1";
+  const bool no = text == "no" || text == "off" || text == "False" || text == "FALSE" || text == "false" || text == "0";
+  unexpected(*node, subject, "true or false",
+             yes  ? "write `true`, without quotes"
+             : no ? "write `false`, without quotes"
+                  : "");
   return std::nullopt;
 }
 
@@ -179,7 +188,8 @@ std::optional<Located<std::int64_t>> Reader::number(const YamlNode* node, std::s
     range = fmt::format(" from {} to {}", bounds.low, bounds.high);
   else if (bounds.low != all.low)
     range = fmt::format(" from {}", bounds.low);
-  unexpected(*node, subject, "a whole number" + range);
+  const bool is_number = node->quoted() && parse_number(node->text);
+  unexpected(*node, subject, "a whole number" + range, is_number ? "write it without quotes" : "");
   return std::nullopt;
 }
 

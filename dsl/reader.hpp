@@ -38,7 +38,8 @@ public:
 
   std::string_view source() const { return source_; }
 
-  void error(std::string id, Span span, std::string message, std::string help = "", std::vector<Note> notes = {});
+  /// `help`: what to do, unless the message says what was expected.
+  void error(std::string id, Span span, std::string message, std::string help, std::vector<Note> notes = {});
   /// wrong_node_kind: "`subject`: expected `expected`, found ...".
   void unexpected(const YamlNode& node, std::string_view subject, std::string_view expected, std::string help = "");
 
@@ -51,10 +52,11 @@ public:
   /// require(), which are silent about a key that is only misspelt.
   void know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys, const Elsewhere& elsewhere = {});
   /// exclusive_keys at the later of the two, if both are there.
-  void exclude(const YamlNode& mapping, std::string_view key, std::string_view other);
+  void exclude(const YamlNode& mapping, std::string_view key, std::string_view other, std::string_view help);
   bool lacks(const YamlNode& mapping, std::string_view key) const;
-  /// The value of a key that must be there: missing_key at `place`.
-  const YamlNode* require(const YamlNode& mapping, std::string_view key, std::string_view thing, Span place);
+  /// The value of a key that must be there: missing_key at `place`. `example`: the key with a value.
+  const YamlNode* require(const YamlNode& mapping, std::string_view key, std::string_view thing, Span place,
+                          std::string_view example);
   /// The key itself, with its place; it must be there.
   static const Word& key_of(const YamlNode& mapping, std::string_view key);
 

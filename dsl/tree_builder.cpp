@@ -105,7 +105,8 @@ void TreeBuilder::scalar(std::size_t at, const std::string& value, bool plain) {
 void TreeBuilder::start(YamlNode::Kind kind, std::size_t at, bool flow) {
   at = refuse_properties(at);
   if (open_.size() == deepest_nesting) {
-    report("input_limit", at, at + 1, fmt::format("nested deeper than {} levels", deepest_nesting));
+    report("input_limit", at, at + 1, fmt::format("nested deeper than {} levels", deepest_nesting),
+           "the language needs ten at most: leave out what nests the others");
     throw Stop{};
   }
   // In `[a: 1]` the mapping has no braces: it ends where its value ends.
@@ -156,7 +157,8 @@ std::size_t TreeBuilder::least_indentation() const {
 
 YamlNode TreeBuilder::begin(YamlNode::Kind kind, std::size_t first, std::size_t last) {
   if (++values_ > most_values) {
-    report("input_limit", first, first + 1, fmt::format("the file has more than {} keys and values", most_values));
+    report("input_limit", first, first + 1, fmt::format("the file has more than {} keys and values", most_values),
+           "divide it into files that import one another");
     throw Stop{};
   }
   YamlNode node;
@@ -190,9 +192,10 @@ void TreeBuilder::begin_pair(Frame& frame, YamlNode key) {
   const std::size_t behind = yaml_scan::skip_blanks(text_, place.end);
   if (key.kind == YamlNode::Kind::list || key.kind == YamlNode::Kind::mapping) {
     report("wrong_node_kind", place.begin, place.end,
-           fmt::format("a key is a word, found a {}", key.kind == YamlNode::Kind::list ? "list" : "mapping"));
+           fmt::format("a key is a word, found a {}", key.kind == YamlNode::Kind::list ? "list" : "mapping"),
+           "put a word before the `:`");
   } else if (key.kind == YamlNode::Kind::null) {
-    report("wrong_node_kind", place.begin, place.end, "a key is a word, found nothing");
+    report("wrong_node_kind", place.begin, place.end, "a key is a word, found nothing", "put a word before the `:`");
   } else if (key.kind == YamlNode::Kind::scalar) {
     if (!key.quoted() && frame.pair->key.value == "<<") {
       report("yaml_syntax", place.begin, place.end, "merge keys are not part of the language",
@@ -213,8 +216,8 @@ void TreeBuilder::refuse_duplicates(YamlNode& mapping) {
     const auto [earlier, is_new] = first.emplace(pair.key.value, pair.key.span);
     if (!is_new)
       report("duplicate_key", pair.key.span.begin, pair.key.span.end,
-             fmt::format("the key `{}` stands here twice", pair.key.value), "",
-             {{earlier->second, "the first one is here"}});
+             fmt::format("the key `{}` stands here twice", pair.key.value),
+             "leave one of them out, or put into one what both say", {{earlier->second, "the first one is here"}});
     return !is_new;
   });
 }

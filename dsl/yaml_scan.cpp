@@ -52,7 +52,7 @@ std::optional<Fault> forbidden_bytes(std::string_view text) {
     const auto byte = static_cast<std::uint8_t>(text[at]);
     const bool line_break = byte == '\n' || (byte == '\r' && at + 1 < text.size() && text[at + 1] == '\n');
     if ((byte < 0x20 && byte != '\t' && !line_break) || byte == 0x7F)
-      return Fault{at, at + 1, fmt::format("the byte 0x{:02X} may not stand in a text", byte), ""};
+      return Fault{at, at + 1, fmt::format("the byte 0x{:02X} may not stand in a text", byte), "leave it out"};
     const std::size_t length = utf8_length(text, at);
     if (length == 0) return Fault{at, at + 1, fmt::format("the byte 0x{:02X} is not UTF-8", byte), save_as};
     at += length;

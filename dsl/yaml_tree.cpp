@@ -119,12 +119,12 @@ constexpr std::string_view indented = "is the line indented as it should be?";
 constexpr Words better_words[] = {
     {"illegal map value", "a `:` that belongs to no key",
      "is the line indented as it should be? A text with `: ` in it needs quotes"},
-    {"illegal map key", "a `? ` that may not stand here", ""},
+    {"illegal map key", "a `? ` that may not stand here", "put the text in quotes"},
     {"illegal block entry", "a `- ` that may not stand here",
      "a list begins in a line of its own, or is written [a, b]"},
     {"end of map not found", "expected another key, or the end of this mapping", indented},
     {"end of sequence not found", "expected another `- `, or the end of this list", indented},
-    {"illegal flow end", "a closing bracket that nothing opened", ""},
+    {"illegal flow end", "a closing bracket that nothing opened", "leave it out, or open it"},
     {"unknown token", "no word begins with this character", "put the text in quotes"},
     {"the referenced anchor is not defined", "aliases are not part of the language", "write the value itself"},
     {"alias not found after *", "aliases are not part of the language", "a text that begins with `*` needs quotes"},
@@ -144,8 +144,10 @@ void report_exception(TreeBuilder& builder, std::string_view text, const YAML::E
     return;
   if (exception.msg.find("in scalar") != std::string::npos)
     if (const auto quote = yaml_scan::unclosed_quote(text, builder.cursor()))
-      return builder.report("yaml_syntax", *quote, *quote + 1, "this quote is never closed");
-  std::string message = exception.msg, help;
+      return builder.report("yaml_syntax", *quote, *quote + 1, "this quote is never closed",
+                            fmt::format("close it with `{}`", text[*quote]));
+  std::string message = exception.msg, help = "a text with such characters needs quotes";
+  if (message.find("escape") != std::string::npos) help = "in single quotes a backslash stands for itself";
   for (const Words& words : better_words)
     if (exception.msg == words.theirs) message = words.message, help = words.help;
   std::vector<Note> notes;
@@ -154,6 +156,7 @@ void report_exception(TreeBuilder& builder, std::string_view text, const YAML::E
     builder.forget_last_key();
     message = text[*bracket] == '[' ? "expected `,` or `]` here" : "expected `,` or `}` here";
     notes.push_back({builder.span(*bracket, *bracket + 1), "opened here"});
+    help = "close what is opened there, or put the text in quotes";
   }
   builder.report("yaml_syntax", at, at + 1, std::move(message), std::move(help), std::move(notes));
 }
@@ -161,7 +164,8 @@ void report_exception(TreeBuilder& builder, std::string_view text, const YAML::E
 void report_more(TreeBuilder& builder, std::string_view text, std::size_t at) {
   if (report_tab(builder, text, at)) return;
   if (text.substr(std::min(at, text.size())).starts_with("---"))
-    builder.report("yaml_syntax", at, at + 3, "a second document; a file has one");
+    builder.report("yaml_syntax", at, at + 3, "a second document; a file has one",
+                   "leave out the `---`, or move what follows into a file of its own");
   else
     builder.report("yaml_syntax", at, at + 1, "text behind the end of the document", std::string(indented));
 }
@@ -205,7 +209,8 @@ YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& 
   } catch (const TooFarAhead&) {
     const std::size_t at = yaml_scan::skip_blanks(text, builder.cursor());
     builder.report("input_limit", at, at + 1,
-                   fmt::format("a piece of text with more than {} brackets, commas and quotes", most_pending));
+                   fmt::format("a piece of text with more than {} brackets, commas and quotes", most_pending),
+                   "write lists and mappings in lines of their own instead of in brackets");
   } catch (const NothingMore::More& more) {
     report_more(builder, text, more.at);
   } catch (const YAML::Exception& exception) { report_exception(builder, text, exception); }

@@ -19,6 +19,7 @@ void blocking_call(const CodeInput& input, Findings& findings) {
       dsl::Diagnostic& finding =
           findings.add(blocked.block->span, fmt::format("`{}` {}, and {} is `realtime`", blocked.block->name,
                                                         blocked.block->why, name_of(model, body.of.group)));
+      finding.help = "leave it to a thread of its own, or leave out `realtime` if the body may wait";
       finding.notes.push_back({span_of(model, body.of), fmt::format("it runs in {}", name_of(model, body.of))});
       for (const CodeCall* call : blocked.chain)
         finding.notes.push_back({call->span, fmt::format("which calls `{}`", call->name)});

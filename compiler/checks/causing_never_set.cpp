@@ -39,9 +39,10 @@ void causing_never_set(const CodeInput& input, Findings& findings) {
                                                  name_of(model, promise.id)));
       finding.notes.push_back({body.function->span, "its body"});
       const State& state = model.states[condition.state];
-      if (state.external)
-        finding.help = fmt::format("if the outside sets `{}` when it has come about, `allow` this with that reason",
-                                   state.name.value);
+      finding.help = state.external
+                         ? fmt::format("if the outside sets `{}` when it has come about, `allow` this with that reason",
+                                       state.name.value)
+                         : "let the body set it, or leave the promise out";
     }
   }
 }

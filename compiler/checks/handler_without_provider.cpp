@@ -43,19 +43,21 @@ void handler_without_provider(const CodeInput& input, Findings& findings) {
       if (!stray.context.empty()) {
         const std::string name = name_of(model, of->second);
         const Module& module = model.modules[model.groups[of->second.group].module];
-        findings
-            .add(stray.span,
-                 fmt::format("nobody calls this body for {}: it belongs to the module `{}`, which `{}` does not "
-                             "implement here",
-                             name, module.name, each.name))
-            .notes.push_back({span_of(model, of->second), fmt::format("{} is here", name)});
+        dsl::Diagnostic& finding = findings.add(
+            stray.span, fmt::format("nobody calls this body for {}: it belongs to the module `{}`, which `{}` does not "
+                                    "implement here",
+                                    name, module.name, each.name));
+        finding.notes.push_back({span_of(model, of->second), fmt::format("{} is here", name)});
+        finding.help = fmt::format("move it into the class that implements `{}`", module.name);
         continue;
       }
       const std::string type = type_in(stray.wrote);
       const std::optional<GroupId> group = group_in(model, type);
       if (!group) continue; // nobody knows what it is meant for
-      findings.add(stray.span, fmt::format("the behaviour has nothing for this body: there is no `{}`", type))
-          .notes.push_back({model.groups[*group].name.span, fmt::format("{} is here", name_of(model, *group))});
+      dsl::Diagnostic& finding =
+          findings.add(stray.span, fmt::format("the behaviour has nothing for this body: there is no `{}`", type));
+      finding.notes.push_back({model.groups[*group].name.span, fmt::format("{} is here", name_of(model, *group))});
+      finding.help = "remove it, or declare in the behaviour what it is for";
     }
   }
 }

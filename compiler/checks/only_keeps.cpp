@@ -36,6 +36,8 @@ void only_keeps(const CodeInput& input, Findings& findings) {
     dsl::Diagnostic& finding = findings.add(
         provider.span, fmt::format("every path of {} ends in `keep()`: it never {}", name_of(model, body.of),
                                    may_ask ? "requests anything, and is never done" : "says that it is done"));
+    finding.help = may_ask ? "let it request its tasks, or leave them out of the behaviour"
+                           : "let it say `done()`, or leave the group out of `uses`";
     finding.notes.push_back({body.function->span, "its body"});
     if (!may_ask)
       finding.notes.push_back({use->span, fmt::format("{} is looked at here", name_of(model, body.of.group))});

@@ -13,8 +13,10 @@ void pack_never_requested(const CodeInput& input, Findings& findings) {
     if (!body.of.provider || !body.is_whole() || only_keeps_going(body)) continue;
     for (const Pack& pack : model.providers[*body.of.provider].packs) {
       if (pack.name.empty() || asks_for_pack(body, pack)) continue;
-      findings.add(pack.span, fmt::format("no path of {} asks for `{}`", name_of(model, body.of), pack.name))
-          .notes.push_back({body.function->span, "its body"});
+      dsl::Diagnostic& finding =
+          findings.add(pack.span, fmt::format("no path of {} asks for `{}`", name_of(model, body.of), pack.name));
+      finding.notes.push_back({body.function->span, "its body"});
+      finding.help = "let the body ask for it, or leave it out of `packs`";
     }
   }
 }

@@ -22,11 +22,12 @@ void task_never_requested(const CodeInput& input, Findings& findings) {
           return is_this_one && gives(input, *word, task.target);
         });
         if (asked) continue;
-        findings
-            .add(task.span,
-                 fmt::format("no path of {} requests {}{}", name_of(model, body.of), name_of(model, task.target),
-                             pack.name.empty() ? "" : fmt::format(" with `{}`", pack.name)))
-            .notes.push_back({body.function->span, "its body"});
+        dsl::Diagnostic& finding = findings.add(
+            task.span, fmt::format("no path of {} requests {}{}", name_of(model, body.of), name_of(model, task.target),
+                                   pack.name.empty() ? "" : fmt::format(" with `{}`", pack.name)));
+        finding.notes.push_back({body.function->span, "its body"});
+        finding.help = fmt::format("let the body request it, or leave it out of {}",
+                                   pack.name.empty() ? "`tasks`" : fmt::format("`{}`", pack.name));
       }
     }
   }

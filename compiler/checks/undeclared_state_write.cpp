@@ -53,7 +53,7 @@ void undeclared_state_write(const CodeInput& input, Findings& findings) {
           findings.add(word->span, fmt::format("{} sets {} to {}, which it does not declare", name_of(model, body.of),
                                                name_of(model, state->second), list_of(values, "or")));
       finding.notes.push_back({span_of(model, body.of), fmt::format("{} is declared here", name_of(model, body.of))});
-      finding.help = declared.words.empty() ? "it declares nothing that it sets"
+      finding.help = declared.words.empty() ? "declare it under `sets`"
                                             : fmt::format("what it declares is {}", list_of(declared.words));
     }
   }

@@ -15,7 +15,12 @@ std::vector<dsl::Diagnostic> refuted_assertions(const Model& model, const std::v
     finding.level = dsl::Level::error;
     finding.span = assertion.span;
     finding.message = fmt::format("`{}` is not true: {}", words_of(assertion, model), verdicts[i].why);
-    if (verdicts[i].scenario) finding.help = "`directorc explore FILE --output FOLDER` writes a scenario that shows it";
+    if (verdicts[i].scenario) {
+      finding.help = "`directorc explore FILE --output FOLDER` writes a scenario that shows it";
+    } else {
+      const std::string& group = model.groups[assertion.groups.front().id].name.value;
+      finding.help = fmt::format("`directorc check FILE --explain-reachable={}` tells what it would take", group);
+    }
     out.push_back(std::move(finding));
   }
   return out;

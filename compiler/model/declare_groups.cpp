@@ -28,7 +28,8 @@ void add_providers(Resolver& r, const Word& group, GroupSource& source, const st
         name == capitalised(group.value)) { // what is written without `providers` has no name of its own
       r.error("redefined_name", spec.name.span,
               fmt::format("the provider `{}` and its group `{}` become one name in C++, `{}`", spec.name.value,
-                          group.value, name))
+                          group.value, name),
+              "give the provider another name")
           .notes.push_back({group.span, "the group is declared here"});
     }
     const auto first = std::find_if(source.providers.begin(), source.providers.end(),
@@ -43,7 +44,8 @@ void add_providers(Resolver& r, const Word& group, GroupSource& source, const st
             ? fmt::format("the provider `{}` of `{}` is declared twice", other.value, group.value)
             : fmt::format("the providers `{}` and `{}` of `{}` become one name in C++, `{}`", other.value,
                           spec.name.value, group.value, name);
-    r.error("redefined_name", spec.name.span, message).notes.push_back({other.span, "declared first here"});
+    r.error("redefined_name", spec.name.span, message, "give one of them another name, or leave it out")
+        .notes.push_back({other.span, "declared first here"});
     source.forgotten.push_back(&spec);
   }
 }
@@ -73,8 +75,8 @@ void declare_extern(Resolver& r, const dsl::BehaviourSpec& file, const Word& nam
   const GroupId group = r.groups.find(name.value)->second;
   r.model.externs.push_back({group, name.span});
   if (!r.model.deployment || r.group_sources[group].spec) return;
-  r.error("unprovided_task", name.span, fmt::format("nothing provides `{}`", name.value)).help =
-      fmt::format("import a file that declares a group `{}`", name.value);
+  r.error("unprovided_task", name.span, fmt::format("nothing provides `{}`", name.value),
+          fmt::format("import a file that declares a group `{}`", name.value));
 }
 
 void extend(Resolver& r, const dsl::ExtendSpec& spec) {
@@ -90,7 +92,8 @@ void extend(Resolver& r, const dsl::ExtendSpec& spec) {
     if (at == known.end()) {
       Diagnostic& finding =
           r.error("undefined_name", spec.before->span,
-                  fmt::format("`{}` has no provider called `{}`", spec.group.value, spec.before->value));
+                  fmt::format("`{}` has no provider called `{}`", spec.group.value, spec.before->value),
+                  "leave out `before`: it has no provider so far");
       if (!known.empty()) finding.help = fmt::format("its providers are {}", fmt::join(known, ", "));
     }
   }
@@ -113,8 +116,8 @@ void declare_groups(Resolver& r) {
     const GroupSource& source = r.group_sources[id];
     if (!source.spec || !source.providers.empty()) continue;
     r.error("unprovided_task", source.spec->name.span,
-            fmt::format("the group `{}` has no provider", source.spec->name.value))
-        .help = "a group whose `providers` list is left out has one provider, called `default`";
+            fmt::format("the group `{}` has no provider", source.spec->name.value),
+            "a group whose `providers` list is left out has one provider, called `default`");
   }
 }
 

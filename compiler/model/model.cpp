@@ -2,6 +2,7 @@
 #include "compiler/model/model.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 namespace director::compiler {
 
@@ -16,6 +17,17 @@ std::optional<IdType> find_named(const IdTable<IdType, Row>& table, std::string_
 }
 
 } // namespace
+
+std::optional<std::int64_t> State::value_of(std::string_view text) const {
+  if (is_range) {
+    std::int64_t number = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = fault == std::errc() && end == text.data() + text.size();
+    return whole && domain().contains(number) ? std::optional(number) : std::nullopt;
+  }
+  const auto at = std::find(values.begin(), values.end(), text);
+  return at == values.end() ? std::nullopt : std::optional<std::int64_t>(at - values.begin());
+}
 
 std::string State::value_text(std::int64_t value) const {
   if (is_range) return std::to_string(value);

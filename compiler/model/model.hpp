@@ -48,7 +48,8 @@ struct State {
   std::optional<Expires> expires;
   std::optional<Use<GroupId>> of; ///< set by that group only, back to `initial` when it stops
   std::string doc;
-  std::string value_text(std::int64_t value) const; ///< the word, or the digits
+  std::string value_text(std::int64_t value) const;                  ///< the word, or the digits
+  std::optional<std::int64_t> value_of(std::string_view text) const; ///< nothing: it has no such value
 
   /// All values; a value that is unset is not among them.
   ValueSet domain() const { return ValueSet::interval(low, high); }

@@ -70,7 +70,8 @@ void report_sentinels(Resolver& r, const State& state, const Condition& conditio
     const std::string name = state.value_text(sentinel);
     Diagnostic& finding =
         r.find("ordering_on_sentinel", dsl::Level::warning, span,
-               fmt::format("`{}` does not hold for `{}`, although that stands where it would", condition.text, name));
+               fmt::format("`{}` does not hold for `{}`, although that stands where it would", condition.text, name),
+               fmt::format("if `{}` is meant, write `{} == {}`", name, state.name.value, name));
     finding.notes.push_back({state.value_spans[static_cast<std::size_t>(sentinel)],
                              fmt::format("`{}` is `unordered`: it satisfies no ordered comparison", name)});
     if (!meant.empty())
@@ -83,7 +84,8 @@ bool operands_are_ordered(Resolver& r, const State& state, const dsl::ConditionS
   if (std::find(state.unordered.begin(), state.unordered.end(), operands[0]) == state.unordered.end()) return true;
   r.error("value_outside_domain", spec.values[0].span,
           fmt::format("`{}` has no place in the order of the state `{}`: nothing is less or greater than it",
-                      spec.values[0].value, state.name.value))
+                      spec.values[0].value, state.name.value),
+          "compare with `==` or `!=`, or with another value")
       .notes.push_back({state.value_spans[static_cast<std::size_t>(operands[0])], "it is `unordered`"});
   return false;
 }

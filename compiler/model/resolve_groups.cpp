@@ -47,8 +47,8 @@ std::optional<TriggerId> find_trigger(Resolver& r, const Word& word) {
     return id;
   }
   if (word.value.find('.') != std::string::npos) {
-    r.error("undefined_name", word.span, fmt::format("there is no promise `{}`", word.value)).help =
-        "`Group.provider.broken` is the trigger of a provider with a `causing ... within`";
+    r.error("undefined_name", word.span, fmt::format("there is no promise `{}`", word.value),
+            "`Group.provider.broken` is the trigger of a provider with a `causing ... within`");
     return std::nullopt;
   }
   std::vector<std::string> known;
@@ -93,7 +93,8 @@ void resolve_packs(Resolver& r, Provider& provider, const dsl::ProviderSpec& spe
     check_name(r, "pack", pack.name);
     if (pack.name.value == capitalised(spec.name.value)) {
       r.error("redefined_name", pack.name.span,
-              fmt::format("the pack `{}` is called like what the body of its provider gets in C++", pack.name.value))
+              fmt::format("the pack `{}` is called like what the body of its provider gets in C++", pack.name.value),
+              "give the pack another name")
           .notes.push_back({spec.name.span, "the provider is declared here"});
     }
     provider.packs.push_back({pack.name.value, pack.name.span, resolve_tasks(r, provider.group, pack.tasks), {}});
@@ -180,7 +181,8 @@ void declare_layers(Resolver& r) {
       check_name(r, "layer", name, false);
       const auto [first, is_new] = here.try_emplace(name.value, name.span);
       if (!is_new) {
-        r.error("redefined_name", name.span, fmt::format("the layer `{}` is declared twice", name.value))
+        r.error("redefined_name", name.span, fmt::format("the layer `{}` is declared twice", name.value),
+                "leave one of them out")
             .notes.push_back({first->second, "declared first here"});
       } else if (r.layers.try_emplace(name.value, LayerId{static_cast<std::uint32_t>(r.model.layers.size())}).second) {
         r.model.layers.add({name});

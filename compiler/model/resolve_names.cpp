@@ -22,26 +22,26 @@ bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole
   const std::string& text = name.value;
   if (text.empty()) return false; // the reader has said that it is missing
   if (!dsl::is_identifier(text)) {
-    r.error("reserved_name", name.span, fmt::format("`{}` is no name for a {}", text, kind)).help =
-        "a name has letters, digits and `_`, and does not begin with a digit";
-  } else if (dsl::is_cpp_keyword(text)) {
-    r.error("reserved_name", name.span,
-            fmt::format("a {} cannot be called `{}`: that is a keyword of C++", kind, text));
+    r.error("reserved_name", name.span, fmt::format("`{}` is no name for a {}", text, kind),
+            "a name has letters, digits and `_`, and does not begin with a digit");
+    return false;
+  }
+  std::string why;
+  if (dsl::is_cpp_keyword(text)) {
+    why = "that is a keyword of C++";
   } else if (kind != "layer" && dsl::is_cpp_macro(text)) {
-    r.error("reserved_name", name.span,
-            fmt::format("a {} cannot be called `{}`: that is a macro of the standard headers of C++", kind, text));
+    why = "that is a macro of the standard headers of C++";
   } else if (whole_rule && dsl::is_reserved(text)) {
-    r.error("reserved_name", name.span,
-            fmt::format("a {} cannot be called `{}`: that is a word of Director's own", kind, text));
+    why = "that is a word of Director's own";
   } else if (lives_beside_the_behaviour(kind) && capitalised(text) == "Behaviour") {
-    r.error("reserved_name", name.span,
-            fmt::format("a {} cannot be called `{}`: the generated class is called `Behaviour`", kind, text));
+    why = "the generated class is called `Behaviour`";
   } else if (kind == "pack" && dsl::is_context_word(text)) {
-    r.error("reserved_name", name.span,
-            fmt::format("a pack cannot be called `{}`: a body's context has a word `{}` of its own", text, text));
+    why = fmt::format("a body's context has a word `{}` of its own", text);
   } else {
     return true;
   }
+  r.error("reserved_name", name.span, fmt::format("a {} cannot be called `{}`: {}", kind, text, why),
+          fmt::format("choose another name, such as `{}_{}`", text, kind));
   return false;
 }
 
@@ -58,7 +58,7 @@ bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name) {
     message = fmt::format("the {} `{}` and the {} `{}` become one name in C++, `{}`", kind, name.value, first.kind,
                           first.name.value, at->first);
   }
-  r.error("redefined_name", name.span, std::move(message))
+  r.error("redefined_name", name.span, std::move(message), "give one of them another name")
       .notes.push_back({first.name.span, same && first.kind == kind
                                              ? "declared first here"
                                              : fmt::format("the {} is declared here", first.kind)});
@@ -67,9 +67,10 @@ bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name) {
 
 void check_namespace(Resolver& r, const Word& name) {
   std::string_view rest = name.value;
+  constexpr const char* another = "choose another one: `cpp: {namespace: ...}`";
   if (rest == "main" || rest.starts_with("main::")) {
-    r.error("reserved_name", name.span, "a C++ namespace cannot be called `main`: that is the function of the program")
-        .help = "choose another one: `cpp: {namespace: ...}`";
+    r.error("reserved_name", name.span, "a C++ namespace cannot be called `main`: that is the function of the program",
+            another);
     return;
   }
   for (bool more = true; more;) {
@@ -78,19 +79,20 @@ void check_namespace(Resolver& r, const Word& name) {
     more = end != std::string_view::npos;
     rest = more ? rest.substr(end + 2) : std::string_view();
     if (!dsl::is_identifier(part)) {
-      r.error("reserved_name", name.span, fmt::format("`{}` is no name for a C++ namespace", name.value)).help =
-          "one name, or several with `::` between them; each has letters, digits and `_`, and does not begin with a "
-          "digit";
+      r.error("reserved_name", name.span, fmt::format("`{}` is no name for a C++ namespace", name.value),
+              "one name, or several with `::` between them; each has letters, digits and `_`, and does not begin with "
+              "a digit");
     } else if (dsl::is_cpp_keyword(part)) {
       r.error("reserved_name", name.span,
-              fmt::format("a C++ namespace cannot be called `{}`: that is a keyword of C++", part));
+              fmt::format("a C++ namespace cannot be called `{}`: that is a keyword of C++", part), another);
     } else if (dsl::is_cpp_macro(part)) {
       r.error(
           "reserved_name", name.span,
-          fmt::format("a C++ namespace cannot be called `{}`: that is a macro of the standard headers of C++", part));
+          fmt::format("a C++ namespace cannot be called `{}`: that is a macro of the standard headers of C++", part),
+          another);
     } else if (part == "std" || part == "director") {
-      r.error("reserved_name", name.span, fmt::format("the C++ of a behaviour cannot stand in a namespace `{}`", part))
-          .help = "choose another one: `cpp: {namespace: ...}`";
+      r.error("reserved_name", name.span, fmt::format("the C++ of a behaviour cannot stand in a namespace `{}`", part),
+              another);
     } else {
       continue;
     }
@@ -109,13 +111,15 @@ void check_foreign_type(Resolver& r, const Word& type) {
   const Word& other = at->second.name;
   r.error("redefined_name", type.span,
           fmt::format("`{}` is what the {} `{}` becomes in C++, so it cannot be a type of yours", type.value,
-                      at->second.kind, other.value))
+                      at->second.kind, other.value),
+          "name your own type, or choose another `cpp: {namespace: ...}`")
       .notes.push_back({other.span, fmt::format("the {} is declared here", at->second.kind)});
 }
 
 void report_undefined(Resolver& r, std::string_view kind, const Word& name, const std::vector<std::string>& known) {
   Diagnostic& finding =
-      r.error("undefined_name", name.span, fmt::format("there is no {} called `{}`", kind, name.value));
+      r.error("undefined_name", name.span, fmt::format("there is no {} called `{}`", kind, name.value),
+              "`directorc checks` lists them");
   const auto other = r.cpp_names.find(capitalised(name.value));
   if (other != r.cpp_names.end() && other->second.name.value == name.value && other->second.kind != kind)
     finding.notes.push_back(

@@ -1,11 +1,10 @@
 // Door: compiler/model/resolver.hpp. Test: compiler/checks/value_outside_domain.md.
+#include "compiler/model/no_such_value.hpp"
 #include "compiler/model/resolver.hpp"
-#include "dsl/suggest.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
 namespace director::compiler {
@@ -24,7 +23,8 @@ void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
     for (const auto& end : {spec.range->low, spec.range->high}) {
       if (end.value >= -largest && end.value <= largest) continue;
       r.error("value_outside_domain", end.span,
-              fmt::format("`{}` is too large for a state: its numbers go from {} to {}", end.value, -largest, largest));
+              fmt::format("`{}` is too large for a state: its numbers go from {} to {}", end.value, -largest, largest),
+              "count in larger steps");
     }
   }
   if (!spec.values) return;
@@ -33,7 +33,8 @@ void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
     const auto first = std::find(state.values.begin(), state.values.end(), value.value);
     if (first != state.values.end()) {
       r.error("redefined_name", value.span,
-              fmt::format("the value `{}` of the state `{}` is declared twice", value.value, state.name.value))
+              fmt::format("the value `{}` of the state `{}` is declared twice", value.value, state.name.value),
+              "leave one of them out")
           .notes.push_back(
               {state.value_spans[static_cast<std::size_t>(first - state.values.begin())], "declared first here"});
       continue;
@@ -51,7 +52,8 @@ void declare_type(Resolver& r, State& state, const dsl::StateSpec& spec) {
     if (!other->type || other->type->value != *state.type) continue;
     r.error(
          "redefined_name", spec.type->span,
-         fmt::format("the states `{}` and `{}` have one type, `{}`", other->name.value, state.name.value, *state.type))
+         fmt::format("the states `{}` and `{}` have one type, `{}`", other->name.value, state.name.value, *state.type),
+         "make an enum for each: by its type a body says which state it sets")
         .notes.push_back({other->type->span, fmt::format("`{}` has it first", other->name.value)});
     break;
   }
@@ -86,25 +88,9 @@ void declare_states_and_triggers(Resolver& r) {
 }
 
 std::optional<std::int64_t> find_value(Resolver& r, const State& state, const Word& value) {
-  const std::string& text = value.value;
-  const std::string& name = state.name.value;
-  if (state.is_range) {
-    std::int64_t number = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (fault == std::errc() && end == text.data() + text.size() && number >= state.low && number <= state.high)
-      return number;
-    r.error("value_outside_domain", value.span,
-            fmt::format("`{}` is no value of the state `{}`: its values are the whole numbers from {} to {}", text,
-                        name, state.low, state.high));
-    return std::nullopt;
-  }
-  const auto at = std::find(state.values.begin(), state.values.end(), text);
-  if (at != state.values.end()) return at - state.values.begin();
-  if (state.values.empty()) return std::nullopt; // that it has none is reported where it is declared
-  Diagnostic& finding = r.error(
-      "value_outside_domain", value.span,
-      fmt::format("`{}` is no value of the state `{}`: its values are {}", text, name, fmt::join(state.values, ", ")));
-  if (const auto nearest = dsl::suggest(text, state.values)) finding.help = fmt::format("did you mean `{}`?", *nearest);
+  if (const auto number = state.value_of(value.value)) return number;
+  if (!state.is_range && state.values.empty()) return std::nullopt; // that it has none is reported where it is declared
+  r.findings.push_back(no_such_value(state, value));
   return std::nullopt;
 }
 
@@ -116,9 +102,10 @@ void resolve_states(Resolver& r) {
     for (const Word& word : spec.unordered) {
       const auto value = find_value(r, state, word);
       if (value && state.is_range) {
-        r.error("value_outside_domain", word.span,
-                fmt::format("`unordered` is for listed values: the numbers of `{}` all have their place",
-                            state.name.value));
+        r.error(
+            "value_outside_domain", word.span,
+            fmt::format("`unordered` is for listed values: the numbers of `{}` all have their place", state.name.value),
+            "leave out `unordered`");
       } else if (value && std::find(state.unordered.begin(), state.unordered.end(), *value) == state.unordered.end()) {
         state.unordered.push_back(*value);
       }

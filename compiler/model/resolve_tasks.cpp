@@ -40,13 +40,15 @@ void check_level_name(Resolver& r, const Word& name, GroupId target) {
     if (capitalised(provider->name.value) != capitalised(name.value)) continue;
     r.error(
          "redefined_name", name.span,
-         fmt::format("the level `{}` is called like a provider of `{}`, the group that it asks for", name.value, group))
+         fmt::format("the level `{}` is called like a provider of `{}`, the group that it asks for", name.value, group),
+         "give the level another name")
         .notes.push_back({provider->name.span, "the provider is declared here"});
     return;
   }
   if (name.value == capitalised(group)) {
     r.error("redefined_name", name.span,
-            fmt::format("the level `{}` is called like the group that it asks for", name.value))
+            fmt::format("the level `{}` is called like the group that it asks for", name.value),
+            "give the level another name")
         .notes.push_back({r.model.groups[target].name.span, "the group is declared here"});
   }
 }
@@ -78,7 +80,8 @@ std::vector<Task> resolve_tasks(Resolver& r, std::optional<GroupId> requester,
     const auto first =
         std::find_if(out.begin(), out.end(), [&](const Task& other) { return other.edge == task->edge; });
     if (first != out.end()) {
-      r.error("redefined_name", spec.name.span, fmt::format("`{}` is listed twice", spec.name.value))
+      r.error("redefined_name", spec.name.span, fmt::format("`{}` is listed twice", spec.name.value),
+              "leave one of them out")
           .notes.push_back({first->span, "listed first here"});
       continue;
     }

@@ -17,14 +17,17 @@ void note_place(Resolver& r, Diagnostic& finding, const CodePlace& place, std::s
 /// False, and says so, where it is no enum that can be used.
 bool is_usable(Resolver& r, const Word& name, const CppType& type) {
   if (!type.wrong.empty()) {
-    r.error("unknown_type", name.span, fmt::format("there is no type `{}` in the C++: {}", name.value, type.wrong));
+    r.error("unknown_type", name.span, fmt::format("there is no type `{}` in the C++: {}", name.value, type.wrong),
+            "name the header that declares it under `cpp: {headers: [...]}`, and the type with its namespace");
     return false;
   }
   if (type.is_enum && type.complete) return true;
   note_place(r,
              r.error("unknown_type", name.span,
                      fmt::format("`{}` is {}", name.value,
-                                 type.is_enum ? "declared and not defined, so its values are not known" : "no enum")),
+                                 type.is_enum ? "declared and not defined, so its values are not known" : "no enum"),
+                     type.is_enum ? "name the header that defines it under `cpp: {headers: [...]}`"
+                                  : "name an enum, or leave out `type` and list the `values`"),
              type.place, "it is here");
   return false;
 }
@@ -37,7 +40,8 @@ void take_values(Resolver& r, State& state, const Word& name, const CppType& typ
       Diagnostic& finding =
           r.error("redefined_name", name.span,
                   fmt::format("`{}` and `{}` of `{}` are one value, so they cannot be two values of `{}`",
-                              type.enumerators[j].name, type.enumerators[i].name, name.value, state.name.value));
+                              type.enumerators[j].name, type.enumerators[i].name, name.value, state.name.value),
+                  "list under `values` which of them count, or give each a value of its own");
       note_place(r, finding, type.enumerators[i].place, "the second one is here");
     }
   }
@@ -56,13 +60,15 @@ void compare_values(Resolver& r, const State& state, const Word& name, const Cpp
     note_place(
         r,
         r.error("enum_drift", name.span,
-                fmt::format("`{}` has `{}`, which the values of `{}` lack", name.value, each.name, state.name.value)),
+                fmt::format("`{}` has `{}`, which the values of `{}` lack", name.value, each.name, state.name.value),
+                fmt::format("add `{}` to the values, or leave `values` out", each.name)),
         each.place, fmt::format("`{}` is here", each.name));
   }
   for (std::size_t i = 0; i < state.values.size(); ++i) {
     if (std::find(names.begin(), names.end(), state.values[i]) != names.end()) continue;
     Diagnostic& finding =
-        r.error("enum_drift", state.value_spans[i], fmt::format("`{}` has no `{}`", name.value, state.values[i]));
+        r.error("enum_drift", state.value_spans[i], fmt::format("`{}` has no `{}`", name.value, state.values[i]),
+                fmt::format("it has {}", fmt::join(names, ", ")));
     note_place(r, finding, type.place, fmt::format("`{}` is here", name.value));
     if (const auto near = dsl::suggest(state.values[i], names)) finding.help = fmt::format("did you mean `{}`?", *near);
   }
@@ -83,8 +89,8 @@ void take_type(Resolver& r, State& state, const dsl::StateSpec& spec) {
                               ? r.options.types->fault
                               : "this directorc cannot read C++";
   r.error("type_needs_scanner", spec.type->span,
-          fmt::format("the values of `{}` are not known here: {}", spec.type->value, why))
-      .help = fmt::format("list the values of `{}` beside its type: `values: [...]`", state.name.value);
+          fmt::format("the values of `{}` are not known here: {}", spec.type->value, why),
+          fmt::format("list the values of `{}` beside its type: `values: [...]`", state.name.value));
 }
 
 void check_data_types(Resolver& r) {
@@ -96,11 +102,13 @@ void check_data_types(Resolver& r) {
     if (type == nullptr || (type->wrong.empty() && type->complete)) continue;
     if (!type->wrong.empty()) {
       r.error("unknown_type", group.data_span,
-              fmt::format("there is no type `{}` in the C++: {}", group.data, type->wrong));
+              fmt::format("there is no type `{}` in the C++: {}", group.data, type->wrong),
+              "name the header that declares it under `cpp: {headers: [...]}`, and the type with its namespace");
       continue;
     }
     Diagnostic& finding = r.error("unknown_type", group.data_span,
-                                  fmt::format("`{}` is declared and not defined, so no task can carry it", group.data));
+                                  fmt::format("`{}` is declared and not defined, so no task can carry it", group.data),
+                                  "name the header that defines it under `cpp: {headers: [...]}`");
     note_place(r, finding, type->place, "it is here");
   }
 }

@@ -7,8 +7,8 @@ namespace director::compiler {
 
 namespace {
 
-void report(Resolver& r, Span span, std::string message) {
-  r.find("unused_declaration", dsl::Level::lint, span, std::move(message));
+void report(Resolver& r, Span span, std::string message, std::string help) {
+  r.find("unused_declaration", dsl::Level::lint, span, std::move(message), std::move(help));
 }
 
 /// A state that is only set tells nobody anything: bodies do not read states.
@@ -21,7 +21,9 @@ void find_unused_states(Resolver& r) {
   }
   for (const StateId id : r.model.states.ids()) {
     const Word& name = r.model.states[id].name;
-    if (!compared[id.value]) report(r, name.span, fmt::format("no condition looks at the state `{}`", name.value));
+    if (!compared[id.value])
+      report(r, name.span, fmt::format("no condition looks at the state `{}`", name.value),
+             "remove it, or say in a `when` who waits for it");
   }
 }
 
@@ -33,7 +35,8 @@ void find_unused_triggers(Resolver& r) {
   for (const TriggerId id : r.model.triggers.ids()) {
     const Trigger& trigger = r.model.triggers[id];
     if (!listened[id.value])
-      report(r, trigger.span, fmt::format("no provider listens to the trigger `{}`", trigger.name));
+      report(r, trigger.span, fmt::format("no provider listens to the trigger `{}`", trigger.name),
+             "remove it, or list it under `triggers` of the provider that it should run again");
   }
 }
 
@@ -44,14 +47,17 @@ void find_unused_layers(Resolver& r) {
   }
   for (const LayerId id : r.model.layers.ids()) {
     const Word& name = r.model.layers[id].name;
-    if (!used[id.value]) report(r, name.span, fmt::format("no group is in the layer `{}`", name.value));
+    if (!used[id.value])
+      report(r, name.span, fmt::format("no group is in the layer `{}`", name.value),
+             "remove it, or say `layer` at the groups that belong to it");
   }
 }
 
 void find_unused_groups(Resolver& r) {
   for (const Group& group : r.model.groups) {
     if (group.requesters.empty())
-      report(r, group.name.span, fmt::format("nothing requests or needs `{}`", group.name.value));
+      report(r, group.name.span, fmt::format("nothing requests or needs `{}`", group.name.value),
+             "remove it, or list it under `roots`, or under `tasks` or `needs` of another group");
   }
 }
 

@@ -49,12 +49,13 @@ struct Resolver {
   };
   std::map<std::string, Declared, std::less<>> cpp_names{}; ///< by capitalised name
 
-  Diagnostic& find(std::string_view id, dsl::Level level, Span span, std::string message) {
-    findings.push_back({std::string(id), level, span, std::move(message), {}, {}});
+  /// `help`: what to do.
+  Diagnostic& find(std::string_view id, dsl::Level level, Span span, std::string message, std::string help) {
+    findings.push_back({std::string(id), level, span, std::move(message), {}, std::move(help)});
     return findings.back();
   }
-  Diagnostic& error(std::string_view id, Span span, std::string message) {
-    return find(id, dsl::Level::error, span, std::move(message));
+  Diagnostic& error(std::string_view id, Span span, std::string message, std::string help) {
+    return find(id, dsl::Level::error, span, std::move(message), std::move(help));
   }
 };
 

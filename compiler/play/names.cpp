@@ -1,65 +1,56 @@
 // Door: compiler/play/names.hpp. Test: tests/compiler/play/resolve_scenario_test.cpp.
 #include "compiler/play/names.hpp"
 
+#include "compiler/model/no_such_value.hpp"
 #include "dsl/suggest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace director::compiler {
 
 using dsl::Diagnostic;
 
-Diagnostic& Names::error(std::string_view id, Span span, std::string message) {
-  findings_.push_back({std::string(id), dsl::Level::error, span, std::move(message), {}, {}});
+Diagnostic& Names::error(std::string_view id, Span span, std::string message, std::string help) {
+  findings_.push_back({std::string(id), dsl::Level::error, span, std::move(message), {}, std::move(help)});
   return findings_.back();
 }
 
 Diagnostic& Names::undefined(Span span, std::string message, std::string_view name,
                              const std::vector<std::string>& known) {
-  Diagnostic& finding = error("undefined_name", span, std::move(message));
-  if (const auto nearest = dsl::suggest(name, known)) finding.help = fmt::format("did you mean `{}`?", *nearest);
-  return finding;
+  std::string help = known.empty()       ? "there is none"
+                     : known.size() == 1 ? fmt::format("there is only `{}`", known.front())
+                                         : fmt::format("one of {}", fmt::join(known, ", "));
+  if (const auto nearest = dsl::suggest(name, known)) help = fmt::format("did you mean `{}`?", *nearest);
+  return error("undefined_name", span, std::move(message), std::move(help));
+}
+
+template <class Things>
+void Names::undefined(const Word& name, std::string_view kind, const Things& things) {
+  std::vector<std::string> known;
+  for (const auto& each : things) known.push_back(each.name.value);
+  undefined(name.span, fmt::format("there is no {} called `{}`", kind, name.value), name.value, known);
 }
 
 std::optional<GroupId> Names::group(const Word& name) {
   if (const auto found = model.find_group(name.value)) return found;
-  std::vector<std::string> known;
-  for (const Group& each : model.groups) known.push_back(each.name.value);
-  undefined(name.span, fmt::format("there is no group called `{}`", name.value), name.value, known);
+  undefined(name, "group", model.groups);
   return std::nullopt;
 }
 
 std::optional<StateId> Names::state(const Word& name) {
   if (const auto found = model.find_state(name.value)) return found;
-  std::vector<std::string> known;
-  for (const State& each : model.states) known.push_back(each.name.value);
-  undefined(name.span, fmt::format("there is no state called `{}`", name.value), name.value, known);
+  undefined(name, "state", model.states);
   return std::nullopt;
 }
 
 std::optional<std::int64_t> Names::value(StateId id, const Word& value) {
   const State& of = model.states[id];
-  const std::string& text = value.value;
-  if (of.is_range) {
-    std::int64_t number = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (fault == std::errc() && end == text.data() + text.size() && of.domain().contains(number)) return number;
-    error("value_outside_domain", value.span,
-          fmt::format("`{}` is no value of the state `{}`: its values are the whole numbers from {} to {}", text,
-                      of.name.value, of.low, of.high));
-    return std::nullopt;
-  }
-  const auto at = std::find(of.values.begin(), of.values.end(), text);
-  if (at != of.values.end()) return at - of.values.begin();
-  Diagnostic& finding = error("value_outside_domain", value.span,
-                              fmt::format("`{}` is no value of the state `{}`: its values are {}", text, of.name.value,
-                                          fmt::join(of.values, ", ")));
-  if (const auto nearest = dsl::suggest(text, of.values)) finding.help = fmt::format("did you mean `{}`?", *nearest);
-  return std::nullopt;
+  const auto number = of.value_of(value.value);
+  if (!number) findings_.push_back(no_such_value(of, value));
+  return number;
 }
 
 std::optional<Setting> Names::setting(const dsl::SettingSpec& spec) {

@@ -25,14 +25,18 @@ public:
   const Task* task(const std::vector<Task>& tasks, std::string_view owner, const Word& name);
   std::optional<Asked> asked(const std::vector<Task>& tasks, std::string_view owner, const dsl::RequestSpec& spec);
 
-  dsl::Diagnostic& error(std::string_view id, Span span, std::string message);
-  /// undefined_name, with the nearest of `known` as its help.
+  dsl::Diagnostic& error(std::string_view id, Span span, std::string message, std::string help);
+  /// undefined_name, with the nearest of `known` as its help, or with all of them.
   dsl::Diagnostic& undefined(Span span, std::string message, std::string_view name,
                              const std::vector<std::string>& known);
 
   const Model& model;
 
 private:
+  /// Of things that have a name.
+  template <class Things>
+  void undefined(const Word& name, std::string_view kind, const Things& things);
+
   std::vector<dsl::Diagnostic>& findings_;
 };
 

@@ -30,8 +30,8 @@ const Pack* find_pack(ProviderId id, const Word& name, Names& names) {
   const Provider& provider = names.model.providers[id];
   const std::string full = names.model.full_name(id);
   if (!provider.has_packs) {
-    names.error("undefined_name", name.span, fmt::format("`{}` has no packs", full)).help =
-        "say what it requests with `tasks`";
+    names.error("undefined_name", name.span, fmt::format("`{}` has no packs", full),
+                "say what it requests with `tasks`");
     return nullptr;
   }
   std::vector<std::string> known;
@@ -48,11 +48,10 @@ void pack_is_missing(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   std::vector<std::string> known;
   for (const Pack& pack : names.model.providers[id].packs) known.push_back(pack.name);
   const bool listed = spec.answer.value == dsl::Answer::tasks;
-  names
-      .error("missing_key", listed ? spec.answer.span : spec.span,
-             fmt::format("`{}` has packs: {}", names.model.full_name(id),
-                         listed ? "a case names one of them, not tasks" : "a case that answers nothing names one"))
-      .help = fmt::format("`pack:` and one of {}", fmt::join(known, ", "));
+  names.error("missing_key", listed ? spec.answer.span : spec.span,
+              fmt::format("`{}` has packs: {}", names.model.full_name(id),
+                          listed ? "a case names one of them, not tasks" : "a case that answers nothing names one"),
+              fmt::format("`pack:` and one of {}", fmt::join(known, ", ")));
 }
 
 void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case& out) {
@@ -124,11 +123,10 @@ void resolve_set(const dsl::CaseSpec& spec, const std::string& who, const std::v
     if (declares(names.model, declared, *setting)) continue;
     std::vector<std::string> texts;
     for (const ConditionUse& use : declared) texts.push_back(names.model.conditions[use.id].text);
-    names
-        .error("undeclared_state_write", each.value.span,
-               fmt::format("{} sets `{}` to `{}`, which it does not declare", who, each.state.value, each.value.value))
-        .help = texts.empty() ? "it declares nothing that it sets"
-                              : fmt::format("what it declares is `{}`", fmt::join(texts, "`, `"));
+    names.error("undeclared_state_write", each.value.span,
+                fmt::format("{} sets `{}` to `{}`, which it does not declare", who, each.state.value, each.value.value),
+                texts.empty() ? fmt::format("declare it: `sets: [{} == {}]`", each.state.value, each.value.value)
+                              : fmt::format("what it declares is `{}`", fmt::join(texts, "`, `")));
   }
 }
 

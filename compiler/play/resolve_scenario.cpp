@@ -94,10 +94,9 @@ private:
     const std::string& which = entry.part->value;
     const std::optional<Handler>& handler = which == "start" ? group.start : group.stop;
     if (!handler) {
-      names_
-          .error("undefined_name", entry.part->span,
-                 fmt::format("the group `{}` has no {} handler", group.name.value, which))
-          .help = fmt::format("`{}: true` at the group declares one", which);
+      names_.error("undefined_name", entry.part->span,
+                   fmt::format("the group `{}` has no {} handler", group.name.value, which),
+                   fmt::format("`{}: true` at the group declares one", which));
       return;
     }
     Body& body = (which == "start" ? out_.scenario.start_handlers : out_.scenario.stop_handlers)[id];
@@ -160,9 +159,9 @@ private:
     if (state.external) return;
     Diagnostic& finding =
         names_.error("undeclared_state_write", spec.state.span,
-                     fmt::format("a step sets only external states, and `{}` is not one", state.name.value));
+                     fmt::format("a step sets only external states, and `{}` is not one", state.name.value),
+                     "`given` sets any state at the start; a script's `set` what a provider declares");
     finding.notes.push_back({state.name.span, "it is declared here, without `external: true`"});
-    finding.help = "`given` sets any state at the start; a script's `set` what a provider declares";
   }
 
   const dsl::ScenarioSpec& spec_;

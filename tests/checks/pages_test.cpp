@@ -53,6 +53,11 @@ std::string lines(std::vector<std::string> list) {
   return out;
 }
 
+/// In its help; or by what it expected.
+bool tells_what_to_do(const dsl::Diagnostic& finding) {
+  return !finding.help.empty() || finding.message.find("expected ") != std::string::npos;
+}
+
 void try_out(const checks::Registered& check, const Specimen& specimen) {
   if (specimen.has_code) return; // where there is Clang, tests/clang does it
   dsl::MemoryFiles files;
@@ -75,6 +80,8 @@ void try_out(const checks::Registered& check, const Specimen& specimen) {
   if (!specimen.helps.empty()) CHECK(lines(said.helps) == lines(specimen.helps));
   for (const dsl::Diagnostic& finding : checked.findings) {
     if (finding.id == check.id) CHECK(finding.level == checks::level_of(check));
+    INFO(finding.message);
+    CHECK(tells_what_to_do(finding));
   }
 }
 

@@ -54,6 +54,7 @@ TEST_CASE("results and coverage as JSON") {
                      "broken.yaml:1:1: error: a scenario file needs `behaviour` [missing_key]\n"
                      "    1 | steps: []\n"
                      "      | ^~~~~\n"
+                     "  help: for example `behaviour: walker.yaml`\n"
                      "1 error\n");
   CHECK(world.out == R"({
   "scenarios": [
@@ -104,7 +105,8 @@ TEST_CASE("results and coverage as JSON") {
           "end_line": 1,
           "end_column": 6,
           "message": "a scenario file needs `behaviour`",
-          "notes": []
+          "notes": [],
+          "help": "for example `behaviour: walker.yaml`"
         }
       ]
     }

@@ -50,13 +50,15 @@ std::string scenario_findings(const std::string& path) {
 }
 
 /// Of the file itself, as a behaviour and as a scenario, and of a behaviour that imports it.
-void check_refused(const std::string& path, const std::string& id_and_message, const std::string& help = "") {
+void check_refused(const std::string& path, const std::string& id_and_message,
+                   const std::string& help = "name a file that can be read", const std::string& help_of_import = "") {
   CAPTURE(path);
-  const std::string shown = "1:1 `` " + id_and_message + "\n";
+  const std::string shown = "1:1 `` " + id_and_message + " (" + help + ")\n";
   CHECK(behaviour_findings(path) == shown);
   CHECK(scenario_findings(path) == shown);
   write("importer.yaml", "behaviour: importer\nlanguage: 1\nimports: [" + path + "]\n");
-  CHECK(behaviour_findings("importer.yaml") == "3:11 `" + path + "` " + id_and_message + help + "\n");
+  CHECK(behaviour_findings("importer.yaml") ==
+        "3:11 `" + path + "` " + id_and_message + " (" + (help_of_import.empty() ? help : help_of_import) + ")\n");
 }
 
 /// Does something as somebody who may not do everything.
@@ -73,7 +75,8 @@ void as_nobody(const Act& act) {
 TEST_CASE("A file that is missing is refused") {
   const Folder folder;
   check_refused("none.yaml", "import_not_found: cannot read `none.yaml`: No such file or directory",
-                " (a path is relative to the file that it stands in)");
+                "a path is relative to the folder in which the program runs",
+                "a path is relative to the file that it stands in");
 }
 
 TEST_CASE("A folder is no file") {
@@ -91,7 +94,8 @@ TEST_CASE("A file that may not be read is refused") {
     behaviour = behaviour_findings("secret.yaml");
     scenario = scenario_findings("secret.yaml");
   });
-  const std::string expected = "1:1 `` import_not_found: cannot read `secret.yaml`: Permission denied\n";
+  const std::string expected =
+      "1:1 `` import_not_found: cannot read `secret.yaml`: Permission denied (name a file that can be read)\n";
   CHECK(behaviour == expected);
   CHECK(scenario == expected);
 }
@@ -116,8 +120,10 @@ TEST_CASE("A pipe to which somebody writes is read") {
 }
 
 TEST_CASE("What never ends is read as far as the limit") {
-  CHECK(behaviour_findings("/dev/zero") == "1:1 `` input_limit: `/dev/zero` is larger than 64 MiB\n");
-  CHECK(scenario_findings("/dev/zero") == "1:1 `` input_limit: `/dev/zero` is larger than 64 MiB\n");
+  CHECK(behaviour_findings("/dev/zero") ==
+        "1:1 `` input_limit: `/dev/zero` is larger than 64 MiB (divide it into files that import one another)\n");
+  CHECK(scenario_findings("/dev/zero") ==
+        "1:1 `` input_limit: `/dev/zero` is larger than 64 MiB (divide it into files that import one another)\n");
 }
 
 TEST_CASE("A file above the limit is refused, as a scenario too") {
@@ -125,7 +131,7 @@ TEST_CASE("A file above the limit is refused, as a scenario too") {
   files.add("a.scenario.yaml", std::string(largest_file + 1, ' '));
   Sources sources;
   CHECK(findings_text(read_scenario("a.scenario.yaml", files, sources).diagnostics, sources) ==
-        "1:1 `` input_limit: `a.scenario.yaml` is larger than 64 MiB\n");
+        "1:1 `` input_limit: `a.scenario.yaml` is larger than 64 MiB (divide it into files that import one another)\n");
 }
 
 TEST_CASE("A link that leads to itself is no file") {
@@ -166,9 +172,13 @@ TEST_CASE("A hundred thousand levels are refused after 64, in brackets and in li
   struct Deep {
     std::string text, findings;
   };
-  for (const Deep& deep : {Deep{std::string(levels, '['), "2:41 `[` input_limit: nested deeper than 64 levels\n"},
-                           Deep{braces, "2:261 `{` input_limit: nested deeper than 64 levels\n"},
-                           Deep{"\n" + dashes, "3:127 `-` input_limit: nested deeper than 64 levels\n"}}) {
+  for (const Deep& deep :
+       {Deep{std::string(levels, '['), "2:41 `[` input_limit: nested deeper than 64 levels (the language needs ten at "
+                                       "most: leave out what nests the others)\n"},
+        Deep{braces, "2:261 `{` input_limit: nested deeper than 64 levels (the language needs ten at most: leave out "
+                     "what nests the others)\n"},
+        Deep{"\n" + dashes, "3:127 `-` input_limit: nested deeper than 64 levels (the language needs ten at most: "
+                            "leave out what nests the others)\n"}}) {
     MemoryFiles files;
     Sources sources;
     files.add("main.yaml", "behaviour: robot\nlayers: " + deep.text);

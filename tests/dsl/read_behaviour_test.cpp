@@ -82,16 +82,19 @@ TEST_CASE("The mistakes of all files are found in one run") {
   files.access.add("a.yaml", "behaviour: a\nlanguage: 1\ngroups: [\n");
   files.access.add("b.yaml", "behaviour: b\nlanguage: 3\n");
   files.read("main.yaml");
-  CHECK(files.findings() == "4:1 `state` unknown_key: a behaviour file has no key `state` (did you mean `states`?)\n"
-                            "a.yaml:3:10 `` yaml_syntax: expected `,` or `]` here\n"
-                            "  a.yaml:3:9 `[` opened here\n"
-                            "b.yaml:2:11 `3` language_version: this compiler reads language 1, found 3\n");
+  CHECK(files.findings() ==
+        "4:1 `state` unknown_key: a behaviour file has no key `state` (did you mean `states`?)\n"
+        "a.yaml:3:10 `` yaml_syntax: expected `,` or `]` here (close what is opened there, or put the text in quotes)\n"
+        "  a.yaml:3:9 `[` opened here\n"
+        "b.yaml:2:11 `3` language_version: this compiler reads language 1, found 3 (use the compiler that the file was "
+        "written for)\n");
 }
 
 TEST_CASE("A file that cannot be read at all is the only finding") {
   Files files;
   files.read("lost.yaml");
-  CHECK(files.findings() == "1:1 `` import_not_found: cannot read `lost.yaml`: No such file or directory\n");
+  CHECK(files.findings() == "1:1 `` import_not_found: cannot read `lost.yaml`: No such file or directory (a path is "
+                            "relative to the folder in which the program runs)\n");
   CHECK_FALSE(files.result.readable);
   CHECK(files.result.spec.files.empty());
 }
@@ -101,7 +104,8 @@ TEST_CASE("A file above the limit is refused unread") {
   files.access.add("large.yaml", std::string(largest_file + 1, ' '));
   files.add("main.yaml", "[large.yaml]");
   files.read("main.yaml");
-  CHECK(files.findings() == "3:11 `large.yaml` input_limit: `large.yaml` is larger than 64 MiB\n");
+  CHECK(files.findings() == "3:11 `large.yaml` input_limit: `large.yaml` is larger than 64 MiB (divide it into files "
+                            "that import one another)\n");
 }
 
 TEST_CASE("Imports of imports have a limit") {
@@ -111,6 +115,6 @@ TEST_CASE("Imports of imports have a limit") {
   files.read("0.yaml");
   CHECK(files.findings() ==
         fmt::format("{0}.yaml:3:11 `{1}.yaml` input_limit: files that import one another deeper than 200 "
-                    "levels\n",
+                    "levels (import it from a file nearer to the main one)\n",
                     deepest_import - 1, deepest_import));
 }

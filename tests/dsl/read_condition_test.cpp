@@ -96,8 +96,8 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
            Case{"[Phase == a::b]", "5:22 `::` bad_condition: expected the end of the condition, found `::`\n"},
            Case{"[Charge < 3|4]", "5:21 `3|4` bad_condition: `<` compares with one value, found alternatives "
                                   "(alternatives go with == and !=)\n"},
-           Case{"[Phase == ready within 2 s]",
-                "5:27 `within 2 s` bad_condition: `within` belongs to a promise: it stands in `causing` only\n"},
+           Case{"[Phase == ready within 2 s]", "5:27 `within 2 s` bad_condition: `within` belongs to a promise: it "
+                                               "stands in `causing` only (leave it out)\n"},
            Case{"['Phase = ready']",
                 "5:19 `=` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found "
                 "`=` (write `==`)\n"},

@@ -78,13 +78,14 @@ TEST_CASE("What stands wrong at the top of a file is said where it stands") {
                          "`behaviour: name` and `language: 1`)\n"},
            Case{"Walk\n", "1:1 `Walk` wrong_node_kind: a behaviour file is a mapping, found `Walk` (it begins with "
                           "`behaviour: name` and `language: 1`)\n"},
-           Case{"{}", "1:1 `{}` missing_key: a behaviour file needs `behaviour`\n"
-                      "1:1 `{}` missing_key: a behaviour file needs `language`\n"},
-           Case{"language: 1\n", "1:1 `language` missing_key: a behaviour file needs `behaviour`\n"},
+           Case{"{}", "1:1 `{}` missing_key: a behaviour file needs `behaviour` (for example `behaviour: soccer`)\n"
+                      "1:1 `{}` missing_key: a behaviour file needs `language` (for example `language: 1`)\n"},
+           Case{"language: 1\n",
+                "1:1 `language` missing_key: a behaviour file needs `behaviour` (for example `behaviour: soccer`)\n"},
            Case{"behavior: a\nlanguage: 1\n",
                 "1:1 `behavior` unknown_key: a behaviour file has no key `behavior` (did you mean `behaviour`?)\n"},
-           Case{"behaviour: a\nlanguage: 2\ngrups: {}\n",
-                "2:11 `2` language_version: this compiler reads language 1, found 2\n"},
+           Case{"behaviour: a\nlanguage: 2\ngrups: {}\n", "2:11 `2` language_version: this compiler reads language 1, "
+                                                          "found 2 (use the compiler that the file was written for)\n"},
            Case{"behaviour: a\nlanguage: one\n",
                 "2:11 `one` wrong_node_kind: `language`: expected a whole number, found `one`\n"},
            Case{"behaviour: [a]\nlanguage: 1\n",
@@ -112,20 +113,21 @@ TEST_CASE("What stands wrong in an assertion is said where it stands") {
                 "`Kick`\n"},
            Case{"[{}]",
                 "3:14 `{}` wrong_node_kind: `assertions`: expected one of never_together, beats, can_run, soft, found "
-                "none\n"},
+                "none (for example `- can_run: Kick`)\n"},
            Case{"[{canrun: Kick}]",
                 "3:15 `canrun` unknown_key: an assertion has no key `canrun` (did you mean `can_run`?)\n"},
-           Case{"[{can_run: Kick, beats: {A: B}}]",
-                "3:30 `beats` exclusive_keys: `can_run` and `beats` exclude each other\n"
-                "  3:15 `can_run` `can_run` stands here\n"},
-           Case{"[never_together: [A]]",
-                "3:30 `[A]` wrong_node_kind: `never_together`: expected two groups or more, found 1\n"},
+           Case{"[{can_run: Kick, beats: {A: B}}]", "3:30 `beats` exclusive_keys: `can_run` and `beats` exclude each "
+                                                    "other (write each as an entry of its own, with a `-`)\n"
+                                                    "  3:15 `can_run` `can_run` stands here\n"},
+           Case{"[never_together: [A]]", "3:30 `[A]` wrong_node_kind: `never_together`: expected two groups or more, "
+                                         "found 1 (for example `never_together: [Walk, GetUp]`)\n"},
            Case{"[beats: [A, B]]",
                 "3:21 `[A, B]` wrong_node_kind: `beats`: expected a mapping such as {Winner: Loser}, found "
                 "a list\n"},
-           Case{"[beats: {A: B, C: D}]",
-                "3:21 `{A: B, C: D}` wrong_node_kind: `beats`: expected one pair {Winner: Loser}, found 2\n"},
-           Case{"[soft: {from: A}]", "3:14 `soft` missing_key: `soft` needs `to`\n"},
+           Case{"[beats: {A: B, C: D}]", "3:21 `{A: B, C: D}` wrong_node_kind: `beats`: expected one pair {Winner: "
+                                         "Loser}, found 2 (write an assertion for each pair)\n"},
+           Case{"[soft: {from: A}]",
+                "3:14 `soft` missing_key: `soft` needs `to` (for example `soft: {from: Walk, to: Kick}`)\n"},
            Case{"[can_run: [A]]",
                 "3:23 `[A]` wrong_node_kind: `can_run`: expected the name of a group, found a list\n"},
        }) {
@@ -137,11 +139,13 @@ TEST_CASE("What stands wrong in an assertion is said where it stands") {
 TEST_CASE("All mistakes of a file are found in one run") {
   const Read read =
       read_body("states:\n  S: {}\ngroups:\n  A: {needs: B}\n  C: {when: [S = x], tasks: [D], packs: {}}\n");
-  CHECK(read.findings() == "4:3 `S` missing_key: state `S` needs `values`, `range` or `type`\n"
-                           "6:14 `B` wrong_node_kind: `needs`: expected a list, found `B` (write `[B]`)\n"
-                           "7:16 `=` bad_condition: expected one of ==, !=, <, <=, >, >= behind `S`, found `=` (write "
-                           "`==`)\n"
-                           "7:34 `packs` exclusive_keys: `tasks` and `packs` exclude each other\n"
-                           "  7:22 `tasks` `tasks` stands here\n");
+  CHECK(read.findings() ==
+        "4:3 `S` missing_key: state `S` needs `values`, `range` or `type` (for example `values: [low, high]`, or "
+        "`range: [0, 100]`)\n"
+        "6:14 `B` wrong_node_kind: `needs`: expected a list, found `B` (write `[B]`)\n"
+        "7:16 `=` bad_condition: expected one of ==, !=, <, <=, >, >= behind `S`, found `=` (write "
+        "`==`)\n"
+        "7:34 `packs` exclusive_keys: `tasks` and `packs` exclude each other (make one of the packs of the tasks)\n"
+        "  7:22 `tasks` `tasks` stands here\n");
   CHECK(read.file().groups.size() == 2);
 }

@@ -137,21 +137,26 @@ TEST_CASE("What stands wrong in a group is said where it stands") {
                 "4:37 `\"\"` wrong_node_kind: `needs`: expected the name of a group, found the text ``\n"},
            Case{"{doc: [a], realtime: 1, data: {}}",
                 "4:15 `[a]` wrong_node_kind: `doc`: expected a text, found a list\n"
-                "4:30 `1` wrong_node_kind: `realtime`: expected true or false, found `1`\n"
+                "4:30 `1` wrong_node_kind: `realtime`: expected true or false, found `1` (write `true`, without "
+                "quotes)\n"
                 "4:39 `{}` wrong_node_kind: `data`: expected a C++ type, found a mapping\n"},
-           Case{"{tasks: [A], packs: {b: [B]}}", "4:22 `packs` exclusive_keys: `tasks` and `packs` exclude each other\n"
+           Case{"{tasks: [A], packs: {b: [B]}}", "4:22 `packs` exclusive_keys: `tasks` and `packs` exclude each other "
+                                                 "(make one of the packs of the tasks)\n"
                                                  "  4:10 `tasks` `tasks` stands here\n"},
            Case{"{when: [A == b], providers: [{name: x}], every: 1 s}",
-                "4:26 `providers` exclusive_keys: `when` and `providers` exclude each other\n"
+                "4:26 `providers` exclusive_keys: `when` and `providers` exclude each other (move `when` into the "
+                "providers that it is meant for)\n"
                 "  4:10 `when` `when` stands here\n"
-                "4:50 `every` exclusive_keys: `providers` and `every` exclude each other\n"
+                "4:50 `every` exclusive_keys: `providers` and `every` exclude each other (move `every` into the "
+                "providers that it is meant for)\n"
                 "  4:26 `providers` `providers` stands here\n"},
            Case{"{providers: {walking: {}}}",
                 "4:21 `{walking: {}}` wrong_node_kind: `providers`: expected a list of providers, found a mapping\n"},
-           Case{"{providers: [walking, {needs: [Legs]}, {}]}", "4:22 `walking` wrong_node_kind: `providers`: expected "
-                                                               "a mapping such as {name: walking}, found `walking`\n"
-                                                               "4:32 `needs` missing_key: a provider needs `name`\n"
-                                                               "4:48 `{}` missing_key: a provider needs `name`\n"},
+           Case{"{providers: [walking, {needs: [Legs]}, {}]}",
+                "4:22 `walking` wrong_node_kind: `providers`: expected "
+                "a mapping such as {name: walking}, found `walking`\n"
+                "4:32 `needs` missing_key: a provider needs `name` (for example `name: walking`)\n"
+                "4:48 `{}` missing_key: a provider needs `name` (for example `name: walking`)\n"},
            Case{"{providers: [{nmae: walking}, {name: halting, layer: skill}]}",
                 "4:23 `nmae` unknown_key: a provider has no key `nmae` (did you mean `name`?)\n"
                 "4:55 `layer` unknown_key: provider `halting` has no key `layer` (it may have name, when, stay, "
@@ -180,18 +185,18 @@ TEST_CASE("A handler is true, or a mapping with its sets alone") {
                 "found `false` (a group without one leaves it out)\n"},
            Case{"{stop: \"true\"}",
                 "4:16 `\"true\"` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, "
-                "found the text `true`\n"},
+                "found the text `true` (write `stop: true`, or what it may set: `stop: {sets: [Pose == standing]}`)\n"},
            Case{"{start: {set: [A]}}",
                 "4:18 `set` start_stop_shape: `start`: expected true or a mapping with `sets` alone, found `set` "
                 "(a handler requests nothing and promises nothing: what it may set stands in its `sets`)\n"},
            Case{"{start: {}}",
                 "4:17 `{}` start_stop_shape: `start`: expected true or a mapping with `sets` alone, found a "
-                "mapping\n"},
+                "mapping (write `start: true`, or what it may set: `start: {sets: [Pose == standing]}`)\n"},
            Case{"{stop: {sets: [A], needs: [B]}}",
                 "4:28 `needs` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, found `needs` "
                 "(a handler requests nothing and promises nothing: what it may set stands in its `sets`)\n"},
            Case{"{stop: }", "4:10 `stop` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, found "
-                            "nothing\n"},
+                            "nothing (write `stop: true`, or what it may set: `stop: {sets: [Pose == standing]}`)\n"},
            Case{"{stop: {sets: [A =]}}",
                 "4:26 `=` bad_condition: expected one of ==, !=, <, <=, >, >= behind `A`, found "
                 "`=` (write `==`)\n"},
@@ -212,7 +217,7 @@ TEST_CASE("A group of another file gets more providers") {
   CHECK(extend.providers.at(0).name.value == "quickly");
   CHECK(read.text(extend.span).starts_with("GetUp:\n    doc"));
   CHECK(read_body("extend: {GetUp: {after: slowly}, Kick: 3}\n").findings() ==
-        "3:10 `GetUp` missing_key: extend of `GetUp` needs `providers`\n"
+        "3:10 `GetUp` missing_key: extend of `GetUp` needs `providers` (for example `providers: [{name: quickly}]`)\n"
         "3:18 `after` unknown_key: extend of `GetUp` has no key `after` (it may have before, providers, doc)\n"
         "3:40 `3` wrong_node_kind: `Kick`: expected a mapping, found `3`\n");
 }

@@ -150,9 +150,8 @@ TEST_CASE("What stands wrong in a scenario's head is said where it stands") {
   for (const Case& c : {
            Case{"senario: x\n",
                 "2:1 `senario` unknown_key: a scenario file has no key `senario` (did you mean `scenario`?)\n"},
-           Case{"language: 1\n",
-                "2:1 `language` unknown_key: a scenario file has no key `language` (this belongs to a "
-                "behaviour file, which `directorc check` reads)\n"},
+           Case{"language: 1\n", "2:1 `language` unknown_key: a scenario file has no key `language` (this belongs to a "
+                                 "behaviour file, which `directorc check` reads)\n"},
            Case{"given: [A]\nsteps: {}\nscript: []\n",
                 "2:8 `[A]` wrong_node_kind: `given`: expected a mapping of states to values, found a list\n"
                 "3:8 `{}` wrong_node_kind: `steps`: expected a list of steps, found a mapping\n"
@@ -169,13 +168,14 @@ TEST_CASE("What stands wrong in a scenario's head is said where it stands") {
   files.add("b.yaml", "");
   Sources sources;
   CHECK(findings_text(read_scenario("a.yaml", files, sources).diagnostics, sources) ==
-        "1:1 `steps` missing_key: a scenario file needs `behaviour`\n");
+        "1:1 `steps` missing_key: a scenario file needs `behaviour` (for example `behaviour: walker.yaml`)\n");
   CHECK(findings_text(read_scenario("b.yaml", files, sources).diagnostics, sources) ==
         "b.yaml:1:1 `` wrong_node_kind: a scenario file is a mapping, found nothing (it begins with `behaviour: "
         "file.yaml`)\n");
   const ReadScenarioResult lost = read_scenario("c.yaml", files, sources);
   CHECK(findings_text(lost.diagnostics, sources) ==
-        "c.yaml:1:1 `` import_not_found: cannot read `c.yaml`: No such file or directory\n");
+        "c.yaml:1:1 `` import_not_found: cannot read `c.yaml`: No such file or directory (a path is relative to the "
+        "folder in which the program runs)\n");
   CHECK_FALSE(lost.readable);
 }
 
@@ -194,10 +194,11 @@ TEST_CASE("What stands wrong in a script is said where it stands") {
                "found "
                "`done`\n"
                "2:41 `idle` wrong_node_kind: `A`: expected one of running, queued, none, done, failed, found `idle`\n"},
-           Case{"{Kick: {done: true, failed: true}}",
-                "2:29 `failed` exclusive_keys: `done` and `failed` exclude each other\n"
-                "  2:17 `done` `done` stands here\n"},
-           Case{"{Kick: {tasks: [A], pack: b}}", "2:29 `pack` exclusive_keys: `tasks` and `pack` exclude each other\n"
+           Case{"{Kick: {done: true, failed: true}}", "2:29 `failed` exclusive_keys: `done` and `failed` exclude each "
+                                                      "other (a case gives one answer: leave out the others)\n"
+                                                      "  2:17 `done` `done` stands here\n"},
+           Case{"{Kick: {tasks: [A], pack: b}}", "2:29 `pack` exclusive_keys: `tasks` and `pack` exclude each other (a "
+                                                 "case gives one answer: leave out the others)\n"
                                                  "  2:17 `tasks` `tasks` stands here\n"},
            Case{"{Kick: {done: false}}",
                 "2:23 `false` wrong_node_kind: `done`: expected true, found `false` (leave it out "
@@ -229,12 +230,13 @@ TEST_CASE("What stands wrong in a step is said where it stands") {
                 "2:9 `Walk` wrong_node_kind: `steps`: expected a mapping such as {request: Walk}, found `Walk`\n"},
            Case{"[{}]",
                 "2:9 `{}` missing_key: a step needs one of request, cancel, set, trigger, enable, disable, advance, "
-                "inputs\n"},
+                "inputs (for example `request: Walk`)\n"},
            Case{"[{expect: x}]",
                 "2:10 `expect` missing_key: a step needs one of request, cancel, set, trigger, enable, "
-                "disable, advance, inputs\n"},
+                "disable, advance, inputs (for example `request: Walk`)\n"},
            Case{"[{requst: A}]", "2:10 `requst` unknown_key: a step has no key `requst` (did you mean `request`?)\n"},
-           Case{"[{request: A, cancel: B}]", "2:22 `cancel` exclusive_keys: `request` and `cancel` exclude each other\n"
+           Case{"[{request: A, cancel: B}]", "2:22 `cancel` exclusive_keys: `request` and `cancel` exclude each other "
+                                             "(make two steps of them, or `inputs: [...]` where they come at once)\n"
                                              "  2:10 `request` `request` stands here\n"},
            Case{"[{request: }]",
                 "2:10 `request` wrong_node_kind: `request`: expected a root, a list or a mapping of roots, "
@@ -251,7 +253,8 @@ TEST_CASE("What stands wrong in a step is said where it stands") {
                 "2:20 `advance` unknown_key: an input has no key `advance` (it may have request, cancel, set, trigger, "
                 "enable, "
                 "disable)\n"
-                "2:48 `set` exclusive_keys: `request` and `set` exclude each other\n"
+                "2:48 `set` exclusive_keys: `request` and `set` exclude each other (make two steps of them, or "
+                "`inputs: [...]` where they come at once)\n"
                 "  2:36 `request` `request` stands here\n"},
            Case{"[{cancel: A, expect: [b]}]",
                 "2:29 `[b]` wrong_node_kind: `expect`: expected a text with one event a line, found a list\n"},

@@ -56,41 +56,46 @@ TEST_CASE("A state's words are read with their places") {
 
 TEST_CASE("What stands wrong in a state is said where it stands") {
   for (const Case& c : {
-           Case{"{}", "4:3 `S` missing_key: state `S` needs `values`, `range` or `type`\n"},
+           Case{"{}", "4:3 `S` missing_key: state `S` needs `values`, `range` or `type` (for example `values: [low, "
+                      "high]`, or `range: [0, 100]`)\n"},
            Case{"{vales: [a]}", "4:7 `vales` unknown_key: state `S` has no key `vales` (did you mean `values`?)\n"},
-           Case{"{values: []}",
-                "4:15 `[]` wrong_node_kind: `values`: expected at least one value, found an empty list\n"},
+           Case{"{values: []}", "4:15 `[]` wrong_node_kind: `values`: expected at least one value, found an empty list "
+                                "(for example `[low, high]`)\n"},
            Case{"{values: a}", "4:15 `a` wrong_node_kind: `values`: expected a list, found `a` (write `[a]`)\n"},
-           Case{"{values: [a], range: [0, 1]}", "4:20 `range` exclusive_keys: `values` and `range` exclude each other\n"
+           Case{"{values: [a], range: [0, 1]}", "4:20 `range` exclusive_keys: `values` and `range` exclude each other "
+                                                "(leave out one: `range` is for whole numbers, `values` is for words)\n"
                                                 "  4:7 `values` `values` stands here\n"},
-           Case{"{range: [0, 1], type: T}", "4:22 `type` exclusive_keys: `range` and `type` exclude each other\n"
+           Case{"{range: [0, 1], type: T}", "4:22 `type` exclusive_keys: `range` and `type` exclude each other (leave "
+                                            "out one: `range` is for whole numbers, `type` for an enum of C++)\n"
                                             "  4:7 `range` `range` stands here\n"},
            Case{"{values: [a], of: G}",
-                "4:3 `S` missing_key: state `S` belongs to a group and needs `initial` (it returns "
-                "to that value when the group stops)\n"},
+                "4:3 `S` missing_key: state `S` belongs to a group and needs `initial` (give it "
+                "the value to which it returns when the group stops)\n"},
            Case{"{values: [a], of: G, initial: a, external: true}",
-                "4:39 `external` exclusive_keys: `of` and `external` exclude each other\n"
+                "4:39 `external` exclusive_keys: `of` and `external` exclude each other (leave out `of` if the outside "
+                "may set it, else `external`)\n"
                 "  4:20 `of` `of` stands here\n"},
            Case{"{range: 3}",
                 "4:14 `3` wrong_node_kind: `range`: expected a list of the lowest and the highest number, found "
                 "`3` (write `[3]`)\n"},
            Case{"{range: [1, 2, 3]}",
                 "4:14 `[1, 2, 3]` wrong_node_kind: `range`: expected a list of the lowest and the "
-                "highest number, found a list\n"},
+                "highest number, found a list (for example `[0, 100]`)\n"},
            Case{"{range: [a, 1.5]}", "4:15 `a` wrong_node_kind: `range`: expected a whole number, found `a`\n"
                                      "4:18 `1.5` wrong_node_kind: `range`: expected a whole number, found `1.5`\n"},
-           Case{"{range: [5, 4]}",
-                "4:14 `[5, 4]` wrong_node_kind: `range`: expected the lower number first, found 5 above 4\n"},
+           Case{"{range: [5, 4]}", "4:14 `[5, 4]` wrong_node_kind: `range`: expected the lower number first, found 5 "
+                                   "above 4 (write `[4, 5]`)\n"},
            Case{"{range: [0, 9223372036854775808]}", "4:18 `9223372036854775808` wrong_node_kind: `range`: expected a "
                                                      "whole number, found `9223372036854775808`\n"},
            Case{"{values: [a], initial: [a]}",
                 "4:29 `[a]` wrong_node_kind: `initial`: expected a value of the state, found a list\n"},
-           Case{"{values: [a], external: on}",
-                "4:30 `on` wrong_node_kind: `external`: expected true or false, found `on`\n"},
+           Case{"{values: [a], external: on}", "4:30 `on` wrong_node_kind: `external`: expected true or false, found "
+                                               "`on` (write `true`, without quotes)\n"},
            Case{"{values: [a], expires: never}", "4:29 `never` wrong_node_kind: `expires`: expected a duration such as "
                                                  "10 ms, found `never` (a whole number "
                                                  "and one of us, ms, s, min)\n"},
-           Case{"{values: [a], expires: {to: a}}", "4:20 `expires` missing_key: `expires` needs `after`\n"},
+           Case{"{values: [a], expires: {to: a}}",
+                "4:20 `expires` missing_key: `expires` needs `after` (for example `after: 500 ms`)\n"},
            Case{"{values: [a], expires: {aftr: 1 s, in: 2}}",
                 "4:30 `aftr` unknown_key: `expires` has no key `aftr` (did you mean `after`?)\n"
                 "4:41 `in` unknown_key: `expires` has no key `in` (it may have after, to)\n"},

@@ -89,27 +89,31 @@ TEST_CASE("What stands wrong in a task is said where it stands") {
           Case{
               "{Walk: {priority: \"3\"}}",
               "3:26 `\"3\"` wrong_node_kind: `priority`: expected a whole number from -2147483648 to 2147483647, found "
-              "the text `3`\n"},
+              "the text `3` (write it without quotes)\n"},
           Case{"{Walk: {priority: 010}}",
                "3:26 `010` wrong_node_kind: `priority`: expected a whole number from -2147483648 to 2147483647, found "
                "`010`\n"},
-          Case{"{Walk: {priority: {}}}",
-               "3:26 `{}` wrong_node_kind: `priority`: expected at least one level, found none\n"},
-          Case{"{Walk: {optional: yes}}",
-               "3:26 `yes` wrong_node_kind: `optional`: expected true or false, found `yes`\n"},
-          Case{"{Walk: {optional: \"true\"}}",
-               "3:26 `\"true\"` wrong_node_kind: `optional`: expected true or false, found the text `true`\n"},
+          Case{"{Walk: {priority: {}}}", "3:26 `{}` wrong_node_kind: `priority`: expected at least one level, found "
+                                         "none (for example `{normal: 10, urgent: 80}`)\n"},
+          Case{"{Walk: {optional: yes}}", "3:26 `yes` wrong_node_kind: `optional`: expected true or false, found `yes` "
+                                          "(write `true`, without quotes)\n"},
+          Case{"{Walk: {optional: \"true\"}}", "3:26 `\"true\"` wrong_node_kind: `optional`: expected true or false, "
+                                               "found the text `true` (write `true`, without quotes)\n"},
           Case{"{Walk: {optional: true, apart: true}}",
-               "3:32 `apart` exclusive_keys: `optional` and `apart` exclude each other\n"
+               "3:32 `apart` exclusive_keys: `optional` and `apart` exclude each other (leave out `apart`: what is "
+               "optional waits for itself alone anyway)\n"
                "  3:16 `optional` `optional` stands here\n"},
           Case{"{Walk: {priority: 3, levels: {a: {}}, optional: false}}",
-               "3:29 `levels` exclusive_keys: `priority` and `levels` exclude each other\n"
+               "3:29 `levels` exclusive_keys: `priority` and `levels` exclude each other (say `priority` in each of "
+               "the levels)\n"
                "  3:16 `priority` `priority` stands here\n"
-               "3:46 `optional` exclusive_keys: `levels` and `optional` exclude each other\n"
+               "3:46 `optional` exclusive_keys: `levels` and `optional` exclude each other (say `optional` in each of "
+               "the levels)\n"
                "  3:29 `levels` `levels` stands here\n"},
           Case{"{Walk: {levels: {firm: 3, spare: {optional: true, apart: true}}}}",
                "3:31 `3` wrong_node_kind: `firm`: expected a mapping, found `3`\n"
-               "3:58 `apart` exclusive_keys: `optional` and `apart` exclude each other\n"
+               "3:58 `apart` exclusive_keys: `optional` and `apart` exclude each other (leave out `apart`: what is "
+               "optional waits for itself alone anyway)\n"
                "  3:42 `optional` `optional` stands here\n"},
           Case{"[yes, \"no\", [Walk]]",
                "3:9 `yes` warning yaml_word_trap: older YAML tools read a bare `yes` as a boolean (write \"yes\", or "
@@ -137,7 +141,8 @@ TEST_CASE("What is allowed needs a reason, and is allowed all the same") {
   const Read silent = with_roots("{Walk: {allow: [equal_priority]}, Kick: {because: Of it.}}");
   CHECK(silent.findings() ==
         "3:16 `allow` missing_key: `allow` needs `because` (say why it is wanted: `because: ...`)\n"
-        "3:49 `because` missing_key: `because` needs `allow`\n");
+        "3:49 `because` missing_key: `because` needs `allow` (say which check it is about, `allow: [...]`, or write it "
+        "as `doc`)\n");
   CHECK(silent.file().roots->at(0).allow.size() == 1);
 }
 

@@ -58,8 +58,8 @@ TEST_CASE("What is absent or was reported before is passed over in silence") {
 TEST_CASE("A key that is only misspelt is not missing") {
   Fixture f("{nmae: a, x: b}");
   f.reader.know_keys(f.root, "a thing", {"name", "other"});
-  CHECK(f.reader.require(f.root, "name", "a thing", f.root.span) == nullptr);
-  CHECK(f.reader.require(f.root, "other", "a thing", f.root.span) == nullptr);
+  CHECK(f.reader.require(f.root, "name", "a thing", f.root.span, "name: a") == nullptr);
+  CHECK(f.reader.require(f.root, "other", "a thing", f.root.span, "other: a") == nullptr);
   CHECK(f.messages() == "a thing has no key `nmae`\na thing has no key `x`\na thing needs `other`\n");
 }
 

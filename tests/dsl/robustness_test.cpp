@@ -187,5 +187,6 @@ TEST_CASE("Fifty kilobytes of anything cost a moment") {
 TEST_CASE("What the parser reads ahead is limited") {
   const std::string text = "layers: [[" + repeated("a,\n", 4'000'000) + "]]\n";
   CHECK(read_text(text).findings() ==
-        "1:10 `[` input_limit: a piece of text with more than 1000000 brackets, commas and quotes\n");
+        "1:10 `[` input_limit: a piece of text with more than 1000000 brackets, commas and quotes (write lists and "
+        "mappings in lines of their own instead of in brackets)\n");
 }

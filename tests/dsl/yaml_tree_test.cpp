@@ -108,15 +108,18 @@ TEST_CASE("What the language does not have of YAML is refused, and the rest is r
                 "needed)\n"},
            Case{"a: {<<: {b: 1}, \"<<\": 2}\n",
                 "1:5 `<<` yaml_syntax: merge keys are not part of the language (write the keys themselves)\n"},
-           Case{"a: 1\nb: 2\na: 3\n\"a\": 4\n", "3:1 `a` duplicate_key: the key `a` stands here twice\n"
+           Case{"a: 1\nb: 2\na: 3\n\"a\": 4\n", "3:1 `a` duplicate_key: the key `a` stands here twice (leave one of "
+                                                "them out, or put into one what both say)\n"
                                                 "  1:1 `a` the first one is here\n"
-                                                "4:1 `\"a\"` duplicate_key: the key `a` stands here twice\n"
+                                                "4:1 `\"a\"` duplicate_key: the key `a` stands here twice (leave one "
+                                                "of them out, or put into one what both say)\n"
                                                 "  1:1 `a` the first one is here\n"},
            Case{"foo: bar\nnot-a-key\n", "2:1 `not-a-key` yaml_syntax: expected `:` behind `not-a-key`\n"},
            Case{"a: {b, c: 1}\n", "1:5 `b` yaml_syntax: expected `:` behind `b`\n"},
-           Case{"? [a]\n: b\n? {c: d}\n: e\n: f\n", "1:3 `[a]` wrong_node_kind: a key is a word, found a list\n"
-                                                    "3:3 `{c: d}` wrong_node_kind: a key is a word, found a mapping\n"
-                                                    "5:1 `:` wrong_node_kind: a key is a word, found nothing\n"},
+           Case{"? [a]\n: b\n? {c: d}\n: e\n: f\n",
+                "1:3 `[a]` wrong_node_kind: a key is a word, found a list (put a word before the `:`)\n"
+                "3:3 `{c: d}` wrong_node_kind: a key is a word, found a mapping (put a word before the `:`)\n"
+                "5:1 `:` wrong_node_kind: a key is a word, found nothing (put a word before the `:`)\n"},
            Case{"a: [\n\tb,\n\tc]\n", "2:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"
                                       "3:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
        }) {
@@ -135,55 +138,63 @@ TEST_CASE("A tab in a text, behind a value or before a comment is no indentation
 }
 
 TEST_CASE("Where the text is no YAML the place and the likely reason are said") {
-  for (const Case& c : {
-           Case{"a: \"un\nb: 1\n", "1:4 `\"` yaml_syntax: this quote is never closed\n"},
-           Case{"a: ['x', 'un\nb: 1\n", "1:10 `'` yaml_syntax: this quote is never closed\n"},
-           Case{"a: it's # don't\nb: \"un\n", "2:4 `\"` yaml_syntax: this quote is never closed\n"},
-           Case{"- a\nb: 1\n",
-                "2:1 `b` yaml_syntax: text behind the end of the document (is the line indented as it should "
-                "be?)\n"},
-           Case{"{a: 1} garbage\n",
-                "1:8 `g` yaml_syntax: text behind the end of the document (is the line indented as it "
-                "should be?)\n"},
-           Case{",",
-                "1:1 `,` yaml_syntax: text behind the end of the document (is the line indented as it should be?)\n"},
-           Case{"a: 1\n---\nb: 2\n", "2:1 `---` yaml_syntax: a second document; a file has one\n"},
-           Case{"x:\n\ta: 1\n", "2:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
-           Case{"\ta: 1\n", "1:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
-           Case{"a:\n  - b\n\t- c\n", "3:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
-           Case{"a: |\n\tx\n", "2:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
-           Case{"a: [b\nc: d\n", "2:2 `:` yaml_syntax: expected `,` or `]` here\n"
-                                 "  1:4 `[` opened here\n"},
-           Case{"a: {b: \"c\"d}\n", "1:11 `d` yaml_syntax: expected `,` or `}` here\n"
-                                    "  1:4 `{` opened here\n"},
-           Case{"[a, b\n", "1:6 `` yaml_syntax: expected `,` or `]` here\n"
-                           "  1:1 `[` opened here\n"},
-           Case{"a: b # c\n  d\n", "2:3 `d` yaml_syntax: expected another key, or the end of this mapping (is the line "
-                                   "indented as it should be?)\n"},
-           Case{"x: 1\n y: 2\n",
-                "2:3 `:` yaml_syntax: a `:` that belongs to no key (is the line indented as it should be? A "
-                "text with `: ` in it needs quotes)\n"},
-           Case{"a: - b\n",
-                "1:4 `-` yaml_syntax: a `- ` that may not stand here (a list begins in a line of its own, or is "
-                "written [a, b])\n"},
-           Case{"a: [b}\n", "1:6 `}` yaml_syntax: expected `,` or `]` here\n"
-                            "  1:4 `[` opened here\n"},
-           Case{"a: ]\n", "1:4 `]` yaml_syntax: a closing bracket that nothing opened\n"},
-           Case{"a: @x\n", "1:4 `@` yaml_syntax: no word begins with this character (put the text in quotes)\n"},
-           Case{"a: *\n", "1:5 `` yaml_syntax: aliases are not part of the language (a text that begins with `*` needs "
-                          "quotes)\n"},
-           Case{"a: *b\n", "1:4 `*` yaml_syntax: aliases are not part of the language (write the value itself)\n"},
-           Case{"a: \"\\q\"\n", "1:7 `\"` yaml_syntax: unknown escape character: q\n"},
-           Case{"\xEF\xBB\xBF"
-                "a: 1\n",
-                "1:1 `\xEF\xBB\xBF` yaml_syntax: the file begins with a byte order mark (save the file as UTF-8 "
-                "without a byte "
-                "order mark)\n"},
-           Case{"a: \xFF\n",
-                "1:4 `\xFF` yaml_syntax: the byte 0xFF is not UTF-8 (save the file as UTF-8 without a byte order "
-                "mark)\n"},
-           Case{"a: \x04\n", "1:4 `\x04` yaml_syntax: the byte 0x04 may not stand in a text\n"},
-       }) {
+  for (
+      const Case& c : {
+          Case{"a: \"un\nb: 1\n", "1:4 `\"` yaml_syntax: this quote is never closed (close it with `\"`)\n"},
+          Case{"a: ['x', 'un\nb: 1\n", "1:10 `'` yaml_syntax: this quote is never closed (close it with `'`)\n"},
+          Case{"a: it's # don't\nb: \"un\n", "2:4 `\"` yaml_syntax: this quote is never closed (close it with `\"`)\n"},
+          Case{"- a\nb: 1\n",
+               "2:1 `b` yaml_syntax: text behind the end of the document (is the line indented as it should "
+               "be?)\n"},
+          Case{"{a: 1} garbage\n",
+               "1:8 `g` yaml_syntax: text behind the end of the document (is the line indented as it "
+               "should be?)\n"},
+          Case{",",
+               "1:1 `,` yaml_syntax: text behind the end of the document (is the line indented as it should be?)\n"},
+          Case{"a: 1\n---\nb: 2\n", "2:1 `---` yaml_syntax: a second document; a file has one (leave out the `---`, or "
+                                    "move what follows into a file of its own)\n"},
+          Case{"x:\n\ta: 1\n", "2:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
+          Case{"\ta: 1\n", "1:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
+          Case{"a:\n  - b\n\t- c\n", "3:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
+          Case{"a: |\n\tx\n", "2:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
+          Case{"a: [b\nc: d\n",
+               "2:2 `:` yaml_syntax: expected `,` or `]` here (close what is opened there, or put the text in quotes)\n"
+               "  1:4 `[` opened here\n"},
+          Case{
+              "a: {b: \"c\"d}\n",
+              "1:11 `d` yaml_syntax: expected `,` or `}` here (close what is opened there, or put the text in quotes)\n"
+              "  1:4 `{` opened here\n"},
+          Case{"[a, b\n",
+               "1:6 `` yaml_syntax: expected `,` or `]` here (close what is opened there, or put the text in quotes)\n"
+               "  1:1 `[` opened here\n"},
+          Case{"a: b # c\n  d\n", "2:3 `d` yaml_syntax: expected another key, or the end of this mapping (is the line "
+                                  "indented as it should be?)\n"},
+          Case{"x: 1\n y: 2\n",
+               "2:3 `:` yaml_syntax: a `:` that belongs to no key (is the line indented as it should be? A "
+               "text with `: ` in it needs quotes)\n"},
+          Case{"a: - b\n",
+               "1:4 `-` yaml_syntax: a `- ` that may not stand here (a list begins in a line of its own, or is "
+               "written [a, b])\n"},
+          Case{"a: [b}\n",
+               "1:6 `}` yaml_syntax: expected `,` or `]` here (close what is opened there, or put the text in quotes)\n"
+               "  1:4 `[` opened here\n"},
+          Case{"a: ]\n", "1:4 `]` yaml_syntax: a closing bracket that nothing opened (leave it out, or open it)\n"},
+          Case{"a: @x\n", "1:4 `@` yaml_syntax: no word begins with this character (put the text in quotes)\n"},
+          Case{"a: *\n", "1:5 `` yaml_syntax: aliases are not part of the language (a text that begins with `*` needs "
+                         "quotes)\n"},
+          Case{"a: *b\n", "1:4 `*` yaml_syntax: aliases are not part of the language (write the value itself)\n"},
+          Case{"a: \"\\q\"\n",
+               "1:7 `\"` yaml_syntax: unknown escape character: q (in single quotes a backslash stands for itself)\n"},
+          Case{"\xEF\xBB\xBF"
+               "a: 1\n",
+               "1:1 `\xEF\xBB\xBF` yaml_syntax: the file begins with a byte order mark (save the file as UTF-8 "
+               "without a byte "
+               "order mark)\n"},
+          Case{"a: \xFF\n",
+               "1:4 `\xFF` yaml_syntax: the byte 0xFF is not UTF-8 (save the file as UTF-8 without a byte order "
+               "mark)\n"},
+          Case{"a: \x04\n", "1:4 `\x04` yaml_syntax: the byte 0x04 may not stand in a text (leave it out)\n"},
+      }) {
     CAPTURE(c.text);
     Tree tree(c.text);
     CHECK(tree.root.kind == YamlNode::Kind::broken);
@@ -194,13 +205,17 @@ TEST_CASE("Where the text is no YAML the place and the likely reason are said") 
 TEST_CASE("64 levels are read, and one more is refused") {
   const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
   CHECK(Tree(nested(deepest_nesting)).findings() == "");
-  CHECK(Tree(nested(deepest_nesting + 1)).findings() == "1:65 `[` input_limit: nested deeper than 64 levels\n");
-  CHECK(Tree(nested(400'000)).findings() == "1:65 `[` input_limit: nested deeper than 64 levels\n");
+  CHECK(Tree(nested(deepest_nesting + 1)).findings() ==
+        "1:65 `[` input_limit: nested deeper than 64 levels (the language needs ten at most: leave out what nests the "
+        "others)\n");
+  CHECK(Tree(nested(400'000)).findings() == "1:65 `[` input_limit: nested deeper than 64 levels (the language needs "
+                                            "ten at most: leave out what nests the others)\n");
 }
 
 TEST_CASE("A file of more values than anybody writes is refused") {
   std::string text = "k: [a";
   while (text.size() < 2 * most_values) text += ",a";
   Tree tree(text + "]");
-  CHECK(tree.findings() == "1:3999999 `a` input_limit: the file has more than 2000000 keys and values\n");
+  CHECK(tree.findings() == "1:3999999 `a` input_limit: the file has more than 2000000 keys and values (divide it into "
+                           "files that import one another)\n");
 }

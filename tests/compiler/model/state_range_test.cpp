@@ -25,9 +25,11 @@ roots: []
       R"(test.yaml:5:19: error: `-2147483648` is too large for a state: its numbers go from -2147483647 to 2147483647 [value_outside_domain]
     5 |   Large: {range: [-2147483648, 4000000000], external: true}
       |                   ^~~~~~~~~~~
+  help: count in larger steps
 test.yaml:5:32: error: `4000000000` is too large for a state: its numbers go from -2147483647 to 2147483647 [value_outside_domain]
     5 |   Large: {range: [-2147483648, 4000000000], external: true}
       |                                ^~~~~~~~~~
+  help: count in larger steps
 2 errors
 )");
 }

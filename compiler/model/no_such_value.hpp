@@ -1,0 +1,12 @@
+#pragma once
+// What is said of a value that a state cannot have.
+
+#include "compiler/model/model.hpp"
+#include "dsl/diagnostic.hpp"
+
+namespace director::compiler {
+
+/// value_outside_domain, at the word.
+dsl::Diagnostic no_such_value(const State& state, const Word& value);
+
+} // namespace director::compiler
