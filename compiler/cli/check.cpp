@@ -42,6 +42,10 @@ std::vector<dsl::Note> missing_for(const Model& model, const checks::Facts& fact
       const std::vector<ProviderId>& live = model.groups[*source.group].providers;
       providers.insert(providers.end(), live.begin(), live.end());
     }
+    const State& state = model.states[value->state];
+    if (providers.empty())
+      return {{state.name.span,
+               fmt::format("nothing causes or sets `{} == {}`", state.name.value, state.value_text(value->value))}};
   }
   return checks::explain_idle(model, facts, providers);
 }

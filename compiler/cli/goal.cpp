@@ -2,12 +2,68 @@
 #include "compiler/cli/goal.hpp"
 
 #include "compiler/play/names.hpp"
+#include "dsl/read_condition.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace director::compiler::cli {
 
 namespace {
+
+using dsl::Diagnostic;
+
+class Lookup {
+public:
+  Lookup(const Model& model, std::string_view words) : model_(model), words_(words), names_(model, findings) {}
+
+  std::optional<checks::Goal> goal() {
+    if (words_.find_first_of("=<>!|&") != std::string::npos) return value();
+    if (const auto state = model_.find_state(words_); state && !model_.find_group(words_)) {
+      names_.error("bad_condition", {}, fmt::format("`{}` is a state", words_),
+                   "name one of its values: " + example(*state));
+      return std::nullopt;
+    }
+    const std::size_t dot = std::min(words_.find('.'), words_.size());
+    const auto group = names_.group({words_.substr(0, dot), {}});
+    if (!group) return std::nullopt;
+    if (dot == words_.size()) return *group;
+    const auto provider = names_.provider(*group, {words_.substr(dot + 1), {}});
+    return provider ? std::optional<checks::Goal>(*provider) : std::nullopt;
+  }
+
+  std::vector<Diagnostic> findings;
+
+private:
+  /// `Pose == standing`, read as the language reads a condition.
+  std::optional<checks::Goal> value() {
+    dsl::YamlNode node;
+    node.kind = dsl::YamlNode::Kind::scalar;
+    node.text = words_;
+    dsl::Reader reader(words_, findings);
+    const auto condition = dsl::read_condition(reader, node, "--explain-reachable", dsl::ConditionUse::comparison);
+    if (!condition) return std::nullopt;
+    const auto state = names_.state(condition->state);
+    if (!state) return std::nullopt;
+    if (condition->op.value != dsl::Op::equal || condition->values.size() != 1) {
+      names_.error("bad_condition", {}, fmt::format("expected one value of a state, found `{}`", words_),
+                   "for example " + example(*state));
+      return std::nullopt;
+    }
+    const auto number = names_.value(*state, condition->values.front());
+    return number ? std::optional<checks::Goal>(checks::StateValue{*state, *number}) : std::nullopt;
+  }
+
+  std::string example(StateId id) const {
+    const State& state = model_.states[id];
+    return fmt::format("`{} == {}`", state.name.value, state.value_text(state.high));
+  }
+
+  const Model& model_;
+  std::string words_;
+  Names names_;
+};
 
 std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' ');
@@ -15,29 +71,14 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(' ') + 1 - first));
 }
 
-std::optional<checks::Goal> look_up(Names& names, const std::string& words) {
-  if (const std::size_t equal = words.find("=="); equal != std::string::npos) {
-    const auto state = names.state({trimmed(words.substr(0, equal)), {}});
-    if (!state) return std::nullopt;
-    const auto value = names.value(*state, {trimmed(words.substr(equal + 2)), {}});
-    return value ? std::optional<checks::Goal>(checks::StateValue{*state, *value}) : std::nullopt;
-  }
-  const std::size_t dot = std::min(words.find('.'), words.size());
-  const auto group = names.group({trimmed(words.substr(0, dot)), {}});
-  if (!group) return std::nullopt;
-  if (dot == words.size()) return *group;
-  const auto provider = names.provider(*group, {trimmed(words.substr(dot + 1)), {}});
-  return provider ? std::optional<checks::Goal>(*provider) : std::nullopt;
-}
-
 } // namespace
 
 ParsedGoal parse_goal(const Model& model, const std::string& words) {
-  std::vector<dsl::Diagnostic> findings;
-  Names names(model, findings);
-  ParsedGoal out{look_up(names, words), {}};
-  if (!out.goal)
-    out.wrong = findings.front().message + (findings.front().help.empty() ? "" : "; " + findings.front().help);
+  Lookup lookup(model, trimmed(words));
+  ParsedGoal out{lookup.goal(), {}};
+  if (out.goal) return out;
+  const Diagnostic& wrong = lookup.findings.front();
+  out.wrong = wrong.message + (wrong.help.empty() ? "" : "; " + wrong.help);
   return out;
 }
 

@@ -51,7 +51,16 @@ groups:
     "of": "Key == found",
     "reachable": false,
     "steps": [],
-    "missing": []
+    "missing": [
+      {
+        "file": "door.yaml",
+        "line": 3,
+        "column": 55,
+        "end_line": 3,
+        "end_column": 58,
+        "message": "nothing causes or sets `Key == found`"
+      }
+    ]
   }
 }
 )"));
@@ -62,12 +71,36 @@ TEST_CASE("what it may be asked about") {
   CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=Lump"}) == 2);
   CHECK(world.err == "directorc: there is no group called `Lump`; did you mean `Lamp`?\n");
   CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=Lamp.dim"}) == 2);
-  CHECK(world.err == "directorc: the group `Lamp` has no provider called `dim`\n");
+  CHECK(world.err == "directorc: the group `Lamp` has no provider called `dim`; there is only `default`\n");
   CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=Day == often"}) == 2);
-  CHECK(world.err == "directorc: `often` is no value of the state `Day`: its values are no, yes\n");
+  CHECK(world.err ==
+        "directorc: `often` is no value of the state `Day`: its values are no, yes; write one of them, or add it to "
+        "the `values`\n");
   CHECK(world.directorc({"check", "bulb.yaml", "--explain-reachable=Bulb"}) == 2);
   CHECK(world.err ==
         "directorc: `bulb.yaml` has no `roots`: what can be reached in a module depends on who imports it\n");
+}
+
+TEST_CASE("a condition that is none is told of as in a behaviour") {
+  World world = lamp();
+  const auto refused = [&](const std::string& words) {
+    CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=" + words}) == 2);
+    return world.err;
+  };
+  CHECK(refused("Day = yes") ==
+        "directorc: expected one of ==, !=, <, <=, >, >= behind `Day`, found `=`; write `==`\n");
+  CHECK(refused("Day == ") == "directorc: expected a value behind `==`, found nothing\n");
+  CHECK(refused("Day == yes && Lamp") ==
+        "directorc: expected the end of the condition, found `&&`; each condition is an "
+        "entry of its own in the list; all must hold\n");
+  CHECK(refused("Dya == yes") == "directorc: there is no state called `Dya`; did you mean `Day`?\n");
+  CHECK(refused("Day == ye") ==
+        "directorc: `ye` is no value of the state `Day`: its values are no, yes; did you mean `yes`?\n");
+  CHECK(refused("Day != no") ==
+        "directorc: expected one value of a state, found `Day != no`; for example `Day == yes`\n");
+  CHECK(refused("Day == no|yes") ==
+        "directorc: expected one value of a state, found `Day == no|yes`; for example `Day == yes`\n");
+  CHECK(refused("Day") == "directorc: `Day` is a state; name one of its values: `Day == yes`\n");
 }
 
 TEST_CASE("the same as JSON") {
