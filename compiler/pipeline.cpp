@@ -70,7 +70,7 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   const bool checkable = out.resolved && out.model.deployment;
   if (checkable) {
     const checks::Facts facts = checks::find_facts(out.model, out.graph);
-    append(out.findings, checks::run_checks(out.model, out.graph, facts));
+    append(out.findings, checks::run_checks(out.model, out.graph, facts, options.selection));
   }
   out.lowerable = checkable && !stops_lowering(out.model, out.findings);
 

@@ -65,6 +65,13 @@ Diagnostic unused(const Allowance& allowance) {
   return finding;
 }
 
+/// Whether anybody would hear of what it finds.
+bool is_wanted(const Registered& check, const Selection& selection, const Model& model) {
+  return level_of(check) != Level::lint || selection.every_lint || selection.lints.contains(check.id) ||
+         std::any_of(model.allowances.begin(), model.allowances.end(),
+                     [&](const Allowance& allowance) { return allowance.id.value == check.id; });
+}
+
 /// The rest of the line of the page's head that begins like this.
 std::string_view header_of(const Registered& check, std::string_view label) {
   const std::size_t at = check.page.find(label);
@@ -108,12 +115,13 @@ std::string summary_of(const Registered& check) {
   return stop == std::string::npos ? out : out.substr(0, stop + 1);
 }
 
-std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts) {
+std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts,
+                                   const Selection& selection) {
   const Shared shared(model, graph, facts);
   const Conflicts conflicts(model, graph, facts, shared);
   std::vector<Diagnostic> all;
   for (const Registered& check : registered()) {
-    if (check.run == nullptr) continue;
+    if (check.run == nullptr || !is_wanted(check, selection, model)) continue;
     Findings findings(check.id, level_of(check));
     check.run(conflicts.input(), findings);
     for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));

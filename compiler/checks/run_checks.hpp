@@ -16,8 +16,10 @@ struct Selection {
   std::set<std::string, std::less<>> allowed;            ///< `--allow=<id>`: not reported, unless it is an error
 };
 
-/// Everything that the checks find, lints too, sorted by place; nothing suppressed.
-std::vector<dsl::Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts);
+/// Everything that the checks find, sorted by place; nothing suppressed. Of the lints only those that are asked for, or
+/// that an `allow` names.
+std::vector<dsl::Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts,
+                                        const Selection& selection);
 
 /// Drops what an `allow` covers. With `all_checks_ran`, an `allow` that covered nothing is a finding of its own;
 /// without, it may be meant for a check that did not come to its turn.

@@ -15,7 +15,7 @@ std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers
   IdSet<ProviderId> waiters(model.providers.size());
   for (const GroupId group : model.groups.ids()) {
     if (!facts.requested.contains(group)) continue;
-    for (const auto& [provider, use] : waited_conditions(model, group)) waiters.add(provider);
+    for (const auto& [provider, use] : waited_conditions(model, facts, group)) waiters.add(provider);
   }
   std::vector<Imprecise> out;
   for (const ProviderId waiter : model.providers.ids()) {

@@ -66,7 +66,7 @@ private:
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
       std::optional<PushGoals> found; // few groups wait for something that could be caused and is not
-      for (const auto& [provider, use] : waited_conditions(model_, waiter)) {
+      for (const auto& [provider, use] : waited_conditions(model_, facts_, waiter)) {
         for (const ProviderId causer : causers_[use.id]) {
           if (!is_idle(causer) || !facts_.capable.contains(causer)) continue;
           if (!found) found = find_push_goals(model_, facts_, chains_, causers_, waiter);
@@ -157,7 +157,7 @@ private:
     std::vector<ProviderId> open;
     for (const GroupId group : model_.groups.ids()) {
       if (!facts_.requested.contains(group)) continue;
-      for (const auto& [provider, use] : waited_conditions(model_, group)) {
+      for (const auto& [provider, use] : waited_conditions(model_, facts_, group)) {
         if (!facts_.may_hold(model_, provider, use)) open.push_back(provider);
       }
     }

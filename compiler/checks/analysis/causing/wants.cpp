@@ -70,7 +70,7 @@ private:
     SparseSet<GroupId> seen;
     for (std::size_t next = 0; next < out.size(); ++next) {
       for (const Use<GroupId>& need : model_.providers[out[next]].needs) {
-        if (!seen.add(need.id)) continue;
+        if (!facts_.may_wait.contains(need.id) || !seen.add(need.id)) continue;
         const std::vector<ProviderId>& below = model_.groups[need.id].providers;
         out.insert(out.end(), below.begin(), below.end());
       }

@@ -31,6 +31,7 @@ public:
 
   Facts run() {
     find_declared();
+    find_waiting();
     for (const ProviderId id : model_.providers.ids()) {
       facts_.plans[id] = find_plan(model_, id);
       find_impossible(id, false);
@@ -53,6 +54,22 @@ private:
     for (const StateId state : model_.states.ids()) {
       for (const Source& source : sources_[state])
         facts_.declared[state] = facts_.declared[state].united(source.values);
+    }
+  }
+
+  /// From each group with a condition up to all that may need it.
+  void find_waiting() {
+    IdTable<GroupId, std::vector<GroupId>> needers(model_.groups.size());
+    std::vector<GroupId> open;
+    for (const Provider& provider : model_.providers) {
+      for (const Use<GroupId>& need : provider.needs) needers[need.id].push_back(provider.group);
+      if (!provider.when.empty()) open.push_back(provider.group);
+    }
+    facts_.may_wait = IdSet<GroupId>(model_.groups.size());
+    while (!open.empty()) {
+      const GroupId group = open.back();
+      open.pop_back();
+      if (facts_.may_wait.add(group)) open.insert(open.end(), needers[group].begin(), needers[group].end());
     }
   }
 
@@ -134,19 +151,21 @@ private:
     return out;
   }
 
-  std::vector<ProviderId> rivals_that_count(ProviderId id) const {
-    std::vector<ProviderId> out;
-    for (const ProviderId rival : rivals_.of(id)) {
-      if (facts_.plans[rival] == PlanVerdict::found && mended_states(rival).empty()) out.push_back(rival);
+  /// Its `when` may hold while each of its rivals lacks something. Those that exclude it lack it then.
+  bool may_come_first(ProviderId id) const {
+    Region own = region_of(model_, model_.providers[id].when);
+    for (const StateId state : mended_states(id)) own.states.erase(state);
+    std::vector<Region> others;
+    for (const ProviderId rival : rivals_.that_meet(id, own)) {
+      if (facts_.plans[rival] == PlanVerdict::found && mended_states(rival).empty())
+        others.push_back(region_of(model_, model_.providers[rival].when));
     }
-    return out;
+    return may_escape(model_, own, others, facts_.values);
   }
 
   void find_active(GroupId group) {
     for (const ProviderId id : model_.groups[group].providers) {
-      if (facts_.capable.contains(id) && !facts_.chosen.contains(id) &&
-          may_come_first(model_, id, rivals_that_count(id), facts_.values, mended_states(id)))
-        add(facts_.chosen, id);
+      if (facts_.capable.contains(id) && !facts_.chosen.contains(id) && may_come_first(id)) add(facts_.chosen, id);
       if (!facts_.requested.contains(group) || facts_.active.contains(id)) continue;
       if (!facts_.capable.contains(id) || !(facts_.chosen.contains(id) || facts_.pushed.contains(id))) continue;
       add(facts_.active, id);

@@ -34,6 +34,7 @@ struct Facts {
   IdTable<StateId, ValueSet> declared; ///< what any source names, whether or not it can ever act
   std::vector<Impossible> impossible;  ///< in order of provider
   IdTable<ProviderId, PlanVerdict> plans;
+  IdSet<GroupId> may_wait; ///< some provider of it, or of a group that its plans may hold, has a `when`
 
   IdTable<StateId, ValueSet> values; ///< that the state may have
   IdSet<GroupId> capable_groups;     ///< some provider is capable

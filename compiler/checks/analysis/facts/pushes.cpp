@@ -7,9 +7,10 @@ namespace director::checks {
 
 namespace {
 
-/// The providers of the group and of every group that their plans may hold.
-std::vector<ProviderId> providers_of_plans(const Model& model, GroupId waiter) {
+/// The providers of the group and of every group that their plans may hold, as far as one of them waits for anything.
+std::vector<ProviderId> providers_of_plans(const Model& model, const Facts& facts, GroupId waiter) {
   std::vector<ProviderId> out;
+  if (!facts.may_wait.contains(waiter)) return out;
   std::vector<GroupId> open{waiter};
   SparseSet<GroupId> seen;
   seen.add(waiter);
@@ -19,7 +20,7 @@ std::vector<ProviderId> providers_of_plans(const Model& model, GroupId waiter) {
     for (const ProviderId id : model.groups[group].providers) {
       out.push_back(id);
       for (const Use<GroupId>& need : model.providers[id].needs) {
-        if (seen.add(need.id)) open.push_back(need.id);
+        if (facts.may_wait.contains(need.id) && seen.add(need.id)) open.push_back(need.id);
       }
     }
   }
@@ -33,7 +34,7 @@ public:
       : model_(model),
         facts_(facts),
         causers_of_(causers),
-        providers_(providers_of_plans(model, waiter)) {
+        providers_(providers_of_plans(model, facts, waiter)) {
     collect_conditions();
     std::vector<GroupId> others;
     for (const ProviderId causer : causers_) others.push_back(model.providers[causer].group);
@@ -111,9 +112,11 @@ private:
   }
 
   void find_servable() {
+    // Backwards: what a condition waits for was collected behind it.
     for (bool changed = true; changed;) {
       changed = false;
-      for (const ConditionId id : conditions_) {
+      for (auto at = conditions_.rbegin(); at != conditions_.rend(); ++at) {
+        const ConditionId id = *at;
         if (goals_.servable.contains(id)) continue;
         const bool now = may_hold(id) || std::any_of(causers_of_[id].begin(), causers_of_[id].end(),
                                                      [&](ProviderId causer) { return serves(causer); });
@@ -155,9 +158,10 @@ PushGoals find_push_goals(const Model& model, const Facts& facts, const Chains& 
   return GoalSearch(model, facts, chains, causers, waiter).run();
 }
 
-std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, GroupId waiter) {
+std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, const Facts& facts,
+                                                                   GroupId waiter) {
   std::vector<std::pair<ProviderId, ConditionUse>> out;
-  for (const ProviderId id : providers_of_plans(model, waiter)) {
+  for (const ProviderId id : providers_of_plans(model, facts, waiter)) {
     for (const ConditionUse& use : model.providers[id].when) out.emplace_back(id, use);
   }
   return out;

@@ -23,6 +23,7 @@ PushGoals find_push_goals(const Model& model, const Facts& facts, const Chains& 
                           GroupId waiter);
 
 /// What a task for this group may wait for: the conditions of its providers and of those in their plans.
-std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, GroupId waiter);
+std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, const Facts& facts,
+                                                                   GroupId waiter);
 
 } // namespace director::checks

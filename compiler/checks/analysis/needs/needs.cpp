@@ -13,14 +13,23 @@ namespace {
 /// Groups that can be had if a group may serve any number of needs, `without` this one: needs end somewhere.
 IdSet<GroupId> find_ending(const Model& model, std::optional<GroupId> without) {
   IdSet<GroupId> ending(model.groups.size());
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (const ProviderId id : model.providers.ids()) {
-      const Provider& provider = model.providers[id];
-      if (provider.group == without || ending.contains(provider.group)) continue;
-      if (std::all_of(provider.needs.begin(), provider.needs.end(),
-                      [&](const Use<GroupId>& need) { return ending.contains(need.id); }))
-        changed = ending.add(provider.group) || changed;
+  IdTable<ProviderId, std::size_t> missing(model.providers.size());
+  IdTable<GroupId, std::vector<ProviderId>> needers(model.groups.size());
+  std::vector<GroupId> open;
+  const auto add = [&](GroupId group) {
+    if (group != without && ending.add(group)) open.push_back(group);
+  };
+  for (const ProviderId id : model.providers.ids()) {
+    const Provider& provider = model.providers[id];
+    missing[id] = provider.needs.size();
+    for (const Use<GroupId>& need : provider.needs) needers[need.id].push_back(id);
+    if (provider.needs.empty()) add(provider.group);
+  }
+  while (!open.empty()) {
+    const GroupId group = open.back();
+    open.pop_back();
+    for (const ProviderId id : needers[group]) {
+      if (--missing[id] == 0) add(model.providers[id].group);
     }
   }
   return ending;

@@ -48,6 +48,30 @@ void add_way(std::vector<Region>& ways, Region way) {
   ways.push_back(std::move(way));
 }
 
+/// Makes one way of two that differ in what they accept of one state alone.
+void unite(std::vector<Region>& ways) {
+  std::vector<Region> out;
+  for (Region& way : ways) {
+    const auto same = std::find_if(out.begin(), out.end(), [&](const Region& other) {
+      if (other.states.size() != way.states.size()) return false;
+      std::size_t different = 0;
+      auto b = other.states.begin();
+      for (const auto& [state, values] : way.states) {
+        if (state != b->first) return false;
+        if (values != b->second) ++different;
+        ++b;
+      }
+      return different == 1;
+    });
+    if (same == out.end()) {
+      out.push_back(std::move(way));
+      continue;
+    }
+    for (auto& [state, values] : same->states) values = values.united(way.states.at(state));
+  }
+  ways = std::move(out);
+}
+
 } // namespace
 
 Box box_of(const Facts& facts, const Region& region) {
@@ -94,13 +118,19 @@ Ways::Ways(const Model& model, const Facts& facts, bool with_stay,
       counts_(std::move(counts)) {}
 
 const std::vector<Region>& Ways::of(GroupId group) {
+  static const std::vector<Region> always{Region{}};
+  if (!facts_.may_wait.contains(group)) return always;
   const auto [at, is_new] = ways_.try_emplace(group);
   if (!is_new) return at->second; // in a circle of needs: no way
   std::vector<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
     for (Region& way : of(id)) add_way(out, std::move(way));
+    if (out.size() > most_ways) unite(out);
+    if (out.size() > most_ways) {
+      out = {Region{}};
+      break;
+    }
   }
-  if (out.size() > most_ways) out = {Region{}};
   return ways_[group] = std::move(out);
 }
 
@@ -132,6 +162,7 @@ std::vector<Region> Ways::of(ProviderId id) {
         add_way(both, std::move(way));
       }
     }
+    if (both.size() > most_ways) unite(both);
     if (both.size() > most_ways) return {Region{}};
     out = std::move(both);
   }

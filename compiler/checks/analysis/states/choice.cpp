@@ -28,7 +28,7 @@ IdSet<GroupId> find_claimable(const Model& model, const Graph& graph) {
 
 struct Availability {
   const Model& model;
-  IdSet<GroupId> claimable;
+  const IdSet<GroupId>& claimable;
 
   /// Somebody but `needer` may hold it.
   bool is_contended(GroupId group, GroupId needer) const {
@@ -79,7 +79,7 @@ public:
     for (const auto& [state, accepted] : own.states) now_[state] = {values_[state].intersected(accepted), false};
     if (std::any_of(now_.begin(), now_.end(), [](const auto& entry) { return entry.second.empty(); })) return false;
     regions_ = rivals;
-    return fail_from(0);
+    return all_fail();
   }
 
 private:
@@ -87,20 +87,47 @@ private:
     return now_.try_emplace(state, Possible{values_[state], model_.states[state].may_be_unset()}).first->second;
   }
 
-  /// The rivals from this one on can all lack something.
-  bool fail_from(std::size_t rival) {
-    if (rival == regions_.size()) return true;
-    if (lacks_already(regions_[rival])) return fail_from(rival + 1);
-    for (const auto& [state, accepted] : regions_[rival].states) {
+  /// All rivals can lack something at once. Not by recursion: they may be many.
+  bool all_fail() {
+    std::vector<Choice> choices;
+    std::size_t rival = 0;
+    while (true) {
+      while (rival < regions_.size() && lacks_already(regions_[rival])) ++rival;
+      if (rival == regions_.size()) return true;
+      choices.push_back({rival, regions_[rival].states.begin(), {}});
+      while (!take_next(choices.back())) {
+        choices.pop_back();
+        if (choices.empty()) return false;
+        take_back(choices.back());
+      }
+      if (steps_ > choice_steps) return true;
+      rival = choices.back().rival + 1;
+    }
+  }
+
+  /// What a rival is made to lack.
+  struct Choice {
+    std::size_t rival;
+    std::map<StateId, ValueSet>::const_iterator state;
+    Possible before; ///< of that state
+  };
+
+  /// From `state` on the first that can be otherwise than the rival wants it.
+  bool take_next(Choice& choice) {
+    for (; choice.state != regions_[choice.rival].states.end(); ++choice.state) {
       if (++steps_ > choice_steps) return true;
-      const Possible before = now(state);
-      const Possible without{before.values.without(accepted), before.unset};
+      choice.before = now(choice.state->first);
+      const Possible without{choice.before.values.without(choice.state->second), choice.before.unset};
       if (without.empty()) continue;
-      now_[state] = without;
-      if (fail_from(rival + 1)) return true;
-      now_[state] = before;
+      now_[choice.state->first] = without;
+      return true;
     }
     return false;
+  }
+
+  void take_back(Choice& choice) {
+    now_[choice.state->first] = choice.before;
+    ++choice.state;
   }
 
   /// Whatever else is taken from it: no choice is needed, and none would help where this one does not lead to an end.
@@ -120,21 +147,37 @@ private:
 
 } // namespace
 
-Rivals::Rivals(const Model& model, const Graph& graph) : rivals_(model.providers.size()) {
-  const Availability availability{model, find_claimable(model, graph)};
-  for (const Group& group : model.groups) {
-    // Two needs of one provider may come down to the same thing, and then a later choice has to serve.
-    const bool is_needed = std::any_of(group.requesters.begin(), group.requesters.end(),
-                                       [&](EdgeId edge) { return model.edges[edge].needed; });
-    for (std::size_t later = 1; later < group.providers.size(); ++later) {
-      for (std::size_t earlier = 0; earlier < later; ++earlier) {
-        const ProviderId rival = group.providers[earlier];
-        std::vector<GroupId> path{model.providers[rival].group};
-        if (is_needed && !model.providers[rival].needs.empty()) continue;
-        if (availability.is_free(rival, group.providers[later], path)) rivals_[group.providers[later]].push_back(rival);
-      }
+Rivals::Rivals(const Model& model, const Graph& graph)
+    : model_(model),
+      claimable_(find_claimable(model, graph)),
+      needed_(model.groups.size()),
+      place_(model.providers.size()) {
+  for (const GroupId id : model.groups.ids()) {
+    const Group& group = model.groups[id];
+    if (std::any_of(group.requesters.begin(), group.requesters.end(),
+                    [&](EdgeId edge) { return model.edges[edge].needed; }))
+      needed_.add(id);
+    std::vector<Region> regions;
+    for (std::size_t place = 0; place < group.providers.size(); ++place) {
+      place_[group.providers[place]] = place;
+      regions.push_back(region_of(model, model.providers[group.providers[place]].when));
     }
+    regions_.add(RegionIndex(std::move(regions)));
   }
+}
+
+std::vector<ProviderId> Rivals::that_meet(ProviderId provider, const Region& region) const {
+  const Availability availability{model_, claimable_};
+  const GroupId group = model_.providers[provider].group;
+  std::vector<ProviderId> out;
+  for (const std::size_t place : regions_[group].meeting(region, place_[provider])) {
+    const ProviderId rival = model_.groups[group].providers[place];
+    // Two needs of one provider may come down to the same thing, and then a later choice has to serve.
+    if (needed_.contains(group) && !model_.providers[rival].needs.empty()) continue;
+    std::vector<GroupId> path{group};
+    if (availability.is_free(rival, provider, path)) out.push_back(rival);
+  }
+  return out;
 }
 
 bool may_escape(const Model& model, const Region& own, const std::vector<Region>& others,

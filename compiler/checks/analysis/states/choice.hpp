@@ -1,7 +1,7 @@
 #pragma once
 // When a provider is the first of its group that can run.
 
-#include "compiler/checks/analysis/states/region.hpp"
+#include "compiler/checks/analysis/states/region_index.hpp"
 #include "compiler/graph/graph.hpp"
 
 #include <vector>
@@ -13,10 +13,17 @@ namespace director::checks {
 class Rivals {
 public:
   Rivals(const Model& model, const Graph& graph);
-  const std::vector<ProviderId>& of(ProviderId provider) const { return rivals_[provider]; }
+
+  std::vector<ProviderId> of(ProviderId provider) const { return that_meet(provider, {}); }
+  /// Those whose `when` may hold within the region. The others lack something there anyway.
+  std::vector<ProviderId> that_meet(ProviderId provider, const Region& region) const;
 
 private:
-  IdTable<ProviderId, std::vector<ProviderId>> rivals_;
+  const Model& model_;
+  IdSet<GroupId> claimable_;
+  IdSet<GroupId> needed_;
+  IdTable<ProviderId, std::size_t> place_; ///< among those of its group
+  IdTable<GroupId, RegionIndex> regions_;  ///< of its providers, by `when`
 };
 
 /// `own` can hold while each of `others` lacks something, each state having one of `values` or, where it may, none.
