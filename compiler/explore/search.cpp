@@ -8,6 +8,7 @@
 #include "compiler/explore/search.hpp"
 
 #include "compiler/explore/known.hpp"
+#include "compiler/explore/worker.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -30,123 +31,6 @@ struct Origin {
   std::uint32_t place = 0; ///< among all that can happen there
 };
 
-struct Step {
-  std::uint64_t key = 0;
-  std::uint32_t place = 0;
-  bool usual = false; ///< no input, and every body does what is usual
-  std::uint64_t roots = 0;
-  Packed state; ///< empty where it was known
-};
-
-struct Seen {
-  std::size_t assertion = 0;
-  std::uint32_t place = 0;
-};
-
-struct Expansion {
-  std::vector<Step> steps;
-  std::vector<Seen> seen;
-  std::size_t micro_steps = 0;
-};
-
-std::uint64_t roots_of(const Machine& machine) {
-  std::uint64_t out = 0;
-  const Index count = std::min<Index>(machine.ground().tables.root_edges, 64);
-  for (Index e = 0; e < count; ++e) {
-    if (machine.engine().state(e) != RunState::none) out |= std::uint64_t{1} << e;
-  }
-  return out;
-}
-
-class Worker {
-public:
-  Worker(const Ground& ground, const SearchOptions& options)
-      : machine(ground, options.breadth),
-        watch(ground, options.assertions) {}
-
-  void begin_slice() { mine_.clear(); }
-
-  /// `played`: what was played in the slices before.
-  void expand(const Packed& from, const Known& known, const Played& played, Expansion& out) {
-    out.steps.clear();
-    out.seen.clear();
-    machine.unpack(from);
-    watch.before(machine, from.watch);
-    machine.list(happens_);
-    place_ = 0;
-    moved_ = false;
-    const Print print = machine.print();
-    for (const Happens& happens : happens_) {
-      const Choices choices = machine.choices(happens);
-      if (choices.answers == 0) {
-        tape_.begin();
-        take_all(happens, known, out);
-      }
-      for (std::size_t answer = 0; answer < choices.answers; ++answer) {
-        for (std::size_t puts = 0; puts < choices.puts.size(); ++puts) {
-          const std::uint64_t key = machine.foresee(print, from.watch, choices, answer, puts, watch.minds_puts());
-          const bool usual = choices.body && answer == 0 && puts == 0;
-          std::size_t ways = usual ? 0 : mine_played_.find(key);
-          if (ways == 0 && !usual) ways = played.find(key);
-          if (ways != 0) {
-            place_ += static_cast<std::uint32_t>(ways);
-            continue;
-          }
-          const std::uint32_t before = place_;
-          choices.body ? tape_.begin({answer, puts}) : tape_.begin();
-          take_all(happens, known, out);
-          mine_played_.add(key, place_ - before);
-          newly_played.emplace_back(key, place_ - before);
-        }
-      }
-    }
-    out.micro_steps = place_;
-  }
-
-  Machine machine;
-  Watch watch;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> newly_played;
-
-private:
-  /// Takes it with all that the tape can be from where it is.
-  void take_all(const Happens& happens, const Known& known, Expansion& out) {
-    do {
-      if (moved_) machine.again();
-      moved_ = true;
-      machine.take(happens, tape_);
-      seen_.clear();
-      const std::uint64_t remembered = watch.after(machine, seen_);
-      for (const std::size_t assertion : seen_) out.seen.push_back({assertion, place_});
-      const std::uint64_t key = Machine::key(machine.print(), remembered);
-      const bool usual = happens.kind == Happens::Kind::go && tape_.usual();
-      // What this worker found before in the slice stands before this in it, too, and with its state.
-      const bool fresh = known.find(key) == none && mine_.find(key) == none;
-      if (fresh || usual) {
-        Step& step = out.steps.emplace_back();
-        step.key = key;
-        step.place = place_;
-        step.usual = usual;
-        if (fresh) {
-          mine_.add(key, 0);
-          step.roots = roots_of(machine);
-          machine.forget();
-          machine.pack(step.state);
-          step.state.watch = remembered;
-        }
-      }
-      ++place_;
-    } while (tape_.next());
-  }
-
-  std::vector<Happens> happens_;
-  std::vector<std::size_t> seen_;
-  Tape tape_;
-  Known mine_;                   ///< found in this slice
-  Played mine_played_{1U << 15}; ///< and played, in any
-  std::uint32_t place_ = 0;      ///< of what is next
-  bool moved_ = false;           ///< the machine is elsewhere than where it was loaded
-};
-
 class Search {
 public:
   Search(const Ground& ground, const SearchOptions& options) : ground_(ground), options_(options), out_(ground.tables) {
@@ -165,7 +49,7 @@ public:
     first.key = Machine::key(machine.print(), 0);
     machine.forget();
     machine.pack(first.state);
-    first.roots = roots_of(machine);
+    first.roots = requested_roots(machine);
     add(std::move(first), none);
     while (!frontier_.empty() && !cut_) take_slice();
     out_.complete = !cut_;
@@ -305,62 +189,5 @@ private:
 } // namespace
 
 Searched search(const Ground& ground, const SearchOptions& options) { return Search(ground, options).run(); }
-
-namespace {
-
-/// Plays a way again, from the start without a break; `before` and `after` are called around each micro-step of it.
-template <class Before, class After>
-void replay(const Ground& ground, const Way& way, Breadth breadth, Before&& before, After&& after) {
-  Machine machine(ground, breadth);
-  machine.start();
-  machine.forget();
-  std::vector<Happens> happens;
-  Packed here;
-  Tape tape;
-  for (const std::uint32_t place : way) {
-    machine.pack(here);
-    machine.unpack(here);
-    machine.list(happens);
-    before(machine);
-    std::uint32_t at = 0;
-    bool found = false;
-    for (std::size_t i = 0; i < happens.size() && !found; ++i) {
-      tape.begin();
-      do {
-        found = at++ == place;
-        if (at != 1) machine.again();
-        const Phase phase = machine.phase();
-        machine.take(happens[i], tape);
-        if (found) after(machine, happens[i], phase);
-      } while (!found && tape.next());
-    }
-    machine.forget();
-  }
-}
-
-} // namespace
-
-std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth) {
-  std::vector<Taken> out;
-  replay(
-      ground, way, breadth, [](const Machine&) {},
-      [&](const Machine& machine, const Happens& happens, Phase before) {
-        out.push_back({happens, machine.deeds(), before, machine.phase()});
-      });
-  return out;
-}
-
-bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion, bool strict) {
-  Watch watch(ground, {assertion}, strict);
-  std::uint64_t remembered = 0;
-  std::vector<std::size_t> seen;
-  replay(
-      ground, way, breadth, [&](const Machine& machine) { watch.before(machine, remembered); },
-      [&](const Machine& machine, const Happens&, Phase) {
-        seen.clear();
-        remembered = watch.after(machine, seen);
-      });
-  return !seen.empty();
-}
 
 } // namespace director::compiler
