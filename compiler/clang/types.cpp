@@ -35,6 +35,10 @@ Source write_source(const Json& request) {
   std::size_t number = 0;
   for (const Json& name : request["names"].items())
     out.text += "using " + (alias + std::to_string(number++)) + " = " + name.as_text() + ";\n";
+  // An enum within a template has values when somebody uses them.
+  for (std::size_t i = 0; i < number; ++i)
+    if (request["names"].items()[i].as_text().find('<') != std::string::npos)
+      out.text += "namespace director_uses { using enum " + (alias + std::to_string(i)) + "; }\n";
   out.text += "}\n";
   return out;
 }
