@@ -41,7 +41,7 @@ std::string help() {
   std::string out = "director-clang reads C++ for directorc: JSON on standard input and output.\n\n"
                     "Usage: director-clang SUBCOMMAND <REQUEST\n\n";
   for (const Subcommand& each : subcommands) {
-    out += "  " + std::string(each.name) + std::string(12 - each.name.size(), ' ') + std::string(each.summary) + "\n";
+    out += "  " + std::string(each.name) + std::string(14 - each.name.size(), ' ') + std::string(each.summary) + "\n";
   }
   return out;
 }
