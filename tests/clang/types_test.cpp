@@ -46,9 +46,8 @@ TEST_CASE("a state's values are those that the flags of the program make") {
 }
 
 /// As C and C++ have it, in two headers with blanks in their path; the second one is included by the first.
-constexpr const char* enums = R"(#pragma once
-#include "deep/base.hpp"
-namespace game {
+constexpr const char* enums = "#pragma once\n#include \"deep/base.hpp\"\n"
+                              R"(namespace game {
 typedef enum { fresh, stale } OfC;
 enum Gap { left, middle = 5, right };
 enum class Tiny : unsigned char { low = 200, high };
