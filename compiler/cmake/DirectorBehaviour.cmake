@@ -83,8 +83,12 @@ function(director_add_behaviour)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/director/${target}/${behaviour})
   set(outputs ${folder}/${behaviour}.hpp ${folder}/${behaviour}.cpp ${folder}/manifest.json)
   set(stamp ${folder}/generated)
-  director_write_flags_(${target} ${folder}/flags)
-  set(flags ${folder}/flags$<$<BOOL:${CMAKE_CONFIGURATION_TYPES}>:.$<CONFIG>>.CXX)
+  set(flags ${folder}/flags)
+  if(CMAKE_CONFIGURATION_TYPES) # several builds in one tree, and flags for each
+    string(APPEND flags .$<CONFIG>)
+  endif()
+  director_write_flags_(${target} ${flags})
+  string(APPEND flags .CXX)
   add_custom_command(
     OUTPUT ${stamp}
     BYPRODUCTS ${outputs}
@@ -162,7 +166,7 @@ function(director_write_flags_ target file)
     string(APPEND content "$<$<BOOL:${value}>:${what}$<JOIN:${value},\n${what}>>\n")
   endforeach()
   # A condition on the language, in an option, makes a file for each.
-  file(GENERATE OUTPUT "${file}$<$<BOOL:${CMAKE_CONFIGURATION_TYPES}>:.$<CONFIG>>.$<COMPILE_LANGUAGE>" CONTENT "${content}" TARGET ${target})
+  file(GENERATE OUTPUT "${file}.$<COMPILE_LANGUAGE>" CONTENT "${content}" TARGET ${target})
 endfunction()
 
 # What reads C++ needs director-clang, and to know how the target's files are compiled.

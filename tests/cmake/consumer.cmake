@@ -61,3 +61,16 @@ endif()
 file(WRITE ${WORK}/project/parts/lamp.yaml "${lamp}")
 build_after("mending it" builds generates)
 build_after("touching nothing at last" builds keeps)
+
+# Several builds in one tree.
+if(GENERATOR STREQUAL Ninja)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/several -G "Ninja Multi-Config" -D CMAKE_CXX_COMPILER=${COMPILER}
+                          -D CMAKE_CXX_FLAGS=${FLAGS} ${where} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  foreach(config Debug Release)
+    execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/several --config ${config} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${WORK}/several/${config}/lantern OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT said STREQUAL "the lamp shines\n")
+      message(FATAL_ERROR "the program of ${config} said: ${said}")
+    endif()
+  endforeach()
+endif()
