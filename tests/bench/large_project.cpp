@@ -1,6 +1,7 @@
 // Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 //
 // large_project GROUPS FOLDER: writes a behaviour of so many groups, main.yaml and its modules, into FOLDER.
+// large_project SHAPE SIZE FOLDER: writes that shape in that size, as main.yaml, into FOLDER.
 // large_project FOLDER: every shape in its small and its large size, and prints a line for each: file, size, name.
 #include "tests/bench/project.hpp"
 
@@ -18,8 +19,8 @@ void write(const fs::path& path, const std::string& text) { std::ofstream(path, 
 } // namespace
 
 int main(int count, char** arguments) {
-  if (count != 2 && count != 3) {
-    std::cerr << "large_project GROUPS FOLDER\nlarge_project FOLDER\n";
+  if (count < 2 || count > 4) {
+    std::cerr << "large_project GROUPS FOLDER\nlarge_project SHAPE SIZE FOLDER\nlarge_project FOLDER\n";
     return 2;
   }
   const fs::path folder = arguments[count - 1];
@@ -28,6 +29,15 @@ int main(int count, char** arguments) {
     for (const auto& [name, text] : bench::project(static_cast<std::size_t>(std::atoi(arguments[1]))))
       write(folder / name, text);
     return 0;
+  }
+  if (count == 4) {
+    for (const bench::Shape& shape : bench::shapes()) {
+      if (shape.name != arguments[1]) continue;
+      write(folder / "main.yaml", shape.text(static_cast<std::size_t>(std::atoi(arguments[2]))));
+      return 0;
+    }
+    std::cerr << "large_project: there is no shape \"" << arguments[1] << "\"\n";
+    return 2;
   }
   std::size_t number = 0;
   for (const bench::Shape& shape : bench::shapes()) {

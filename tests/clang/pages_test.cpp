@@ -100,6 +100,7 @@ TEST_CASE("what every page with C++ says is found") {
           CHECK(lines(said.findings) == lines(specimen.findings));
           if (!specimen.notes.empty()) CHECK(lines(said.notes) == lines(specimen.notes));
           if (!specimen.helps.empty()) CHECK(lines(said.helps) == lines(specimen.helps));
+          CHECK(said.helps.size() == said.findings.size());
           if (section == &page.accepted) CHECK(specimen.findings.empty());
         }
       }
