@@ -94,6 +94,7 @@ private:
       if (is_root && request.requester) continue;
       for (const Region& region : shared_.requests().regions(request)) look(box_of(facts_, region), request);
     }
+    if (!gaps.empty() && !facts_.capable_groups.contains(group)) gaps = {std::string(everywhere)};
     if (!gaps.empty()) found_.push_back({group, std::move(gaps), std::move(states), where});
   }
 
@@ -124,6 +125,7 @@ private:
     const std::size_t more = gaps.size() > most_listed ? gaps.size() - most_listed : 0;
     gaps.resize(gaps.size() - more);
     if (more > 0) gaps.push_back(fmt::format("in {} more cases", more));
+    if (std::find(gaps.begin(), gaps.end(), everywhere) != gaps.end()) return report_never(all, list_of(names, "or"));
     dsl::Diagnostic& finding =
         findings_.add(model_.groups[all.front()->group].name.span,
                       fmt::format("no provider of {} can run {}", list_of(names, "or"), list_of(gaps, "or")));
@@ -134,7 +136,25 @@ private:
             : "end each with a provider that has no conditions, or ask for them only while they can run";
   }
 
+  /// Whatever the states are.
+  void report_never(const std::vector<const Uncoveredness*>& all, const std::string& names) {
+    dsl::Diagnostic& finding = findings_.add(model_.groups[all.front()->group].name.span,
+                                             fmt::format("no provider of {} can ever run", names));
+    for (const Uncoveredness* one : all) {
+      add_request(*one, one != all.front(), finding);
+      for (dsl::Note& note : explain_idle(model_, facts_, model_.groups[one->group].providers))
+        finding.notes.push_back(std::move(note));
+    }
+    finding.help = fmt::format("request what brings that about, or leave {} out", names);
+  }
+
   void add_notes(const Uncoveredness& one, bool another, dsl::Diagnostic& finding) const {
+    add_request(one, another, finding);
+    std::map<GroupId, bool> seen;
+    add_conditions(one.group, one.group, one.states, seen, finding);
+  }
+
+  void add_request(const Uncoveredness& one, bool another, dsl::Diagnostic& finding) const {
     const std::string name = name_of(model_, one.group);
     if (another) finding.notes.push_back({model_.groups[one.group].name.span, fmt::format("nor can {}", name)});
     finding.notes.push_back(
@@ -142,8 +162,6 @@ private:
          one.where->requester
              ? fmt::format("{} requests {}", name_of(model_, *one.where->requester), another ? name : "it")
              : fmt::format("{} may be requested at any time", name)});
-    std::map<GroupId, bool> seen;
-    add_conditions(one.group, one.group, one.states, seen, finding);
   }
 
   /// True if there is one in the group or below; each is noted once.

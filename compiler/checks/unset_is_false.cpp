@@ -16,6 +16,7 @@ void look_at(const Input& input, const std::vector<ConditionUse>& uses, Findings
     const State& state = model.states[condition.state];
     if (condition.op != Condition::Op::not_equal || !state.may_be_unset()) continue;
     if (input.facts.declared[condition.state].empty()) continue; // never set at all: state_without_source
+    if (condition.accepts.empty()) continue;                     // false anyway: contradictory_when
     dsl::Diagnostic& finding = findings.add(
         use.span, fmt::format("{} is false while {} is unset", quoted(condition.text), quoted(state.name.value)));
     if (state.initial) {

@@ -47,7 +47,15 @@ void resolve_assertions(Resolver& r) {
       assertion.kind = kind_of(spec.kind.value);
       assertion.span = spec.span;
       for (const Word& name : spec.groups) {
-        if (const auto group = find_group(r, name)) assertion.groups.push_back({*group, name.span});
+        const auto group = find_group(r, name);
+        if (!group) continue;
+        const auto first = std::find_if(assertion.groups.begin(), assertion.groups.end(),
+                                        [&](Use<GroupId> use) { return use.id == *group; });
+        if (first != assertion.groups.end())
+          r.error("redefined_name", name.span, fmt::format("`{}` is named twice", name.value),
+                  "an assertion is about different groups")
+              .notes.push_back({first->span, "named first here"});
+        assertion.groups.push_back({*group, name.span});
       }
       const bool counts =
           &file == &r.main || std::all_of(assertion.groups.begin(), assertion.groups.end(),

@@ -138,7 +138,6 @@ public:
   Promises run() {
     find_relevant();
     Promises out;
-    out.explained = relevant_;
     std::set<ProviderId> done;
     for (const ProviderId id : model_.providers.ids()) {
       if (!candidate_[id.value] || done.count(id) != 0) continue;
@@ -147,6 +146,7 @@ public:
       done.insert(circle.begin(), circle.end());
       out.never_kept.push_back(make(id));
     }
+    out.explained = explained_by(done);
     return out;
   }
 
@@ -174,6 +174,31 @@ private:
           !facts_.may_hold(model_, arrow.waiter, arrow.condition))
         candidate_[arrow.causer.value] = true;
     }
+  }
+
+  /// What of the relevant is to blame on these, or they on it: of the rest nothing is told with them.
+  IdSet<ProviderId> explained_by(const std::set<ProviderId>& told) const {
+    Arrows back(model_.providers.size()), there(model_.providers.size());
+    for (const ProviderId id : model_.providers.ids()) {
+      for (const Node next : blame_.arrows()[id.value]) {
+        if (!relevant_.contains(id) || !relevant_.contains(ProviderId{next})) continue;
+        there[id.value].push_back(next);
+        back[next].push_back(id.value);
+      }
+    }
+    IdSet<ProviderId> out(model_.providers.size());
+    for (const Arrows* arrows : {&there, &back}) {
+      std::vector<ProviderId> open(told.begin(), told.end());
+      IdSet<ProviderId> seen(model_.providers.size());
+      while (!open.empty()) {
+        const ProviderId id = open.back();
+        open.pop_back();
+        if (!seen.add(id)) continue;
+        out.add(id);
+        for (const Node next : (*arrows)[id.value]) open.push_back(ProviderId{next});
+      }
+    }
+    return out;
   }
 
   /// The candidates that blame each other with this one; none if one of them can blame somebody else.

@@ -107,7 +107,7 @@ std::string gap_in_words(const Model& model, const Facts& facts, const Box& box)
     parts.push_back(
         fmt::format("{} is {}", name_of(model, id), values_in_words(state, possible.values, possible.unset)));
   }
-  return parts.empty() ? "always" : "while " + list_of(parts);
+  return parts.empty() ? std::string(everywhere) : "while " + list_of(parts);
 }
 
 Ways::Ways(const Model& model, const Facts& facts, bool with_stay,

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace director::checks {
@@ -30,6 +31,9 @@ Box box_of(const Facts& facts, const Region& region);
 /// Disjoint boxes in which none of the ways is open. Nothing: they are too many to be found.
 std::optional<std::vector<Box>> find_gaps(const Model& model, const Facts& facts, Box start,
                                           const std::vector<Region>& ways);
+
+/// A gap that no state narrows.
+inline constexpr std::string_view everywhere = "always";
 
 /// "`A` is 0 or unset while `B` is 1": of the states that `ways` speak of those that `box` narrows.
 std::string gap_in_words(const Model& model, const Facts& facts, const Box& box);
