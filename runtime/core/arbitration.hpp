@@ -68,7 +68,6 @@ private:
 
   // pass.cpp: section 4.4
   void clear();
-  void sweep();
   bool denied_in_vain();
   Index stale_source(Index group) const;
   bool stale(Index group) const { return stale_source(group) != current; }
@@ -79,10 +78,9 @@ private:
     const Standing& last = s_.last[target(edge)];
     return last.holder == edge && last.granted();
   }
-  Index join_siblings(Index first);
 
   // units.cpp: what becomes of a unit
-  void try_unit(Index count);
+  void try_edge(Index edge);
   bool try_simple(Index count, bool outdated);
   void try_members(Index count, bool outdated);
   /// An edge before it has its target.
@@ -99,25 +97,22 @@ private:
   void keep_own_pushes(Index count);
   void plan_for(Index owner, Index provider, Index begin, Index end);
   void claim_plan(Index begin, Index end);
-  void waken(Index begin, Index end);
   void block(Index count);
   void refuse(Index count);
   void explain(Index count, Why why, Index condition = nil);
 
-  // candidates.cpp: who is tried next
-  void push_candidate(Index edge);
-  /// The requested edges of a group become candidates, and those of what is granted at once.
-  void become_candidates(Index group) {
-    if (!t_.groups[group].edges.empty()) add_candidates(group);
-  }
-  void add_candidates(Index group);
-  void candidates_of(Index group);
-  bool stays_granted(Index edge) const;
-  void grant_again(Index edge);
-  void drop_candidates(Index edge);
+  // walk.cpp: who is tried next
   void sort_roots();
-  Index first_candidate();
+  void sweep();
+  void sweep_optional(Index root);
+  void walk_on();
+  void visit(Index edge);
+  void place(Index group);
+  void look_ahead(Index group);
+  Index join_siblings(Index first);
+  void postpone(Index edge);
   Index first_of_heap();
+  Index& heap_at(Index at) { return s_.candidate[t_.edges.size() - 1 - at]; }
   /// Of two candidates: their requesters are claimed or root.
   bool goes_first(Index a, Index b) const {
     return (measured_ ? compare_claimed(a, b, true) : compare({a, Along::now}, {b, Along::now}, true)) < 0;
@@ -157,10 +152,10 @@ private:
 
   Component c_; ///< the one in hand
   Index component_ = 0;
-  Index candidates_ = 0, denied_ = 0, stale_granted_ = 0, claimed_ = 0, again_ = 0;
-  Index root_ = nil;     ///< the next candidate of root
-  Index next_ = nil;     ///< a candidate beside the heap
-  bool in_turn_ = false; ///< groups were claimed in the order in which their edges stand
+  Index ahead_ = 0;      ///< edges that the walk has before it
+  Index postponed_ = 0;  ///< and those that are optional
+  Index placed_ = 0;     ///< groups that are claimed and come before it
+  Index denied_ = 0, stale_granted_ = 0;
   bool equals_ = false;  ///< edges may be equal
   bool pushed_ = false;  ///< there were pushes in the last assignment
   bool pushing_ = false; ///< there are in this one
@@ -179,7 +174,6 @@ inline void Pass::claim(Index group, Index edge) {
     const Lineage& above = s_.lineage[from];
     s_.lineage[group] = {static_cast<Index>(above.depth + 1), above.top, above.optional || optional(edge)};
   }
-  s_.next_order[c_.order + claimed_++] = group;
 }
 
 /// The target of an edge, which is claimed, runs in the provider chosen.

@@ -25,15 +25,15 @@ void Pass::hand_over(Index group) {
     if (s_.now[s_.entry_group[i]].holder != nil) return;
   }
   depends_on_last_ = depends_on_stale_ = true;
-  measured_ = in_turn_ = false;
+  measured_ = false;
   claim(group, static_cast<Index>(t_.edges.size() + group));
   s_.now[group].active = s_.last[group].active;
   if (s_.last[group].planned != nil) plan_for(group, s_.last[group].planned, 0, end);
   for (Index i = 0; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
   claim_plan(0, end);
-  become_candidates(group);
-  waken(0, end);
-  sweep();
+  place(group);
+  walk_on();
+  sweep_optional(nil);
 }
 
 /// Writes the plan that a group had after the last pass as entries from 0 on; returns how many.
@@ -64,31 +64,15 @@ Index Pass::recall_plan(Index group) {
 
 /// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
 void Pass::finish() {
-  const std::span<Index> claimed{s_.next_order + c_.order, claimed_};
+  const std::span<Index> claimed{s_.next_order + c_.order, placed_};
   for (const Index g : claimed) {
     if (s_.now[g].active != nil || s_.last[g].active == nil) continue;
     depends_on_last_ = depends_on_stale_ = true;
     if (stale(g) || planted(Fault::unwanted_needs_live_on)) s_.now[g].active = s_.last[g].active;
   }
-  s_.next_count[component_] = claimed_;
+  s_.next_count[component_] = placed_;
   if (pushing_) finish_pushes();
-  if (in_turn_) return; // who is tried next goes behind all that was tried
-  begin_with_old_order(claimed);
-  sort(claimed, Along::now);
-}
-
-/// What is held as before stands in the old order, and what is new behind it: so little is left to sort.
-void Pass::begin_with_old_order(std::span<Index> claimed) {
-  const std::span<const Index> old{s_.order + c_.order, s_.order_count[component_]};
-  const auto as_before = [&](Index g) { return s_.now[g].holder == s_.last[g].holder; };
-  Index count = 0;
-  for (const Index g : old) {
-    if (as_before(g)) s_.sorted[count++] = g;
-  }
-  for (const Index g : claimed) {
-    if (!as_before(g)) s_.sorted[count++] = g;
-  }
-  for (Index i = 0; i < count; ++i) claimed[i] = s_.sorted[i];
+  if (!measured_) sort(claimed, Along::now); // what is in limbo goes by declaration
 }
 
 void Pass::finish_pushes() {

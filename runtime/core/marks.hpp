@@ -8,10 +8,8 @@ namespace director {
 
 namespace mark {
 // On edges.
-inline constexpr std::uint8_t candidate = 1;
-inline constexpr std::uint8_t tried = 2;
-inline constexpr std::uint8_t refused = 4;
-inline constexpr std::uint8_t deferred = 8;
+inline constexpr std::uint8_t tried = 1;
+inline constexpr std::uint8_t refused = 2;
 // On groups.
 inline constexpr std::uint8_t forgotten = 1; ///< its last holder no longer stands in an equal's way
 inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder
@@ -36,8 +34,7 @@ inline constexpr std::uint8_t watched = 8; ///< in the last pass of its componen
 namespace trait {
 inline constexpr std::uint8_t simple = 1;      ///< it has one provider, which needs nothing
 inline constexpr std::uint8_t flat = 2;        ///< whatever its providers need is simple
-inline constexpr std::uint8_t certain = 4;     ///< simple, without conditions, never pushed, and one edge leads to it
-inline constexpr std::uint8_t conditional = 8; ///< a provider has `when` or `stay`
+inline constexpr std::uint8_t conditional = 4; ///< a provider has `when` or `stay`
 } // namespace trait
 
 /// Of a group.
@@ -46,16 +43,12 @@ inline std::uint8_t traits_of(const Tables& t, const Group& group) {
     return row.providers.size() == 1 && t.providers[row.providers.begin].needs.empty();
   };
   std::uint8_t out = is_simple(group) ? trait::flat | trait::simple : trait::flat;
-  bool effects = false;
   for (Index p = group.providers.begin; p != group.providers.end; ++p) {
     if (!t.providers[p].when.empty() || !t.providers[p].stay.empty()) out |= trait::conditional;
-    effects = effects || !t.providers[p].effects.empty();
     for (const Index need : t.list(t.providers[p].needs)) {
       if (!is_simple(t.groups[t.edges[need].target])) out &= static_cast<std::uint8_t>(~trait::flat);
     }
   }
-  if ((out & trait::simple) != 0 && (out & trait::conditional) == 0 && !effects && group.requesters.size() == 1)
-    out |= trait::certain;
   return out;
 }
 

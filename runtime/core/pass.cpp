@@ -1,6 +1,6 @@
 // Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
 //
-// Section 4.4: the pass. Candidates are tried in order, unit by unit; what is granted adds the edges of its pack.
+// Section 4.4: the pass, and whose orders are outdated in it.
 #include "runtime/core/arbitration.hpp"
 #include "runtime/core/marks.hpp"
 #include "runtime/core/planted.hpp"
@@ -30,18 +30,16 @@ void Pass::decide(Index component) {
 }
 
 void Pass::clear() {
-  candidates_ = denied_ = stale_granted_ = claimed_ = 0;
-  next_ = nil;
-  measured_ = in_turn_ = true;
+  ahead_ = postponed_ = placed_ = denied_ = stale_granted_ = 0;
+  measured_ = true;
   pushing_ = false;
   for (const Index g : t_.list(c_.groups)) {
     s_.now[g] = Standing{};
     const Range slots = t_.groups[g].slots;
     for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
   }
-  root_ = s_.first_root[component_];
   for (const Index e : t_.list(c_.edges)) {
-    s_.edge_marks[e] = e < t_.root_edges ? mark::candidate : std::uint8_t{0};
+    s_.edge_marks[e] = 0;
     s_.next_queued[e] = Queued{};
   }
 }
@@ -55,37 +53,6 @@ bool Pass::denied_in_vain() {
     return true;
   }
   return false;
-}
-
-/// Tries candidates, the first in order first, until none is left.
-void Pass::sweep() {
-  for (Index first = first_candidate(); first != nil; first = first_candidate()) {
-    Bits& marks = s_.edge_marks[first];
-    if ((marks & mark::candidate) == 0) continue; // it was tried as a member of a unit
-    if (!may_ask(requester(first))) {
-      drop_candidates(first);
-      continue;
-    }
-    marks = static_cast<std::uint8_t>((marks & ~mark::candidate) | mark::tried);
-    s_.unit[0] = first;
-    try_unit(alone(first) ? Index{1} : join_siblings(first));
-  }
-}
-
-/// The members of a unit, in order, behind its first one. Returns how many it has.
-Index Pass::join_siblings(Index first) {
-  Index count = 1;
-  const Range siblings = t_.groups[requester(first)].edges;
-  for (Index e = siblings.begin; e != siblings.end; ++e) {
-    Bits& marks = s_.edge_marks[e];
-    if ((marks & mark::candidate) == 0 || alone(e)) continue;
-    marks = static_cast<std::uint8_t>((marks & ~mark::candidate) | mark::tried);
-    Index at = count++;
-    for (; at > 0 && compare_siblings({e, false}, {s_.unit[at - 1], false}, true) < 0; --at)
-      s_.unit[at] = s_.unit[at - 1];
-    s_.unit[at] = e;
-  }
-  return count;
 }
 
 /// A group's orders are outdated because of which granted group's; nil: because it is in limbo; `current`: they are

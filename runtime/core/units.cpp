@@ -7,12 +7,14 @@
 
 namespace director {
 
-void Pass::try_unit(Index count) {
-  const Index from = t_.edges[s_.unit[0]].requester;
+void Pass::try_edge(Index edge) {
+  s_.edge_marks[edge] |= mark::tried;
+  s_.unit[0] = edge;
+  const Index count = alone(edge) ? Index{1} : join_siblings(edge);
+  const Index from = requester(edge);
   const Index source = from == nil ? current : stale_source(from);
   const bool outdated = source != current;
   if (outdated && source != nil) s_.in_queue[source] |= place::counts;
-  in_turn_ = in_turn_ && count == 1;                  // what is below one member goes before the next
   const Index together = outdated ? Index{1} : count; // below a stale group each member for itself
   for (Index first = 0; first < count; first = static_cast<Index>(first + together)) {
     for (Index i = 0; i < together; ++i) s_.member[i] = s_.unit[first + i];
@@ -56,7 +58,6 @@ bool Pass::try_simple(Index count, bool outdated) {
     claim(t_.edges[s_.member[at]].target, s_.member[at]);
     now_granted(s_.member[at], s_.member_provider[at]);
   }
-  for (Index at = 0; at < count; ++at) become_candidates(t_.edges[s_.member[at]].target);
   if (pushed_) keep_own_pushes(count);
   return true;
 }
@@ -115,7 +116,6 @@ bool Pass::reached_from_stale(Index found, Index edge) {
 }
 
 void Pass::grant(Index count) {
-  in_turn_ = in_turn_ && s_.member_entries[count - 1] == 0;
   for (Index at = 0; at < count; ++at) {
     const Index edge = s_.member[at], group = t_.edges[edge].target, begin = entries_begin(at),
                 end = s_.member_entries[at];
@@ -124,10 +124,6 @@ void Pass::grant(Index count) {
     plan_for(group, s_.member_provider[at], begin, end);
     for (Index i = begin; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
     claim_plan(begin, end);
-  }
-  for (Index at = 0; at < count; ++at) {
-    become_candidates(t_.edges[s_.member[at]].target);
-    waken(entries_begin(at), s_.member_entries[at]);
   }
   if (pushed_) keep_own_pushes(count);
   leave_combination(count);
@@ -160,14 +156,6 @@ void Pass::claim_plan(Index begin, Index end) {
     auto below = static_cast<Index>(i + 1); // depth first: what an entry needs stands right behind it
     while (below < end && s_.entry_parent[below] != nil && s_.entry_parent[below] >= i) ++below;
     plan_for(group, s_.entry_provider[i], static_cast<Index>(i + 1), below);
-  }
-}
-
-/// The pack edges of live plan groups become candidates for as long as these are stale.
-void Pass::waken(Index begin, Index end) {
-  for (Index i = begin; i < end; ++i) {
-    const Index group = s_.entry_group[i];
-    if (s_.last[group].active != nil && stale(group)) become_candidates(group);
   }
 }
 
