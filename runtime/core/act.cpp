@@ -154,7 +154,7 @@ void Engine::keep_promises(Index group) {
   const bool stands = in_force(group) && push.edge == s_.promised_edge[group] && push.provider == provider;
   const Range promises = t_.providers[provider].promises;
   for (Index i = promises.begin; i != promises.end; ++i) {
-    if (!stands || director::holds(t_, s_, t_.promises[i].condition)) disarm(Due::promise, i);
+    if (!stands || holds(t_.promises[i].condition)) disarm(Due::promise, i);
   }
   if (!stands) s_.promised_edge[group] = s_.promised_provider[group] = nil;
 }

@@ -34,6 +34,9 @@ public:
   /// The result may be another one when other groups are stale.
   bool depends_on_stale() const { return depends_on_stale_; }
 
+protected:
+  bool holds(Index condition) const { return s_.truth[condition] != 0; }
+
 private:
   // choose.cpp: sections 4.2 and 4.3
   bool alive(Index edge) const;
@@ -47,7 +50,6 @@ private:
   bool applies(const Push& push, Index edge) const;
   Index pushed_first(Index group, Index edge) const;
   Index preferred(Index group, Index place, Index edge) const;
-  bool holds(Index condition) const;
   bool stays(Index provider) const;
   bool waived(Index provider, Index condition, Index edge) const;
   Index first_false(Index provider, Index edge) const;
@@ -80,8 +82,7 @@ private:
   }
 
   // units.cpp: what becomes of a unit
-  void try_edge(Index edge);
-  bool try_simple(Index count, bool outdated);
+  bool try_simple(Index count);
   void try_members(Index count, bool outdated);
   /// An edge before it has its target.
   bool taken(Index edge) const {
@@ -110,6 +111,12 @@ private:
   void place(Index group);
   void look_ahead(Index group);
   Index join_siblings(Index first);
+  void try_edge(Index edge);
+  void try_single(Index edge, bool outdated);
+  bool try_plain(Index edge, bool outdated);
+  bool needs_are_free(Range needs) const;
+  void grant_plain(Index edge, Index provider);
+  void keep_pushes_of_plain(Index provider);
   void postpone(Index edge);
   Index first_of_heap();
   Index& heap_at(Index at) { return s_.candidate[t_.edges.size() - 1 - at]; }

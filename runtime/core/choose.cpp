@@ -63,8 +63,6 @@ Index Pass::preferred(Index group, Index place, Index edge) const {
   return usual < first ? usual : static_cast<Index>(usual + 1);
 }
 
-bool Pass::holds(Index condition) const { return director::holds(t_, s_, condition); }
-
 /// It was active for its granted group after the last pass, and all of its `stay` holds: then its `when` does not
 /// count.
 bool Pass::stays(Index provider) const {

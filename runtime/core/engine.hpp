@@ -89,6 +89,7 @@ private:
   void set_by_handler(Index state, std::int32_t value);
   void flip(Index state, std::int32_t before);
   void find_calm(Index state);
+  void look_at_conditions(Index state);
   void report_input(const Input& record) const;
   void report_set(Index state) const;
 

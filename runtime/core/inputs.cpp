@@ -106,7 +106,9 @@ void Engine::flip(Index state, std::int32_t before) {
   const std::int32_t value = s_.values[state];
   for (const Index condition : t_.list(t_.states[state].conditions)) {
     const Condition& row = t_.conditions[condition];
-    if (accepts(t_, row, before) == accepts(t_, row, value)) continue;
+    const bool holds = accepts(t_, row, value);
+    if (accepts(t_, row, before) == holds) continue;
+    s_.truth[condition] = holds ? 1 : 0;
     for (const Index component : t_.list(row.components)) mark(component, work::changed);
   }
   find_calm(state);

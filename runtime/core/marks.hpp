@@ -61,9 +61,4 @@ inline bool accepts(const Tables& t, const Condition& condition, std::int32_t va
   return false;
 }
 
-inline bool holds(const Tables& t, const State& s, Index condition) {
-  const Condition& row = t.conditions[condition];
-  return accepts(t, row, s.values[row.state]);
-}
-
 } // namespace director

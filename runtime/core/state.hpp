@@ -153,6 +153,7 @@ struct State {
   Index* soonest = nullptr;               ///< timers, as a tree of which one is due first
   std::int32_t* values = nullptr;         ///< state
   Calm* calm = nullptr;                   ///< state
+  Bits* truth = nullptr;                  ///< condition: it holds
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
   Index* handled = nullptr;               ///< states with such a value
   Index* request = nullptr;               ///< edge: level (of Tables::levels) at which it is requested; nil
@@ -231,6 +232,7 @@ struct State {
     visit(s.runs_after, n.groups), visit(s.runs_before, n.groups);
     visit(s.work, n.components), visit(s.promised_edge, n.groups), visit(s.promised_provider, n.groups);
     visit(s.data_from, n.groups), visit(s.component, n.components), visit(s.enabled, n.providers);
+    visit(s.truth, n.conditions);
     visit(s.done, n.groups), visit(s.pending, n.groups), visit(s.in_queue, n.groups), visit(s.fired, n.listen_slots);
     scratch();
     visit(s.cost, n.conditions), visit(s.cost_at, n.conditions), visit(s.cost_plan, n.conditions);

@@ -7,21 +7,6 @@
 
 namespace director {
 
-void Pass::try_edge(Index edge) {
-  s_.edge_marks[edge] |= mark::tried;
-  s_.unit[0] = edge;
-  const Index count = alone(edge) ? Index{1} : join_siblings(edge);
-  const Index from = requester(edge);
-  const Index source = from == nil ? current : stale_source(from);
-  const bool outdated = source != current;
-  if (outdated && source != nil) s_.in_queue[source] |= place::counts;
-  const Index together = outdated ? Index{1} : count; // below a stale group each member for itself
-  for (Index first = 0; first < count; first = static_cast<Index>(first + together)) {
-    for (Index i = 0; i < together; ++i) s_.member[i] = s_.unit[first + i];
-    if (!try_simple(together, outdated)) try_members(together, outdated);
-  }
-}
-
 void Pass::try_members(Index count, bool outdated) {
   if (outdated && any_new(count) && !planted(Fault::outdated_orders_acquire)) {
     for (Index at = 0; at < count; ++at) s_.edge_marks[s_.member[at]] |= mark::refused;
@@ -36,15 +21,14 @@ void Pass::try_members(Index count, bool outdated) {
   defer(count); // of a stale requester nothing gets here: the members in hand are those of the unit
 }
 
-/// The same as all that follows, where there is nothing to choose: each target has one provider, which needs nothing,
-/// and all goes well. False: it does not, and nothing was claimed.
-bool Pass::try_simple(Index count, bool outdated) {
+/// The same as all that follows, where several members have nothing to choose: each target has one provider, which
+/// needs nothing, and all goes well. False: it does not, and nothing was claimed.
+bool Pass::try_simple(Index count) {
   for (Index at = 0; at < count; ++at) {
     const Index edge = s_.member[at], group = t_.edges[edge].target;
     if ((s_.traits[group] & trait::simple) == 0) return false;
-    const Standing& last = s_.last[group];
-    if (last.holder != edge || !last.granted()) {
-      if (outdated || stale_granted_ != 0 || !available(group, edge, true)) return false;
+    if (!runs_for_now(edge)) {
+      if (stale_granted_ != 0 || !available(group, edge, true)) return false;
     } else if (taken(edge)) {
       return false;
     }

@@ -102,6 +102,87 @@ void Pass::look_ahead(Index group) {
             [&](Index a, Index b) { return compare_siblings({b, false}, {a, false}, true) < 0; });
 }
 
+/// With its unit. Below a stale group each member is tried for itself.
+inline void Pass::try_edge(Index edge) {
+  s_.edge_marks[edge] |= mark::tried;
+  const Index from = t_.edges[edge].requester;
+  const Index source = from == nil ? current : stale_source(from);
+  const bool outdated = source != current;
+  if (outdated && source != nil) s_.in_queue[source] |= place::counts;
+  s_.unit[0] = edge;
+  const Index count = alone(edge) ? Index{1} : join_siblings(edge);
+  if (count == 1) return try_single(edge, outdated);
+  if (outdated) {
+    for (Index i = 0; i < count; ++i) try_single(s_.unit[i], true);
+    return;
+  }
+  for (Index i = 0; i < count; ++i) s_.member[i] = s_.unit[i];
+  if (!try_simple(count)) try_members(count, false);
+}
+
+inline void Pass::try_single(Index edge, bool outdated) {
+  s_.member[0] = edge;
+  if (!try_plain(edge, outdated)) try_members(1, outdated);
+}
+
+/// The same as try_members where nobody pushes the target, nothing can stand in the way but what is claimed already,
+/// and what is needed is simple. False: it is otherwise, or the edge cannot be granted, and nothing was claimed.
+inline bool Pass::try_plain(Index edge, bool outdated) {
+  const Index group = t_.edges[edge].target;
+  const Standing& last = s_.last[group];
+  const Standing& now = s_.now[group];
+  const bool as_before = last.holder == edge && last.granted();
+  const std::uint8_t traits = s_.traits[group];
+  if ((traits & trait::flat) == 0 || now.push.edge != nil || (now.holder != nil && now.holder != edge)) return false;
+  if (!as_before && (outdated || stale_granted_ != 0)) return false;
+  if (equals_ && disputed(edge)) return false;
+  const Range providers = t_.groups[group].providers;
+  for (Index p = providers.begin; p != providers.end; ++p) {
+    if (s_.enabled[p] == 0 || (outdated && p != last.active)) continue;
+    if ((traits & trait::conditional) != 0 && first_false(p, edge) != nil) continue;
+    if ((traits & trait::simple) == 0) {
+      if (!needs_are_free(t_.providers[p].needs)) continue;
+      grant_plain(edge, p);
+    } else {
+      claim(group, edge);
+      now_granted(edge, p);
+    }
+    if (pushed_) keep_pushes_of_plain(p);
+    return true;
+  }
+  return false;
+}
+
+/// What a provider of a flat group needs: nobody has claimed it, and it can run.
+bool Pass::needs_are_free(Range needs) const {
+  for (const Index need : t_.list(needs)) {
+    const Index group = t_.edges[need].target, provider = t_.groups[group].providers.begin;
+    if (taken(need) || s_.enabled[provider] == 0) return false;
+    if ((s_.traits[group] & trait::conditional) != 0 && first_false(provider, need) != nil) return false;
+  }
+  return true;
+}
+
+void Pass::grant_plain(Index edge, Index provider) {
+  claim(t_.edges[edge].target, edge);
+  now_granted(edge, provider);
+  for (const Index need : t_.list(t_.providers[provider].needs)) {
+    const Index group = t_.edges[need].target;
+    claim(group, need);
+    s_.now[group].flags |= flag::needed;
+    if (!s_.now[group].granted()) s_.now[group].planned = t_.groups[group].providers.begin;
+  }
+}
+
+void Pass::keep_pushes_of_plain(Index provider) {
+  Index end = 0;
+  for (const Index need : t_.list(t_.providers[provider].needs))
+    s_.entry_provider[end++] = t_.groups[t_.edges[need].target].providers.begin;
+  s_.member_provider[0] = provider;
+  s_.member_entries[0] = end;
+  keep_own_pushes(1);
+}
+
 /// The members of a unit, in order: they stand ahead, behind its first one. Returns how many it has.
 Index Pass::join_siblings(Index first) {
   Index count = 1;
