@@ -21,7 +21,8 @@ void Engine::act(Index passes, bool stops) {
   }
   for (Index i = 0; i < c.touched_count; ++i) untouch(s_.touched[i]);
   c.touched_count = 0;
-  for (Index i = 0; i < passes; ++i) adopt(s_.work[i]);
+  for (Index i = 0; i < differing_; ++i) adopt(s_.differing[i]);
+  for (Index i = 0; i < passes; ++i) adopt_order(s_.work[i]);
 }
 
 /// To a group that is granted as before. Whom it concerns that its orders are outdated, request() told already.
@@ -171,23 +172,20 @@ void Engine::settle_data(Index edge) {
 }
 
 /// The new assignment becomes the last one. Runs of groups that are not granted leave the queue; what is pending stays.
-void Engine::adopt(Index component) {
+inline void Engine::adopt(Index group) {
+  if (!s_.now[group].granted()) leave_queue(group);
+  s_.last[group] = s_.now[group];
+  const Range slots = t_.groups[group].slots;
+  for (Index slot = slots.begin; slot != slots.end; ++slot) s_.last.plan[slot] = s_.now.plan[slot];
+}
+
+inline void Engine::adopt_order(Index component) {
   const Component& row = t_.components[component];
-  for (const Index g : t_.list(row.groups)) {
-    if ((s_.group_marks[g] & mark::differs) != 0) {
-      if (!s_.now[g].granted()) leave_queue(g);
-      s_.last[g] = s_.now[g];
-      const Range slots = t_.groups[g].slots;
-      for (Index slot = slots.begin; slot != slots.end; ++slot) s_.last.plan[slot] = s_.now.plan[slot];
-    }
-    if (s_.promised_provider[g] != nil) keep_promises(g);
-  }
-  for (const Index e : t_.list(row.edges)) s_.queued[e] = s_.next_queued[e];
   const Index count = s_.order_count[component] = s_.next_count[component];
-  for (Index i = 0; i < count; ++i) {
-    const Index group = s_.next_order[row.order + i];
-    s_.order[row.order + i] = group;
-    s_.place[group] = i;
+  for (Index i = row.order; i != row.order + count; ++i) s_.order[i] = s_.next_order[i];
+  if (t_.promises.empty()) return;
+  for (const Index g : t_.list(row.groups)) {
+    if (s_.promised_provider[g] != nil) keep_promises(g);
   }
 }
 
@@ -207,7 +205,7 @@ void Engine::report_decisions(Index component) const {
     tell(push);
   }
   for (const Index e : t_.list(row.edges)) {
-    const Queued &now = s_.next_queued[e], &last = s_.queued[e];
+    const Queued &now = s_.queued[e], &last = s_.last_queued[e];
     if (now.why == Why::none || now == last) continue;
     Event queue = event(Event::Kind::queue, t_.edges[e].target);
     queue.edge = e;

@@ -22,13 +22,15 @@ class Pass : public Order {
 public:
   using Order::Order;
 
-  /// Reads State's decision part and its `anew` marks; writes `now`, `next_order`, `next_count` and `next_queued` of
-  /// the component.
+  /// Reads State's decision part and its `anew` marks; writes `now`, `next_order`, `next_count` and `queued` of the
+  /// component.
   void decide(Index component);
 
-  /// Writes State::equals. Once, before the first pass.
-  void find_equals();
+  /// Writes State::traits and component_traits, which follow from the tables. Once, before the first pass.
+  void find_traits();
 
+  /// A plan of some group may pick one provider or another.
+  bool alternatives(Index component) const { return (s_.component_traits[component] & trait::alternatives) != 0; }
   /// The result may be another one when it is the last assignment itself.
   bool depends_on_last() const { return depends_on_last_; }
   /// The result may be another one when other groups are stale.
@@ -38,6 +40,8 @@ protected:
   bool holds(Index condition) const { return s_.truth[condition] != 0; }
 
 private:
+  bool can_be_equal(const Component& row);
+
   // choose.cpp: sections 4.2 and 4.3
   bool alive(Index edge) const;
   bool available(Index group, Index edge, bool record) {

@@ -38,8 +38,7 @@ void Engine::reset() {
     s_.runs_after[g] = s_.runs_before[g] = nil;
     s_.promised_edge[g] = s_.promised_provider[g] = s_.data_from[g] = s_.trial[g] = nil;
   }
-  for (Index g = 0; g < t_.groups.size(); ++g) s_.traits[g] = traits_of(t_, t_.groups[g]);
-  find_equals();
+  find_traits();
   for (Index c = 0; c < t_.components.size(); ++c) {
     Index* link = &s_.first_root[c];
     for (const Index e : t_.list(t_.components[c].edges)) {

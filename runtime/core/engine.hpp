@@ -138,6 +138,8 @@ private:
   // settle.cpp: after every micro-step
   void arbitrate();
   bool changed(Index component, bool& stops);
+  bool other_plan(Index group) const;
+  void remember_queued(Index component);
   void watch(Index component, bool watched);
   void forget_work();
 
@@ -151,7 +153,8 @@ private:
   void give_reasons(Index group);
   void keep_promises(Index group);
   void settle_data(Index edge);
-  void adopt(Index component);
+  void adopt(Index group);
+  void adopt_order(Index component);
   void report_decisions(Index component) const;
   void handle(Index group, Reason reason);
 
@@ -168,6 +171,7 @@ private:
   Observer observer_;
   std::uint64_t passes_ = 0;
   std::uint32_t budget_ = default_budget;
+  Index differing_ = 0;  ///< rows of State::differing in use
   Index starting_ = nil; ///< the group whose start handler runs: its data may still be staged
   bool inside_ = false;  ///< a body or handler is running
   bool faulted_ = false;

@@ -72,7 +72,9 @@ void Pass::finish() {
   }
   s_.next_count[component_] = placed_;
   if (pushing_) finish_pushes();
-  if (!measured_) sort(claimed, Along::now); // what is in limbo goes by declaration
+  if (measured_) return;
+  sort(claimed, Along::now); // what is in limbo goes by declaration
+  for (Index i = 0; i < placed_; ++i) s_.place[claimed[i]] = i;
 }
 
 void Pass::finish_pushes() {

@@ -30,27 +30,15 @@ inline constexpr std::uint8_t counts = 4;  ///< that its orders were outdated ma
 inline constexpr std::uint8_t watched = 8; ///< in the last pass of its component it counted whose orders are outdated
 } // namespace place
 
-/// Bits of State::traits.
 namespace trait {
+// Bits of State::traits.
 inline constexpr std::uint8_t simple = 1;      ///< it has one provider, which needs nothing
 inline constexpr std::uint8_t flat = 2;        ///< whatever its providers need is simple
 inline constexpr std::uint8_t conditional = 4; ///< a provider has `when` or `stay`
+// Bits of State::component_traits.
+inline constexpr std::uint8_t equals = 1;       ///< two edges in it may be equal
+inline constexpr std::uint8_t alternatives = 2; ///< a group has slots
 } // namespace trait
-
-/// Of a group.
-inline std::uint8_t traits_of(const Tables& t, const Group& group) {
-  const auto is_simple = [&](const Group& row) {
-    return row.providers.size() == 1 && t.providers[row.providers.begin].needs.empty();
-  };
-  std::uint8_t out = is_simple(group) ? trait::flat | trait::simple : trait::flat;
-  for (Index p = group.providers.begin; p != group.providers.end; ++p) {
-    if (!t.providers[p].when.empty() || !t.providers[p].stay.empty()) out |= trait::conditional;
-    for (const Index need : t.list(t.providers[p].needs)) {
-      if (!is_simple(t.groups[t.edges[need].target])) out &= static_cast<std::uint8_t>(~trait::flat);
-    }
-  }
-  return out;
-}
 
 /// A condition on an unset state is false.
 inline bool accepts(const Tables& t, const Condition& condition, std::int32_t value) {

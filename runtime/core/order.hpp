@@ -93,7 +93,7 @@ protected:
     return s_.request[edge] == nil ? t_.edges[edge].need_urgency : t_.levels[s_.request[edge]].urgency;
   }
 
-  const Tables& t_;
+  const Tables t_;
   State s_;
   bool measured_ = false; ///< State::lineage holds for what is claimed now, and nothing of it is in limbo
 };

@@ -10,7 +10,7 @@ namespace director {
 void Pass::decide(Index component) {
   c_ = t_.components[component];
   component_ = component;
-  equals_ = s_.equals[component] != 0;
+  equals_ = (s_.component_traits[component] & trait::equals) != 0;
   pushed_ = depends_on_stale_ = false;
   for (const Index g : t_.list(c_.groups)) {
     s_.group_marks[g] = 0;
@@ -33,14 +33,14 @@ void Pass::clear() {
   ahead_ = postponed_ = placed_ = denied_ = stale_granted_ = 0;
   measured_ = true;
   pushing_ = false;
-  for (const Index g : t_.list(c_.groups)) {
-    s_.now[g] = Standing{};
+  for (const Index g : t_.list(c_.groups)) s_.now[g] = Standing{};
+  for (const Index g : alternatives(component_) ? t_.list(c_.groups) : std::span<const Index>{}) {
     const Range slots = t_.groups[g].slots;
     for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
   }
   for (const Index e : t_.list(c_.edges)) {
     s_.edge_marks[e] = 0;
-    s_.next_queued[e] = Queued{};
+    s_.queued[e] = Queued{};
   }
 }
 

@@ -22,8 +22,10 @@ void Engine::arbitrate() {
   const Index passes = c.work_count;
   passes_ += passes;
   bool stops = false;
+  differing_ = 0;
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
+    if (observed()) remember_queued(component);
     decide(component);
     const bool other = changed(component, stops);
     std::uint8_t bits = work::listed | work::passed;
@@ -63,22 +65,33 @@ void Engine::forget_work() {
 /// Is the new assignment another one? In what the page calls a change (holders, providers, who is granted, pushes), it
 /// is arbitrated once more at rest. `stops`: a group is not live any more.
 bool Engine::changed(Index component, bool& stops) {
-  bool other = false, decision = false;
+  const Index before = differing_;
+  const bool plans = alternatives(component);
+  bool decision = false;
   for (const Index g : t_.list(t_.components[component].groups)) {
     const Standing &now = s_.now[g], &last = s_.last[g];
-    const Range slots = t_.groups[g].slots;
-    bool differs = now != last;
-    for (Index slot = slots.begin; slot != slots.end; ++slot)
-      differs = differs || s_.now.plan[slot] != s_.last.plan[slot];
-    if (!differs) continue;
-    other = true;
+    if (now.same(last) && !(plans && other_plan(g))) continue;
     s_.group_marks[g] |= mark::differs;
+    s_.differing[differing_++] = g;
     decision = decision || now.holder != last.holder || now.active != last.active || now.granted() != last.granted() ||
                now.push != last.push;
     stops = stops || (last.active != nil && now.active == nil);
   }
   if (decision) s_.counters->unsettled = true;
+  return differing_ != before;
+}
+
+bool Engine::other_plan(Index group) const {
+  const Range slots = t_.groups[group].slots;
+  bool other = false;
+  for (Index slot = slots.begin; slot != slots.end; ++slot)
+    other = other || s_.now.plan[slot] != s_.last.plan[slot];
   return other;
+}
+
+/// What only an observer wants to know: why everything was queued before.
+void Engine::remember_queued(Index component) {
+  for (const Index e : t_.list(t_.components[component].edges)) s_.last_queued[e] = s_.queued[e];
 }
 
 } // namespace director

@@ -98,6 +98,12 @@ struct Standing {
   Push push{};
   constexpr bool granted() const { return (flags & flag::granted) != 0; }
   constexpr bool operator==(const Standing&) const = default;
+  /// The same as ==, in one comparison: mostly all is equal.
+  constexpr bool same(const Standing& other) const {
+    return ((holder ^ other.holder) | (active ^ other.active) | (planned ^ other.planned) | (flags ^ other.flags) |
+            (push.edge ^ other.push.edge) | (push.provider ^ other.push.provider) |
+            (push.condition ^ other.push.condition)) == 0;
+  }
 };
 
 /// One assignment: what a pass decides. The committed one is a part of the decision state; a pass writes another.
@@ -189,10 +195,11 @@ struct State {
   Index* asked = nullptr;               ///< edges that are marked in `anew`
   Index* next_order = nullptr;          ///< as `order`
   Index* next_count = nullptr;          ///< as `order_count`
+  Index* differing = nullptr;           ///< groups that stand elsewhere than before
   Index* sorted = nullptr;              ///< groups of several components, brought in order
   Lineage* lineage = nullptr;           ///< group that is claimed
   Bits* traits = nullptr;               ///< group: bits of `trait`, which follow from the tables
-  Bits* equals = nullptr;               ///< component: edges in it may be equal, which follows from the tables
+  Bits* component_traits = nullptr;     ///< component: likewise
   Index* trial = nullptr;               ///< group: edge that would claim it in the combination in hand
   Index* entry_group = nullptr;         ///< 2 * groups: plans of the members in hand, as stacks of entries
   Index* entry_need = nullptr;          ///< the edge by which an entry is needed
@@ -211,8 +218,8 @@ struct State {
   Staged* staged_request = nullptr;     ///< place among the running group's edges
   Index* unmet_member = nullptr;        ///< false conditions of the combination in hand: the member,
   Index* unmet = nullptr;               ///< and the condition
-  Queued* queued = nullptr;             ///< edge: why it did not run after the last pass
-  Queued* next_queued = nullptr;        ///< edge: why it does not run after this one
+  Queued* queued = nullptr;             ///< edge: why it does not run
+  Queued* last_queued = nullptr;        ///< edge: why it did not run before this pass, for an observer
   std::int32_t* staged_value = nullptr; ///< state: what the running body set; unset: nothing
   Bits* edge_marks = nullptr;           ///< edge: bits of `mark`
   Bits* group_marks = nullptr;          ///< group: bits of `mark`
@@ -241,14 +248,15 @@ struct State {
     visit(s.own, n.groups), visit(s.first, n.groups), visit(s.touched, n.groups), visit(s.staged, n.states);
     visit(s.asked, n.edges);
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.sorted, n.groups);
-    visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.equals, n.components), visit(s.trial, n.groups);
+    visit(s.differing, n.groups);
+    visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.component_traits, n.components), visit(s.trial, n.groups);
     visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
     visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
     visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
     visit(s.member_provider, n.most_edges + 1), visit(s.member_entries, n.most_edges + 1);
     visit(s.candidate, n.edges), visit(s.reach, n.groups), visit(s.denied, n.groups);
     visit(s.staged_request, n.most_edges + 1), visit(s.unmet_member, n.lacking), visit(s.unmet, n.lacking);
-    visit(s.queued, n.edges), visit(s.next_queued, n.edges), visit(s.staged_value, n.states);
+    visit(s.queued, n.edges), visit(s.last_queued, n.edges), visit(s.staged_value, n.states);
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
     visit(s.anew, n.edges);
   }

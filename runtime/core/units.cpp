@@ -169,7 +169,7 @@ void Pass::refuse(Index count) {
 }
 
 void Pass::explain(Index count, Why why, Index condition) {
-  for (Index at = 0; at < count; ++at) s_.next_queued[s_.member[at]] = {why, condition};
+  for (Index at = 0; at < count; ++at) s_.queued[s_.member[at]] = {why, condition};
 }
 
 } // namespace director

@@ -77,6 +77,7 @@ inline void Pass::visit(Index edge) {
 
 /// The next in order, and what it asks for or needs stands ahead.
 void Pass::place(Index group) {
+  s_.place[group] = placed_;
   s_.next_order[c_.order + placed_++] = group;
   if (!t_.groups[group].edges.empty()) look_ahead(group);
 }
