@@ -109,14 +109,16 @@ private:
   // walk.cpp: who is tried next
   void sort_roots();
   void sweep();
+  void sweep_below(Index group);
   void sweep_optional(Index root);
   void walk_on();
-  void visit(Index edge);
+  void visit(Index edge, std::uint8_t marks);
+  bool stands(Index edge) const;
   void place(Index group);
   void look_ahead(Index group);
-  Index join_siblings(Index first);
-  void try_edge(Index edge);
-  void try_single(Index edge, bool outdated);
+  bool look_ahead_to(Index edge, Index base);
+  void try_unit(Index edge, bool outdated);
+  void try_alone(Index edge, bool outdated);
   bool try_plain(Index edge, bool outdated);
   bool needs_are_free(Range needs) const;
   void grant_plain(Index edge, Index provider);
@@ -130,11 +132,6 @@ private:
   }
   /// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
   bool may_ask(Index group) const { return group == nil || (s_.now[group].flags & flag::granted) != 0 || stale(group); }
-  bool alone(Index edge) const {
-    if (edge < t_.root_edges) return true;
-    const Level& level = t_.levels[s_.request[edge]];
-    return level.optional || level.apart || planted(Fault::members_for_themselves);
-  }
 
   // finish.cpp: section 4.4, Hand-over, and what follows from the claims
   void hand_over();

@@ -31,9 +31,7 @@ void Pass::hand_over(Index group) {
   if (s_.last[group].planned != nil) plan_for(group, s_.last[group].planned, 0, end);
   for (Index i = 0; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
   claim_plan(0, end);
-  place(group);
-  walk_on();
-  sweep_optional(nil);
+  sweep_below(group);
 }
 
 /// Writes the plan that a group had after the last pass as entries from 0 on; returns how many.

@@ -8,8 +8,10 @@ namespace director {
 
 namespace mark {
 // On edges.
-inline constexpr std::uint8_t tried = 1;
+inline constexpr std::uint8_t tried = 1; ///< or may not be tried
 inline constexpr std::uint8_t refused = 2;
+inline constexpr std::uint8_t alone = 4;       ///< it is tried for itself
+inline constexpr std::uint8_t below_stale = 8; ///< its requester's orders are outdated
 // On groups.
 inline constexpr std::uint8_t forgotten = 1; ///< its last holder no longer stands in an equal's way
 inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder

@@ -45,9 +45,18 @@ void Pass::sort_roots() {
 void Pass::sweep() {
   Index root = s_.first_root[component_];
   for (; root != nil && !optional(root); root = s_.next_root[root]) {
-    if (s_.request[root] != nil) visit(root), walk_on();
+    if (s_.request[root] == nil) continue;
+    visit(root, mark::alone);
+    walk_on();
   }
-  sweep_optional(root);
+  if (root != nil || postponed_ != 0) sweep_optional(root);
+}
+
+/// What is in limbo, after all else.
+void Pass::sweep_below(Index group) {
+  place(group);
+  walk_on();
+  sweep_optional(nil);
 }
 
 void Pass::sweep_optional(Index root) {
@@ -56,74 +65,127 @@ void Pass::sweep_optional(Index root) {
     const bool waits = postponed_ != 0;
     if (root == nil && !waits) return;
     if (root != nil && (!waits || goes_first(root, heap_at(0)))) {
-      visit(root);
+      visit(root, mark::alone);
       root = s_.next_root[root];
     } else {
-      visit(first_of_heap());
+      const Index edge = first_of_heap();
+      visit(edge, s_.edge_marks[edge]);
     }
     walk_on();
   }
 }
 
-void Pass::walk_on() {
-  while (ahead_ != 0) visit(s_.candidate[--ahead_]);
+inline void Pass::walk_on() {
+  while (ahead_ != 0) {
+    const Index edge = s_.candidate[--ahead_];
+    visit(edge, s_.edge_marks[edge]);
+  }
 }
 
-inline void Pass::visit(Index edge) {
-  if ((s_.edge_marks[edge] & mark::tried) == 0 && s_.request[edge] != nil && may_ask(requester(edge))) try_edge(edge);
+inline void Pass::visit(Index edge, std::uint8_t marks) {
   const Index group = t_.edges[edge].target;
+  if ((marks & mark::tried) == 0 && s_.request[edge] != nil) {
+    if ((marks & mark::alone) == 0) {
+      try_unit(edge, (marks & mark::below_stale) != 0);
+    } else if (stands(edge)) {
+      claim(group, edge);
+      now_granted(edge, t_.groups[group].providers.begin);
+      if (pushed_) keep_pushes_of_plain(t_.groups[group].providers.begin);
+    } else {
+      s_.unit[0] = edge;
+      try_alone(edge, (marks & mark::below_stale) != 0);
+    }
+  }
   if (s_.now[group].holder == edge) place(group);
 }
 
+/// It was granted, there is one way to grant it, which has no conditions and needs nothing, and nothing is in its way.
+inline bool Pass::stands(Index edge) const {
+  const Index group = t_.edges[edge].target;
+  const Standing &last = s_.last[group], &now = s_.now[group];
+  return s_.traits[group] == (trait::flat | trait::simple) && last.holder == edge && last.granted() &&
+         (now.holder == nil || now.holder == edge) && s_.enabled[t_.groups[group].providers.begin] != 0;
+}
+
+void Pass::try_alone(Index edge, bool outdated) {
+  s_.member[0] = edge;
+  if (!try_plain(edge, outdated)) try_members(1, outdated);
+}
+
+/// The members of a unit, in order, the first of which is this one; the others stand ahead. Below a stale group each is
+/// tried for itself.
+void Pass::try_unit(Index edge, bool outdated) {
+  Index count = 0;
+  s_.unit[count++] = edge;
+  const Index from = requester(edge);
+  for (Index i = ahead_; i > 0; --i) {
+    const Index e = s_.candidate[i - 1];
+    if (requester(e) != from) break;
+    if (s_.request[e] == nil || (s_.edge_marks[e] & mark::alone) != 0) continue;
+    s_.edge_marks[e] |= mark::tried;
+    s_.unit[count++] = e;
+  }
+  for (Index i = 0; outdated && i < count; ++i) try_alone(s_.unit[i], true);
+  if (outdated) return;
+  for (Index i = 0; i < count; ++i) s_.member[i] = s_.unit[i];
+  if (!try_simple(count)) try_members(count, false);
+}
+
 /// The next in order, and what it asks for or needs stands ahead.
-void Pass::place(Index group) {
+inline void Pass::place(Index group) {
   s_.place[group] = placed_;
   s_.next_order[c_.order + placed_++] = group;
   if (!t_.groups[group].edges.empty()) look_ahead(group);
 }
 
 void Pass::look_ahead(Index group) {
-  const Range edges = t_.groups[group].edges;
-  const bool asks = may_ask(group);
+  const Index source = stale_source(group);
+  const bool is_stale = source != current, asks = is_stale || s_.now[group].granted();
+  std::uint8_t marks = asks ? std::uint8_t{0} : mark::tried;
+  if (is_stale) marks |= mark::below_stale;
   const Index base = ahead_;
-  bool in_order = true;
+  Index together = 0, member = nil;
+  bool in_order = true, asked = false;
+  const Range edges = t_.groups[group].edges;
   for (Index e = edges.end; e != edges.begin;) {
     --e;
     const Index level = s_.request[e];
-    if ((level == nil || !asks) && s_.now[t_.edges[e].target].holder != e) continue;
-    if (level != nil && t_.levels[level].optional) {
-      postpone(e);
-      continue;
+    if (level == nil || !asks) {
+      if (s_.now[t_.edges[e].target].holder != e) continue;
+      if (level == nil) {
+        in_order = look_ahead_to(e, base) && in_order;
+        continue;
+      }
     }
-    if (ahead_ != base) in_order = in_order && compare_siblings({e, false}, {s_.candidate[ahead_ - 1], false}, true) < 0;
-    s_.candidate[ahead_++] = e;
+    asked = true;
+    const Level& row = t_.levels[level];
+    std::uint8_t all = marks;
+    if (row.optional || row.apart || planted(Fault::members_for_themselves)) {
+      all |= mark::alone;
+    } else {
+      ++together;
+      member = e;
+    }
+    s_.edge_marks[e] = all;
+    if (row.optional) {
+      postpone(e);
+    } else {
+      in_order = look_ahead_to(e, base) && in_order;
+    }
   }
+  if (together == 1) s_.edge_marks[member] |= mark::alone;
+  if (is_stale && source != nil && asked) s_.in_queue[source] |= place::counts;
   if (in_order) return;
   heap_sort({s_.candidate + base, static_cast<std::size_t>(ahead_ - base)},
             [&](Index a, Index b) { return compare_siblings({b, false}, {a, false}, true) < 0; });
 }
 
-/// With its unit. Below a stale group each member is tried for itself.
-inline void Pass::try_edge(Index edge) {
-  s_.edge_marks[edge] |= mark::tried;
-  const Index from = t_.edges[edge].requester;
-  const Index source = from == nil ? current : stale_source(from);
-  const bool outdated = source != current;
-  if (outdated && source != nil) s_.in_queue[source] |= place::counts;
-  s_.unit[0] = edge;
-  const Index count = alone(edge) ? Index{1} : join_siblings(edge);
-  if (count == 1) return try_single(edge, outdated);
-  if (outdated) {
-    for (Index i = 0; i < count; ++i) try_single(s_.unit[i], true);
-    return;
-  }
-  for (Index i = 0; i < count; ++i) s_.member[i] = s_.unit[i];
-  if (!try_simple(count)) try_members(count, false);
-}
-
-inline void Pass::try_single(Index edge, bool outdated) {
-  s_.member[0] = edge;
-  if (!try_plain(edge, outdated)) try_members(1, outdated);
+/// It comes before what stands ahead of its siblings?
+inline bool Pass::look_ahead_to(Index edge, Index base) {
+  const bool in_order =
+      ahead_ == base || compare_siblings({edge, false}, {s_.candidate[ahead_ - 1], false}, true) < 0;
+  s_.candidate[ahead_++] = edge;
+  return in_order;
 }
 
 /// The same as try_members where nobody pushes the target, nothing can stand in the way but what is claimed already,
@@ -182,20 +244,6 @@ void Pass::keep_pushes_of_plain(Index provider) {
   s_.member_provider[0] = provider;
   s_.member_entries[0] = end;
   keep_own_pushes(1);
-}
-
-/// The members of a unit, in order: they stand ahead, behind its first one. Returns how many it has.
-Index Pass::join_siblings(Index first) {
-  Index count = 1;
-  const Index from = requester(first);
-  for (Index i = ahead_; i > 0; --i) {
-    const Index e = s_.candidate[i - 1];
-    if (requester(e) != from) break;
-    if (s_.request[e] == nil || alone(e)) continue;
-    s_.edge_marks[e] |= mark::tried;
-    s_.unit[count++] = e;
-  }
-  return count;
 }
 
 // The heap stands at the end of the same rows: an edge is ahead, or postponed.
