@@ -100,6 +100,7 @@ private:
   void claim(Index group, Index edge);
   void now_granted(Index edge, Index provider);
   void keep_own_pushes(Index count);
+  bool pushes(Index count) const;
   void plan_for(Index owner, Index provider, Index begin, Index end);
   void claim_plan(Index begin, Index end);
   void block(Index count);
@@ -112,6 +113,7 @@ private:
   void sweep_below(Index group);
   void sweep_optional(Index root);
   void walk_on();
+  void visit_root(Index edge);
   void visit(Index edge, std::uint8_t marks);
   bool stands(Index edge) const;
   void place(Index group);
@@ -122,7 +124,7 @@ private:
   bool try_plain(Index edge, bool outdated);
   bool needs_are_free(Range needs) const;
   void grant_plain(Index edge, Index provider);
-  void keep_pushes_of_plain(Index provider);
+  void keep_pushes_of_plain(Index edge, Index provider);
   void postpone(Index edge);
   Index first_of_heap();
   Index& heap_at(Index at) { return s_.candidate[t_.edges.size() - 1 - at]; }
@@ -163,10 +165,13 @@ private:
   Index ahead_ = 0;      ///< edges that the walk has before it
   Index postponed_ = 0;  ///< and those that are optional
   Index placed_ = 0;     ///< groups that are claimed and come before it
+  Index inherited_ = 0;  ///< those of them that were held before
   Index denied_ = 0, stale_granted_ = 0;
   bool equals_ = false;  ///< edges may be equal
   bool pushed_ = false;  ///< there were pushes in the last assignment
   bool pushing_ = false; ///< there are in this one
+  bool needs_ = false;   ///< something is held for a need
+  bool limbo_ = false;   ///< or in limbo
   mutable bool depends_on_last_ = false, depends_on_stale_ = false;
 };
 
@@ -175,6 +180,7 @@ inline void Pass::claim(Index group, Index edge) {
   Standing& now = s_.now[group];
   if (now.holder != nil) return; // for this very edge
   now.holder = edge;
+  if (!measured_) return;
   const Index from = requester(edge);
   if (from == nil) {
     s_.lineage[group] = {1, edge, optional(edge)};

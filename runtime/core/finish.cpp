@@ -26,6 +26,7 @@ void Pass::hand_over(Index group) {
   }
   depends_on_last_ = depends_on_stale_ = true;
   measured_ = false;
+  limbo_ = needs_ = true;
   claim(group, static_cast<Index>(t_.edges.size() + group));
   s_.now[group].active = s_.last[group].active;
   if (s_.last[group].planned != nil) plan_for(group, s_.last[group].planned, 0, end);
@@ -63,14 +64,14 @@ Index Pass::recall_plan(Index group) {
 /// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
 void Pass::finish() {
   const std::span<Index> claimed{s_.next_order + c_.order, placed_};
-  for (const Index g : claimed) {
+  for (const Index g : needs_ ? claimed : std::span<Index>{}) {
     if (s_.now[g].active != nil || s_.last[g].active == nil) continue;
     depends_on_last_ = depends_on_stale_ = true;
     if (stale(g) || planted(Fault::unwanted_needs_live_on)) s_.now[g].active = s_.last[g].active;
   }
   s_.next_count[component_] = placed_;
   if (pushing_) finish_pushes();
-  if (measured_) return;
+  if (!limbo_) return;
   sort(claimed, Along::now); // what is in limbo goes by declaration
   for (Index i = 0; i < placed_; ++i) s_.place[claimed[i]] = i;
 }

@@ -12,6 +12,7 @@ inline constexpr std::uint8_t tried = 1; ///< or may not be tried
 inline constexpr std::uint8_t refused = 2;
 inline constexpr std::uint8_t alone = 4;       ///< it is tried for itself
 inline constexpr std::uint8_t below_stale = 8; ///< its requester's orders are outdated
+inline constexpr std::uint8_t pushes = 16;     ///< there is a push of it in the last assignment
 // On groups.
 inline constexpr std::uint8_t forgotten = 1; ///< its last holder no longer stands in an equal's way
 inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder
@@ -40,6 +41,7 @@ inline constexpr std::uint8_t conditional = 4; ///< a provider has `when` or `st
 // Bits of State::component_traits.
 inline constexpr std::uint8_t equals = 1;       ///< two edges in it may be equal
 inline constexpr std::uint8_t alternatives = 2; ///< a group has slots
+inline constexpr std::uint8_t compared = 4;     ///< edges below different ones of root are often compared
 } // namespace trait
 
 /// A condition on an unset state is false.

@@ -11,29 +11,32 @@ void Pass::decide(Index component) {
   c_ = t_.components[component];
   component_ = component;
   equals_ = (s_.component_traits[component] & trait::equals) != 0;
-  pushed_ = depends_on_stale_ = false;
+  pushed_ = depends_on_stale_ = limbo_ = false;
   for (const Index g : t_.list(c_.groups)) {
     s_.group_marks[g] = 0;
     s_.in_queue[g] &= static_cast<std::uint8_t>(~place::counts);
     pushed_ = pushed_ || s_.last[g].push.edge != nil;
+    s_.now[g] = Standing{};
   }
   depends_on_last_ = pushed_;
   sort_roots();
   for (clear();; clear()) {
     sweep();
     if (denied_ == 0 || !denied_in_vain()) break;
-    for (const Index g : t_.list(c_.groups)) s_.group_marks[g] &= mark::forgotten;
+    for (const Index g : t_.list(c_.groups)) {
+      s_.group_marks[g] &= mark::forgotten;
+      s_.now[g] = Standing{};
+    }
   }
-  if (stale_granted_ != 0) hand_over();
+  if (stale_granted_ != 0 && inherited_ != s_.order_count[component]) hand_over();
   finish();
   measured_ = false; // from here on it may be about several components
 }
 
 void Pass::clear() {
-  ahead_ = postponed_ = placed_ = denied_ = stale_granted_ = 0;
-  measured_ = true;
-  pushing_ = false;
-  for (const Index g : t_.list(c_.groups)) s_.now[g] = Standing{};
+  ahead_ = postponed_ = placed_ = inherited_ = denied_ = stale_granted_ = 0;
+  measured_ = pushed_ || (s_.component_traits[component_] & trait::compared) != 0;
+  pushing_ = needs_ = false;
   for (const Index g : alternatives(component_) ? t_.list(c_.groups) : std::span<const Index>{}) {
     const Range slots = t_.groups[g].slots;
     for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
@@ -41,6 +44,10 @@ void Pass::clear() {
   for (const Index e : t_.list(c_.edges)) {
     s_.edge_marks[e] = 0;
     s_.queued[e] = Queued{};
+  }
+  for (const Index g : pushed_ ? t_.list(c_.groups) : std::span<const Index>{}) {
+    const Index pusher = s_.last[g].push.edge;
+    if (pusher != nil) s_.edge_marks[pusher] |= mark::pushes;
   }
 }
 

@@ -55,7 +55,7 @@ bool Pass::somebody_satisfies(Index condition) const {
 
 /// The pushes that the unit made before stay.
 void Pass::keep_pushes(Index count) {
-  if (!pushed_) return;
+  if (!pushed_ || !pushes(count)) return;
   for (const Index g : t_.list(c_.groups)) {
     const Push& push = s_.last[g].push;
     if (push.edge != nil && s_.now[g].push.edge == nil && in_unit(push.edge, count))
@@ -69,12 +69,7 @@ void Pass::want(Range conditions) {
 
 /// The unit is granted: of its pushes those stay that serve the choices in hand, or a push that does.
 void Pass::keep_serving_pushes(Index count) {
-  bool any = false;
-  for (const Index g : t_.list(c_.groups)) {
-    s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
-    any = any || (s_.last[g].push.edge != nil && in_unit(s_.last[g].push.edge, count));
-  }
-  if (!any) return;
+  for (const Index g : t_.list(c_.groups)) s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
   for (const Index c : t_.list(c_.conditions)) s_.condition_marks[c] = 0;
   const auto want_provider = [&](Index provider) {
     want(t_.providers[provider].when);

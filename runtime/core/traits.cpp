@@ -29,7 +29,13 @@ void Pass::find_traits() {
   for (Index g = 0; g < t_.groups.size(); ++g) s_.traits[g] = traits_of(t_, t_.groups[g]);
   for (Index c = 0; c < t_.components.size(); ++c) {
     const Component& row = t_.components[c];
-    std::uint8_t out = can_be_equal(row) ? trait::equals : 0;
+    std::uint8_t out = can_be_equal(row) ? trait::equals | trait::compared : 0;
+    for (const Index e : t_.list(row.edges)) {
+      const Range levels = t_.edges[e].levels;
+      for (Index level = levels.begin; level != levels.end; ++level) {
+        if (t_.levels[level].optional) out |= trait::compared;
+      }
+    }
     for (const Index g : t_.list(row.groups)) {
       if (!t_.groups[g].slots.empty()) out |= trait::alternatives;
     }

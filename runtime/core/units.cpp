@@ -107,13 +107,22 @@ void Pass::grant(Index count) {
     now_granted(edge, s_.member_provider[at]);
     plan_for(group, s_.member_provider[at], begin, end);
     for (Index i = begin; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
+    needs_ = needs_ || begin != end;
     claim_plan(begin, end);
   }
   if (pushed_) keep_own_pushes(count);
   leave_combination(count);
 }
 
+bool Pass::pushes(Index count) const {
+  for (Index at = 0; at < count; ++at) {
+    if ((s_.edge_marks[s_.member[at]] & mark::pushes) != 0) return true;
+  }
+  return false;
+}
+
 void Pass::keep_own_pushes(Index count) {
+  if (!pushes(count)) return;
   if (!planted(Fault::served_pushes_end)) keep_serving_pushes(count);
   // What serves one member of a unit serves all; below a stale group each member has only its own.
   depends_on_stale_ = depends_on_stale_ || count > 1;

@@ -46,7 +46,7 @@ void Pass::sweep() {
   Index root = s_.first_root[component_];
   for (; root != nil && !optional(root); root = s_.next_root[root]) {
     if (s_.request[root] == nil) continue;
-    visit(root, mark::alone);
+    visit_root(root);
     walk_on();
   }
   if (root != nil || postponed_ != 0) sweep_optional(root);
@@ -65,7 +65,7 @@ void Pass::sweep_optional(Index root) {
     const bool waits = postponed_ != 0;
     if (root == nil && !waits) return;
     if (root != nil && (!waits || goes_first(root, heap_at(0)))) {
-      visit(root, mark::alone);
+      visit_root(root);
       root = s_.next_root[root];
     } else {
       const Index edge = first_of_heap();
@@ -82,6 +82,10 @@ inline void Pass::walk_on() {
   }
 }
 
+inline void Pass::visit_root(Index edge) {
+  visit(edge, static_cast<std::uint8_t>(s_.edge_marks[edge] | mark::alone));
+}
+
 inline void Pass::visit(Index edge, std::uint8_t marks) {
   const Index group = t_.edges[edge].target;
   if ((marks & mark::tried) == 0 && s_.request[edge] != nil) {
@@ -90,7 +94,7 @@ inline void Pass::visit(Index edge, std::uint8_t marks) {
     } else if (stands(edge)) {
       claim(group, edge);
       now_granted(edge, t_.groups[group].providers.begin);
-      if (pushed_) keep_pushes_of_plain(t_.groups[group].providers.begin);
+      if ((marks & mark::pushes) != 0) keep_pushes_of_plain(edge, t_.groups[group].providers.begin);
     } else {
       s_.unit[0] = edge;
       try_alone(edge, (marks & mark::below_stale) != 0);
@@ -134,6 +138,7 @@ void Pass::try_unit(Index edge, bool outdated) {
 /// The next in order, and what it asks for or needs stands ahead.
 inline void Pass::place(Index group) {
   s_.place[group] = placed_;
+  if (s_.last[group].holder != nil) ++inherited_;
   s_.next_order[c_.order + placed_++] = group;
   if (!t_.groups[group].edges.empty()) look_ahead(group);
 }
@@ -166,7 +171,7 @@ void Pass::look_ahead(Index group) {
       ++together;
       member = e;
     }
-    s_.edge_marks[e] = all;
+    s_.edge_marks[e] |= all;
     if (row.optional) {
       postpone(e);
     } else {
@@ -210,7 +215,7 @@ inline bool Pass::try_plain(Index edge, bool outdated) {
       claim(group, edge);
       now_granted(edge, p);
     }
-    if (pushed_) keep_pushes_of_plain(p);
+    if ((s_.edge_marks[edge] & mark::pushes) != 0) keep_pushes_of_plain(edge, p);
     return true;
   }
   return false;
@@ -229,6 +234,7 @@ bool Pass::needs_are_free(Range needs) const {
 void Pass::grant_plain(Index edge, Index provider) {
   claim(t_.edges[edge].target, edge);
   now_granted(edge, provider);
+  needs_ = true;
   for (const Index need : t_.list(t_.providers[provider].needs)) {
     const Index group = t_.edges[need].target;
     claim(group, need);
@@ -237,10 +243,11 @@ void Pass::grant_plain(Index edge, Index provider) {
   }
 }
 
-void Pass::keep_pushes_of_plain(Index provider) {
+void Pass::keep_pushes_of_plain(Index edge, Index provider) {
   Index end = 0;
   for (const Index need : t_.list(t_.providers[provider].needs))
     s_.entry_provider[end++] = t_.groups[t_.edges[need].target].providers.begin;
+  s_.member[0] = edge;
   s_.member_provider[0] = provider;
   s_.member_entries[0] = end;
   keep_own_pushes(1);
