@@ -12,13 +12,12 @@ namespace director {
 void Engine::act(Index passes, bool stops) {
   Counters& c = *s_.counters;
   for (Index i = 0; i < passes && observed(); ++i) report_decisions(s_.work[i]);
-  for (const Index group : stops ? in_order(passes, true) : std::span<const Index>{}) {
-    if (s_.last[group].active != nil && s_.now[group].active == nil) stop_group(group);
+  if (stops) {
+    for (const Index group : held_before(passes)) {
+      if (s_.last[group].active != nil && s_.now[group].active == nil) stop_group(group);
+    }
   }
-  for (const Index group : in_order(passes, false)) {
-    const bool other = (s_.group_marks[group] & mark::differs) != 0 || (s_.in_queue[group] & place::touched) != 0;
-    if (other && s_.now[group].granted()) give_reasons(group);
-  }
+  for (const Index group : with_reasons(passes)) give_reasons(group);
   for (Index i = 0; i < c.touched_count; ++i) untouch(s_.touched[i]);
   c.touched_count = 0;
   for (Index i = 0; i < differing_; ++i) adopt(s_.differing[i]);
@@ -71,26 +70,48 @@ void Engine::sort_touched(Index count) {
   });
 }
 
-/// The groups to look at, in the old order (those that were held) or in the new one (those that are held now, and those
-/// with a new reason elsewhere). Nothing is sorted where all are of one component.
-std::span<const Index> Engine::in_order(Index passes, bool before) {
-  const Counters& c = *s_.counters;
-  const auto part = [&](Index component) -> std::span<const Index> {
-    const Index begin = t_.components[component].order;
-    return before ? std::span<const Index>{s_.order + begin, s_.order_count[component]}
-                  : std::span<const Index>{s_.next_order + begin, s_.next_count[component]};
+/// What was held in the components decided again, in the old order.
+std::span<const Index> Engine::held_before(Index passes) {
+  const auto part = [&](Index component) {
+    return std::span<const Index>{s_.order + t_.components[component].order, s_.order_count[component]};
   };
+  if (passes == 1) return part(s_.work[0]);
   Index count = 0;
-  for (Index i = 0; i < c.touched_count && !before; ++i) {
-    const Index group = s_.touched[i];
-    if ((s_.component[t_.groups[group].component] & work::passed) == 0 && granted(group)) s_.sorted[count++] = group;
-  }
-  if (passes == 1 && count == 0) return part(s_.work[0]);
   for (Index i = 0; i < passes; ++i) {
     for (const Index group : part(s_.work[i])) s_.sorted[count++] = group;
   }
-  sort({s_.sorted, count}, before ? Along::last : Along::now);
+  sort({s_.sorted, count}, Along::last);
   return {s_.sorted, count};
+}
+
+/// What is granted and can have a new reason to run, in the new order: it stands elsewhere than before, or was touched.
+std::span<const Index> Engine::with_reasons(Index passes) {
+  const Counters& c = *s_.counters;
+  const auto decided = [&](Index g) { return (s_.component[t_.groups[g].component] & work::passed) != 0; };
+  Index count = 0;
+  bool together = passes == 1; // in one component, whose groups know their places
+  for (Index i = 0; i < differing_; ++i) {
+    const Index group = s_.differing[i];
+    if (s_.now[group].granted()) s_.sorted[count++] = group;
+  }
+  for (Index i = 0; i < c.touched_count; ++i) {
+    const Index group = s_.touched[i];
+    if (!decided(group)) {
+      if (!granted(group)) continue;
+      together = false;
+    } else if ((s_.group_marks[group] & mark::differs) != 0 || !s_.now[group].granted()) {
+      continue;
+    }
+    s_.sorted[count++] = group;
+  }
+  const std::span<Index> groups{s_.sorted, count};
+  if (count < 2) return groups;
+  if (together) {
+    heap_sort(groups, [&](Index a, Index b) { return s_.place[a] < s_.place[b]; });
+  } else {
+    sort(groups, Along::now);
+  }
+  return groups;
 }
 
 void Engine::stop_group(Index group) {

@@ -147,7 +147,8 @@ private:
   void act(Index passes, bool stops);
   void act_on_touched();
   void sort_touched(Index count);
-  std::span<const Index> in_order(Index passes, bool before);
+  std::span<const Index> held_before(Index passes);
+  std::span<const Index> with_reasons(Index passes);
   void stop_group(Index group);
   void give_again(Index group);
   void give_reasons(Index group);
