@@ -121,7 +121,8 @@ private:
   bool look_ahead_to(Index edge, Index base);
   void try_unit(Index edge, bool outdated);
   void try_alone(Index edge, bool outdated);
-  bool try_plain(Index edge, bool outdated);
+  enum class Tried : std::uint8_t { granted, refused, unclear };
+  Tried try_plain(Index edge, bool outdated);
   bool needs_are_free(Range needs) const;
   void grant_plain(Index edge, Index provider);
   void keep_pushes_of_plain(Index edge, Index provider);

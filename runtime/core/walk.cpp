@@ -113,7 +113,11 @@ inline bool Pass::stands(Index edge) const {
 
 void Pass::try_alone(Index edge, bool outdated) {
   s_.member[0] = edge;
-  if (!try_plain(edge, outdated)) try_members(1, outdated);
+  switch (try_plain(edge, outdated)) {
+  case Tried::granted: return;
+  case Tried::refused: return refuse(1);
+  case Tried::unclear: return try_members(1, outdated);
+  }
 }
 
 /// The members of a unit, in order, the first of which is this one; the others stand ahead. Below a stale group each is
@@ -193,19 +197,19 @@ inline bool Pass::look_ahead_to(Index edge, Index base) {
   return in_order;
 }
 
-/// The same as try_members where nobody pushes the target, nothing can stand in the way but what is claimed already,
-/// and what is needed is simple. False: it is otherwise, or the edge cannot be granted, and nothing was claimed.
-inline bool Pass::try_plain(Index edge, bool outdated) {
+/// The same as try_members where what is needed is simple and nothing can stand in the way but what is claimed already.
+inline Pass::Tried Pass::try_plain(Index edge, bool outdated) {
   const Index group = t_.edges[edge].target;
   const Standing& last = s_.last[group];
   const Standing& now = s_.now[group];
   const bool as_before = last.holder == edge && last.granted();
   const std::uint8_t traits = s_.traits[group];
-  if ((traits & trait::flat) == 0 || now.push.edge != nil || (now.holder != nil && now.holder != edge)) return false;
-  if (!as_before && (outdated || stale_granted_ != 0)) return false;
-  if (equals_ && disputed(edge)) return false;
+  if ((traits & trait::flat) == 0 || (now.holder != nil && now.holder != edge)) return Tried::unclear;
+  if (!as_before && (outdated || stale_granted_ != 0)) return Tried::unclear;
+  if (equals_ && disputed(edge)) return Tried::unclear;
   const Range providers = t_.groups[group].providers;
-  for (Index p = providers.begin; p != providers.end; ++p) {
+  for (Index place = 0; place != providers.size(); ++place) {
+    const Index p = now.push.edge == nil ? static_cast<Index>(providers.begin + place) : preferred(group, place, edge);
     if (s_.enabled[p] == 0 || (outdated && p != last.active)) continue;
     if ((traits & trait::conditional) != 0 && first_false(p, edge) != nil) continue;
     if ((traits & trait::simple) == 0) {
@@ -216,9 +220,9 @@ inline bool Pass::try_plain(Index edge, bool outdated) {
       now_granted(edge, p);
     }
     if ((s_.edge_marks[edge] & mark::pushes) != 0) keep_pushes_of_plain(edge, p);
-    return true;
+    return Tried::granted;
   }
-  return false;
+  return planted(Fault::disabled_providers_run) ? Tried::unclear : Tried::refused;
 }
 
 /// What a provider of a flat group needs: nobody has claimed it, and it can run.
