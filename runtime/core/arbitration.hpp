@@ -163,10 +163,10 @@ private:
 
   Component c_; ///< the one in hand
   Index component_ = 0;
-  Index ahead_ = 0;      ///< edges that the walk has before it
-  Index postponed_ = 0;  ///< and those that are optional
-  Index placed_ = 0;     ///< groups that are claimed and come before it
-  Index inherited_ = 0;  ///< those of them that were held before
+  Index ahead_ = 0;     ///< edges that the walk has before it
+  Index postponed_ = 0; ///< and those that are optional
+  Index placed_ = 0;    ///< groups that are claimed and come before it
+  Index inherited_ = 0; ///< those of them that were held before
   Index denied_ = 0, stale_granted_ = 0;
   bool equals_ = false;  ///< edges may be equal
   bool pushed_ = false;  ///< there were pushes in the last assignment

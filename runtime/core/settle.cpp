@@ -84,8 +84,7 @@ bool Engine::changed(Index component, bool& stops) {
 bool Engine::other_plan(Index group) const {
   const Range slots = t_.groups[group].slots;
   bool other = false;
-  for (Index slot = slots.begin; slot != slots.end; ++slot)
-    other = other || s_.now.plan[slot] != s_.last.plan[slot];
+  for (Index slot = slots.begin; slot != slots.end; ++slot) other = other || s_.now.plan[slot] != s_.last.plan[slot];
   return other;
 }
 

@@ -82,9 +82,7 @@ inline void Pass::walk_on() {
   }
 }
 
-inline void Pass::visit_root(Index edge) {
-  visit(edge, static_cast<std::uint8_t>(s_.edge_marks[edge] | mark::alone));
-}
+inline void Pass::visit_root(Index edge) { visit(edge, static_cast<std::uint8_t>(s_.edge_marks[edge] | mark::alone)); }
 
 inline void Pass::visit(Index edge, std::uint8_t marks) {
   const Index group = t_.edges[edge].target;
@@ -185,14 +183,14 @@ void Pass::look_ahead(Index group) {
   if (together == 1) s_.edge_marks[member] |= mark::alone;
   if (is_stale && source != nil && asked) s_.in_queue[source] |= place::counts;
   if (in_order) return;
-  heap_sort({s_.candidate + base, static_cast<std::size_t>(ahead_ - base)},
-            [&](Index a, Index b) { return compare_siblings({b, false}, {a, false}, true) < 0; });
+  heap_sort({s_.candidate + base, static_cast<std::size_t>(ahead_ - base)}, [&](Index a, Index b) {
+    return compare_siblings({b, false}, {a, false}, true) < 0;
+  });
 }
 
 /// It comes before what stands ahead of its siblings?
 inline bool Pass::look_ahead_to(Index edge, Index base) {
-  const bool in_order =
-      ahead_ == base || compare_siblings({edge, false}, {s_.candidate[ahead_ - 1], false}, true) < 0;
+  const bool in_order = ahead_ == base || compare_siblings({edge, false}, {s_.candidate[ahead_ - 1], false}, true) < 0;
   s_.candidate[ahead_++] = edge;
   return in_order;
 }
