@@ -139,9 +139,16 @@ void Pass::try_unit(Index edge, bool outdated) {
 
 /// The next in order, and what it asks for or needs stands ahead.
 inline void Pass::place(Index group) {
-  s_.place[group] = placed_;
   if (s_.last[group].holder != nil) ++inherited_;
-  s_.next_order[c_.order + placed_++] = group;
+  Index at = placed_++;
+  Index* const order = s_.next_order + c_.order;
+  if (planted(Fault::ancestors_are_equals) && at != 0 && order[at - 1] == requester(s_.now[group].holder)) {
+    order[at] = order[at - 1];
+    s_.place[order[at]] = at;
+    --at;
+  }
+  order[at] = group;
+  s_.place[group] = at;
   if (!t_.groups[group].edges.empty()) look_ahead(group);
 }
 
