@@ -123,7 +123,7 @@ private:
   void try_alone(Index edge, bool outdated);
   enum class Tried : std::uint8_t { granted, refused, unclear };
   Tried try_plain(Index edge, bool outdated);
-  bool needs_are_free(Range needs) const;
+  bool needs_are_free(Index edge, Range needs) const;
   void grant_plain(Index edge, Index provider);
   void keep_pushes_of_plain(Index edge, Index provider);
   void postpone(Index edge);

@@ -218,7 +218,7 @@ inline Pass::Tried Pass::try_plain(Index edge, bool outdated) {
     if (s_.enabled[p] == 0 || (outdated && p != last.active)) continue;
     if ((traits & trait::conditional) != 0 && first_false(p, edge) != nil) continue;
     if ((traits & trait::simple) == 0) {
-      if (!needs_are_free(t_.providers[p].needs)) continue;
+      if (!needs_are_free(edge, t_.providers[p].needs)) continue;
       grant_plain(edge, p);
     } else {
       claim(group, edge);
@@ -230,14 +230,19 @@ inline Pass::Tried Pass::try_plain(Index edge, bool outdated) {
   return planted(Fault::disabled_providers_run) ? Tried::unclear : Tried::refused;
 }
 
-/// What a provider of a flat group needs: nobody has claimed it, and it can run.
-bool Pass::needs_are_free(Range needs) const {
-  for (const Index need : t_.list(needs)) {
+/// What a provider of the flat target of `edge` needs: nobody has claimed it, and it can run.
+bool Pass::needs_are_free(Index edge, Range needs) const {
+  const auto is_free = [&](Index need) {
     const Index group = t_.edges[need].target, provider = t_.groups[group].providers.begin;
-    if (taken(need) || s_.enabled[provider] == 0) return false;
-    if ((s_.traits[group] & trait::conditional) != 0 && first_false(provider, need) != nil) return false;
-  }
-  return true;
+    return !taken(need) && s_.enabled[provider] != 0 &&
+           ((s_.traits[group] & trait::conditional) == 0 || first_false(provider, need) == nil);
+  };
+  bool all = true;
+  Index& above = s_.trial[t_.edges[edge].target]; // the chains of what it needs go through it
+  above = edge;
+  for (const Index need : t_.list(needs)) all = all && is_free(need);
+  above = nil;
+  return all;
 }
 
 void Pass::grant_plain(Index edge, Index provider) {
