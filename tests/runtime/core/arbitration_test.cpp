@@ -44,6 +44,33 @@ TEST_CASE("a stronger task that waits pushes, and takes over when what it waits 
                                 "grant Walk>Legs after Kick>Legs", "run Walk.walking new_task", "run Legs new_task"});
 }
 
+TEST_CASE("a push waives nothing for what is below the one who pushes, also not for its needs") {
+  Machine machine(R"(
+behaviour: reading
+language: 1
+states: {Light: {values: [off, on], initial: off}}
+roots: {Search: {priority: 10}, Study: {priority: 20}}
+groups:
+  Search: {tasks: [Lamp]}
+  Study: {when: [Light == on], tasks: [Read]}
+  Read: {needs: [Lamp]}
+  Lamp: {when: [Light == off], causing: [Light == on]}
+)");
+  machine.decisions = true;
+  bool pushed = false;
+  machine.body("Lamp", [&](Run& run) {
+    if (pushed) run.set(0, 1);
+    return machine.everything(run);
+  });
+  machine.request("Search");
+  machine.step();
+  machine.request("Study");
+  pushed = true;
+  CHECK(machine.step() == Lines{"push Lamp for root>Study", "queue root>Study waiting", "run Lamp pushed",
+                                "set Light on", "grant root>Study after nobody", "run Study new_task",
+                                "queue Study>Read waiting"});
+}
+
 TEST_CASE("a group whose orders are outdated gets nothing new before it has run") {
   Machine machine(R"(
 behaviour: orders
