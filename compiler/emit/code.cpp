@@ -105,7 +105,7 @@ void Code::list(std::string_view head, const std::vector<std::string>& items, st
   if (all.size() <= room()) {
     line(all);
   } else {
-    line(head);
+    line(head.substr(0, head.find_last_not_of(' ') + 1));
     indent_ += 2;
     list_below(items, tail);
     indent_ -= 2;

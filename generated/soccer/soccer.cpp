@@ -405,7 +405,7 @@ struct Bodies {
 Behaviour::Behaviour(
     Recovery& recovery, Safety& safety, Locomotion& locomotion, Kicking& kicking, Looking& looking, Planning& planning,
     Strategy& strategy, Limbs& limbs, Servos& servos, director::Observer observer)
-    : 
+    :
     Program(detail::Bodies::of(*this), observer), recovery_(&recovery), safety_(&safety), locomotion_(&locomotion),
     kicking_(&kicking), looking_(&looking), planning_(&planning), strategy_(&strategy), limbs_(&limbs),
     servos_(&servos) {}

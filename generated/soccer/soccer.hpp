@@ -274,7 +274,7 @@ struct Facts<RightAnkle> {
 };
 
 /// The data of all tasks: those of requests, and those that wait in the inbox.
-struct Data final : 
+struct Data final :
     Facts<Walk>::Slots, Facts<Kick>::Slots, Facts<LookAt>::Slots, Facts<WalkTo>::Slots, Facts<KickTo>::Slots,
     Facts<LeftArm>::Slots, Facts<RightArm>::Slots, Facts<Head>::Slots, Facts<LeftLeg>::Slots, Facts<RightLeg>::Slots,
     Facts<LeftHipYaw>::Slots, Facts<LeftKnee>::Slots, Facts<LeftAnkle>::Slots, Facts<RightHipYaw>::Slots,

@@ -39,8 +39,10 @@ TEST_CASE("a list is broken between items where it does not fit") {
   code.list("f(", {"a", "b"}, ");");
   code.list("using All = List<", Texts(3, std::string(60, 'x')), ">;");
   code.list("g(", {}, ");");
+  code.list("struct All : ", Texts(2, std::string(60, 'x')), " {};"); // no blank is left behind
   const std::string x(60, 'x');
-  CHECK(code.text() == "f(a, b);\nusing All = List<\n    " + x + ",\n    " + x + ",\n    " + x + ">;\ng();\n");
+  CHECK(code.text() == "f(a, b);\nusing All = List<\n    " + x + ",\n    " + x + ",\n    " + x +
+                           ">;\ng();\nstruct All :\n    " + x + ",\n    " + x + " {};\n");
 }
 
 TEST_CASE("a comment is broken between words and holds nothing that a compiler would stumble over") {
