@@ -1,6 +1,6 @@
 // Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 //
-// The class that a program makes one of. Its words from outside are in runtime/core/program.hpp.
+// The class that a program makes one of. Its words from outside are in runtime/core/post.hpp and seen.hpp.
 #include "compiler/emit/cpp/parts.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 // The parts of the generated C++, one file each. Only compiler/emit/cpp and compiler/stubs include this; header.cpp and
 // source.cpp put the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp,
-// body.hpp, program.hpp.
+// body.hpp, post.hpp, seen.hpp, program.hpp.
 
 #include "compiler/emit/code.hpp"
 #include "compiler/emit/cpp/names.hpp"

@@ -1,0 +1,95 @@
+#pragma once
+// What a program sees of a behaviour, typed: between steps, and from other threads. `Facts`: see program.hpp.
+
+#include "runtime/core/snapshot.hpp"
+#include "runtime/core/view.hpp"
+#include "runtime/core/why.hpp"
+
+#include <array>
+
+namespace director {
+
+/// What one may ask between steps.
+template <class Facts>
+class Seen {
+public:
+  explicit Seen(const View& view) : view_(view) {}
+
+  /// Of the program's own request for this root task: running, queued or none.
+  template <class Task>
+  RunState state() const {
+    static_assert(Facts::Roots::template has<Task>, "only tasks that stand in `roots` are requested from outside");
+    return view_.state(Facts::Roots::template For<Task>::edge);
+  }
+
+  /// Who holds this task's group.
+  template <class Task>
+  Holding holding() const {
+    return view_.holding(row<Task>);
+  }
+
+  /// Why this task does not run. The generated `names::why` puts the answer into words.
+  template <class Task>
+  Because why() const {
+    return director::why(view_, row<Task>);
+  }
+
+  /// By number.
+  const View& view() const { return view_; }
+
+private:
+  template <class Task>
+  static constexpr Index row = [] {
+    static_assert(Facts::Groups::template has<Task>, "this is not a task of the behaviour");
+    return Facts::Groups::template row<Task>;
+  }();
+
+  View view_;
+};
+
+/// What other threads see of a behaviour: what held when it was last told to show itself, `behaviour.show(snapshot)`.
+/// Any number of threads may look, at any time; nobody waits. Holds two copies of what can be seen.
+template <class Facts>
+class Snapshot {
+public:
+  Snapshot() = default;
+  Snapshot(const Snapshot&) = delete;
+  Snapshot& operator=(const Snapshot&) = delete;
+
+  /// A look at the newest moment that was shown, which lasts as long as this object. Short ones are best: from the next
+  /// moment that is shown on it is one at the older copy, which cannot take the moment after that while it lasts.
+  class Look {
+  public:
+    Look(const Look&) = delete;
+    Look& operator=(const Look&) = delete;
+    ~Look() {
+      if (room_ != nil) of_.rooms_.leave(room_);
+    }
+    explicit operator bool() const { return room_ != nil; } ///< false: nothing was shown yet
+    Seen<Facts> operator*() const { return Seen<Facts>(of_.views_[room_]); }
+
+  private:
+    friend Snapshot;
+    explicit Look(const Snapshot& of) : of_(of), room_(of.rooms_.enter()) {}
+    const Snapshot& of_;
+    Index room_;
+  };
+  Look look() const { return Look(*this); }
+
+  /// From the thread that calls step(). False: there is still a look at the older copy; nothing changes.
+  bool show(const View& view) {
+    const Index room = rooms_.begin();
+    if (room == nil) return false;
+    views_[room] = view.copy(memory_[room].data());
+    rooms_.finish(room);
+    return true;
+  }
+
+private:
+  struct alignas(8) Room : std::array<std::byte, View::bytes(Facts::shape)> {};
+  mutable TwoRooms rooms_;
+  std::array<View, 2> views_;
+  std::array<Room, 2> memory_;
+};
+
+} // namespace director
