@@ -1,6 +1,8 @@
 // Door: dsl/render.hpp. Test: tests/dsl/render_test.cpp.
 #include "dsl/render.hpp"
 
+#include "dsl/display_width.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,10 +34,12 @@ std::string_view colour_of(Level level) {
 constexpr std::string_view note_colour = "\033[1;36m";
 constexpr std::size_t tab_stop = 4;
 constexpr std::string_view ellipsis = "…";
+constexpr std::size_t most_bytes_a_column =
+    16; ///< of what is shown: a letter and some accents; accents alone have no end
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-/// A line as it is shown, and the columns in it (a character is one column, tabs are blanks) that a span covers.
+/// A line as it is shown, and the columns in it (as on a terminal; tabs are blanks) that a span covers.
 struct Excerpt {
   std::string text;
   std::size_t begin = 0, end = 0;
@@ -53,25 +57,27 @@ Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end, std::
     out.text += ellipsis;
     column = 1;
   }
+  const std::size_t limit = std::min(line.size(), first + most_bytes_a_column * width);
   std::size_t at = first;
-  for (; at < line.size() && column < width; ++at) {
-    if (at == begin) out.begin = column;
-    if (at == end) out.end = column;
-    if (line[at] == '\t') {
-      const std::size_t wide = tab_stop - column % tab_stop;
+  while (at < limit && column < width) {
+    const Glyph glyph = glyph_at(line, at);
+    const std::size_t next = at + glyph.bytes;
+    const std::size_t wide = line[at] == '\t' ? tab_stop - column % tab_stop : glyph.columns;
+    // An accent belongs to the place of its letter.
+    if (begin >= at && begin < next) out.begin = wide == 0 && column > 0 ? column - 1 : column;
+    if (end >= at && end < next) out.end = column;
+    if (line[at] == '\t')
       out.text.append(wide, ' ');
-      column += wide;
-    } else {
-      out.text += static_cast<unsigned char>(line[at]) < 0x20 || line[at] == 0x7F ? '?' : line[at];
-      if (at + 1 == line.size() || !continues_character(line[at + 1])) ++column;
-    }
+    else if (glyph.printable)
+      out.text += line.substr(at, glyph.bytes);
+    else
+      out.text += '?';
+    column += wide;
+    at = next;
   }
   if (begin >= at) out.begin = column;
   if (end >= at) out.end = column;
-  if (at < line.size()) {
-    while (at < line.size() && continues_character(line[at])) out.text += line[at++];
-    out.text += ellipsis;
-  }
+  if (at < line.size()) out.text += ellipsis;
   return out;
 }
 

@@ -66,6 +66,41 @@ TEST_CASE("Marks stand below what they mean in lines with tabs and letters of se
                                                       "      |                   ^~~~\n");
 }
 
+TEST_CASE("Marks stand below what they mean behind characters of two columns, and of none") {
+  const Shown wide("a: \"行動 🤖\" # here\n");
+  CHECK(render(wide.error("here"), wide.sources) == "walk.yaml:1:20: error: no such key [unknown_key]\n"
+                                                    "    1 | a: \"行動 🤖\" # here\n"
+                                                    "      |                ^~~~\n");
+  CHECK(render(wide.error("動 🤖"), wide.sources) == "walk.yaml:1:8: error: no such key [unknown_key]\n"
+                                                        "    1 | a: \"行動 🤖\" # here\n"
+                                                        "      |       ^~~~~\n");
+  const Shown accents("e\u0301te\u0301: word\n");
+  CHECK(render(accents.error("word"), accents.sources) == "walk.yaml:1:10: error: no such key [unknown_key]\n"
+                                                          "    1 | e\u0301te\u0301: word\n"
+                                                          "      |      ^~~~\n");
+  CHECK(render(accents.error("\u0301"), accents.sources) == "walk.yaml:1:2: error: no such key [unknown_key]\n"
+                                                            "    1 | e\u0301te\u0301: word\n"
+                                                            "      | ^\n");
+}
+
+TEST_CASE("A line of accents without end is cut") {
+  std::string accents;
+  for (int i = 0; i < 10'000; ++i) accents += "\u0301";
+  const Shown shown("a: b" + accents);
+  RenderOptions narrow;
+  narrow.width = 4;
+  CHECK(render(shown.error("b"), shown.sources, narrow) == "walk.yaml:1:4: error: no such key [unknown_key]\n"
+                                                           "    1 | a: b…\n"
+                                                           "      |    ^\n");
+}
+
+TEST_CASE("Bytes that are no UTF-8, and control characters of two bytes, do not reach the terminal") {
+  const Shown shown("a: \x9B\xC2\x9B\xE8\xA1 b\n");
+  CHECK(render(shown.error("b"), shown.sources) == "walk.yaml:1:10: error: no such key [unknown_key]\n"
+                                                   "    1 | a: ???? b\n"
+                                                   "      |         ^\n");
+}
+
 TEST_CASE("What a name holds does not reach the terminal as a command") {
   const Shown shown("roots: [\"\\e[31mred\\n\\x9B\"]\n");
   Diagnostic finding = shown.error("\"\\e[31mred\\n\\x9B\"");
