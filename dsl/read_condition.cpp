@@ -50,7 +50,7 @@ struct Token {
 };
 
 struct Fault {
-  Token place;
+  Span place;
   std::string message, help;
 };
 
@@ -58,7 +58,7 @@ class Parser {
 public:
   Parser(const YamlNode& node, std::string_view source, ConditionUse use)
       : node_(node),
-        source_(source),
+        places_(node, source),
         text_(node.text),
         use_(use) {}
 
@@ -85,7 +85,7 @@ public:
 
 private:
   std::string_view text(Token token) const { return text_.substr(token.begin, token.end - token.begin); }
-  Span span(Token token) const { return span_within(node_, source_, token.begin, token.end); }
+  Span span(Token token) const { return places_.span(token.begin, token.end); }
 
   /// A word, a `|`, or a run of other characters. Empty at the end.
   Token peek() const {
@@ -112,7 +112,7 @@ private:
 
   /// The first fault counts: what follows it is read for nothing.
   void fail(Token place, std::string message, std::string help = "") {
-    if (!fault_) fault_ = Fault{place, std::move(message), std::move(help)};
+    if (!fault_) fault_ = Fault{span(place), std::move(message), std::move(help)};
   }
 
   Word word(std::string_view expected) {
@@ -162,7 +162,7 @@ private:
   }
 
   const YamlNode& node_;
-  std::string_view source_;
+  PlacesWithin places_;
   std::string_view text_;
   ConditionUse use_;
   std::size_t at_ = 0;
@@ -178,7 +178,7 @@ std::optional<ConditionSpec> read_condition(Reader& reader, const YamlNode& node
   ConditionSpec condition = parser.condition();
   if (!parser.fault()) return condition;
   const auto& [place, message, help] = *parser.fault();
-  reader.error("bad_condition", span_within(node, reader.source(), place.begin, place.end), message, help);
+  reader.error("bad_condition", place, message, help);
   return std::nullopt;
 }
 

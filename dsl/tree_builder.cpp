@@ -96,7 +96,7 @@ void TreeBuilder::scalar(std::size_t at, const std::string& value, bool plain) {
     node.style = lead == '|' ? YamlNode::Style::literal : YamlNode::Style::folded;
     last = yaml_scan::block_scalar(text_, first, least_indentation()).end;
   } else {
-    last = yaml_scan::place_in_plain(text_, first, value, value.size());
+    last = yaml_scan::end_of_plain(text_, first, value);
   }
   node.span = span(first, last);
   end(std::move(node));

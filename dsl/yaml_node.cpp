@@ -13,20 +13,22 @@ const YamlNode* YamlNode::find(std::string_view key) const {
   return nullptr;
 }
 
-Span span_within(const YamlNode& scalar, std::string_view source, std::size_t first, std::size_t last) {
-  const Span whole = scalar.span;
-  std::size_t begin = 0, end = 0;
-  if (scalar.style == YamlNode::Style::plain) {
-    begin = yaml_scan::place_in_plain(source, whole.begin, scalar.text, first);
-    end = last == first ? begin : yaml_scan::place_in_plain(source, whole.begin, scalar.text, last - 1) + 1;
-  } else if (scalar.style == YamlNode::Style::literal || scalar.style == YamlNode::Style::folded ||
-             source.substr(whole.begin + 1U, scalar.text.size()) != scalar.text) {
-    return whole;
-  } else {
-    begin = whole.begin + 1U + first;
-    end = whole.begin + 1U + last;
+PlacesWithin::PlacesWithin(const YamlNode& scalar, std::string_view source) : whole_(scalar.span) {
+  const std::string_view text = scalar.text;
+  text_ = whole_.begin + (scalar.style == YamlNode::Style::plain ? 0U : 1U);
+  if (source.substr(std::min(text_, source.size()), text.size()) == text) return;
+  known_ = scalar.style == YamlNode::Style::plain;
+  if (known_) places_ = yaml_scan::places_in_plain(source, text_, text);
+}
+
+Span PlacesWithin::span(std::size_t first, std::size_t last) const {
+  if (!known_) return whole_;
+  std::size_t begin = text_ + first, end = text_ + last;
+  if (!places_.empty()) {
+    begin = places_[first];
+    end = last == first ? begin : places_[last - 1] + 1;
   }
-  return {whole.file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  return {whole_.file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
 }
 
 std::vector<Word> lines_of(const YamlNode& scalar, std::string_view source) {

@@ -41,9 +41,20 @@ struct YamlPair {
   Span span{}; ///< from the key to the end of the value
 };
 
-/// The place of the bytes [first, last) of a scalar's text; the place of the whole scalar where escapes or folding
-/// make that impossible to say. `first == last` is a place between two bytes.
-Span span_within(const YamlNode& scalar, std::string_view source, std::size_t first, std::size_t last);
+/// The places of the parts of a scalar's text; the place of the whole scalar where escapes or folding make that
+/// impossible to say. Both texts are looked through once, however many parts are asked for.
+class PlacesWithin {
+public:
+  PlacesWithin(const YamlNode& scalar, std::string_view source);
+  /// The bytes [first, last). `first == last` is a place between two bytes.
+  Span span(std::size_t first, std::size_t last) const;
+
+private:
+  Span whole_;
+  std::size_t text_ = 0;            ///< where the text begins; without `places_`, it stands there as it is
+  std::vector<std::size_t> places_; ///< of each byte of the text, and of its end
+  bool known_ = true;
+};
 
 /// The lines of a scalar, each without the blanks around it, and each with its place if the scalar is a literal (`|`).
 std::vector<Word> lines_of(const YamlNode& scalar, std::string_view source);

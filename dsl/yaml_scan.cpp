@@ -117,21 +117,35 @@ std::size_t skip_properties(std::string_view text, std::size_t at) {
   return at;
 }
 
-std::size_t place_in_plain(std::string_view text, std::size_t begin, std::string_view value, std::size_t index) {
+namespace {
+
+/// Says of each byte of the value where it stands; returns its end.
+template <class Say>
+std::size_t walk_plain(std::string_view text, std::size_t begin, std::string_view value, const Say& say) {
   std::size_t at = begin;
   std::size_t end = begin; // behind the last byte that was found
-  for (std::size_t i = 0; i < value.size(); ++i) {
+  for (const char c : value) {
     // A line break in the text, with the blanks around it, is one blank or several line breaks in the value.
-    if (at < text.size() && text[at] != value[i] && is_space(text[at]))
-      while (at < text.size() && text[at] != value[i] && is_space(text[at])) ++at;
-    if (at < text.size() && text[at] == value[i]) {
-      if (i == index) return at;
-      end = ++at;
-    } else if (i == index) {
-      return end;
-    }
+    if (at < text.size() && text[at] != c && is_space(text[at]))
+      while (at < text.size() && text[at] != c && is_space(text[at])) ++at;
+    const bool found = at < text.size() && text[at] == c;
+    say(found ? at : end);
+    if (found) end = ++at;
   }
   return end;
+}
+
+} // namespace
+
+std::vector<std::size_t> places_in_plain(std::string_view text, std::size_t begin, std::string_view value) {
+  std::vector<std::size_t> out;
+  out.reserve(value.size() + 1);
+  out.push_back(walk_plain(text, begin, value, [&](std::size_t place) { out.push_back(place); }));
+  return out;
+}
+
+std::size_t end_of_plain(std::string_view text, std::size_t begin, std::string_view value) {
+  return walk_plain(text, begin, value, [](std::size_t) {});
 }
 
 Block block_scalar(std::string_view text, std::size_t begin, std::size_t least) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace director::dsl::yaml_scan {
 
@@ -35,8 +36,9 @@ std::size_t skip_blanks(std::string_view text, std::size_t at);
 /// Behind an anchor or a tag (and blanks) that stands before a value.
 std::size_t skip_properties(std::string_view text, std::size_t at);
 
-/// The place in the text of byte `index` of a plain scalar's value; of its end for index == value.size().
-std::size_t place_in_plain(std::string_view text, std::size_t begin, std::string_view value, std::size_t index);
+/// The places in the text of the bytes of a plain scalar's value, and, last, of its end.
+std::vector<std::size_t> places_in_plain(std::string_view text, std::size_t begin, std::string_view value);
+std::size_t end_of_plain(std::string_view text, std::size_t begin, std::string_view value);
 
 /// A block scalar, `|` or `>`.
 struct Block {

@@ -39,6 +39,14 @@ std::string_view text_of(Op op) {
 
 bool is_ordered(Op op) { return op != Op::any && op != Op::equal && op != Op::not_equal; }
 
+/// Halves first: one after the other, many would take the square of their number.
+ValueSet set_of(const std::int64_t* begin, const std::int64_t* end) {
+  if (begin == end) return {};
+  if (end - begin == 1) return ValueSet::single(*begin);
+  const std::int64_t* middle = begin + (end - begin) / 2;
+  return set_of(begin, middle).united(set_of(middle, end));
+}
+
 /// By the place in the list alone: whether a sentinel has one is not asked here.
 ValueSet accepted(const State& state, Op op, const std::vector<std::int64_t>& operands) {
   const ValueSet domain = state.domain();
@@ -53,20 +61,21 @@ ValueSet accepted(const State& state, Op op, const std::vector<std::int64_t>& op
   case Op::equal:
   case Op::not_equal: break;
   }
-  ValueSet listed;
-  for (const std::int64_t value : operands) listed = listed.united(ValueSet::single(value));
+  const ValueSet listed = set_of(operands.data(), operands.data() + operands.size());
   return op == Op::equal ? listed : domain.without(listed);
 }
 
 /// A sentinel that stands where the comparison holds looks as if it were meant.
 void report_sentinels(Resolver& r, const State& state, const Condition& condition, Span span) {
+  const auto is_accepted = [&](std::int64_t sentinel) { return condition.accepts.contains(sentinel); };
+  if (std::none_of(state.unordered.begin(), state.unordered.end(), is_accepted)) return; // as of every range
   std::vector<std::string> meant;
   for (std::int64_t value = state.low; value <= state.high; ++value) {
     const bool is_sentinel = std::find(state.unordered.begin(), state.unordered.end(), value) != state.unordered.end();
     if (condition.accepts.contains(value) && !is_sentinel) meant.push_back(state.value_text(value));
   }
   for (const std::int64_t sentinel : state.unordered) {
-    if (!condition.accepts.contains(sentinel)) continue;
+    if (!is_accepted(sentinel)) continue;
     const std::string name = state.value_text(sentinel);
     Diagnostic& finding =
         r.find("ordering_on_sentinel", dsl::Level::warning, span,

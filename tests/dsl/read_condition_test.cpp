@@ -138,3 +138,13 @@ TEST_CASE("What is no text is no condition, and the others are read all the same
       with_conditions("when", "Phase == set").findings() ==
       "5:11 `Phase == set` wrong_node_kind: `when`: expected a list, found `Phase == set` (write `[Phase == set]`)\n");
 }
+
+TEST_CASE("A condition of very many alternatives takes time in proportion, on one line or on several") {
+  for (const char* separator : {"|", "|\n        "}) {
+    std::string text = "[Phase == ready";
+    for (int i = 0; i < 100'000; ++i) text += std::string(separator) + "set";
+    const Read read = with_conditions("when", text + "]");
+    CHECK(read.findings() == "");
+    CHECK(read.file().groups[0].providers[0].when.at(0).values.size() == 100'001);
+  }
+}

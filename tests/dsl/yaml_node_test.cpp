@@ -20,7 +20,7 @@ struct Value {
   }
   std::string part(const std::string& what) const {
     const std::size_t first = node.text.find(what);
-    const Span span = span_within(node, text, first, first + what.size());
+    const Span span = PlacesWithin(node, text).span(first, first + what.size());
     return text.substr(span.begin, span.end - span.begin);
   }
 };
@@ -34,7 +34,7 @@ TEST_CASE("A part of a scalar has a place of its own") {
   CHECK(Value("'ab cd'").part("cd") == "cd");
   CHECK(Value("\"ab cd\"").part("cd") == "cd");
   const Value value("ab");
-  CHECK(span_within(value.node, value.text, 2, 2) == Span{{0}, 5, 5});
+  CHECK(PlacesWithin(value.node, value.text).span(2, 2) == Span{{0}, 5, 5});
 }
 
 TEST_CASE("Where escapes or folding hide the place it is the whole scalar's") {

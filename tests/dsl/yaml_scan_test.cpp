@@ -69,7 +69,7 @@ TEST_CASE("Comments begin behind blanks only") {
 
 TEST_CASE("A place in a plain text is found over its line breaks") {
   const auto place = [](std::string_view text, std::string_view value, std::size_t index) {
-    return yaml_scan::place_in_plain(text, 0, value, index);
+    return yaml_scan::places_in_plain(text, 0, value).at(index);
   };
   CHECK(place("one  \n   two x", "one two x", 4) == 9);
   CHECK(place("one\n\n  two", "one\ntwo", 4) == 7);
