@@ -13,12 +13,18 @@ enum class TimeUnit { us, ms, s, min };
 struct Duration {
   std::int64_t amount = 0; ///< in `unit`, as written
   TimeUnit unit = TimeUnit::us;
-  std::int64_t microseconds() const; ///< always fits: parse_duration refuses what does not
+  std::int64_t microseconds() const; ///< at most longest_duration: parse_duration refuses what is longer
   bool operator==(const Duration&) const = default;
 };
 
-/// Nothing unless `text` is a whole number from 0, a unit, and at most blanks between and around them.
+constexpr std::int64_t longest_duration = 1'000'000'000'000'000'000; ///< microseconds; some 31,700 years
+
+/// Nothing unless `text` is a whole number from 0, a unit, and at most blanks between and around them; nor where it is
+/// longer than durations may be.
 std::optional<Duration> parse_duration(std::string_view text);
+
+/// Where `text` would be a duration if it were not too long: the longest that can be written in its unit.
+std::optional<Duration> most_instead_of(std::string_view text);
 
 std::string to_text(const Duration& duration); ///< `500 ms`
 

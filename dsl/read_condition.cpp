@@ -153,6 +153,9 @@ private:
     const auto duration = parse_duration(text(rest));
     if (use_ != ConditionUse::causing)
       fail({keyword.begin, rest.end}, "`within` belongs to a promise: it stands in `causing` only", "leave it out");
+    else if (const auto most = most_instead_of(text(rest)))
+      fail(rest,
+           fmt::format("expected a duration of at most {} behind `within`, found {}", to_text(*most), found(rest)));
     else if (!duration || duration->amount == 0)
       fail(rest, fmt::format("expected a duration such as 2 s behind `within`, found {}", found(rest)),
            "a whole number above 0 and one of us, ms, s, min");

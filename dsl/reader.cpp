@@ -198,8 +198,11 @@ std::optional<Located<Duration>> Reader::duration(const YamlNode* node, std::str
   if (!is_scalar(node, subject, expected)) return std::nullopt;
   const auto value = parse_duration(node->text);
   if (value && value->microseconds() >= least) return Located<Duration>{*value, node->span};
-  unexpected(*node, subject, value ? "a duration above 0" : expected,
-             value ? "" : "a whole number and one of us, ms, s, min");
+  if (const auto most = most_instead_of(node->text))
+    unexpected(*node, subject, fmt::format("a duration of at most {}", to_text(*most)), "");
+  else
+    unexpected(*node, subject, value ? "a duration above 0" : expected,
+               value ? "" : "a whole number and one of us, ms, s, min");
   return std::nullopt;
 }
 

@@ -183,6 +183,8 @@ Make why_options(CLI::App& app) {
   return [=]() -> Request {
     if (time->empty()) return *request;
     const std::optional<dsl::Duration> given = dsl::parse_duration(*time);
+    if (const std::optional<dsl::Duration> most = dsl::most_instead_of(*time))
+      return Say{fmt::format("directorc: `{}` is too long: at most {}\n", *time, dsl::to_text(*most)), true};
     if (!given)
       return Say{fmt::format("directorc: `{}` is no time: a whole number and us, ms, s or min\n", *time), true};
     request->time = given->microseconds();

@@ -28,6 +28,9 @@ std::size_t inbox_size(const Scenario& scenario) {
   return std::bit_ceil(most);
 }
 
+/// Time goes no further: what is due the longest duration later still has a time.
+constexpr Time end_of_time = never - 2 * dsl::longest_duration;
+
 class Player {
 public:
   Player(const Scenario& scenario, const Model& model, const Lowered& lowered, const PlayOptions& options,
@@ -92,7 +95,7 @@ private:
 
   /// Each due time has a run of the engine to itself.
   bool advance(Time by) {
-    Time until = by > never - now_ ? never - 1 : now_ + by;
+    Time until = std::min(now_ + by, end_of_time);
     if (options_.until) until = std::min(until, *options_.until);
     for (std::uint64_t stops = 0; engine_.next_due() <= until; ++stops) {
       too_many_stops_ = stops == most_stops_;

@@ -13,7 +13,8 @@ TEST_CASE("A duration is a whole number and a unit") {
   };
   for (const Row& row : {Row{"500 ms", 500'000, "500 ms"}, Row{"2s", 2'000'000, "2 s"}, Row{" 10  us ", 10, "10 us"},
                          Row{"1 min", 60'000'000, "1 min"}, Row{"0 s", 0, "0 s"},
-                         Row{"153722867280 min", 9'223'372'036'800'000'000, "153722867280 min"}}) {
+                         Row{"9999999999 min", 599'999'999'940'000'000, "9999999999 min"},
+                         Row{"999999999999999999us", 999'999'999'999'999'999, "999999999999999999 us"}}) {
     CAPTURE(row.text);
     const auto duration = parse_duration(row.text);
     REQUIRE(duration);
@@ -24,8 +25,31 @@ TEST_CASE("A duration is a whole number and a unit") {
 
 TEST_CASE("What is not a duration is none") {
   for (const char* text : {"", "ms", "10", "1.5 s", "-1 s", "10 h", "10 MS", "007 s", "1 s s", "1 000 ms", "+1 s",
-                           "153722867281 min", "9223372036854775808 us"}) {
+                           "10000000000 min", "9223372036854775808 us"}) {
     CAPTURE(text);
     CHECK_FALSE(parse_duration(text));
+  }
+}
+
+TEST_CASE("What is too long for a duration is told apart from what is none, with the longest in its unit") {
+  struct Row {
+    const char* text;
+    const char* most;
+  };
+  for (const Row& row :
+       {Row{"1000000000000000000 us", "999999999999999999 us"}, Row{"1000000000000000ms", "999999999999999 ms"},
+        Row{" 1000000000000 s ", "999999999999 s"}, Row{"10000000000 min", "9999999999 min"},
+        Row{"99999999999999999999999999999999 s", "999999999999 s"}}) {
+    CAPTURE(row.text);
+    CHECK_FALSE(parse_duration(row.text));
+    const auto most = most_instead_of(row.text);
+    REQUIRE(most);
+    CHECK(to_text(*most) == row.most);
+    REQUIRE(parse_duration(row.most));
+    CHECK(parse_duration(row.most)->microseconds() < longest_duration);
+  }
+  for (const char* text : {"", "10 ms", "0 s", "1.5 s", "99999999999999999999 h", "099999999999999 s"}) {
+    CAPTURE(text);
+    CHECK_FALSE(most_instead_of(text));
   }
 }

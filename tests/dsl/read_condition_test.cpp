@@ -118,6 +118,9 @@ TEST_CASE("A promise's time is a duration above 0") {
         Case{"[Phase == ready within 2]",
              "5:37 `2` bad_condition: expected a duration such as 2 s behind `within`, found "
              "`2` (a whole number above 0 and one of us, ms, s, min)\n"},
+        Case{"[Phase == ready within 1000000000000000 ms]",
+             "5:37 `1000000000000000 ms` bad_condition: expected a duration of at most 999999999999999 ms behind "
+             "`within`, found `1000000000000000 ms`\n"},
         Case{"[Phase == ready within 0 s]",
              "5:37 `0 s` bad_condition: expected a duration such as 2 s behind `within`, "
              "found `0 s` (a whole number above 0 and one of us, ms, s, min)\n"}}) {

@@ -26,11 +26,36 @@ std::string read_file(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-constexpr std::array values{
-    "~",           "5",         "-1",           "0",         "true", "false",  "word",
-    "\"\"",        "\"true\"",  "\"5\"",        "[]",        "{}",   "[a, b]", "{a: b}",
-    "{a: {}}",     "[[]]",      "[~]",          "10 ms",     "0 s",  "A == b", "A <= 3",
-    "\"A < b|c\"", "\"A = b\"", "\"A == b|c\"", "two words", "1.5",  "A.b",    "\"A == b within 1 s\""};
+constexpr std::array values{"~",
+                            "5",
+                            "-1",
+                            "0",
+                            "true",
+                            "false",
+                            "word",
+                            "\"\"",
+                            "\"true\"",
+                            "\"5\"",
+                            "[]",
+                            "{}",
+                            "[a, b]",
+                            "{a: b}",
+                            "{a: {}}",
+                            "[[]]",
+                            "[~]",
+                            "10 ms",
+                            "0 s",
+                            "A == b",
+                            "A <= 3",
+                            "\"A < b|c\"",
+                            "\"A = b\"",
+                            "\"A == b|c\"",
+                            "two words",
+                            "1.5",
+                            "A.b",
+                            "\"A == b within 1 s\"",
+                            "9999999999 min",
+                            "10000000000 min"};
 
 bool is_plain(const YamlNode& node) {
   return !node.quoted() && node.text.find_first_of(",[]{}#:&*!|>'\"%@`") == std::string::npos;

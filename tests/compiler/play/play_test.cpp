@@ -208,3 +208,17 @@ steps:
              true) == Lines{"> set {Charge: 1}", "> advance 15 ms", "> set {Charge: 1}", "> advance 15 ms",
                             "> advance 5 ms", "unset Charge"});
 }
+
+TEST_CASE("time has an end, and what is due near it is due all the same") {
+  const std::string age = "  - advance: 999999999999 s\n";
+  std::string steps = "steps:\n  - request: Walk\n";
+  Lines expected{"> request Walk", "start Walk", "run Walk.walking new_task", "run Legs new_task"};
+  for (int i = 0; i < 10; ++i) {
+    steps += age;
+    expected.push_back("> advance 999999999999 s");
+  }
+  steps += "  - trigger: Bell\n" + age;
+  expected.insert(expected.end(), {"> trigger Bell", "run Walk.walking trigger", "> advance 999999999999 s"});
+  CHECK(play(walker, "script: {Walk.walking: [{reason: trigger, wait: 999999999999 s}, {tasks: [Legs]}]}\n" + steps) ==
+        expected);
+}
