@@ -74,9 +74,10 @@ std::vector<std::optional<Node>> immediate_dominators(const Arrows& arrows, Node
   return out;
 }
 
-std::vector<bool> reachable(const Arrows& arrows, Node start) {
+std::vector<bool> reachable(const Arrows& arrows, Node start) { return reachable(arrows, std::vector{start}); }
+
+std::vector<bool> reachable(const Arrows& arrows, std::vector<Node> open) {
   std::vector<bool> out(arrows.size(), false);
-  std::vector<Node> open{start};
   while (!open.empty()) {
     const Node node = open.back();
     open.pop_back();

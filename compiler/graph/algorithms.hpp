@@ -23,8 +23,9 @@ std::vector<Node> topological_order(const Arrows& arrows);
 /// reach.
 std::vector<std::optional<Node>> immediate_dominators(const Arrows& arrows, Node start);
 
-/// What can be reached from `start` by one arrow or more.
+/// What can be reached from `start`, or from one of several, by one arrow or more.
 std::vector<bool> reachable(const Arrows& arrows, Node start);
+std::vector<bool> reachable(const Arrows& arrows, std::vector<Node> starts);
 
 /// A shortest path of at least one arrow, both ends included; empty if there is none. Through `within` alone, if given.
 std::vector<Node> shortest_path(const Arrows& arrows, Node from, Node to, const std::vector<bool>* within = nullptr);

@@ -107,9 +107,10 @@ private:
   void plan_pushes() {
     const checks::Chains chains(model_, counts_);
     const checks::Causers causers = checks::find_causers(model_);
+    const checks::Pushes pushes(model_, facts_, chains, causers);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
-      for (const ProviderId causer : checks::find_push_goals(model_, facts_, chains, causers, waiter).pushable)
+      for (const ProviderId causer : checks::find_pushable(model_, pushes, waiter))
         add({Kind::push, waiter.value, causer.value}, model_.providers[causer].span);
     }
   }

@@ -130,6 +130,16 @@ std::string chain(std::size_t size, const char* row) {
 std::string chain_of_tasks(std::size_t size) { return chain(size, "  T{0}: {{tasks: [T{1}]}}\n"); }
 std::string chain_of_needs(std::size_t size) { return chain(size, "  T{0}: {{needs: [T{1}], tasks: [T{1}]}}\n"); }
 
+/// Each of these is a task that may push the one before it, which may push the one before that.
+std::string chain_of_causes(std::size_t size) {
+  const std::string first = "  T0: {causing: [S0 == after]}\n";
+  std::string groups;
+  for (std::size_t i = 1; i < size; ++i)
+    groups += fmt::format("  T{0}: {{when: [S{1} == after], causing: [S{0} == after]}}\n", i, i - 1);
+  return head + ("states:\n" + rows(size, "  S{}: {{values: [before, after], initial: before}}\n")) + "roots:\n" +
+         rows(size, "  T{0}: {{priority: {0}}}\n") + "groups:\n" + first + groups;
+}
+
 std::string wide_packs(std::size_t size) {
   std::string out = std::string(head) + "roots: [A]\ngroups:\n" + rows(size, "  B{}: {{}}\n") + "  A:\n    packs:\n";
   for (std::size_t i = 0; i < size; ++i)
@@ -193,6 +203,7 @@ const std::vector<Shape>& shapes() {
                                       {"providers of one group", 100, 1'000, providers_of_one},
                                       {"a chain of tasks", 500, 5'000, chain_of_tasks},
                                       {"a chain of needs", 100, 900, chain_of_needs},
+                                      {"a chain of causes", 100, 1'000, chain_of_causes},
                                       {"packs, each of as many tasks", 10, 100, wide_packs},
                                       {"conditions of each `when`", 100, 1'000, many_conditions},
                                       {"tasks of one provider", 1'000, 10'000, one_requests_all},

@@ -32,6 +32,8 @@ TEST_CASE("a gate is what every path passes") {
 TEST_CASE("a node reaches itself only around a cycle") {
   CHECK(reachable({{1}, {}}, 0) == std::vector<bool>{false, true});
   CHECK(reachable({{1}, {0}}, 0) == std::vector<bool>{true, true});
+  CHECK(reachable({{1}, {}, {3}, {}, {3}}, std::vector<Node>{0, 2}) ==
+        std::vector<bool>{false, true, false, true, false});
 }
 
 TEST_CASE("a shortest path has both of its ends") {

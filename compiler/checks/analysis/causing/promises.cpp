@@ -4,6 +4,7 @@
 #include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/facts/pushes.hpp"
 #include "compiler/checks/analysis/states/sources.hpp"
+#include "compiler/graph/algorithms.hpp"
 
 #include <algorithm>
 #include <set>
@@ -18,14 +19,13 @@ public:
   Blame(const Model& model, const Facts& facts, const Chains& chains)
       : model_(model),
         facts_(facts),
-        chains_(chains),
         causers_(find_causers(model)),
         sources_(find_sources(model)),
         arrows_(model.providers.size()) {
     for (const ProviderId id : model_.providers.ids()) {
       if (!facts_.active.contains(id)) arrows_[id.value] = find_blamed(id);
     }
-    find_unpushed();
+    find_unpushed(chains);
   }
 
   bool is_idle(ProviderId id) const { return !facts_.active.contains(id); }
@@ -62,18 +62,17 @@ private:
   }
 
   /// One that is capable and lacks a push: on what its waiters lack besides.
-  void find_unpushed() {
+  void find_unpushed(const Chains& chains) {
+    const Pushes pushes(model_, facts_, chains, causers_);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
-      std::optional<PushGoals> found; // few groups wait for something that could be caused and is not
+      PushSearch search(pushes, waiter);
       for (const auto& [provider, use] : waited_conditions(model_, facts_, waiter)) {
         for (const ProviderId causer : causers_[use.id]) {
           if (!is_idle(causer) || !facts_.capable.contains(causer)) continue;
-          if (!found) found = find_push_goals(model_, facts_, chains_, causers_, waiter);
-          const PushGoals& goals = *found;
-          if (!goals.beaten.contains(model_.providers[causer].group)) continue;
+          if (!search.beats(model_.providers[causer].group)) continue;
           for (const ConditionUse& other : unmet(provider)) {
-            if (goals.servable.contains(other.id)) continue;
+            if (search.is_servable(other.id)) continue;
             for (const ProviderId setter : setters(other)) {
               if (setter != causer) add(arrows_[causer.value], setter);
             }
@@ -118,7 +117,6 @@ private:
 
   const Model& model_;
   const Facts& facts_;
-  const Chains& chains_;
   Causers causers_;
   IdTable<StateId, std::vector<Source>> sources_;
   Arrows arrows_;
@@ -133,20 +131,20 @@ public:
         graph_(graph),
         facts_(facts),
         blame_(model, facts, chains),
-        candidate_(model.providers.size(), false) {}
+        candidate_(model.providers.size(), false),
+        arrows_of_(model.providers.size()) {
+    for (const Graph::Causing& arrow : graph.causing) arrows_of_[arrow.causer].push_back(&arrow);
+  }
 
   Promises run() {
     find_relevant();
     Promises out;
-    std::set<ProviderId> done;
-    for (const ProviderId id : model_.providers.ids()) {
-      if (!candidate_[id.value] || done.count(id) != 0) continue;
-      const std::vector<ProviderId> circle = lowest_circle(id);
-      if (circle.empty()) continue;
-      done.insert(circle.begin(), circle.end());
-      out.never_kept.push_back(make(id));
+    std::vector<Node> told;
+    for (const std::vector<Node>& circle : lowest_circles(candidate_)) {
+      told.insert(told.end(), circle.begin(), circle.end());
+      out.never_kept.push_back(make(ProviderId{circle.front()}));
     }
-    out.explained = explained_by(done);
+    out.explained = explained_by(told);
     return out;
   }
 
@@ -177,7 +175,7 @@ private:
   }
 
   /// What of the relevant is to blame on these, or they on it: of the rest nothing is told with them.
-  IdSet<ProviderId> explained_by(const std::set<ProviderId>& told) const {
+  IdSet<ProviderId> explained_by(const std::vector<Node>& told) const {
     Arrows back(model_.providers.size()), there(model_.providers.size());
     for (const ProviderId id : model_.providers.ids()) {
       for (const Node next : blame_.arrows()[id.value]) {
@@ -187,29 +185,42 @@ private:
       }
     }
     IdSet<ProviderId> out(model_.providers.size());
+    for (const Node id : told) out.add(ProviderId{id});
     for (const Arrows* arrows : {&there, &back}) {
-      std::vector<ProviderId> open(told.begin(), told.end());
-      IdSet<ProviderId> seen(model_.providers.size());
-      while (!open.empty()) {
-        const ProviderId id = open.back();
-        open.pop_back();
-        if (!seen.add(id)) continue;
-        out.add(id);
-        for (const Node next : (*arrows)[id.value]) open.push_back(ProviderId{next});
+      const std::vector<bool> reached = reachable(*arrows, told);
+      for (const ProviderId id : model_.providers.ids()) {
+        if (reached[id.value]) out.add(id);
       }
     }
     return out;
   }
 
-  /// The candidates that blame each other with this one; none if one of them can blame somebody else.
-  std::vector<ProviderId> lowest_circle(ProviderId id) const {
-    const std::vector<bool> below = reachable(blame_.arrows(), id.value);
-    std::vector<ProviderId> out{id};
-    for (Node other = 0; other < below.size(); ++other) {
-      if (!below[other] || !candidate_[other] || other == id.value) continue;
-      if (!reachable(blame_.arrows(), other)[id.value]) return {};
-      out.push_back(ProviderId{other});
+  /// Candidates that blame each other, and no other candidate: each circle sorted, in order of the first.
+  std::vector<std::vector<Node>> lowest_circles(const std::vector<bool>& candidate) const {
+    const std::size_t size = model_.providers.size();
+    std::vector<Node> circle_of(size);
+    std::vector<std::vector<Node>> members(size);
+    for (Node node = 0; node < size; ++node) circle_of[node] = node;
+    for (const std::vector<Node>& cycle : cycles(blame_.arrows())) {
+      for (const Node node : cycle) circle_of[node] = cycle.front();
     }
+    for (Node node = 0; node < size; ++node) {
+      if (candidate[node]) members[circle_of[node]].push_back(node);
+    }
+    // From the bottom up; in this order the members of a circle stand together.
+    std::vector<bool> blames(size, false); // a circle: another one with candidates, directly or not
+    const std::vector<Node> order = topological_order(blame_.arrows());
+    for (auto node = order.rbegin(); node != order.rend(); ++node) {
+      for (const Node next : blame_.arrows()[*node]) {
+        const Node here = circle_of[*node], below = circle_of[next];
+        if (here != below && (blames[below] || !members[below].empty())) blames[here] = true;
+      }
+    }
+    std::vector<std::vector<Node>> out;
+    for (Node node = 0; node < size; ++node) {
+      if (!members[node].empty() && !blames[node]) out.push_back(std::move(members[node]));
+    }
+    std::sort(out.begin(), out.end());
     return out;
   }
 
@@ -220,12 +231,12 @@ private:
     std::set<ProviderId> seen{causer};
     std::vector<ProviderId> open{causer};
     for (std::size_t next = 0; next < open.size(); ++next) {
-      for (const Graph::Causing& arrow : graph_.causing) {
-        if (arrow.causer != open[next] || facts_.may_hold(model_, arrow.waiter, arrow.condition)) continue;
-        if (out.waiting.empty()) out.promise = arrow.promise;
-        if (arrow.waiter == causer || !seen.insert(arrow.waiter).second) continue;
-        out.waiting.push_back({arrow.waiter, arrow.condition});
-        open.push_back(arrow.waiter);
+      for (const Graph::Causing* arrow : arrows_of_[open[next]]) {
+        if (facts_.may_hold(model_, arrow->waiter, arrow->condition)) continue;
+        if (out.waiting.empty()) out.promise = arrow->promise;
+        if (arrow->waiter == causer || !seen.insert(arrow->waiter).second) continue;
+        out.waiting.push_back({arrow->waiter, arrow->condition});
+        open.push_back(arrow->waiter);
       }
     }
     return out;
@@ -237,6 +248,7 @@ private:
   Blame blame_;
   IdSet<ProviderId> relevant_;
   std::vector<bool> candidate_;
+  IdTable<ProviderId, std::vector<const Graph::Causing*>> arrows_of_; ///< by causer
 };
 
 } // namespace

@@ -14,8 +14,8 @@ public:
   WantSearch(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers)
       : model_(model),
         facts_(facts),
-        chains_(chains),
-        causers_(causers) {}
+        causers_(causers),
+        pushes_(model, facts, chains, causers) {}
 
   std::vector<Wanting> run() {
     for (const GroupId task : model_.groups.ids()) {
@@ -38,9 +38,9 @@ private:
       if (!wanting.wants.empty()) found.push_back(std::move(wanting));
     }
     if (found.empty()) return;
-    const std::vector<ProviderId> pushable = find_push_goals(model_, facts_, chains_, causers_, task).pushable;
+    PushSearch search(pushes_, task);
     for (Wanting& wanting : found) {
-      for (Want& want : wanting.wants) want.causers = causers_for(want, task, pushable);
+      for (Want& want : wanting.wants) want.causers = causers_for(want, task, search);
       const auto is_hopeless = [](const Want& want) { return want.causers.empty(); };
       wanting.wants.erase(std::remove_if(wanting.wants.begin(), wanting.wants.end(), is_hopeless), wanting.wants.end());
       if (!wanting.wants.empty()) out_.push_back(std::move(wanting));
@@ -54,12 +54,12 @@ private:
            !facts_.values[condition.state].subset_of(condition.accepts);
   }
 
-  std::vector<ProviderId> causers_for(const Want& want, GroupId task, const std::vector<ProviderId>& pushable) const {
+  std::vector<ProviderId> causers_for(const Want& want, GroupId task, PushSearch& search) const {
     std::vector<ProviderId> out;
     for (const ProviderId id : causers_[want.condition.id]) {
       const GroupId group = model_.providers[id].group;
       if (group == task || group == model_.providers[want.waiter].group || !facts_.active.contains(id)) continue;
-      if (std::binary_search(pushable.begin(), pushable.end(), id)) out.push_back(id);
+      if (search.may_push(id, want.condition.id)) out.push_back(id);
     }
     return out;
   }
@@ -80,8 +80,8 @@ private:
 
   const Model& model_;
   const Facts& facts_;
-  const Chains& chains_;
   const Causers& causers_;
+  Pushes pushes_;
   std::vector<Wanting> out_;
 };
 

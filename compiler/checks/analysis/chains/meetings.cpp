@@ -151,6 +151,7 @@ bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) cons
 }
 
 bool Chains::may_beat(GroupId waiter, GroupId other) const {
+  if (other == waiter) return false;
   const std::vector<Entry>& ours = entries_above(waiter);
   const std::vector<Entry>& theirs = entries_above(other);
   auto first = theirs.begin();
@@ -161,14 +162,6 @@ bool Chains::may_beat(GroupId waiter, GroupId other) const {
     }
   }
   return false;
-}
-
-SparseSet<GroupId> Chains::beaten_by(GroupId waiter, const std::vector<GroupId>& others) const {
-  SparseSet<GroupId> out;
-  for (const GroupId other : others) {
-    if (other != waiter && may_beat(waiter, other)) out.add(other);
-  }
-  return out;
 }
 
 } // namespace director::checks

@@ -66,9 +66,9 @@ public:
   void visit(GroupId waiter, const std::vector<GroupId>& others,
              const std::function<void(const Meeting&, GroupId other)>& visitor) const;
 
-  /// Those of `others` that a task for `waiter` may push: requested by an edge that it may go before, and not granted
-  /// with it or with what is above it in one unit.
-  SparseSet<GroupId> beaten_by(GroupId waiter, const std::vector<GroupId>& others) const;
+  /// A task for `waiter` may push the other group: that is requested by an edge that it may go before, and not granted
+  /// with it or with what is above it in one unit. Never itself.
+  bool may_beat(GroupId waiter, GroupId other) const;
 
   const std::vector<Together>& together() const { return together_; }
 
@@ -80,7 +80,6 @@ private:
   };
   std::vector<Above> above(GroupId group, bool held) const;
   bool beats(const Entry& waiting, const Entry& entry, GroupId other) const;
-  bool may_beat(GroupId waiter, GroupId other) const;
   /// The entries beside this one that lead to one of `others`, in order of the entries.
   std::vector<std::pair<const Entry*, GroupId>> siblings(const Together& together, const Task& task, GroupId waiter,
                                                          const std::vector<GroupId>& others) const;

@@ -42,8 +42,8 @@ Losses::Because Losses::lost_group(ProviderId a, ProviderId b) const {
       return std::vector<Note>{taken.note};
     for (const Holding& wanted : holdings_of(model_, shared_, b)) {
       if (wanted.group != taken.group || !wanted.by_need) continue;
-      const bool first_wins = shared_.chains().beaten_by(row(a).group, {victim}).contains(victim);
-      const bool second_wins = shared_.chains().beaten_by(victim, {row(a).group}).contains(row(a).group);
+      const bool first_wins = shared_.chains().may_beat(row(a).group, victim);
+      const bool second_wins = shared_.chains().may_beat(victim, row(a).group);
       if (first_wins || (taken.by_need && !second_wins)) return std::vector<Note>{taken.note, wanted.note};
     }
   }

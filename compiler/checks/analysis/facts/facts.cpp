@@ -26,11 +26,17 @@ public:
     facts_.declared = facts_.values = IdTable<StateId, ValueSet>(model.states.size());
     facts_.plans = IdTable<ProviderId, PlanVerdict>(providers, PlanVerdict::found);
     facts_.capable_groups = facts_.requested = IdSet<GroupId>(groups);
+    needers_ = IdTable<GroupId, std::vector<GroupId>>(groups);
+    waiters_ = IdTable<StateId, std::vector<GroupId>>(model.states.size());
+    set_by_provider_ = IdTable<ProviderId, Sets>(providers);
+    set_by_handlers_ = IdTable<GroupId, Sets>(groups);
+    place_ = IdTable<GroupId, std::size_t>(groups);
     facts_.capable = facts_.chosen = facts_.pushed = facts_.active = IdSet<ProviderId>(providers);
   }
 
   Facts run() {
     find_declared();
+    find_concerned();
     find_waiting();
     for (const ProviderId id : model_.providers.ids()) {
       facts_.plans[id] = find_plan(model_, id);
@@ -38,12 +44,16 @@ public:
       find_impossible(id, true);
     }
     for (const Task& root : model_.roots) facts_.requested.add(root.target);
+    for (const StateId state : model_.states.ids()) {
+      for (const Source& source : sources_[state]) {
+        if (!source.provider && !source.group) grow(state, source.values);
+      }
+    }
+    for (const GroupId group : model_.groups.ids()) look_again(group);
     do {
       // Who may push whom takes the longest: it is asked only where all else has settled.
-      do {
-        changed_ = false;
-        take_one_round();
-      } while (changed_);
+      settle();
+      changed_ = false;
       find_pushed();
     } while (changed_);
     return std::move(facts_);
@@ -57,19 +67,37 @@ private:
     }
   }
 
+  /// Whom a new fact may concern.
+  void find_concerned() {
+    for (const GroupId group : model_.groups.ids()) {
+      for (const ProviderId id : model_.groups[group].providers) {
+        for (const Use<GroupId>& need : model_.providers[id].needs) needers_[need.id].push_back(group);
+        for (const ConditionUse& use : model_.providers[id].when) {
+          std::vector<GroupId>& waiters = waiters_[model_.conditions[use.id].state];
+          if (waiters.empty() || waiters.back() != group) waiters.push_back(group);
+        }
+      }
+    }
+    for (const StateId state : model_.states.ids()) {
+      for (const Source& source : sources_[state]) {
+        if (source.provider) set_by_provider_[*source.provider].emplace_back(state, &source);
+        if (source.group) set_by_handlers_[*source.group].emplace_back(state, &source);
+      }
+    }
+    for (std::size_t place = 0; place < graph_.order.size(); ++place) place_[GroupId{graph_.order[place]}] = place;
+  }
+
   /// From each group with a condition up to all that may need it.
   void find_waiting() {
-    IdTable<GroupId, std::vector<GroupId>> needers(model_.groups.size());
     std::vector<GroupId> open;
     for (const Provider& provider : model_.providers) {
-      for (const Use<GroupId>& need : provider.needs) needers[need.id].push_back(provider.group);
       if (!provider.when.empty()) open.push_back(provider.group);
     }
     facts_.may_wait = IdSet<GroupId>(model_.groups.size());
     while (!open.empty()) {
       const GroupId group = open.back();
       open.pop_back();
-      if (facts_.may_wait.add(group)) open.insert(open.end(), needers[group].begin(), needers[group].end());
+      if (facts_.may_wait.add(group)) open.insert(open.end(), needers_[group].begin(), needers_[group].end());
     }
   }
 
@@ -89,35 +117,29 @@ private:
     }
   }
 
-  /// All that follows at once; requesters come before what they request, so few rounds do.
-  void take_one_round() {
-    for (const StateId state : model_.states.ids()) {
-      for (const Source& source : sources_[state]) {
-        if (acts(source)) grow(state, source.values);
-      }
+  /// All that follows without a push. Each round looks where the one before changed something: requesters come before
+  /// what they request, so few rounds do; but a chain of causes takes as many as it has links.
+  void settle() {
+    while (!again_.empty()) {
+      std::vector<GroupId> groups = std::move(again_);
+      again_.clear();
+      for (const GroupId group : groups) waits_for_a_look_.remove(group);
+      std::sort(groups.begin(), groups.end(), [&](GroupId a, GroupId b) { return place_[a] < place_[b]; });
+      // What is needed comes last in the graph's order, and its capability first.
+      for (auto group = groups.rbegin(); group != groups.rend(); ++group) find_capable(*group);
+      for (const GroupId group : groups) find_active(group);
     }
-    // What is needed comes last in the graph's order, and its capability first.
-    for (auto node = graph_.order.rbegin(); node != graph_.order.rend(); ++node) find_capable(GroupId{*node});
-    for (const Node node : graph_.order) find_active(GroupId{node});
   }
 
-  bool acts(const Source& source) const {
-    if (source.provider) return facts_.active.contains(*source.provider);
-    if (!source.group) return true;
-    const std::vector<ProviderId>& providers = model_.groups[*source.group].providers;
-    return std::any_of(providers.begin(), providers.end(), [&](ProviderId id) { return facts_.active.contains(id); });
+  void look_again(GroupId group) {
+    if (waits_for_a_look_.add(group)) again_.push_back(group);
   }
 
   void grow(StateId state, const ValueSet& values) {
     ValueSet more = facts_.values[state].united(values);
     if (more == facts_.values[state]) return;
     facts_.values[state] = std::move(more);
-    changed_ = true;
-  }
-
-  template <class Id>
-  void add(IdSet<Id>& set, Id id) {
-    if (set.add(id)) changed_ = true;
+    for (const GroupId group : waiters_[state]) look_again(group);
   }
 
   void find_capable(GroupId group) {
@@ -131,8 +153,9 @@ private:
                                return facts_.capable_groups.contains(need.id);
                              });
       if (!has_needs) continue;
-      add(facts_.capable, id);
-      add(facts_.capable_groups, group);
+      facts_.capable.add(id);
+      if (!facts_.capable_groups.add(group)) continue;
+      for (const GroupId needer : needers_[group]) look_again(needer);
     }
   }
 
@@ -165,22 +188,37 @@ private:
 
   void find_active(GroupId group) {
     for (const ProviderId id : model_.groups[group].providers) {
-      if (facts_.capable.contains(id) && !facts_.chosen.contains(id) && may_come_first(id)) add(facts_.chosen, id);
+      if (facts_.capable.contains(id) && !facts_.chosen.contains(id) && may_come_first(id)) facts_.chosen.add(id);
       if (!facts_.requested.contains(group) || facts_.active.contains(id)) continue;
       if (!facts_.capable.contains(id) || !(facts_.chosen.contains(id) || facts_.pushed.contains(id))) continue;
-      add(facts_.active, id);
-      for (const Pack& pack : model_.providers[id].packs) {
-        for (const Task& task : pack.tasks) add(facts_.requested, task.target);
-      }
+      become_active(group, id);
     }
   }
 
+  void become_active(GroupId group, ProviderId id) {
+    facts_.active.add(id);
+    changed_ = true;
+    for (const Pack& pack : model_.providers[id].packs) {
+      for (const Task& task : pack.tasks) {
+        if (facts_.requested.add(task.target)) look_again(task.target);
+      }
+    }
+    for (const auto& [state, source] : set_by_provider_[id]) grow(state, source->values);
+    for (const auto& [state, source] : set_by_handlers_[group]) grow(state, source->values);
+  }
+
+  /// What a push leads to is followed at once, so that whoever waits behind it need not look down the whole chain
+  /// again.
   void find_pushed() {
     const Chains chains(model_, [&](ProviderId id) { return facts_.active.contains(id); });
+    const Pushes pushes(model_, facts_, chains, causers_);
+    Explored explored(model_);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
-      for (const ProviderId id : find_push_goals(model_, facts_, chains, causers_, waiter).pushable)
-        add(facts_.pushed, id);
+      for (const ProviderId id : PushSearch(pushes, waiter).explore(explored)) {
+        if (facts_.pushed.add(id)) look_again(model_.providers[id].group);
+      }
+      settle();
     }
   }
 
@@ -189,6 +227,14 @@ private:
   IdTable<StateId, std::vector<Source>> sources_;
   Causers causers_;
   Rivals rivals_;
+  IdTable<GroupId, std::vector<GroupId>> needers_;
+  IdTable<StateId, std::vector<GroupId>> waiters_;
+  using Sets = std::vector<std::pair<StateId, const Source*>>;
+  IdTable<ProviderId, Sets> set_by_provider_;
+  IdTable<GroupId, Sets> set_by_handlers_;
+  IdTable<GroupId, std::size_t> place_; ///< in the graph's order
+  std::vector<GroupId> again_;          ///< that a new fact concerns
+  SparseSet<GroupId> waits_for_a_look_; ///< ... each once
   Facts facts_;
   bool changed_ = false;
 };

@@ -1,7 +1,6 @@
 #include "compiler/checks/analysis/causing/wants.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
-#include "compiler/graph/graph.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -12,12 +11,10 @@ using namespace director::checks;
 
 /// "task: waiter condition <- causers" for each want.
 std::string wants_in(const std::string& text) {
-  const tests::Compiled compiled = tests::compile("behaviour: test\nlanguage: 1\n" + text);
-  const Model& model = compiled.model;
-  const Facts facts = find_facts(model, make_graph(model));
-  const Chains chains(model, [&](ProviderId id) { return facts.active.contains(id); });
+  const tests::Analysed test(text);
+  const Model& model = test.model;
   std::string out;
-  for (const Wanting& wanting : find_wants(model, facts, chains, find_causers(model))) {
+  for (const Wanting& wanting : find_wants(model, test.facts, test.chains, find_causers(model))) {
     for (const Want& want : wanting.wants) {
       out += name_of(model, wanting.task) + ": " + name_of(model, want.waiter) + " " +
              name_of(model, want.condition.id) + " <-";

@@ -1,14 +1,11 @@
 #include "compiler/checks/analysis/chains/claims.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 using namespace director::checks;
-using director::tests::compile;
-using director::tests::Compiled;
+using director::tests::Analysed;
 
 TEST_CASE("a way down ends at the task, also where needs lead back to it") {
-  const Compiled c = compile(R"(
-behaviour: circle
-language: 1
+  const Analysed c(R"(
 roots: [Walk]
 groups:
   Walk: {needs: [Legs]}

@@ -1,5 +1,5 @@
 #include "compiler/checks/analysis/chains/meetings.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,15 +8,9 @@ namespace {
 using namespace director;
 using namespace director::checks;
 
-struct Ranking {
-  tests::Compiled compiled;
-  Chains chains;
-  explicit Ranking(const std::string& text)
-      : compiled(tests::compile("behaviour: test\nlanguage: 1\n" + text)),
-        chains(compiled.model, [](ProviderId) { return true; }) {}
-  bool beats(const char* first, const char* second) const {
-    return chains.beaten_by(compiled.group(first), compiled.model.groups.ids()).contains(compiled.group(second));
-  }
+struct Ranking : tests::Analysed {
+  using Analysed::Analysed;
+  bool beats(const char* first, const char* second) const { return chains.may_beat(group(first), group(second)); }
 };
 
 TEST_CASE("a root of higher priority and what is below it may push a lower one and what is below that") {

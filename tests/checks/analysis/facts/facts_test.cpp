@@ -1,5 +1,5 @@
 #include "compiler/checks/analysis/facts/facts.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,24 +8,11 @@ namespace {
 using namespace director;
 using namespace director::checks;
 
-struct Found {
-  tests::Compiled compiled;
-  Facts facts;
-  explicit Found(const std::string& text)
-      : compiled(tests::compile("behaviour: test\nlanguage: 1\n" + text)),
-        facts(find_facts(compiled.model, make_graph(compiled.model))) {}
+struct Found : tests::Analysed {
+  using Analysed::Analysed;
   /// The providers that may be active.
   std::string active() const { return names(facts.active); }
   std::string pushed() const { return names(facts.pushed); }
-
-private:
-  std::string names(const IdSet<ProviderId>& set) const {
-    std::string out;
-    for (const ProviderId id : compiled.model.providers.ids()) {
-      if (set.contains(id)) out += compiled.model.full_name(id) + " ";
-    }
-    return out;
-  }
 };
 
 const std::string walker = R"(
@@ -99,6 +86,35 @@ TEST_CASE("what is reported as impossible is taken for mended") {
   CHECK(found.facts.impossible.size() == 1);
   CHECK(found.facts.impossible[0].why == Impossible::Why::unreachable);
   CHECK(found.active() == "Kick Ball ");
+}
+
+const std::string ladder = R"(
+states: {A: {values: [u, v], initial: u}, B: {values: [u, v], initial: u}}
+groups:
+  First: {providers: [{name: idle}, {name: acting, causing: [A == v]}]}
+  Second: {providers: [{name: idle}, {name: acting, when: [A == v], causing: [B == v]}]}
+  Early: {when: [A == v]}
+  Late: {when: [B == v]}
+)";
+
+TEST_CASE("a chain of pushes is found from its far end, whoever has found a part of it before") {
+  const std::string second = "First: {priority: 1}, Second: {priority: 2}, ", late = "Late: {priority: 4}";
+  const std::string both = "First.acting Second.acting ";
+  CHECK(Found(ladder + "roots: {" + second + late + "}\n").pushed() == both);
+  CHECK(Found(ladder + "roots: {" + second + "Early: {priority: 3}, " + late + "}\n").pushed() == both);
+  const Found found(ladder + "roots: {" + second + "Early: {priority: 9}, " + late + "}\n");
+  CHECK(found.pushed() == both);
+  CHECK(found.active() == "First.idle First.acting Second.idle Second.acting Early Late ");
+}
+
+TEST_CASE("who goes before one link of a chain and not before the next pushes neither") {
+  const Found alone(ladder + "roots: {First: {priority: 9}, Second: {priority: 1}, Late: {priority: 5}}\n");
+  CHECK(alone.pushed() == "");
+  CHECK(alone.active() == "First.idle Second.idle ");
+  // Somebody else may bring the first link about, and then the second one can be pushed.
+  const Found helped(ladder + "roots: {First: {priority: 8}, Early: {priority: 9}, Second: {priority: 1}, "
+                              "Late: {priority: 5}}\n");
+  CHECK(helped.pushed() == "First.acting Second.acting ");
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 #include "compiler/checks/analysis/facts/witness.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,9 +8,7 @@ namespace {
 using namespace director;
 using namespace director::checks;
 
-const char* const text = R"(behaviour: test
-language: 1
-states:
+const char* const text = R"(states:
   Pose: {values: [moving, standing, lying]}
   Arm: {values: [folded, out], initial: folded}
 roots: {Walk: {priority: 10}, Play: {priority: 20}}
@@ -26,20 +24,19 @@ groups:
   Rest: {when: [Pose == lying]}
 )";
 
-std::string witness(const Goal& goal) {
-  const auto compiled = tests::compile(text);
-  const Facts facts = find_facts(compiled.model, make_graph(compiled.model));
-  const auto steps = find_witness(compiled.model, facts, goal);
+std::string witness(const tests::Analysed& test, const Goal& goal) {
+  const auto steps = find_witness(test.model, test.facts, goal);
   if (!steps) return "never";
   std::string out;
   for (const dsl::Note& step : *steps)
-    out += std::to_string(compiled.sources[step.span.file].place(step.span.begin).line) + ": " + step.message + "\n";
+    out +=
+        std::to_string(test.compiled.sources[step.span.file].place(step.span.begin).line) + ": " + step.message + "\n";
   return out;
 }
 
 TEST_CASE("what leads to a task is told from the roots on, each thing once") {
-  const auto compiled = tests::compile(text);
-  CHECK(witness(compiled.group("Kick")) == R"(6: the program may request `Play`
+  const tests::Analysed test(text);
+  CHECK(witness(test, test.group("Kick")) == R"(6: the program may request `Play`
 13: `Play` may run
 13: `Play` may request `Kick`
 6: the program may request `Walk`
@@ -52,12 +49,12 @@ TEST_CASE("what leads to a task is told from the roots on, each thing once") {
 }
 
 TEST_CASE("what leads to a value, and what never comes about") {
-  const auto compiled = tests::compile(text);
-  const StateId pose = *compiled.model.find_state("Pose"), arm = *compiled.model.find_state("Arm");
-  CHECK(witness(StateValue{arm, 0}) == "5: `Arm` is folded at the start\n");
-  CHECK(witness(StateValue{pose, 2}) == "never");
-  CHECK(witness(compiled.group("Rest")) == "never");
-  CHECK(witness(compiled.provider("Walk.walking")) ==
+  const tests::Analysed test(text);
+  const StateId pose = test.state("Pose"), arm = test.state("Arm");
+  CHECK(witness(test, StateValue{arm, 0}) == "5: `Arm` is folded at the start\n");
+  CHECK(witness(test, StateValue{pose, 2}) == "never");
+  CHECK(witness(test, test.group("Rest")) == "never");
+  CHECK(witness(test, test.provider("Walk.walking")) ==
         "6: the program may request `Walk`\n11: `Walk.walking` may run\n");
 }
 

@@ -1,5 +1,5 @@
 #include "compiler/checks/analysis/needs/needs.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,16 +9,15 @@ using namespace director;
 using namespace director::checks;
 
 std::string faults(const std::string& groups) {
-  const auto compiled = tests::compile("behaviour: test\nlanguage: 1\nroots: []\ngroups:\n" + groups);
-  const Facts facts = find_facts(compiled.model, make_graph(compiled.model));
+  const tests::Analysed test("roots: []\ngroups:\n" + groups);
   std::string out;
-  for (const auto& circle : find_need_circles(compiled.model, facts)) {
+  for (const auto& circle : find_need_circles(test.model, test.facts)) {
     out += "circle";
-    for (const ChainStep& step : circle) out += " " + compiled.model.groups[step.from].name.value;
+    for (const ChainStep& step : circle) out += " " + test.model.groups[step.from].name.value;
     out += "\n";
   }
-  for (const ProviderId id : find_need_conflicts(compiled.model, facts))
-    out += "conflict " + compiled.model.full_name(id) + "\n";
+  for (const ProviderId id : find_need_conflicts(test.model, test.facts))
+    out += "conflict " + test.model.full_name(id) + "\n";
   return out;
 }
 

@@ -1,5 +1,5 @@
 #include "compiler/checks/analysis/needs/units.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,18 +8,13 @@ namespace {
 using namespace director;
 using namespace director::checks;
 
-struct Tried {
-  tests::Compiled compiled;
-  Facts facts;
-  Units units;
-  explicit Tried(const std::string& text)
-      : compiled(tests::compile("behaviour: test\nlanguage: 1\nroots: []\n" + text)),
-        facts(find_facts(compiled.model, make_graph(compiled.model))),
-        units(compiled.model, facts) {}
+struct Tried : tests::Analysed {
+  Units units{model, facts};
+  explicit Tried(const std::string& text) : Analysed("roots: []\n" + text) {}
 
   std::vector<GroupId> groups(const std::vector<const char*>& names) {
     std::vector<GroupId> out;
-    for (const char* name : names) out.push_back(compiled.group(name));
+    for (const char* name : names) out.push_back(group(name));
     return out;
   }
   UnitVerdict verdict(const std::vector<const char*>& names) { return units.verdict(groups(names)); }

@@ -1,5 +1,5 @@
 #include "compiler/checks/analysis/plans/plans.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,10 +8,10 @@ namespace {
 using namespace director;
 using namespace director::checks;
 
-std::string head() { return "behaviour: test\nlanguage: 1\nroots: []\ngroups:\n"; }
+const std::string head = "roots: []\ngroups:\n";
 
 TEST_CASE("plans are counted without those that use a group twice") {
-  const auto compiled = tests::compile(head() + R"(
+  const tests::Analysed test(head + R"(
   Juggle: {needs: [First, Second]}
   First: {providers: [{name: left, needs: [Left]}, {name: right, needs: [Right]}]}
   Second: {providers: [{name: left, needs: [Left]}, {name: right, needs: [Right]}]}
@@ -20,7 +20,7 @@ TEST_CASE("plans are counted without those that use a group twice") {
   Right: {}
 )");
   const auto count = [&](const char* name, std::int64_t most) {
-    return count_plans(compiled.model, compiled.provider(name), most);
+    return count_plans(test.model, test.provider(name), most);
   };
   CHECK(count("Juggle", 100).plans == 2);
   CHECK(count("Juggle", 100).complete);
@@ -28,13 +28,13 @@ TEST_CASE("plans are counted without those that use a group twice") {
   CHECK_FALSE(count("Juggle", 1).complete);
   CHECK(count("Left", 100).plans == 1);
   CHECK(count("Third", 100).plans == 0);
-  CHECK(find_plan(compiled.model, compiled.provider("Third")) == PlanVerdict::none);
-  CHECK(find_plan(compiled.model, compiled.provider("Juggle")) == PlanVerdict::found);
+  CHECK(find_plan(test.model, test.provider("Third")) == PlanVerdict::none);
+  CHECK(find_plan(test.model, test.provider("Juggle")) == PlanVerdict::found);
 }
 
 TEST_CASE("a search that takes too long says that it did not decide") {
   // Twelve tasks that share eleven limbs: pigeons and holes, which no search of this kind finishes.
-  std::string text = head() + "  All: {needs: [";
+  std::string text = head + "  All: {needs: [";
   for (int i = 0; i < 12; ++i) text += (i == 0 ? "T" : ", T") + std::to_string(i);
   text += "]}\n";
   for (int i = 0; i < 12; ++i) {
@@ -43,28 +43,28 @@ TEST_CASE("a search that takes too long says that it did not decide") {
       text += "      - {name: by" + std::to_string(j) + ", needs: [L" + std::to_string(j) + "]}\n";
   }
   for (int j = 0; j < 11; ++j) text += "  L" + std::to_string(j) + ": {}\n";
-  const auto compiled = tests::compile(text);
-  CHECK(find_plan(compiled.model, compiled.provider("All")) == PlanVerdict::undecided);
+  const tests::Analysed test(text);
+  CHECK(find_plan(test.model, test.provider("All")) == PlanVerdict::undecided);
 }
 
 TEST_CASE("a group is indispensable if every way leads to it") {
-  const auto compiled = tests::compile(head() + R"(
+  const tests::Analysed test(head + R"(
   Walk: {needs: [Legs]}
   Legs: {providers: [{name: both, needs: [Left, Right]}, {name: one, needs: [Left]}]}
   Left: {}
   Right: {}
   Loop: {needs: [Loop]}
 )");
-  const Indispensable indispensable(compiled.model);
+  const Indispensable indispensable(test.model);
   const auto walk_needs = [&](const char* name) {
-    return indispensable.contains(compiled.group("Walk"), compiled.group(name));
+    return indispensable.contains(test.group("Walk"), test.group(name));
   };
   CHECK(walk_needs("Walk"));
   CHECK(walk_needs("Legs"));
   CHECK(walk_needs("Left"));
   CHECK_FALSE(walk_needs("Right"));
-  CHECK(indispensable.of(compiled.group("Walk"))->size() == 3);
-  CHECK_FALSE(indispensable.of(compiled.group("Loop")));
+  CHECK(indispensable.of(test.group("Walk"))->size() == 3);
+  CHECK_FALSE(indispensable.of(test.group("Loop")));
 }
 
 } // namespace

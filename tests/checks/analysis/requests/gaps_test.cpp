@@ -1,6 +1,5 @@
 #include "compiler/checks/analysis/requests/gaps.hpp"
-#include "compiler/graph/graph.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,11 +10,11 @@ using namespace director::checks;
 
 /// What no way of the group covers, one combination a line.
 std::string gaps_of(const char* group, const std::string& text, bool with_stay = true) {
-  const tests::Compiled compiled = tests::compile("behaviour: test\nlanguage: 1\n" + text);
-  const Model& model = compiled.model;
-  const Facts facts = find_facts(model, make_graph(model));
+  const tests::Analysed test(text);
+  const Model& model = test.model;
+  const Facts& facts = test.facts;
   Ways ways(model, facts, with_stay, [](ProviderId, const ConditionUse&) { return true; });
-  const auto boxes = find_gaps(model, facts, {}, ways.of(compiled.group(group)));
+  const auto boxes = find_gaps(model, facts, {}, ways.of(test.group(group)));
   if (!boxes) return "too many";
   std::string out;
   for (const Box& box : *boxes) out += gap_in_words(model, facts, box) + "\n";

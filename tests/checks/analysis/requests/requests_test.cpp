@@ -1,6 +1,5 @@
 #include "compiler/checks/analysis/requests/requests.hpp"
-#include "compiler/graph/graph.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,19 +8,12 @@ namespace {
 using namespace director;
 using namespace director::checks;
 
-struct Asked {
-  tests::Compiled compiled;
-  Graph graph;
-  Facts facts;
-  Requests requests;
-  explicit Asked(const std::string& text)
-      : compiled(tests::compile("behaviour: test\nlanguage: 1\n" + text)),
-        graph(make_graph(compiled.model)),
-        facts(find_facts(compiled.model, graph)),
-        requests(compiled.model, graph, facts) {}
+struct Asked : tests::Analysed {
+  using Analysed::Analysed;
+  Requests requests{model, graph, facts};
   ValueSet values(const char* group, const char* state) const {
-    const Region& region = requests.region(compiled.group(group));
-    const auto at = region.states.find(*compiled.model.find_state(state));
+    const Region& region = requests.region(this->group(group));
+    const auto at = region.states.find(this->state(state));
     return at == region.states.end() ? ValueSet::interval(-1, -1) : at->second;
   }
 };

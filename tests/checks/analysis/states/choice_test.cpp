@@ -1,5 +1,5 @@
 #include "compiler/checks/analysis/states/choice.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,12 +9,11 @@ using namespace director;
 using namespace director::checks;
 
 bool comes_first(const std::string& text, const char* name) {
-  const auto compiled = tests::compile("behaviour: test\nlanguage: 1\n" + text);
-  const Graph graph = make_graph(compiled.model);
-  IdTable<StateId, ValueSet> values(compiled.model.states.size());
-  for (const StateId id : compiled.model.states.ids()) values[id] = compiled.model.states[id].domain();
-  const ProviderId provider = compiled.provider(name);
-  return may_come_first(compiled.model, provider, Rivals(compiled.model, graph).of(provider), values, {});
+  const tests::Analysed test(text);
+  IdTable<StateId, ValueSet> values(test.model.states.size());
+  for (const StateId id : test.model.states.ids()) values[id] = test.model.states[id].domain();
+  const ProviderId provider = test.provider(name);
+  return may_come_first(test.model, provider, Rivals(test.model, test.graph).of(provider), values, {});
 }
 
 const std::string states = "states:\n  X: {values: [a, b, c], initial: a, external: true}\n"

@@ -1,5 +1,5 @@
 #include "compiler/checks/analysis/states/region.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,9 +8,7 @@ namespace {
 using namespace director;
 using namespace director::checks;
 
-const char* const text = R"(behaviour: test
-language: 1
-states:
+const char* const text = R"(states:
   Pose: {values: [a, b, c], initial: a, external: true}
   Charge: {range: [0, 100], initial: 0, external: true}
 roots: [A]
@@ -22,11 +20,11 @@ groups:
 )";
 
 TEST_CASE("a region is what conditions leave of each state") {
-  const auto compiled = tests::compile(text);
+  const tests::Analysed test(text);
   const auto region = [&](const char* name) {
-    return region_of(compiled.model, compiled.model.providers[compiled.provider(name)].when);
+    return region_of(test.model, test.model.providers[test.provider(name)].when);
   };
-  const StateId pose = *compiled.model.find_state("Pose");
+  const StateId pose = test.state("Pose");
   CHECK(region("A").states.size() == 2);
   CHECK(region("C").states.at(pose) == ValueSet::single(1));
   CHECK(region("D").states.empty());
@@ -40,10 +38,10 @@ TEST_CASE("a region is what conditions leave of each state") {
 }
 
 TEST_CASE("a hull leaves open what one side leaves open") {
-  const auto compiled = tests::compile(text);
-  const Region active = active_region(compiled.model, compiled.model.providers[compiled.provider("A")]);
+  const tests::Analysed test(text);
+  const Region active = active_region(test.model, test.model.providers[test.provider("A")]);
   CHECK(active.states.size() == 1);
-  CHECK(active.states.at(*compiled.model.find_state("Charge")) == ValueSet::interval(21, 100));
+  CHECK(active.states.at(test.state("Charge")) == ValueSet::interval(21, 100));
 }
 
 } // namespace

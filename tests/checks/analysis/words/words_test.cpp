@@ -1,5 +1,5 @@
 #include "compiler/checks/analysis/words/words.hpp"
-#include "tests/compiler/support/compiled.hpp"
+#include "tests/checks/analysis/support/analysed.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -16,22 +16,20 @@ TEST_CASE("lists are written as people write them") {
 }
 
 TEST_CASE("values and chains in words") {
-  const auto compiled = tests::compile(R"(behaviour: test
-language: 1
-states:
+  const tests::Analysed test(R"(states:
   Pose: {values: [a, b, c], external: true}
   Charge: {range: [0, 100], external: true}
 roots: [A]
 groups: {A: {tasks: [B]}, B: {tasks: [C]}, C: {}}
 )");
-  const State& pose = compiled.model.states[*compiled.model.find_state("Pose")];
-  const State& charge = compiled.model.states[*compiled.model.find_state("Charge")];
+  const State& pose = test.model.states[test.state("Pose")];
+  const State& charge = test.model.states[test.state("Charge")];
   CHECK(values_in_words(pose, pose.domain()) == "a, b or c");
   CHECK(values_in_words(pose, {}) == "nothing");
   CHECK(values_in_words(charge, charge.domain().without(ValueSet::interval(1, 98))) == "0 or 99 to 100");
-  const GroupId a = compiled.group("A"), b = compiled.group("B"), c = compiled.group("C");
-  CHECK(chain_in_words(compiled.model, {a, b, c}, "requests") == "`A` requests `B`, which requests `C`");
-  CHECK(chain_in_words(compiled.model, {a, b, a}, "needs") == "`A` needs `B`, which needs `A` again");
+  const GroupId a = test.group("A"), b = test.group("B"), c = test.group("C");
+  CHECK(chain_in_words(test.model, {a, b, c}, "requests") == "`A` requests `B`, which requests `C`");
+  CHECK(chain_in_words(test.model, {a, b, a}, "needs") == "`A` needs `B`, which needs `A` again");
 }
 
 } // namespace
