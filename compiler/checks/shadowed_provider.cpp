@@ -19,6 +19,14 @@ std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const s
   return rivals;
 }
 
+/// Not for the sake of the earlier ones: what it waits for or needs never comes.
+void report_never(const Input& input, ProviderId id, Findings& findings) {
+  const std::string name = name_of(input.model, id);
+  dsl::Diagnostic& finding = findings.add(input.model.providers[id].span, fmt::format("{} can never run", name));
+  finding.notes = explain_idle(input, id);
+  finding.help = fmt::format("request what brings that about, or leave {} out", name);
+}
+
 } // namespace
 
 void shadowed_provider(const Input& input, Findings& findings) {
@@ -27,6 +35,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
   const Rivals& rivals = input.shared.rivals();
   IdSet<ProviderId> explained = input.shared.promises().explained;
   for (const Imprecise& fault : input.shared.imprecise()) explained.add(fault.causer);
+  for (const ProviderId id : input.shared.promises().never_run) report_never(input, id, findings);
   for (const ProviderId id : model.providers.ids()) {
     const Provider& provider = model.providers[id];
     if (!facts.requested.contains(provider.group) || !facts.capable.contains(id) || facts.active.contains(id)) continue;

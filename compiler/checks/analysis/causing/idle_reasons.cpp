@@ -27,17 +27,18 @@ public:
   }
 
 private:
-  void explain(ProviderId id) {
+  /// `needed`: it lacks no request.
+  void explain(ProviderId id, bool needed = false) {
     if (facts_.active.contains(id) || !seen_.insert(id).second) return;
     const Provider& provider = model_.providers[id];
-    if (!facts_.requested.contains(provider.group)) explain_request(provider.group);
+    if (!needed && !facts_.requested.contains(provider.group)) explain_request(provider.group);
     for (const ConditionUse& use : provider.when) {
       if (!facts_.may_hold(model_, id, use)) explain_condition(use);
     }
     for (const Use<GroupId>& need : provider.needs) {
       if (facts_.capable_groups.contains(need.id)) continue;
       notes_.push_back({need.span, fmt::format("it needs {}, which never can run", name_of(model_, need.id))});
-      for (const ProviderId below : model_.groups[need.id].providers) explain(below);
+      for (const ProviderId below : model_.groups[need.id].providers) explain(below, true);
     }
   }
 

@@ -145,6 +145,7 @@ public:
       out.never_kept.push_back(make(ProviderId{circle.front()}));
     }
     out.explained = explained_by(told);
+    out.never_run = find_never_run(out.explained);
     return out;
   }
 
@@ -191,6 +192,24 @@ private:
       for (const ProviderId id : model_.providers.ids()) {
         if (reached[id.value]) out.add(id);
       }
+    }
+    return out;
+  }
+
+  /// Of what can never run for a reason that no other finding tells, the lowest. Where no provider of a requested group
+  /// can, that is told of the group, and explains what is above it.
+  std::vector<ProviderId> find_never_run(const IdSet<ProviderId>& explained) const {
+    std::vector<bool> idle(model_.providers.size(), false);
+    for (const ProviderId id : model_.providers.ids()) {
+      const auto faults = facts_.impossible_of(id);
+      idle[id.value] = facts_.requested.contains(model_.providers[id].group) && !facts_.capable.contains(id) &&
+                       !explained.contains(id) && facts_.plans[id] == PlanVerdict::found &&
+                       std::all_of(faults.begin(), faults.end(), [](const Impossible& fault) { return fault.stay; });
+    }
+    std::vector<ProviderId> out;
+    for (const std::vector<Node>& circle : lowest_circles(idle)) {
+      const ProviderId id{circle.front()};
+      if (facts_.capable_groups.contains(model_.providers[id].group)) out.push_back(id);
     }
     return out;
   }

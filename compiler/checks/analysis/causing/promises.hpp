@@ -25,6 +25,7 @@ struct NeverKept {
 struct Promises {
   std::vector<NeverKept> never_kept; ///< the lowest ones only, by causer
   IdSet<ProviderId> explained;       ///< providers that never run because of one of them, the lowest included
+  std::vector<ProviderId> never_run; ///< the lowest of the others that never can, while another one of their group can
 };
 
 /// `chains`: over the providers that may be active.
