@@ -16,6 +16,18 @@ bool lives_beside_the_behaviour(std::string_view kind) {
   return kind == "group" || kind == "state" || kind == "trigger" || kind == "module";
 }
 
+/// Names that are compared with a misspelt one in a run, about. Where so much is undefined it is no slip of the pen.
+constexpr std::size_t most_compared = 2'000'000;
+
+/// What it could have been meant for.
+template <class Table>
+std::vector<std::string> names_of(const Resolver& r, const Table& table) {
+  std::vector<std::string> out;
+  if (table.size() * r.findings.size() > most_compared) return out;
+  for (const auto& row : table) out.push_back(row.name.value);
+  return out;
+}
+
 } // namespace
 
 bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole_rule) {
@@ -138,18 +150,14 @@ void report_undefined(Resolver& r, std::string_view kind, const Word& name, cons
 std::optional<GroupId> find_group(Resolver& r, const Word& name) {
   const auto at = r.groups.find(name.value);
   if (at != r.groups.end()) return at->second;
-  std::vector<std::string> known;
-  for (const Group& group : r.model.groups) known.push_back(group.name.value);
-  report_undefined(r, "group", name, known);
+  report_undefined(r, "group", name, names_of(r, r.model.groups));
   return std::nullopt;
 }
 
 std::optional<StateId> find_state(Resolver& r, const Word& name) {
   const auto at = r.states.find(name.value);
   if (at != r.states.end()) return at->second;
-  std::vector<std::string> known;
-  for (const State& state : r.model.states) known.push_back(state.name.value);
-  report_undefined(r, "state", name, known);
+  report_undefined(r, "state", name, names_of(r, r.model.states));
   return std::nullopt;
 }
 

@@ -61,4 +61,23 @@ TEST_CASE("of forty groups, each needing all behind it, none is left out") {
   CHECK(count(text) == Counts{{"needs_conflict", {38, 38}}});
 }
 
+TEST_CASE("of three thousand names that are nowhere each is told of, and the first ones with what was meant") {
+  std::string text = "roots: [T0]\ngroups:\n";
+  for (std::size_t i = 0; i < 3'000; ++i) text += fmt::format("  T{0}: {{needs: [t{0}]}}\n", i);
+  const tests::CheckedText checked = tests::check_text(text);
+  REQUIRE(checked.checked.findings.size() == 3'000);
+  CHECK(checked.checked.findings.front().help == "did you mean `T0`?");
+  CHECK(checked.checked.findings.back().help ==
+        "declare it under `groups`, import a file that does, or list it under `extern`");
+}
+
+TEST_CASE("more conditions of one provider than there is room for in a message are looked at all the same") {
+  std::string text = "states:\n", when;
+  for (std::size_t i = 0; i < 3'000; ++i) {
+    text += fmt::format("  S{}: {{values: [low, high], initial: low, external: true}}\n", i);
+    when += fmt::format("S{} == high, ", i);
+  }
+  CHECK(count(text + "roots: [T]\ngroups: {T: {when: [" + when + "]}}\n") == Counts{});
+}
+
 } // namespace

@@ -93,6 +93,8 @@ TEST_CASE("a question that cannot be answered is wrong usage") {
   CHECK(world.err == "directorc: `s.yaml` has 6 steps\n");
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--time=soon"}) == 2);
   CHECK(world.err == "directorc: `soon` is no time: a whole number and us, ms, s or min\n");
+  CHECK(world.directorc({"why", "s.yaml", "Drive", "--time=9999999999999 s"}) == 2);
+  CHECK(world.err == "directorc: `9999999999999 s` is too long: at most 999999999999 s\n");
   CHECK(world.directorc({"why", "none.yaml", "Drive"}) == 2);
 }
 

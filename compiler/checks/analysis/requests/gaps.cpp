@@ -16,6 +16,18 @@ constexpr std::size_t most_boxes = 256;
 /// A group with more different ways to run is taken to be able to run always.
 constexpr std::size_t most_ways = 32;
 
+/// How many subtract adds, told without the boxes themselves, which are as large as the region.
+std::size_t count_outside(const Box& box, const Region& region) {
+  std::size_t out = 0;
+  for (const auto& [state, accepted] : region.states) {
+    const auto at = box.find(state);
+    const Possible here = at == box.end() ? Possible{} : at->second;
+    if (!here.values.subset_of(accepted) || here.unset) ++out;
+    if (here.values.intersected(accepted).empty()) return out;
+  }
+  return out;
+}
+
 /// The parts of the box that are outside the region.
 void subtract(const Box& box, const Region& region, std::vector<Box>& out) {
   Box rest = box;
@@ -91,9 +103,11 @@ std::optional<std::vector<Box>> find_gaps(const Model& model, const Facts& facts
     return std::vector<Box>{};
   std::vector<Box> boxes{std::move(start)};
   for (const Region& way : ways) {
+    std::size_t count = 0;
+    for (const Box& box : boxes) count += count_outside(box, way);
+    if (count > most_boxes) return std::nullopt;
     std::vector<Box> next;
     for (const Box& box : boxes) subtract(box, way, next);
-    if (next.size() > most_boxes) return std::nullopt;
     boxes = std::move(next);
   }
   return boxes;
