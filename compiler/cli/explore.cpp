@@ -27,12 +27,14 @@ std::string path_from(const std::string& folder, const std::string& file) {
 class Progress {
 public:
   explicit Progress(Console& console) : console_(console) {}
-  void show(std::size_t states, std::size_t waiting) {
+  void show(const SearchProgress& so_far) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point now = Clock::now();
     if (now - last_ < std::chrono::milliseconds(200)) return;
     last_ = now;
-    console_.err << fmt::format("\r{} states, {} of them to be explored ", states, waiting) << std::flush;
+    console_.err << fmt::format("\r{} states, {} of them to be explored, {:.1f} MB ", so_far.states, so_far.waiting,
+                                static_cast<double>(so_far.bytes) / 1e6)
+                 << std::flush;
     shown_ = true;
   }
   void end() {
@@ -70,7 +72,7 @@ int run(const Explore& request, Console& console) {
   options.bound = request.bound;
   options.behaviour = path_from(request.output, request.file);
   if (console.err_colours)
-    options.progress = [&](std::size_t states, std::size_t waiting) { progress.show(states, waiting); };
+    options.progress = [&](const SearchProgress& so_far) { progress.show(so_far); };
   const Exploration exploration = explore(ground, options);
   progress.end();
   console.out << to_text(exploration, ground);

@@ -207,7 +207,8 @@ Make test_options(CLI::App& app) {
 Make explore_options(CLI::App& app) {
   auto request = std::make_shared<Explore>();
   app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
-  app.add_option("--bound", request->bound, "end after so many different states; without it 1000000")
+  app.add_option("--bound", request->bound,
+                 "end after so many different states, a few hundred bytes each; without it 1000000")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
   app.add_option("-o,--output", request->output, "folder for what is found, as scenarios")->type_name("FOLDER");

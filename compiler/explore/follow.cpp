@@ -17,6 +17,7 @@ void replay(const Ground& ground, const Way& way, Breadth breadth, Before&& befo
   Packed here;
   Tape tape;
   for (const std::uint32_t place : way) {
+    here.clear();
     machine.pack(here);
     machine.unpack(here);
     machine.list(happens);

@@ -1,7 +1,11 @@
 #pragma once
 // What a search has found, by key. A key is never 0.
+//
+// Who looks up a key that is not there waits for the memory longer than for a micro-step's arithmetic: so where it is
+// known early which key will be asked for, its place is fetched ahead.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -12,53 +16,82 @@ namespace director::compiler {
 using Number = std::uint32_t;
 inline constexpr Number none = static_cast<Number>(-1);
 
-/// Key -> number, by open addressing; at most half full.
-class Known {
+/// Key -> number, by open addressing; at most three quarters full. The keys stand apart from the numbers, which are
+/// seldom asked for.
+class KeyTable {
 public:
-  Known() : slots_(1U << 12) {}
+  explicit KeyTable(std::size_t slots = 1U << 8) : keys_(slots), numbers_(slots) {}
+  void fetch(std::uint64_t key) const { __builtin_prefetch(&keys_[key & mask()]); }
+  bool has(std::uint64_t key) const { return keys_[place(key)] == key; }
   Number find(std::uint64_t key) const {
-    for (std::size_t at = key & mask();; at = (at + 1) & mask()) {
-      if (slots_[at].key == key || slots_[at].key == 0) return slots_[at].key == 0 ? none : slots_[at].number;
-    }
+    const std::size_t at = place(key);
+    return keys_[at] == key ? numbers_[at] : none;
   }
+  /// Of a key that is not there.
   void add(std::uint64_t key, Number number) {
-    if (++count_ * 2 > slots_.size()) grow();
+    if (++count_ * 4 > keys_.size() * 3) grow();
     put(key, number);
   }
   void clear() {
-    std::fill(slots_.begin(), slots_.end(), Slot{});
+    std::fill(keys_.begin(), keys_.end(), 0);
     count_ = 0;
   }
-  std::size_t bytes() const { return slots_.size() * sizeof(Slot); }
+  std::size_t bytes() const { return keys_.size() * (sizeof(std::uint64_t) + sizeof(Number)); }
 
 private:
-  struct Slot {
-    std::uint64_t key = 0;
-    Number number = none;
-  };
-  std::size_t mask() const { return slots_.size() - 1; }
-  void put(std::uint64_t key, Number number) {
+  std::size_t mask() const { return keys_.size() - 1; }
+  /// Of the key, or where it would stand.
+  std::size_t place(std::uint64_t key) const {
     std::size_t at = key & mask();
-    while (slots_[at].key != 0) at = (at + 1) & mask();
-    slots_[at] = {key, number};
+    while (keys_[at] != key && keys_[at] != 0) at = (at + 1) & mask();
+    return at;
+  }
+  void put(std::uint64_t key, Number number) {
+    const std::size_t at = place(key);
+    keys_[at] = key;
+    numbers_[at] = number;
   }
   void grow() {
-    std::vector<Slot> old(slots_.size() * 2);
-    old.swap(slots_);
-    for (const Slot& slot : old) {
-      if (slot.key != 0) put(slot.key, slot.number);
+    KeyTable old(keys_.size() * 2);
+    std::swap(old.keys_, keys_);
+    std::swap(old.numbers_, numbers_);
+    for (std::size_t i = 0; i < old.keys_.size(); ++i) {
+      if (old.keys_[i] != 0) put(old.keys_[i], old.numbers_[i]);
     }
   }
-  std::vector<Slot> slots_;
+  std::vector<std::uint64_t> keys_; ///< slot; 0: nothing
+  std::vector<Number> numbers_;
   std::size_t count_ = 0;
 };
 
-/// Micro-steps that were taken (Machine::foresee) -> in how many ways each can end. It forgets: who comes last stays.
-class Played {
+/// The same in sixteen parts by the first bits of the key, of which one at a time grows: so for a moment a sixteenth
+/// more memory is taken, and not half as much again.
+class Known {
 public:
-  static constexpr std::size_t most_slots = 1U << 20;
+  void fetch(std::uint64_t key) const { part(key).fetch(key); }
+  bool has(std::uint64_t key) const { return part(key).has(key); }
+  Number find(std::uint64_t key) const { return part(key).find(key); }
+  void add(std::uint64_t key, Number number) {
+    KeyTable& to = parts_[key >> 60];
+    bytes_ -= to.bytes();
+    to.add(key, number);
+    bytes_ += to.bytes();
+  }
+  std::size_t bytes() const { return bytes_; }
 
-  explicit Played(std::size_t slots) : slots_(slots) {}
+private:
+  const KeyTable& part(std::uint64_t key) const { return parts_[key >> 60]; }
+  std::array<KeyTable, 16> parts_;
+  std::size_t bytes_ = parts_.size() * parts_.front().bytes();
+};
+
+/// Micro-steps that were taken (Machine::foresee) -> in how many ways each can end. It forgets: who comes last stays.
+class PlayedTable {
+public:
+  static constexpr std::size_t most_slots = 1U << 22;
+
+  explicit PlayedTable(std::size_t slots) : slots_(slots) {}
+  void fetch(std::uint64_t key) const { __builtin_prefetch(&slots_[key & mask()]); }
   /// 0: not known.
   std::size_t find(std::uint64_t key) const {
     const std::uint64_t slot = slots_[key & mask()];

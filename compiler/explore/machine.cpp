@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 namespace director::compiler {
 
@@ -40,11 +39,13 @@ Machine::Machine(const Ground& ground, Breadth breadth)
       inbox_(cells_),
       memory_(words(director::State::bytes(Shape::of(ground.tables)))),
       engine_(ground.tables, reinterpret_cast<std::byte*>(memory_.data()), table(), inbox_),
-      block_(director::State::decision_bytes(Shape::of(ground.tables))) {
+      block_(director::State::decision_bytes(Shape::of(ground.tables))),
+      printer_(ground, engine_),
+      foresight_(ground, engine_, printer_) {
   engine_.set_budget(1);
   engine_.step(0);
-  read(first_);
-  find_marks();
+  read(now_);
+  packing_ = Packing(now_);
 }
 
 Bodies Machine::table() {
@@ -70,43 +71,33 @@ bool Machine::keeps(const Asks& asks) const {
   return std::any_of(asks.begin(), asks.end(), [&](const Ask& ask) { return s.request[ask.edge] == ask.level; });
 }
 
-Machine::Answers Machine::answers(Index group, Index provider) const {
-  const std::vector<Asks>& packs = ground_.bodies[provider].packs;
-  Answers out;
-  out.packs = packs.size();
-  if (breadth_ != Breadth::lean) {
-    out.kept = static_cast<std::size_t>(
-        std::count_if(packs.begin(), packs.end(), [&](const Asks& asks) { return keeps(asks); }));
+void Machine::find_answers() {
+  answers_.clear();
+  if (!runs_next()) return;
+  Deed deed;
+  deed.group = engine_.memory().counters->queue_first;
+  deed.provider = engine_.active(deed.group);
+  const std::vector<Asks>& packs = ground_.bodies[deed.provider].packs;
+  for (; deed.pack < packs.size(); ++deed.pack) answers_.push_back(deed);
+  deed.answer = Deed::Answer::kept;
+  for (deed.pack = 0; breadth_ != Breadth::lean && deed.pack < packs.size(); ++deed.pack) {
+    if (keeps(packs[deed.pack])) answers_.push_back(deed);
   }
-  out.others = engine_.memory().done[group] == 0 ? 2 : 1;
-  return out;
+  deed.pack = 0;
+  deed.answer = Deed::Answer::keep;
+  answers_.push_back(deed);
+  deed.answer = Deed::Answer::done;
+  if (engine_.memory().done[deed.group] == 0) answers_.push_back(deed);
 }
 
 Outcome Machine::run(Run& run) {
   const FreeBody& body = ground_.bodies[run.provider()];
-  const Answers all = answers(run.group(), run.provider());
-  const std::size_t packs = all.packs, kept = all.kept;
-  Deed deed;
-  deed.group = run.group();
-  deed.provider = run.provider();
-  std::size_t answer = tape_->pick(all.count());
+  Deed& deed = deeds_.emplace_back(answers_[tape_->pick(answers_.size())]);
   deed.puts = tape_->pick(body.puts.size());
   for (const Put& put : body.puts[deed.puts]) run.set(put.state, put.value);
-  if (answer >= packs + kept) {
-    deed.answer = answer == packs + kept ? Deed::Answer::keep : Deed::Answer::done;
-    deeds_.push_back(deed);
-    return deed.answer == Deed::Answer::keep ? run.keep() : run.done();
-  }
-  if (answer >= packs) {
-    deed.answer = Deed::Answer::kept;
-    for (answer -= packs;; ++deed.pack) {
-      if (keeps(body.packs[deed.pack]) && answer-- == 0) break;
-    }
-  } else {
-    deed.pack = answer;
-  }
+  if (deed.answer == Deed::Answer::keep) return run.keep();
+  if (deed.answer == Deed::Answer::done) return run.done();
   for (const Ask& ask : body.packs[deed.pack]) run.request(ask.edge, ask.level, deed.answer == Deed::Answer::kept);
-  deeds_.push_back(deed);
   return run.pack();
 }
 
@@ -120,75 +111,6 @@ void Machine::handle(Handling& handling, Deed::Kind kind) {
   deeds_.push_back(deed);
 }
 
-/// The decision state, and behind it why requests are queued: no decision depends on that, but assertions do, and the
-/// engine writes it only where it decides anew.
-void Machine::read(std::vector<std::uint64_t>& out) const {
-  const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
-  out.resize(words(block_) + words(queued));
-  out.back() = 0;
-  std::memcpy(out.data(), memory_.data(), block_);
-  if (queued != 0) std::memcpy(out.data() + words(block_), engine_.memory().queued, queued);
-}
-
-void Machine::write(const std::vector<std::uint64_t>& from) {
-  const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
-  std::memcpy(memory_.data(), from.data(), block_);
-  const director::State& s = engine_.memory();
-  if (queued != 0) std::memcpy(static_cast<void*>(s.queued), from.data() + words(block_), queued);
-  // Between micro-steps what the last pass decided stands in `now` as well, and an act that gives reasons in a
-  // component that was not decided again reads it there.
-  if (ground_.tables.components.size() > 1) std::copy_n(s.last.group, ground_.tables.groups.size(), s.now.group);
-}
-
-void Machine::start() {
-  write(first_);
-  phase_ = Phase::rest;
-}
-
-/// What differs from the first state: a bit for each word, and those words. Eight words that are all the same, as most
-/// are, are passed over; of others each is written whether it differs or not, since a branch that nobody can foresee
-/// costs more.
-void Machine::pack(Packed& out) const {
-  read(now_);
-  const std::size_t count = first_.size(), maps = (count + 63) / 64;
-  differs_.resize(maps + count);
-  std::fill_n(differs_.begin(), maps, 0);
-  std::size_t end = maps;
-  for (std::size_t begin = 0; begin < count; begin += 8) {
-    const std::size_t size = std::min<std::size_t>(8, count - begin);
-    if (size == 8 && std::memcmp(&now_[begin], &first_[begin], 8 * sizeof(std::uint64_t)) == 0) continue;
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      const std::uint64_t word = now_[begin + i], differs = word != first_[begin + i] ? 1 : 0;
-      differs_[end] = word;
-      end += differs;
-      bits |= differs << i;
-    }
-    differs_[begin / 64] |= bits << (begin % 64);
-  }
-  out.words.assign(differs_.begin(), differs_.begin() + static_cast<std::ptrdiff_t>(end));
-  out.phase = phase_;
-}
-
-void Machine::unpack(const Packed& packed) {
-  const std::size_t count = first_.size();
-  std::size_t at = (count + 63) / 64;
-  loaded_ = first_;
-  for (std::size_t begin = 0; begin < count; begin += 64) {
-    for (std::uint64_t bits = packed.words[begin / 64]; bits != 0; bits &= bits - 1)
-      loaded_[begin + static_cast<std::size_t>(std::countr_zero(bits))] = packed.words[at++];
-  }
-  loaded_phase_ = packed.phase;
-  again();
-  const std::int32_t* values = engine_.memory().values;
-  loaded_values_.assign(values, values + ground_.tables.states.size());
-}
-
-void Machine::again() {
-  write(loaded_);
-  phase_ = loaded_phase_;
-}
-
 void Machine::list(std::vector<Happens>& out) const {
   using Kind = Happens::Kind;
   out.clear();
@@ -196,7 +118,7 @@ void Machine::list(std::vector<Happens>& out) const {
   const director::State& s = engine_.memory();
   if (phase_ != Phase::rest) out.push_back({Kind::go, 0});
   const bool lean = breadth_ == Breadth::lean;
-  if (phase_ == Phase::closed || s.counters->handlers_set != 0 || (lean && phase_ == Phase::open)) return;
+  if (!takes_inputs()) return;
   for (Index i = 0; i < ground_.requests.size(); ++i) {
     if (!lean || ground_.requests[i].size() == 1) out.push_back({Kind::request, i});
   }
@@ -244,11 +166,14 @@ bool Machine::runs_next() const {
   return engine_.in_force(group) ? s.pending[group] != 0 : (s.pending[group] & ~pushed) != 0;
 }
 
-Choices Machine::choices(const Happens& happens) const {
-  if (happens.kind == Happens::Kind::set) return {false, 1, {&ground_.sets[happens.row], 1}};
-  if (happens.kind != Happens::Kind::go || !runs_next()) return {};
-  const Index group = engine_.memory().counters->queue_first, provider = engine_.active(group);
-  return {true, answers(group, provider).count(), ground_.bodies[provider].puts};
+bool Machine::takes_inputs() const {
+  if (phase_ == Phase::closed || engine_.memory().counters->handlers_set) return false;
+  return phase_ == Phase::rest || breadth_ != Breadth::lean;
+}
+
+const Foresight& Machine::look_ahead() {
+  foresight_.look(answers_, takes_inputs());
+  return foresight_;
 }
 
 void Machine::post(const Happens& happens) {

@@ -23,7 +23,7 @@ struct ExploreOptions {
   std::size_t bound = 1'000'000;
   unsigned threads = 0;
   std::string behaviour; ///< path of the behaviour from where scenarios will be
-  std::function<void(std::size_t states, std::size_t waiting)> progress;
+  std::function<void(const SearchProgress& so_far)> progress;
 };
 
 Exploration explore(const Ground& ground, const ExploreOptions& options);

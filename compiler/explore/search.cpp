@@ -1,21 +1,22 @@
 // Door: compiler/explore/search.hpp. Test: tests/compiler/explore/search_test.cpp.
 //
 // A state that was found is kept as its key, the state that it was found from, and which of the things that can happen
-// there led to it: 24 bytes. Only states whose turn has not come are kept whole, packed. The frontier is taken slice by
-// slice: all cores expand the states of a slice, then one adds what is new, in order, so that neither the number of
-// cores nor their haste changes anything. Micro-steps that end as one that was taken before are counted, and not taken
-// again (Machine::foresee): all that they lead to was found then.
+// there led to it. Only states whose turn has not come are kept whole, packed. The frontier is taken slice by slice:
+// all cores expand the states of a slice, then one adds what is new, in order, so that neither the number of cores nor
+// their haste changes anything. Micro-steps that end as one that was taken before are counted, and not taken again
+// (Foresight): all that they lead to was found then.
 #include "compiler/explore/search.hpp"
 
+#include "compiler/explore/frontier.hpp"
 #include "compiler/explore/known.hpp"
 #include "compiler/explore/worker.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <deque>
 #include <map>
 #include <memory>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -46,48 +47,44 @@ public:
     Machine& machine = workers_.front()->machine;
     machine.start();
     Step first;
-    first.key = Machine::key(machine.print(), 0);
-    machine.forget();
-    machine.pack(first.state);
+    first.key = key_of(machine.print(), 0);
     first.roots = requested_roots(machine);
-    add(std::move(first), none);
+    machine.forget();
+    Packed state;
+    machine.pack(state);
+    add(first, state, none);
     while (!frontier_.empty() && !cut_) take_slice();
     out_.complete = !cut_;
     out_.states = origins_.size();
     for (const auto& worker : workers_) out_.happened.add(worker->watch.happened);
     find_cycles();
-    for (auto& [roots, set] : root_sets_) {
-      for (Index e = 0; e < ground_.tables.root_edges && e < 64; ++e) {
-        if ((roots >> e & 1) != 0) set.roots.push_back(e);
-      }
-      out_.root_sets.push_back(std::move(set));
-    }
+    find_root_sets();
     return std::move(out_);
   }
 
 private:
   bool enough() const { return origins_.size() >= options_.bound || (options_.only_assertions && left_ == 0); }
 
-  Number add(Step step, Number parent) {
+  Number add(const Step& step, std::span<const std::uint8_t> state, Number parent) {
     const auto number = static_cast<Number>(origins_.size());
     known_.add(step.key, number);
     origins_.push_back({parent, step.place});
     usual_.push_back(none);
-    RootSet& set = root_sets_[step.roots];
-    ++set.found;
-    frontier_bytes_ += sizeof(Waiting) + step.state.words.size() * sizeof(std::uint64_t);
-    frontier_.push_back({std::move(step.state), number, &set});
+    const auto [set, fresh] = set_of_.try_emplace(step.roots, static_cast<std::uint32_t>(sets_.size()));
+    if (fresh) sets_.emplace_back();
+    ++sets_[set->second].found;
+    frontier_.push({state, step.watch, set->second});
     return number;
   }
 
   void take_slice() {
-    const std::size_t count = std::min(frontier_.size(), slice_size);
+    frontier_.first(slice_size, slice_);
+    const std::size_t count = slice_.size();
     expansions_.resize(std::max(expansions_.size(), count));
     std::atomic<std::size_t> next{0};
     const auto work = [&](Worker& worker) {
       worker.begin_slice();
-      for (std::size_t i = next++; i < count; i = next++)
-        worker.expand(frontier_[i].state, known_, played_, expansions_[i]);
+      for (std::size_t i = next++; i < count; i = next++) worker.expand(slice_[i], known_, played_, expansions_[i]);
     };
     std::vector<std::thread> helpers;
     for (std::size_t i = 1; i < workers_.size() && count >= 64; ++i)
@@ -96,20 +93,26 @@ private:
     for (std::thread& helper : helpers) helper.join();
     remember_played();
     for (std::size_t i = 0; i < count && !cut_; ++i) {
+      if (i + 1 < count) fetch(expansions_[i + 1]);
       merge(i);
       cut_ = enough() && (i + 1 < count || frontier_.size() > count);
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      frontier_bytes_ -= sizeof(Waiting) + frontier_.front().state.words.size() * sizeof(std::uint64_t);
-      frontier_.pop_front();
-    }
-    out_.most_bytes = std::max(out_.most_bytes, frontier_bytes_ + known_.bytes() + played_.bytes() +
-                                                    origins_.size() * (sizeof(Origin) + sizeof(Number)));
-    if (options_.progress) options_.progress(origins_.size(), frontier_.size());
+    frontier_.drop(count);
+    out_.most_bytes = std::max(out_.most_bytes, bytes());
+    if (options_.progress) options_.progress({origins_.size(), frontier_.size(), bytes()});
+  }
+
+  std::size_t bytes() const {
+    return frontier_.bytes() + known_.bytes() + played_.bytes() + origins_.capacity() * sizeof(Origin) +
+           usual_.capacity() * sizeof(Number);
+  }
+
+  void fetch(const Expansion& expansion) const {
+    for (const Step& step : expansion.steps) known_.fetch(step.key);
   }
 
   void remember_played() {
-    const std::size_t slots = std::min(Played::most_slots, std::bit_ceil(4 * origins_.size()));
+    const std::size_t slots = std::min(PlayedTable::most_slots, std::bit_ceil(4 * origins_.size()));
     if (slots > played_.size()) played_.grow(slots);
     for (const auto& worker : workers_) {
       for (const auto& [key, ways] : worker->newly_played) played_.add(key, ways);
@@ -118,22 +121,21 @@ private:
   }
 
   void merge(std::size_t place) {
-    const Number from = frontier_[place].number;
-    ++frontier_[place].set->explored;
-    ++out_.explored;
-    out_.micro_steps += expansions_[place].micro_steps;
-    for (const Seen& seen : expansions_[place].seen) {
+    const Expansion& expansion = expansions_[place];
+    const auto from = static_cast<Number>(out_.explored++); // they are explored in the order in which they were found
+    ++sets_[slice_[place].roots].explored;
+    out_.micro_steps += expansion.micro_steps;
+    for (const Seen& seen : expansion.seen) {
       std::optional<Way>& way = out_.seen[seen.assertion];
       if (way) continue;
       way = way_to(from);
       way->push_back(seen.place);
       --left_;
     }
-    for (Step& step : expansions_[place].steps) {
-      const bool usual = step.usual;
+    for (const Step& step : expansion.steps) {
       Number to = known_.find(step.key);
-      if (to == none) to = add(std::move(step), from);
-      if (usual) usual_[from] = to;
+      if (to == none) to = add(step, std::span(expansion.packed).subspan(step.begin, step.end - step.begin), from);
+      if (step.usual) usual_[from] = to;
     }
   }
 
@@ -165,23 +167,28 @@ private:
     }
   }
 
-  struct Waiting {
-    Packed state;
-    Number number = 0;
-    RootSet* set = nullptr;
-  };
+  void find_root_sets() {
+    for (const auto& [roots, at] : set_of_) {
+      RootSet& set = out_.root_sets.emplace_back(std::move(sets_[at]));
+      for (Index e = 0; e < ground_.tables.root_edges && e < 64; ++e) {
+        if ((roots >> e & 1) != 0) set.roots.push_back(e);
+      }
+    }
+  }
 
   const Ground& ground_;
   const SearchOptions& options_;
   std::vector<std::unique_ptr<Worker>> workers_;
   Known known_;
-  Played played_{1U << 10};
-  std::vector<Origin> origins_;
-  std::vector<Number> usual_;
-  std::deque<Waiting> frontier_;
+  PlayedTable played_{1U << 10};
+  std::vector<Origin> origins_; ///< state
+  std::vector<Number> usual_;   ///< state: what it leads to where bodies do what is usual
+  Frontier frontier_;
+  std::vector<Waiting> slice_; ///< its first states
   std::vector<Expansion> expansions_;
-  std::map<std::uint64_t, RootSet> root_sets_;
-  std::size_t frontier_bytes_ = 0, left_ = 0;
+  std::map<std::uint64_t, std::uint32_t> set_of_; ///< roots that are requested: row of sets_
+  std::vector<RootSet> sets_;
+  std::size_t left_ = 0;
   bool cut_ = false; ///< it ended before everything was explored
   Searched out_;
 };

@@ -10,13 +10,19 @@
 
 namespace director::compiler {
 
+struct SearchProgress {
+  std::size_t states = 0, waiting = 0; ///< found, and of these to be explored
+  std::size_t bytes = 0;               ///< that they take
+};
+
 struct SearchOptions {
   std::size_t bound = 1'000'000;       ///< distinct states
   unsigned threads = 0;                ///< 0: as many as there are cores
   std::vector<std::size_t> assertions; ///< of the Model: to look at
   Breadth breadth = Breadth::all;
   bool only_assertions = false; ///< ends as soon as there is nothing left to see of them
-  std::function<void(std::size_t states, std::size_t waiting)> progress; ///< now and then
+  bool foresees = true; ///< takes no micro-step of which it knows that it ends as one that was taken. Changes nothing
+  std::function<void(const SearchProgress& so_far)> progress; ///< now and then
 };
 
 /// A way from the start: from each state the so-manieth of all that can happen in it.
@@ -25,6 +31,7 @@ using Way = std::vector<std::uint32_t>;
 struct RootSet {
   std::vector<Index> roots; ///< edges: those that are requested
   std::size_t found = 0, explored = 0;
+  bool operator==(const RootSet&) const = default;
 };
 
 struct Searched {
@@ -38,6 +45,7 @@ struct Searched {
   struct Cycle {
     Way way;
     std::size_t length = 0;
+    bool operator==(const Cycle&) const = default;
   };
   std::vector<Cycle> cycles;
   std::vector<RootSet> root_sets;

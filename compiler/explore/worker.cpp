@@ -14,54 +14,88 @@ std::uint64_t requested_roots(const Machine& machine) {
   return out;
 }
 
-void Worker::expand(const Packed& from, const Known& known, const Played& played, Expansion& out) {
+/// Asks for all that may be foreseen at once, so that no look-up has to wait for the one before.
+void Worker::foresee(const PlayedTable& played) {
+  foreseen_.clear();
+  if (!foresees_) return;
+  const Foresight& ahead = machine.look_ahead();
+  const std::vector<Deed>& answers = machine.answers();
+  const std::size_t puts = answers.empty() ? 0 : machine.ground().bodies[answers.front().provider].puts.size();
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    for (std::size_t j = 0; j < puts; ++j) foreseen_.push_back(ahead.of_body(i, j, watched_, watch.minds_puts()));
+  }
+  for (const Happens& happens : happens_) {
+    if (happens.kind == Happens::Kind::set)
+      foreseen_.push_back(ahead.of_input(machine.ground().sets[happens.row], watched_));
+  }
+  for (const std::uint64_t key : foreseen_) {
+    mine_played_.fetch(key);
+    played.fetch(key);
+  }
+}
+
+void Worker::expand(const Waiting& from, const Known& known, const PlayedTable& played, Expansion& out) {
   out.steps.clear();
+  out.packed.clear();
   out.seen.clear();
-  machine.unpack(from);
-  watch.before(machine, from.watch);
+  machine.unpack(from.state);
+  watched_ = from.watch;
+  watch.before(machine, watched_);
   machine.list(happens_);
+  foresee(played);
   place_ = 0;
   moved_ = false;
-  const Print print = machine.print();
+  auto foreseen = foreseen_.begin();
+  /// Unless that ends as one before; but what is usual is always taken, for it has to be known where that leads.
+  const auto take_new = [&](const Happens& happens, bool usual) {
+    const std::uint64_t key = *foreseen++;
+    std::size_t ways = usual ? 0 : mine_played_.find(key);
+    if (ways == 0 && !usual) ways = played.find(key);
+    if (ways != 0) {
+      place_ += static_cast<std::uint32_t>(ways);
+      return;
+    }
+    const std::uint32_t taken = take_all(happens, known, out);
+    mine_played_.add(key, taken);
+    newly_played.emplace_back(key, taken);
+  };
   for (const Happens& happens : happens_) {
-    const Choices choices = machine.choices(happens);
-    if (choices.answers == 0) {
+    const bool goes = happens.kind == Happens::Kind::go;
+    const std::size_t answers = goes ? machine.answers().size() : 0;
+    if (!foresees_ || (answers == 0 && happens.kind != Happens::Kind::set)) {
       tape_.begin();
       take_all(happens, known, out);
+      continue;
     }
-    for (std::size_t answer = 0; answer < choices.answers; ++answer) {
-      for (std::size_t puts = 0; puts < choices.puts.size(); ++puts) {
-        const std::uint64_t key = machine.foresee(print, from.watch, choices, answer, puts, watch.minds_puts());
-        const bool usual = choices.body && answer == 0 && puts == 0;
-        std::size_t ways = usual ? 0 : mine_played_.find(key);
-        if (ways == 0 && !usual) ways = played.find(key);
-        if (ways != 0) {
-          place_ += static_cast<std::uint32_t>(ways);
-          continue;
-        }
-        const std::uint32_t before = place_;
-        choices.body ? tape_.begin({answer, puts}) : tape_.begin();
-        take_all(happens, known, out);
-        mine_played_.add(key, place_ - before);
-        newly_played.emplace_back(key, place_ - before);
-      }
+    if (!goes) {
+      tape_.begin();
+      take_new(happens, false);
+      continue;
+    }
+    const std::size_t puts = machine.ground().bodies[machine.answers().front().provider].puts.size();
+    for (std::size_t i = 0; i < answers * puts; ++i) {
+      tape_.begin({i / puts, i % puts});
+      take_new(happens, i == 0);
     }
   }
   out.micro_steps = place_;
 }
 
-void Worker::take_all(const Happens& happens, const Known& known, Expansion& out) {
+std::uint32_t Worker::take_all(const Happens& happens, const Known& known, Expansion& out) {
+  const std::uint32_t before = place_;
   do {
     if (moved_) machine.again();
     moved_ = true;
     machine.take(happens, tape_);
+    const Print print = machine.print();
+    known.fetch(key_of(print, watched_)); // which it will be, mostly
     seen_.clear();
     const std::uint64_t remembered = watch.after(machine, seen_);
     for (const std::size_t assertion : seen_) out.seen.push_back({assertion, place_});
-    const std::uint64_t key = Machine::key(machine.print(), remembered);
+    const std::uint64_t key = key_of(print, remembered);
     const bool usual = happens.kind == Happens::Kind::go && tape_.usual();
     // What this worker found before in the slice stands before this in it, too, and with its state.
-    const bool fresh = known.find(key) == none && mine_.find(key) == none;
+    const bool fresh = !mine_.has(key) && !known.has(key);
     if (fresh || usual) {
       Step& step = out.steps.emplace_back();
       step.key = key;
@@ -70,13 +104,16 @@ void Worker::take_all(const Happens& happens, const Known& known, Expansion& out
       if (fresh) {
         mine_.add(key, 0);
         step.roots = requested_roots(machine);
+        step.watch = remembered;
         machine.forget();
-        machine.pack(step.state);
-        step.state.watch = remembered;
+        step.begin = out.packed.size();
+        machine.pack(out.packed);
+        step.end = out.packed.size();
       }
     }
     ++place_;
   } while (tape_.next());
+  return place_ - before;
 }
 
 } // namespace director::compiler

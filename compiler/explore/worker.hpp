@@ -2,6 +2,7 @@
 // Finds what leads out of a state: everything that can happen there, with everything that bodies can do. Each core has
 // a worker of its own; what all of them know is only read.
 
+#include "compiler/explore/frontier.hpp"
 #include "compiler/explore/known.hpp"
 #include "compiler/explore/machine.hpp"
 #include "compiler/explore/search.hpp"
@@ -19,8 +20,8 @@ struct Step {
   std::uint64_t key = 0;
   std::uint32_t place = 0;
   bool usual = false; ///< no input, and every body does what is usual
-  std::uint64_t roots = 0;
-  Packed state; ///< empty where it was known
+  std::uint64_t roots = 0, watch = 0;
+  std::size_t begin = 0, end = 0; ///< of Expansion::packed: the state; nothing where it was known
 };
 
 /// What shows an assertion.
@@ -32,6 +33,7 @@ struct Seen {
 /// What leads out of one state.
 struct Expansion {
   std::vector<Step> steps;
+  Packed packed;
   std::vector<Seen> seen;
   std::size_t micro_steps = 0;
 };
@@ -43,28 +45,33 @@ class Worker {
 public:
   Worker(const Ground& ground, const SearchOptions& options)
       : machine(ground, options.breadth),
-        watch(ground, options.assertions) {}
+        watch(ground, options.assertions),
+        foresees_(options.foresees) {}
 
   void begin_slice() { mine_.clear(); }
 
   /// `known`: the states, `played`: what was played in the slices before.
-  void expand(const Packed& from, const Known& known, const Played& played, Expansion& out);
+  void expand(const Waiting& from, const Known& known, const PlayedTable& played, Expansion& out);
 
   Machine machine;
   Watch watch;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> newly_played;
 
 private:
-  /// Takes it with all that the tape can be from where it is.
-  void take_all(const Happens& happens, const Known& known, Expansion& out);
+  /// Takes it with all that the tape can be from where it is. How many these are.
+  std::uint32_t take_all(const Happens& happens, const Known& known, Expansion& out);
+  void foresee(const PlayedTable& played);
 
+  bool foresees_;
   std::vector<Happens> happens_;
+  std::vector<std::uint64_t> foreseen_; ///< numbers of micro-steps, in their order: of an input, or of what a body does
   std::vector<std::size_t> seen_;
   Tape tape_;
-  Known mine_;                   ///< found in this slice
-  Played mine_played_{1U << 15}; ///< and played, in any
-  std::uint32_t place_ = 0;      ///< of what is next
-  bool moved_ = false;           ///< the machine is elsewhere than where it was loaded
+  KeyTable mine_;                     ///< found in this slice
+  PlayedTable mine_played_{1U << 15}; ///< and played, in any
+  std::uint64_t watched_ = 0;         ///< what is remembered beside the state that is expanded
+  std::uint32_t place_ = 0;           ///< of what is next
+  bool moved_ = false;                ///< the machine is elsewhere than where it was loaded
 };
 
 } // namespace director::compiler

@@ -1,0 +1,86 @@
+// Door: compiler/explore/foresight.hpp. Test: tests/compiler/explore/foresight_test.cpp.
+//
+// What a micro-step ends in follows from requests and which of them are new, values, reasons to run and the last
+// assignment, as they are when it arbitrates (semantics.md, the formula at its begin, and 3), and from the queue. An
+// input sets values; a run overwrites the requests, the done flag and the reasons of its group, and some values. What
+// these were before decides nothing; nor does whether the last arbitration changed anything, since there is another.
+//
+// That a request is new counts only where its target is held by it already and does not have a new task anyway: else
+// that target has one as soon as it is granted.
+#include "compiler/explore/foresight.hpp"
+
+#include <algorithm>
+
+namespace director::compiler {
+
+Foresight::Foresight(const Ground& ground, const Engine& engine, const Printer& printer)
+    : ground_(ground),
+      engine_(engine),
+      printer_(printer),
+      level_(ground.tables.edges.size()),
+      stamp_(ground.tables.edges.size()) {
+  const std::size_t most = ground.tables.most_edges;
+  projection_.resize(most + most / 4 + 2 + Projection::stride);
+}
+
+void Foresight::look(std::span<const Deed> answers, bool inputs) {
+  values_ = printer_.values();
+  const std::int32_t* const values = engine_.memory().values;
+  before_.assign(values, values + ground_.tables.states.size());
+  if (inputs) input_rest_ = printer_.rest_before(nil);
+  body_rest_.clear();
+  body_values_.clear();
+  if (answers.empty()) return;
+  const std::uint64_t rest = printer_.rest_before(answers.front().group);
+  for (const Deed& deed : answers) body_rest_.push_back(fold(rest ^ salt[6], effect_of(deed) ^ salt[0]));
+  for (const Puts& puts : ground_.bodies[answers.front().provider].puts) body_values_.push_back(values_with(puts));
+}
+
+/// The requests of its group and its done flag, as its answer leaves them.
+std::uint64_t Foresight::effect_of(const Deed& deed) {
+  const Tables& t = ground_.tables;
+  const director::State& s = engine_.memory();
+  const Range own = t.groups[deed.group].edges;
+  const bool asks = deed.answer == Deed::Answer::pack || deed.answer == Deed::Answer::kept;
+  Projection all(projection_.data());
+  for (Index e = own.begin; e != own.end; ++e) {
+    level_[e] = asks ? nil : s.request[e];
+    all.add(level_[e]);
+  }
+  if (asks) {
+    for (const Ask& ask : ground_.bodies[deed.provider].packs[deed.pack]) {
+      const Index target = t.edges[ask.edge].target;
+      const bool has_new_task = (s.pending[target] & static_cast<std::uint8_t>(Reason::new_task)) != 0;
+      const bool stays = deed.answer == Deed::Answer::kept && s.request[ask.edge] == ask.level;
+      const bool is_news = !stays && s.last[target].holder == ask.edge && !has_new_task;
+      level_[ask.edge] = ask.level;
+      projection_[ask.edge - own.begin] = std::uint64_t{is_news} << 32 | ask.level;
+    }
+  }
+  for (Index e = own.begin; e != own.end; ++e)
+    stamp_[e] = level_[e] == s.request[e] ? s.stamp[e] : s.counters->micro_step + 1;
+  printer_.add_places(all, deed.group, level_.data(), stamp_.data());
+  const bool stays_done = deed.answer == Deed::Answer::keep && s.done[deed.group] != 0;
+  all.add(deed.answer == Deed::Answer::done ? 2U : stays_done ? 1U : 0U);
+  return all.sum();
+}
+
+std::uint64_t Foresight::values_with(const Puts& puts) const {
+  std::uint64_t out = values_;
+  for (auto put = puts.begin(); put != puts.end(); ++put) {
+    const bool again =
+        std::any_of(std::next(put), puts.end(), [&](const Put& later) { return later.state == put->state; });
+    if (!again) out += printer_.mark_of(put->state, put->value) - printer_.mark_of(put->state, before_[put->state]);
+  }
+  return out;
+}
+
+std::uint64_t Foresight::of_body(std::size_t answer, std::size_t puts, std::uint64_t watch, bool each) const {
+  return key_of({body_rest_[answer], body_values_[puts]}, fold(watch ^ salt[2], (each ? puts + 1 : 0) ^ salt[5]));
+}
+
+std::uint64_t Foresight::of_input(const Puts& puts, std::uint64_t watch) const {
+  return key_of({input_rest_, values_with(puts)}, fold(watch ^ salt[2], salt[5]));
+}
+
+} // namespace director::compiler

@@ -1,0 +1,81 @@
+// Door: compiler/explore/machine.hpp. Test: tests/compiler/explore/search_test.cpp.
+//
+// The engine's state, taken out and put back. What follows from the rest comes along: that is shorter to say than how.
+#include "compiler/explore/machine.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace director::compiler {
+
+namespace {
+std::size_t words(std::size_t bytes) { return Projection::words_of(bytes); }
+} // namespace
+
+/// The decision state, and behind it why requests are queued: no decision depends on that, but assertions do, and the
+/// engine writes it only where it decides anew.
+void Machine::read(std::vector<std::uint64_t>& out) const {
+  const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
+  out.resize(words(block_) + words(queued));
+  out.back() = 0;
+  std::memcpy(out.data(), memory_.data(), block_);
+  if (queued != 0) std::memcpy(out.data() + words(block_), engine_.memory().queued, queued);
+}
+
+void Machine::write(const std::vector<std::uint64_t>& from) {
+  const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
+  std::memcpy(memory_.data(), from.data(), block_);
+  const director::State& s = engine_.memory();
+  if (queued != 0) std::memcpy(static_cast<void*>(s.queued), from.data() + words(block_), queued);
+  // Between micro-steps what the last pass decided stands in `now` as well, and an act that gives reasons in a
+  // component that was not decided again reads it there.
+  if (ground_.tables.components.size() > 1) std::copy_n(s.last.group, ground_.tables.groups.size(), s.now.group);
+}
+
+void Machine::start() {
+  write(packing_.first());
+  phase_ = Phase::rest;
+}
+
+void Machine::pack(Packed& out) const {
+  read(now_);
+  out.push_back(static_cast<std::uint8_t>(phase_));
+  packing_.pack(now_.data(), out);
+}
+
+void Machine::unpack(std::span<const std::uint8_t> from) {
+  loaded_phase_ = static_cast<Phase>(from.front());
+  loaded_.resize(packing_.first().size());
+  packing_.unpack(from.subspan(1), loaded_.data());
+  again();
+  find_answers();
+}
+
+void Machine::again() {
+  write(loaded_);
+  phase_ = loaded_phase_;
+}
+
+/// Of the requests of one requester, each gets its place as its stamp.
+void Machine::forget() {
+  const Tables& t = ground_.tables;
+  const director::State& s = engine_.memory();
+  const auto rank = [&](Index begin, Index end) {
+    scratch_.clear();
+    for (Index e = begin; e != end; ++e) {
+      if (s.request[e] != nil) scratch_.push_back(e);
+    }
+    if (scratch_.size() > 1)
+      std::sort(scratch_.begin(), scratch_.end(),
+                [&](Index a, Index b) { return s.stamp[a] != s.stamp[b] ? s.stamp[a] < s.stamp[b] : a < b; });
+    for (Index e = begin; e != end; ++e) s.stamp[e] = 0;
+    for (std::size_t i = 0; i < scratch_.size(); ++i) s.stamp[scratch_[i]] = i + 1;
+  };
+  rank(0, t.root_edges);
+  for (const director::Group& group : t.groups) {
+    if (!group.edges.empty()) rank(group.edges.begin, group.edges.end);
+  }
+  s.counters->micro_step = t.edges.size();
+}
+
+} // namespace director::compiler
