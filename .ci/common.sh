@@ -70,6 +70,8 @@ why_apt_failed() {
   fi
 }
 
+updated='' # whether this run has fetched the lists of packages
+
 # install_packages <package>...: installs what is missing and calls apt only then. Returns 1 and says in `why` why it could not.
 install_packages() {
   local missing asroot=() log
@@ -89,7 +91,7 @@ install_packages() {
   printf '   installing %s\n' "${missing[*]}"
   log=$(mktemp "${TMPDIR:-/tmp}/director-apt.XXXXXX")
   local apt=(env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -o Acquire::Retries=3 -o DPkg::Lock::Timeout=120)
-  "${asroot[@]}" "${apt[@]}" update 2>&1 </dev/null | show_progress "$log" || true
+  if [ -z "$updated" ] && "${asroot[@]}" "${apt[@]}" update 2>&1 </dev/null | show_progress "$log"; then updated=yes; fi
   if ! "${asroot[@]}" "${apt[@]}" install -y --no-install-recommends "${missing[@]}" 2>&1 </dev/null | show_progress "$log"; then
     why_apt_failed "$log"
     why="$why (its whole output: $log)"

@@ -1,11 +1,16 @@
-# cmake -D COMPILER=<compiler> -D FLAGS=<its flags> -D FOLDERS=<where headers are> -D CASE=<source> -P compile.cmake
+# cmake -D COMPILER=<compiler> -D FLAGS=<its flags> -D PRECOMPILED=<header> -D FOLDERS=<where headers are> -D CASE=<source> -P compile.cmake
 file(STRINGS ${CASE} line REGEX "^// Message: ")
 string(REGEX REPLACE "^// Message: " "" message "${line}")
 if(NOT message)
   message(FATAL_ERROR "${CASE} has no line // Message:")
 endif()
+# A case that defines something for the header reads it anew.
+file(STRINGS ${CASE} defines REGEX "^#define ")
+if(NOT defines)
+  list(APPEND FLAGS -include ${PRECOMPILED})
+endif()
 list(TRANSFORM FOLDERS PREPEND -I)
-set(compile ${CMAKE_COMMAND} -E env LC_ALL=C ${COMPILER} ${FLAGS} -std=c++20 -Wall -Wextra -Werror ${FOLDERS} ${CASE})
+set(compile ${CMAKE_COMMAND} -E env LC_ALL=C ${COMPILER} ${FLAGS} ${FOLDERS} ${CASE})
 
 execute_process(COMMAND ${compile} -fsyntax-only RESULT_VARIABLE result ERROR_VARIABLE said)
 if(NOT result EQUAL 0)
