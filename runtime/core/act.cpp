@@ -17,7 +17,7 @@ void Engine::act(Index passes, bool stops) {
       if (s_.last[group].active != nil && s_.now[group].active == nil) stop_group(group);
     }
   }
-  for (const Index group : with_reasons(passes)) give_reasons(group);
+  for (const Index group : with_reasons()) give_reasons(group);
   for (Index i = 0; i < c.touched_count; ++i) untouch(s_.touched[i]);
   c.touched_count = 0;
   for (Index i = 0; i < differing_; ++i) adopt(s_.differing[i]);
@@ -59,14 +59,15 @@ void Engine::act_on_touched() {
     }
     s_.touched[count++] = group;
   }
-  if (!sorted) sort_touched(count);
+  if (!sorted) sort_by_place({s_.touched, count}, Along::last);
   for (Index i = 0; i < count; ++i) give_again(s_.touched[i]);
 }
 
-void Engine::sort_touched(Index count) {
-  heap_sort({s_.touched, count}, [&](Index a, Index b) {
+/// In the order of all: the groups of one component know their places.
+void Engine::sort_by_place(std::span<Index> groups, Along along) const {
+  heap_sort(groups, [&](Index a, Index b) {
     if (t_.groups[a].component == t_.groups[b].component) return s_.place[a] < s_.place[b];
-    return before_in_order(a, b, Along::last);
+    return before_in_order(a, b, along);
   });
 }
 
@@ -85,11 +86,10 @@ std::span<const Index> Engine::held_before(Index passes) {
 }
 
 /// What is granted and can have a new reason to run, in the new order: it stands elsewhere than before, or was touched.
-std::span<const Index> Engine::with_reasons(Index passes) {
+std::span<const Index> Engine::with_reasons() {
   const Counters& c = *s_.counters;
   const auto decided = [&](Index g) { return (s_.component[t_.groups[g].component] & work::passed) != 0; };
   Index count = 0;
-  bool together = passes == 1; // in one component, whose groups know their places
   for (Index i = 0; i < differing_; ++i) {
     const Index group = s_.differing[i];
     if (s_.now[group].granted()) s_.sorted[count++] = group;
@@ -98,20 +98,13 @@ std::span<const Index> Engine::with_reasons(Index passes) {
     const Index group = s_.touched[i];
     if (!decided(group)) {
       if (!granted(group)) continue;
-      together = false;
     } else if ((s_.group_marks[group] & mark::differs) != 0 || !s_.now[group].granted()) {
       continue;
     }
     s_.sorted[count++] = group;
   }
-  const std::span<Index> groups{s_.sorted, count};
-  if (count < 2) return groups;
-  if (together) {
-    heap_sort(groups, [&](Index a, Index b) { return s_.place[a] < s_.place[b]; });
-  } else {
-    sort(groups, Along::now);
-  }
-  return groups;
+  sort_by_place({s_.sorted, count}, Along::now);
+  return {s_.sorted, count};
 }
 
 void Engine::stop_group(Index group) {

@@ -133,15 +133,12 @@ private:
   bool goes_first(Index a, Index b) const {
     return (measured_ ? compare_claimed(a, b, true) : compare({a, Along::now}, {b, Along::now}, true)) < 0;
   }
-  /// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
-  bool may_ask(Index group) const { return group == nil || (s_.now[group].flags & flag::granted) != 0 || stale(group); }
 
   // finish.cpp: section 4.4, Hand-over, and what follows from the claims
   void hand_over();
   void hand_over(Index group);
   Index recall_plan(Index group);
   void finish();
-  void begin_with_old_order(std::span<Index> claimed);
   void finish_pushes();
   bool asked_for(Index group) const;
 

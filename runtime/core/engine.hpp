@@ -146,9 +146,9 @@ private:
   // act.cpp: section 5
   void act(Index passes, bool stops);
   void act_on_touched();
-  void sort_touched(Index count);
+  void sort_by_place(std::span<Index> groups, Along along) const;
   std::span<const Index> held_before(Index passes);
-  std::span<const Index> with_reasons(Index passes);
+  std::span<const Index> with_reasons();
   void stop_group(Index group);
   void give_again(Index group);
   void give_reasons(Index group);

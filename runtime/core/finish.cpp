@@ -3,7 +3,6 @@
 // Section 4.4, Hand-over, when no candidate is left; and what follows from the claims when the pass ends.
 
 #include "runtime/core/arbitration.hpp"
-#include "runtime/core/marks.hpp"
 #include "runtime/core/planted.hpp"
 
 namespace director {

@@ -55,7 +55,7 @@ bool Pass::somebody_satisfies(Index condition) const {
 
 /// The pushes that the unit made before stay.
 void Pass::keep_pushes(Index count) {
-  if (!pushed_ || !pushes(count)) return;
+  if (!pushes(count)) return;
   for (const Index g : t_.list(c_.groups)) {
     const Push& push = s_.last[g].push;
     if (push.edge != nil && s_.now[g].push.edge == nil && in_unit(push.edge, count))

@@ -114,6 +114,7 @@ void Pass::grant(Index count) {
   leave_combination(count);
 }
 
+/// A member in hand has made a push before.
 bool Pass::pushes(Index count) const {
   for (Index at = 0; at < count; ++at) {
     if ((s_.edge_marks[s_.member[at]] & mark::pushes) != 0) return true;

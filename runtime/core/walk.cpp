@@ -152,6 +152,7 @@ inline void Pass::place(Index group) {
   if (!t_.groups[group].edges.empty()) look_ahead(group);
 }
 
+/// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
 void Pass::look_ahead(Index group) {
   const Index source = stale_source(group);
   const bool is_stale = source != current, asks = is_stale || s_.now[group].granted();
