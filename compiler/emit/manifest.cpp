@@ -5,6 +5,7 @@
 #include "compiler/emit/json.hpp"
 #include "compiler/emit/sha256.hpp"
 #include "compiler/version.hpp"
+#include "runtime/core/recall.hpp"
 #include "runtime/core/state.hpp"
 
 namespace director::compiler {
@@ -27,9 +28,11 @@ Json inputs(const Deployment& from) {
 }
 
 /// Bytes; the same on every machine, since the tables' numbers have fixed sizes.
-Json memory(const Shape& shape) {
+Json memory(const Tables& tables) {
+  const Shape shape = Shape::of(tables);
   return Json::object({{"decision_state", number(director::State::decision_bytes(shape))},
-                       {"engine", number(director::State::bytes(shape))}});
+                       {"engine", number(director::State::bytes(shape))},
+                       {"recall", number(director::Recall::bytes(tables))}});
 }
 
 /// What `directorc check --verbose` prints; docs/integration.md says why each is a bound.
@@ -77,7 +80,7 @@ std::string manifest(const Deployment& deployment, const std::vector<Written>& w
                                 {"edges", number(shape.edges)},
                                 {"states", number(shape.states)},
                                 {"conditions", number(shape.conditions)}}));
-  out.add("bytes", memory(shape));
+  out.add("bytes", memory(tables));
   out.add("bounds", bounds(deployment, tables));
   out.add("places", places(deployment, written));
   return to_lines(out);

@@ -45,7 +45,9 @@ public:
         cells_(inbox_size(scenario)),
         inbox_(cells_),
         memory_((director::State::bytes(Shape::of(tables_)) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)),
-        engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies_.table(), inbox_, recorder_.observer()) {
+        recall_(director::Recall::bytes(tables_) / sizeof(std::uint64_t)),
+        engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies_.table(), inbox_, recorder_.observer(),
+                std::as_writable_bytes(std::span(recall_))) {
     engine_.set_budget(onlooker_ == nullptr ? play_budget : 1);
   }
 
@@ -155,7 +157,7 @@ private:
   Recorder recorder_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
-  std::vector<std::uint64_t> memory_;
+  std::vector<std::uint64_t> memory_, recall_;
   Engine engine_;
   Time now_ = 0;
   std::uint32_t step_ = 0;

@@ -119,7 +119,9 @@ void Engine::stop_group(Index group) {
   const Range listens = t_.groups[group].listens, edges = t_.groups[group].edges;
   for (Index slot = listens.begin; slot != listens.end; ++slot) s_.fired[slot] = 0;
   for (Index e = edges.begin; e != edges.end; ++e) {
-    if (!planted(Fault::stopped_requests_stand)) s_.request[e] = nil;
+    if (planted(Fault::stopped_requests_stand)) continue;
+    s_.request[e] = nil;
+    note_edge(e);
   }
 }
 
@@ -188,6 +190,7 @@ void Engine::settle_data(Index edge) {
 /// The new assignment becomes the last one. Runs of groups that are not granted leave the queue; what is pending stays.
 inline void Engine::adopt(Index group) {
   if (!s_.now[group].granted()) leave_queue(group);
+  s_.group_marks[group] &= static_cast<std::uint8_t>(~mark::differs);
   s_.last[group] = s_.now[group];
   const Range slots = t_.groups[group].slots;
   for (Index slot = slots.begin; slot != slots.end; ++slot) s_.last.plan[slot] = s_.now.plan[slot];

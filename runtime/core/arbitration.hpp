@@ -18,6 +18,10 @@
 
 namespace director {
 
+/// Reasons to run that outdate the orders that a group gave.
+inline constexpr auto outdating =
+    static_cast<std::uint8_t>(static_cast<std::uint8_t>(Reason::new_task) | static_cast<std::uint8_t>(Reason::pushed));
+
 class Pass : public Order {
 public:
   using Order::Order;
@@ -37,6 +41,11 @@ public:
   bool depends_on_stale() const { return depends_on_stale_; }
 
 protected:
+  /// What a pass would say that decides what was decided before.
+  void recall_decision(bool depends_on_last, bool depends_on_stale) {
+    depends_on_last_ = depends_on_last;
+    depends_on_stale_ = depends_on_stale;
+  }
   bool holds(Index condition) const { return s_.truth[condition] != 0; }
 
 private:
@@ -195,8 +204,6 @@ inline void Pass::now_granted(Index edge, Index provider) {
   const Standing& last = s_.last[group];
   now.active = now.planned = provider;
   now.flags |= flag::granted;
-  constexpr auto outdating = static_cast<std::uint8_t>(static_cast<std::uint8_t>(Reason::new_task) |
-                                                       static_cast<std::uint8_t>(Reason::pushed));
   if ((s_.pending[group] & outdating) == 0 && s_.anew[edge] == 0 && edge == last.holder && provider == last.active)
     return;
   s_.group_marks[group] |= mark::outdated;

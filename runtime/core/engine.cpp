@@ -8,16 +8,19 @@
 
 namespace director {
 
-Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
+Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer,
+               std::span<std::byte> recall)
     : Pass(tables, State::in(memory, Shape::of(tables))),
       bodies_(bodies),
       inbox_(inbox),
-      observer_(observer) {
+      observer_(observer),
+      recall_(tables, recall) {
   reset();
 }
 
 void Engine::reset() {
-  passes_ = 0;
+  passes_ = recalled_ = 0;
+  recall_.reset(t_);
   const Shape shape = Shape::of(t_);
   State::each(
       s_, shape,
@@ -59,8 +62,10 @@ void Engine::preset(Index state, std::int32_t value) {
 
 /// On a state, at the value that it has from the start.
 void Engine::look_at_conditions(Index state) {
-  for (const Index condition : t_.list(t_.states[state].conditions))
+  for (const Index condition : t_.list(t_.states[state].conditions)) {
     s_.truth[condition] = accepts(t_, t_.conditions[condition], s_.values[state]) ? 1 : 0;
+    note_condition(condition);
+  }
   find_calm(state);
 }
 

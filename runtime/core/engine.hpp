@@ -5,6 +5,7 @@
 #include "runtime/core/arbitration.hpp"
 #include "runtime/core/inbox.hpp"
 #include "runtime/core/observer.hpp"
+#include "runtime/core/recall.hpp"
 #include "runtime/core/run.hpp"
 #include "runtime/core/state.hpp"
 #include "runtime/core/view.hpp"
@@ -16,8 +17,10 @@ class Engine : private Pass {
 public:
   static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
 
-  /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8. Begins as after reset().
-  Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {});
+  /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8. `recall`: Recall::bytes(tables), aligned to 8, or
+  /// none: faster where something is decided that was decided before, and else the same. Begins as after reset().
+  Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {},
+         std::span<std::byte> recall = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -43,6 +46,18 @@ public:
     return c.quiet_until == first_time || !inbox_.empty() ? take_step(c.now) : StepResult::quiescent;
   }
 
+  /// An input that sets a state, without the way through the inbox: taken at once where the next step would take it
+  /// first, and nothing else could come of it. False: post it. For the thread that calls step().
+  bool take_at_once(Index state, std::int32_t value) {
+    Counters& c = *s_.counters;
+    if (c.quiet_until == first_time || observed() || inside_ || !s_.calm[state].has(value) ||
+        t_.states[state].expires != 0 || !inbox_.empty())
+      return false;
+    ++c.micro_step;
+    s_.values[state] = value;
+    return true;
+  }
+
   /// The next time at which a step would have something to do without an input; `never` if there is nil.
   Time next_due() const { return s_.counters->next_due; }
 
@@ -61,6 +76,7 @@ public:
   Time now() const { return s_.counters->now; }
   std::uint64_t micro_steps() const { return s_.counters->micro_step; } ///< so far
   std::uint64_t passes() const { return passes_; } ///< of arbitration over a component, from nothing, so far
+  std::uint64_t recalled() const { return recalled_; } ///< decisions that needed no pass, so far
   bool inside() const { return inside_; }          ///< a body or handler is running; for the thread that calls step()
   const Tables& tables() const { return t_; }
   const State& memory() const { return s_; }
@@ -122,6 +138,8 @@ private:
   // notes.hpp
   void mark(Index component, std::uint8_t bits);
   void mark_stale(Index group);
+  void note_edge(Index edge);
+  void note_asked(std::uint8_t bit);
   void touch(Index group);
   void untouch(Index group);
   void add_reason(Index group, Reason reason);
@@ -134,6 +152,17 @@ private:
   bool assign(Index state, std::int32_t value);
   void settle_requests();
   void end_micro_step();
+
+  // recalled.cpp: what a component decides
+  bool settle(Index component, bool& stops);
+  bool settle_by_pass(Index component, bool& stops);
+  bool in_order(Index component, const Recall::Part& known) const;
+  bool go(Index component, const Recall::Part& known, Recall::Move move, Recall::Difference difference);
+  void learn(Index component, const Recall::Part& known, std::size_t place);
+  Recall::Difference compare(Index component, const Recall::Part& known, Recall::Move& move) const;
+  void write(Index component, Index* to) const;
+  void forget_decisions(Index component);
+  void note_condition(Index condition);
 
   // settle.cpp: after every micro-step
   void arbitrate();
@@ -170,7 +199,8 @@ private:
   Bodies bodies_;
   Inbox& inbox_;
   Observer observer_;
-  std::uint64_t passes_ = 0;
+  Recall recall_;
+  std::uint64_t passes_ = 0, recalled_ = 0;
   std::uint32_t budget_ = default_budget;
   Index differing_ = 0;  ///< rows of State::differing in use
   Index starting_ = nil; ///< the group whose start handler runs: its data may still be staged

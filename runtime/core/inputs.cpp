@@ -28,6 +28,7 @@ bool Engine::take_input() {
     const std::uint8_t wanted = record.kind == Input::Kind::enable ? 1 : 0;
     if (s_.enabled[record.thing] == wanted) break;
     s_.enabled[record.thing] = wanted;
+    forget_decisions(t_.groups[t_.providers[record.thing].group].component);
     mark(t_.groups[t_.providers[record.thing].group].component, work::changed);
     end_micro_step();
     break;
@@ -109,6 +110,7 @@ void Engine::flip(Index state, std::int32_t before) {
     const bool holds = accepts(t_, row, value);
     if (accepts(t_, row, before) == holds) continue;
     s_.truth[condition] = holds ? 1 : 0;
+    note_condition(condition);
     for (const Index component : t_.list(row.components)) mark(component, work::changed);
   }
   find_calm(state);

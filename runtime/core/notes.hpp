@@ -26,6 +26,13 @@ inline void Engine::mark_stale(Index group) {
   mark(t_.groups[group].component, (asked & place::counts) != 0 ? work::changed : work::stale_changed);
 }
 
+/// To be told where it is looked up what was decided before (recalled.cpp).
+DIRECTOR_INLINE void Engine::note_edge(Index edge) {
+  if (!recall_.on()) return;
+  const Index level = s_.request[edge];
+  recall_.edge(edge) = static_cast<std::uint8_t>(level == nil ? 0 : level % Recall::most_levels + 1);
+}
+
 inline void Engine::touch(Index group) {
   Bits& places = s_.in_queue[group];
   if ((places & place::touched) != 0) return;
@@ -41,7 +48,8 @@ inline void Engine::add_reason(Index group, Reason reason) {
   if ((s_.pending[group] & bit) != 0) return;
   s_.pending[group] |= bit;
   touch(group);
-  if (reason == Reason::new_task || reason == Reason::pushed) mark_stale(group);
+  if ((bit & outdating) == 0) return;
+  mark_stale(group);
 }
 
 // The run queue: groups linked in the order in which they are to run, so that one that is not granted any more leaves
@@ -89,6 +97,7 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   if (s_.request[edge] != level) {
     s_.stamp[edge] = s_.counters->micro_step;
     s_.request[edge] = level;
+    note_edge(edge);
     mark(t_.groups[group].component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
   }
   mark_stale(group);
@@ -98,6 +107,7 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
 DIRECTOR_INLINE void Engine::withdraw(Index edge) {
   if (s_.request[edge] == nil) return;
   s_.request[edge] = nil;
+  note_edge(edge);
   mark(t_.groups[t_.edges[edge].target].component,
        edge < t_.root_edges ? work::changed | work::reordered : work::changed);
 }

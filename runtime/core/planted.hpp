@@ -38,6 +38,12 @@ enum class Fault : unsigned char {
   unwanted_needs_live_on,
   a_lost_state_is_nobodys_concern,
   done_outlives_a_new_task,
+  // What is recalled (recall.hpp): of the situation this is overlooked
+  news_are_overlooked,
+  reasons_are_overlooked,
+  conditions_are_overlooked,
+  ties_are_overlooked,
+  enabling_is_overlooked,
   count
 };
 

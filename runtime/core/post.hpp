@@ -60,6 +60,13 @@ public:
     return inbox_->insist({&input, 1});
   }
 
+  /// A state of this type is set from outside.
+  template <class Value>
+  static consteval bool external() {
+    if constexpr (States::template has<Value>) return States::domains[States::template row<Value>].external;
+    return false;
+  }
+
   /// Values of external states, all at once. `set(soccer::Stability::fallen, soccer::Charge{80})`
   template <class Value, class... More>
   bool set(Value value, More... more) const {
@@ -118,12 +125,6 @@ private:
   template <std::size_t count>
   static void link(std::array<Input, count>& records) {
     for (std::size_t i = 0; i + 1 < count; ++i) records[i].more = true;
-  }
-
-  template <class Value>
-  static consteval bool external() {
-    if constexpr (States::template has<Value>) return States::domains[States::template row<Value>].external;
-    return false;
   }
 
   static Input record(Setting setting) {

@@ -3,6 +3,7 @@
 // and the words by which the outside acts on it. `Facts` is the generated struct that says what the specification
 // declares:
 //   shape, tables()   sizes, known while compiling, and the tables
+//   recall_bytes      for the memory of what was decided before
 //   inbox_cells       how many records of inputs can wait
 //   Data, places      the slots of task data; edge -> its place among those that lead to its task
 //   States            Table of the state types; value -> Setting; the Domain of each state
@@ -48,6 +49,12 @@ public:
   }
   template <class Value, class... More>
   bool set(Value value, More... more) {
+    if constexpr (sizeof...(More) == 0 && Post::template external<Value>()) {
+      const Setting setting = Facts::States::setting(value);
+      if (Facts::States::domains[setting.state].has(setting.value) &&
+          engine_.take_at_once(setting.state, setting.value))
+        return true;
+    }
     return outside() && post().set(value, more...);
   }
   template <class Trigger>
@@ -92,7 +99,7 @@ public:
 protected:
   Program(const Bodies& bodies, Observer observer)
       : inbox_(cells_, words_),
-        engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer) {}
+        engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer, recall_) {}
   ~Program() = default;
 
   StepResult step_to(Time now) { return checked(engine_.step(now)); }
@@ -100,6 +107,11 @@ protected:
   typename Facts::Data& data() { return data_; }
 
 private:
+#ifdef DIRECTOR_NO_RECALL
+  static constexpr std::size_t recall_bytes = 0;
+#else
+  static constexpr std::size_t recall_bytes = Facts::recall_bytes;
+#endif
   static StepResult checked(StepResult result) {
     if (result == StepResult::refused) Facts::called_from_inside();
     return result;
@@ -113,6 +125,7 @@ private:
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
   std::array<LastWords::Slot, Facts::Roots::size> words_;
   alignas(8) std::array<std::byte, State::bytes(Facts::shape)> memory_;
+  alignas(8) std::array<std::byte, recall_bytes> recall_;
   Inbox inbox_;
   Engine engine_;
 };

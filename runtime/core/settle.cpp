@@ -20,22 +20,31 @@ void Engine::arbitrate() {
   Counters& c = *s_.counters;
   forget_work();
   const Index passes = c.work_count;
-  passes_ += passes;
   bool stops = false;
   differing_ = 0;
+  note_asked(128);
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
     if (observed()) remember_queued(component);
-    decide(component);
-    const bool other = changed(component, stops);
-    std::uint8_t bits = work::listed | work::passed;
+    const bool other = settle(component, stops);
+    auto bits = static_cast<std::uint8_t>((s_.component[component] & work::reordered) | work::listed | work::passed);
     if (depends_on_stale()) bits |= work::stale_counts;
     if (((bits ^ s_.component[component]) & work::stale_counts) != 0) watch(component, depends_on_stale());
     if (other && (depends_on_last() || depends_on_stale())) bits |= work::unsettled;
     s_.component[component] = bits;
   }
+  note_asked(0);
   act(passes, stops);
   forget_work();
+}
+
+/// Marks with a bit what is asked for anew, where it is looked up what was decided before.
+DIRECTOR_INLINE void Engine::note_asked(std::uint8_t bit) {
+  if (!recall_.on() || planted(Fault::news_are_overlooked)) return;
+  for (Index i = 0; i < s_.counters->asked_count; ++i) {
+    std::uint8_t& byte = recall_.edge(s_.asked[i]);
+    byte = static_cast<std::uint8_t>((byte & 127) | bit);
+  }
 }
 
 /// Tells every group whether somebody has to hear when its orders are outdated.
@@ -56,7 +65,7 @@ void Engine::forget_work() {
     if (needs_pass(s_.component[component])) {
       s_.work[left++] = component;
     } else {
-      s_.component[component] &= work::stale_counts;
+      s_.component[component] &= work::stale_counts | work::reordered;
     }
   }
   c.work_count = left;

@@ -11,6 +11,7 @@ namespace director {
 /// Edges of root stay linked in order from pass to pass: few are in another place than before, and mostly none is.
 void Pass::sort_roots() {
   if ((s_.component[component_] & work::reordered) == 0) return;
+  s_.component[component_] &= static_cast<std::uint8_t>(~work::reordered);
   const auto goes_first = [&](Index a, Index b) {
     return compare_siblings({a, optional(a)}, {b, optional(b)}, true) < 0;
   };

@@ -55,7 +55,9 @@ TableRobot::TableRobot(Compiled compiled, std::size_t cells)
       cells_(cells),
       inbox_(cells_),
       memory_((State::bytes(Shape::of(tables_)) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)),
-      engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), functions(), inbox_) {
+      recall_(Recall::bytes(tables_) / sizeof(std::uint64_t)),
+      engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), functions(), inbox_, {},
+              std::as_writable_bytes(std::span(recall_))) {
   engine_.set_budget(1'000'000'000);
   for (const compiler::ProviderId id : model().providers.ids()) {
     const std::vector<compiler::Pack>& packs = model().providers[id].packs;

@@ -70,7 +70,7 @@ private:
   std::vector<void (*)(void*, director::Handling&)> handler_table_;
   std::vector<director::Inbox::Cell> cells_;
   director::Inbox inbox_;
-  std::vector<std::uint64_t> memory_;
+  std::vector<std::uint64_t> memory_, recall_;
   std::uint64_t calls_ = 0;
   director::Engine engine_;
 };

@@ -24,19 +24,22 @@ void add(Course& course, Snapshot snapshot) {
 
 class Comparing {
 public:
-  Comparing(const Compiled& compiled, bool leap)
+  Comparing(const Compiled& compiled, Manner manner)
       : c_(compiled),
-        oracle_(compiled.model, compiled.spec, leap),
-        engine_(compiled, leap),
+        oracle_(compiled.model, compiled.spec, manner == Manner::in_leaps),
+        engine_(compiled, manner == Manner::in_leaps),
+        rounds_(manner == Manner::twice ? 2 : 1),
         bounds_(checks::find_bounds(compiled.model, compiled.lowered.view())) {
     last_ = snapshot_of(oracle_.behaviour());
   }
 
   Verdict run() {
-    for (std::size_t i = 0; i < c_.spec.steps.size() && out_.difference.empty(); ++i) {
-      step(i);
+    const std::size_t steps = c_.spec.steps.size();
+    for (std::size_t i = 0; i < rounds_ * steps && out_.difference.empty(); ++i) {
+      step(i % steps);
       if (!out_.difference.empty()) out_.difference = "step " + std::to_string(i + 1) + ": " + out_.difference;
     }
+    show(Show::recalled, engine_.engine().recalled() > 0);
     const oracle::Notes& notes = oracle_.behaviour().notes();
     show(Show::ladder, notes.ladders > 0);
     show(Show::denial_by_an_equal, notes.denials > 0);
@@ -159,6 +162,7 @@ private:
   const Compiled& c_;
   oracle::Player oracle_;
   EngineRun engine_;
+  std::size_t rounds_; ///< how often the scenario is played
   const checks::Bounds bounds_;
   Snapshot last_;
   Verdict out_;
@@ -183,9 +187,9 @@ std::string compare_simulated(const Compiled& compiled) {
 
 } // namespace
 
-Verdict compare(const Compiled& compiled, bool leap) {
-  Verdict verdict = Comparing(compiled, leap).run();
-  if (verdict.difference.empty() && !leap) verdict.difference = compare_simulated(compiled);
+Verdict compare(const Compiled& compiled, Manner manner) {
+  Verdict verdict = Comparing(compiled, manner).run();
+  if (verdict.difference.empty() && manner == Manner::once) verdict.difference = compare_simulated(compiled);
   return verdict;
 }
 

@@ -22,11 +22,13 @@ enum class Show {
   dropped_push,
   deferral,
   broken_promise,
+  recalled,
   count
 };
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Show::count)> show_names{
     "a push",         "a ladder",       "a denial by an equal", "a repeated pass", "limbo", "an alternative plan",
-    "a level change", "a dropped push", "a deferral",           "a broken promise"};
+    "a level change", "a dropped push", "a deferral",           "a broken promise",
+    "a decision that was recalled"};
 
 struct Verdict {
   std::string difference; ///< empty: engine and oracle agree
@@ -36,8 +38,17 @@ struct Verdict {
   std::size_t settling = 0; ///< the most micro-steps in a row that only arbitrated once more
 };
 
-/// `leap`: time is given to the engine in leaps, so that timers are late; else each due time has a step to itself, as
-/// in `directorc simulate`, which must then tell the same.
-Verdict compare(const Compiled& compiled, bool leap);
+/// How a scenario is played.
+enum class Manner {
+  once,     ///< each due time has a step to itself, as in `directorc simulate`, which must then tell the same
+  twice,    ///< the same, and then all of it again, so that much was decided before
+  in_leaps, ///< time is given to the engine in leaps, so that timers are late; and it recalls nothing
+};
+/// Of random cases.
+inline Manner manner_of(std::uint64_t seed) {
+  return seed % 4 == 3 ? Manner::in_leaps : seed % 4 == 1 ? Manner::twice : Manner::once;
+}
+
+Verdict compare(const Compiled& compiled, Manner manner);
 
 } // namespace director::property

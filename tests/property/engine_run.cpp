@@ -27,7 +27,9 @@ EngineRun::EngineRun(const Compiled& compiled, bool leap)
       cells_(inbox_cells),
       inbox_(cells_),
       memory_(director::State::bytes(Shape::of(tables_)) / sizeof(std::uint64_t) + 1),
-      engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies_.table(), inbox_, recorder_.observer()),
+      recall_(leap ? 0 : director::Recall::bytes(tables_) / sizeof(std::uint64_t)),
+      engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies_.table(), inbox_, recorder_.observer(),
+              std::as_writable_bytes(std::span(recall_))),
       leap_(leap) {
   for (const compiler::Setting& given : compiled.scenario.given) {
     engine_.preset(static_cast<Index>(given.state.value), static_cast<std::int32_t>(given.value));

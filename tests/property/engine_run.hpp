@@ -33,7 +33,7 @@ private:
   compiler::Recorder recorder_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
-  std::vector<std::uint64_t> memory_;
+  std::vector<std::uint64_t> memory_, recall_; ///< the latter only where time does not leap
   Engine engine_;
   bool leap_;
   Time now_ = 0, until_ = 0;

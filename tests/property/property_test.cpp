@@ -34,32 +34,29 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::stoull(text);
 }
 
-/// Every fourth case gets its time in leaps.
-bool leaps(std::uint64_t seed) { return seed % 4 == 3; }
-
-Verdict verdict_of(const Documents& documents, bool leap) {
+Verdict verdict_of(const Documents& documents, Manner manner) {
   const CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
   if (!result.compiled) {
     Verdict refused;
     refused.difference = "the documents are not valid: " + result.why;
     return refused;
   }
-  return compare(*result.compiled, leap);
+  return compare(*result.compiled, manner);
 }
 
 /// The smallest case that still differs: its text, and where it was written.
 std::string minimal(const Documents& documents, std::uint64_t seed) {
-  const bool leap = leaps(seed);
+  const Manner manner = manner_of(seed);
   const Documents small = shrink(documents, [&](const Documents& candidate) {
     const CompileResult result = compile(to_yaml(candidate.behaviour), to_yaml(candidate.scenario));
-    return result.compiled && !compare(*result.compiled, leap).difference.empty();
+    return result.compiled && !compare(*result.compiled, manner).difference.empty();
   });
   const auto folder = director::tests::binary_dir() / "tests" / "property" / ("seed_" + std::to_string(seed));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "behaviour.yaml") << to_yaml(small.behaviour);
   std::ofstream(folder / "random.scenario.yaml") << to_yaml(small.scenario);
-  return "minimal case, in " + folder.string() + (leap ? " (with time in leaps)" : "") + "\n" +
-         to_yaml(small.behaviour) + "---\n" + to_yaml(small.scenario) + "---\n" + verdict_of(small, leap).difference;
+  return "minimal case, in " + folder.string() + (manner == Manner::in_leaps ? " (with time in leaps)" : manner == Manner::twice ? " (played twice)" : "") + "\n" +
+         to_yaml(small.behaviour) + "---\n" + to_yaml(small.scenario) + "---\n" + verdict_of(small, manner).difference;
 }
 
 struct Shares {
@@ -99,7 +96,7 @@ void run_part(int part) {
   for (std::uint64_t seed = first; seed < first + share; ++seed) {
     watch(seed);
     const Documents documents = generate(seed);
-    const Verdict verdict = verdict_of(documents, leaps(seed));
+    const Verdict verdict = verdict_of(documents, manner_of(seed));
     stop_watching();
     if (!verdict.difference.empty())
       FAIL("DIRECTOR_SEED=" << seed << " differs, " << verdict.difference << "\n" << minimal(documents, seed));
@@ -110,6 +107,7 @@ void run_part(int part) {
   for (const std::uint64_t each : shares.claimed) CHECK(each > 0);
   // What the cases must show, so that agreement means something.
   CHECK(shares.percent(Show::push) >= 20);
+  CHECK(shares.percent(Show::recalled) >= 20);
   for (const Show what : {Show::ladder, Show::denial_by_an_equal, Show::limbo, Show::alternative_plan,
                           Show::level_change, Show::dropped_push}) {
     INFO(show_names[static_cast<std::size_t>(what)]);

@@ -17,12 +17,15 @@ namespace director::tests {
 
 using Lines = std::vector<std::string>;
 
+/// Has the engine a memory of what it decided?
+enum class Recalls { no, yes };
+
 class Machine {
 public:
   using Body = std::function<Outcome(Run&)>;
   using Handler = std::function<void(Handling&)>;
 
-  explicit Machine(const std::string& behaviour, std::size_t inbox = 64);
+  explicit Machine(const std::string& behaviour, std::size_t inbox = 64, Recalls recalls = Recalls::no);
 
   /// A body for `Walk.halting` or `Kick`; without one a provider asks for all that it may, at the first level.
   Machine& body(const std::string& provider, Body body);
@@ -65,7 +68,7 @@ private:
   Compiled compiled_;
   compiler::Lowered lowered_;
   Tables tables_;
-  std::vector<std::uint64_t> memory_;
+  std::vector<std::uint64_t> memory_, recall_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
   std::map<Index, Body> bodies_;

@@ -1,0 +1,117 @@
+// Door: runtime/core/recall.hpp. Test: tests/runtime/core/recall_test.cpp.
+#include "runtime/core/recall.hpp"
+
+namespace director {
+
+static_assert(sizeof(Recall::Move) == 4 && sizeof(Recall::Difference) == 16 && sizeof(Recall::Head) == 8);
+
+namespace {
+constexpr Recall::Word mix(Recall::Word digest, Recall::Word word) {
+  digest = (digest ^ word) * 0x9e3779b97f4a7c15U;
+  return digest ^ digest >> 32;
+}
+
+/// Both can have one urgency: then it counts which was asked for first.
+bool can_tie(const Tables& t, const Edge& a, const Edge& b) {
+  for (Index i = a.levels.begin; i != a.levels.end; ++i) {
+    for (Index j = b.levels.begin; j != b.levels.end; ++j) {
+      if (t.levels[i].urgency == t.levels[j].urgency) return true;
+    }
+  }
+  return false;
+}
+} // namespace
+
+std::size_t Recall::Part::find() const {
+  const std::uint8_t from = head->current;
+  Word found = from;
+  for (std::size_t i = 0; i < words; ++i) found = mix(found, question[i]);
+  const auto is_it = [&](std::size_t place) {
+    if (move[place].from != from) return false;
+    const Word* const situation = asked + place * words;
+    for (std::size_t i = 0; i < words; ++i) {
+      if (situation[i] != question[i]) return false;
+    }
+    return true;
+  };
+  std::size_t place = found % places;
+  while (move[place].from != unknown && !is_it(place)) place = (place + 1) % places;
+  return place;
+}
+
+std::uint8_t Recall::Part::number_spare() const {
+  const Index* const given = spare();
+  Word found = 0;
+  for (std::size_t i = 0; i < rows; i += 2) found = mix(found, Word{given[i]} << 32 | given[i + 1]);
+  const auto is_it = [&](std::size_t number) {
+    if (digest[number] != found) return false;
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (row(number)[i] != given[i]) return false;
+    }
+    return true;
+  };
+  std::uint8_t number = 0;
+  while (number < head->decisions && !is_it(number)) ++number;
+  if (number == head->decisions) {
+    digest[number] = found;
+    ++head->decisions;
+  }
+  return number;
+}
+
+void Recall::Part::forget() const {
+  head->current = unknown;
+  head->decisions = head->moves = 0;
+  head->used = 0;
+  for (std::size_t i = 0; i < places; ++i) move[i] = Move{};
+}
+
+void Recall::Part::make_room() const {
+  if (head->used < head->moves) head->rest = Recall::rest;
+  forget();
+}
+
+Recall::Recall(const Tables& t, std::span<std::byte> memory) {
+  const std::size_t needed = bytes(t);
+  if (needed == 0 || memory.size() < needed) return;
+  bytes_ = reinterpret_cast<std::uint8_t*>(memory.data());
+  entries_ = reinterpret_cast<Entry*>(bytes_);
+  edge_place_ = reinterpret_cast<std::uint32_t*>(bytes_ + t.components.size() * sizeof(Entry));
+}
+
+void Recall::reset(const Tables& t) {
+  if (!on()) return;
+  const std::size_t all = bytes(t);
+  for (std::size_t i = 0; i < all; ++i) bytes_[i] = 0;
+  std::size_t begin = lists(t);
+  for (Index e = 0; e < t.edges.size(); ++e) edge_place_[e] = static_cast<std::uint32_t>((begin - 1) * sizeof(Word));
+  for (Index c = 0; c < t.components.size(); ++c) {
+    const Component& row = t.components[c];
+    const Size size = size_of(t, row);
+    if (size.question == 0) continue;
+    entries_[c].begin = static_cast<std::uint32_t>(begin);
+    entries_[c].question = static_cast<std::uint16_t>(size.question);
+    entries_[c].rows = static_cast<std::uint16_t>(size.rows);
+    begin += size.all();
+    const Part own = part_at(entries_[c]);
+    own.forget();
+    find_ties(t, row, own);
+    auto place = static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(own.question) - bytes_);
+    for (const Index e : t.list(row.edges)) edge_place_[e] = place++;
+  }
+}
+
+/// Edges of one requester stand together in the tables, and those of root come first.
+void Recall::find_ties(const Tables& t, const Component& row, const Part& part) {
+  const std::span<const Index> edges = t.list(row.edges);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (std::size_t j = i + 1; j < edges.size() && t.edges[edges[j]].requester == t.edges[edges[i]].requester; ++j) {
+      if (!can_tie(t, t.edges[edges[i]], t.edges[edges[j]])) continue;
+      part.ties[i / 64] |= Word{1} << i % 64;
+      part.ties[j / 64] |= Word{1} << j % 64;
+      part.head->ties = true;
+    }
+  }
+}
+
+} // namespace director

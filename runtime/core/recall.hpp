@@ -1,0 +1,157 @@
+#pragma once
+// What was decided before. A pass is a function of how the groups of a component stand and of what was asked for, came
+// true or waits to run since: the situation. A robot is in few situations, again and again. So a component that is not
+// large keeps its last decisions, numbered, and the moves between them: after decision 3, in this situation, decision 5.
+// Situations are compared as a whole; what is not known is decided by a pass, as everything is without this memory,
+// which is no part of the decision state. When a component's part is full, it begins anew; where that was of little use,
+// it rests for a while.
+
+#include "runtime/core/tables.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace director {
+
+class Recall {
+public:
+  using Word = std::uint64_t;
+
+  static constexpr std::size_t most_decisions = 16; ///< of one component
+  static constexpr std::size_t most_moves = 48;     ///< of one component,
+  static constexpr std::size_t places = 64;         ///< in a table of so many rows
+  static constexpr Index most_groups = 64;      ///< of a component; what is larger is always decided by passes
+  static constexpr Index most_levels = 64;      ///< of an edge
+  static constexpr std::uint16_t rest = 4096;   ///< decisions
+  static constexpr std::uint8_t unknown = 255;  ///< instead of a decision's number
+
+  /// What follows from a decision in a situation.
+  struct Move {
+    std::uint8_t from = unknown; ///< unknown: the row is free
+    std::uint8_t to = unknown;
+    std::uint8_t bits = 0; ///< of the engine: what it has to know
+    bool compared = false; ///< the difference is known
+  };
+  /// What differs between the two.
+  struct Difference {
+    Word groups = 0; ///< a bit for each, as in Component::groups
+    Word edges = 0;  ///< likewise; from the 65th on they share bits
+  };
+  struct Head {
+    std::uint8_t current = unknown; ///< the decision that stands
+    std::uint8_t decisions = 0, moves = 0;
+    bool ties = false;      ///< which of two siblings was asked for first can matter
+    std::uint16_t used = 0; ///< how often a move was, since the part began anew
+    std::uint16_t rest = 0; ///< for so many decisions nothing is looked up or learnt
+  };
+
+  /// One component's part.
+  struct Part {
+    Head* head = nullptr; ///< null: it has none
+    Move* move = nullptr;
+    Difference* difference = nullptr; ///< of each move
+    Word* digest = nullptr;           ///< of each decision
+    Word* ties = nullptr;             ///< a bit for each edge, as in Component::edges: a sibling can tie with it
+    Word* question = nullptr;         ///< the situation in hand
+    Word* asked = nullptr;            ///< the situation of each move
+    Index* decision = nullptr;        ///< row after row
+    std::size_t words = 0;            ///< of a situation
+    std::size_t rows = 0;             ///< of a decision
+
+    /// The place of the move from the decision that stands, in the situation in hand; a free one if it is not known.
+    std::size_t find() const;
+    const Index* row(std::size_t number) const { return decision + number * rows; }
+    /// Here a decision is written that may be a new one; there is room while it is not full().
+    Index* spare() const { return decision + head->decisions * rows; }
+    /// The number of the spare decision; that of an equal one, if there is one.
+    std::uint8_t number_spare() const;
+    bool full() const { return head->decisions == most_decisions || head->moves == most_moves; }
+    void forget() const;
+    /// It begins anew, after a rest if less was recalled than learnt.
+    void make_room() const;
+  };
+
+  /// The memory that it needs, at most; the same for every size of Index.
+  static constexpr std::size_t bytes(const Tables& t) {
+    std::size_t parts = 0;
+    for (const Component& row : t.components) parts += size_of(t, row).all();
+    return parts == 0 ? 0 : (lists(t) + parts) * sizeof(Word);
+  }
+
+  /// `memory`: bytes(t) of them, aligned to 8; with less, nothing is recalled.
+  Recall(const Tables& t, std::span<std::byte> memory);
+
+  /// Forgets everything: nothing is requested, pending or true.
+  void reset(const Tables& t);
+
+  bool on() const { return entries_ != nullptr; }
+  Part part(Index component) const { return on() && entries_[component].begin != 0 ? part_at(entries_[component]) : Part{}; }
+
+  // The situation, a byte for each thing. Only while it is on().
+  std::uint8_t& edge(Index e) const { return bytes_[edge_place_[e]]; }
+  /// Of the groups and then the conditions of a component that has a part.
+  std::uint8_t* groups(Index component, const Tables& t) const {
+    return bytes_ + edge_place_[t.lists[t.components[component].edges.begin]] + t.components[component].edges.size();
+  }
+  std::uint8_t* conditions(Index component, const Tables& t) const {
+    return groups(component, t) + t.components[component].groups.size();
+  }
+
+private:
+  /// Of one component, in words but for `rows`.
+  struct Size {
+    std::size_t question = 0, ties = 0, rows = 0;
+    constexpr std::size_t all() const {
+      return question == 0 ? 0 : fixed + ties + question * (1 + places) + most_decisions * rows / 2;
+    }
+  };
+  static constexpr std::size_t fixed = 1 + places / 2 + 2 * places + most_decisions;
+  struct Entry {
+    std::uint32_t begin = 0; ///< word; 0: the component has no part
+    std::uint16_t question = 0, rows = 0;
+  };
+
+  /// Entries, and the places of edges; the word behind them is for edges of what has no part.
+  static constexpr std::size_t lists(const Tables& t) { return t.components.size() + (t.edges.size() + 1) / 2 + 1; }
+  /// Without a question: the component has no part.
+  static constexpr Size size_of(const Tables& t, const Component& row) {
+    Size size;
+    if (row.groups.size() > most_groups || row.edges.empty()) return size;
+    for (const Index e : t.list(row.edges)) {
+      if (t.edges[e].levels.size() > most_levels) return size;
+    }
+    std::size_t slots = 0;
+    for (const Index g : t.list(row.groups)) slots += t.groups[g].slots.size();
+    const std::size_t rows = 8 * std::size_t{row.groups.size()} + 5 + 2 * std::size_t{row.edges.size()} + slots;
+    if (rows > 0xfff0) return size;
+    size.question = (std::size_t{row.edges.size()} + row.groups.size() + row.conditions.size() + 7) / 8;
+    size.ties = ties_of(size.question);
+    size.rows = (rows + 3) / 4 * 4;
+    return size;
+  }
+  /// There are no more edges than bytes in a situation.
+  static constexpr std::size_t ties_of(std::size_t question) { return (question + 7) / 8; }
+
+  Part part_at(const Entry& entry) const {
+    Part part;
+    std::uint8_t* at = bytes_ + std::size_t{entry.begin} * sizeof(Word);
+    const auto take = [&]<class T>(T*& array, std::size_t count) {
+      array = reinterpret_cast<T*>(at); // the bytes become these arrays; reset() fills them
+      at += count * sizeof(T);
+    };
+    part.words = entry.question;
+    part.rows = entry.rows;
+    take(part.head, 1), take(part.move, places), take(part.difference, places), take(part.digest, most_decisions);
+    take(part.ties, ties_of(part.words)), take(part.question, part.words), take(part.asked, part.words * places);
+    take(part.decision, most_decisions * part.rows);
+    return part;
+  }
+  static void find_ties(const Tables& t, const Component& row, const Part& part);
+
+  std::uint8_t* bytes_ = nullptr;
+  Entry* entries_ = nullptr; ///< one for each component; null: there is no memory
+  std::uint32_t* edge_place_ = nullptr;
+};
+
+} // namespace director

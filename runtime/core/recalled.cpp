@@ -1,0 +1,228 @@
+// Door: runtime/core/engine.hpp. Test: tests/runtime/core/recall_test.cpp.
+//
+// What a component decides: recalled from what it decided before, or found by a pass. Of the situation everything counts
+// that a pass reads and that is not a part of how things stand: levels, what is asked for anew, reasons that outdate
+// orders, conditions, and which of two siblings of one urgency was asked for first. When a provider is enabled or
+// disabled, everything is forgotten, as that is rare.
+
+#include "runtime/core/notes.hpp"
+
+#include <bit>
+
+namespace director {
+
+namespace {
+/// Bits of Recall::Move.
+constexpr std::uint8_t on_last = 1, on_stale = 2; ///< what the pass depends on
+constexpr std::uint8_t other_decision = 4, stops = 8;
+constexpr std::uint8_t other_order = 16, other_plans = 32, other_counts = 64;
+
+// A decision is written down as the groups' standings, a bit for each whose outdated orders counted, why each edge is
+// queued, the order, and the plans.
+constexpr std::size_t standing_rows = 7;
+constexpr std::size_t count_rows = 4; ///< of 16 bits
+constexpr std::size_t why_rows = 2;
+
+Standing standing(const Index* row) { return {row[0], row[1], row[2], row[3], {row[4], row[5], row[6]}}; }
+
+bool counts(const Index* rows, std::size_t place) { return (rows[place / 16] >> place % 16 & 1) != 0; }
+
+/// Calls visit(place) for each bit.
+template <class Visit>
+void each_bit(Recall::Word bits, Visit&& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+} // namespace
+
+/// True if what is decided is another decision.
+bool Engine::settle(Index component, bool& any_stops) {
+  const Recall::Part known = recall_.part(component);
+  if (known.head == nullptr) return settle_by_pass(component, any_stops);
+  Recall::Head& head = *known.head;
+  if (head.rest != 0) {
+    --head.rest;
+    return settle_by_pass(component, any_stops);
+  }
+  std::uint8_t* at = recall_.groups(component, t_);
+  for (const Index g : t_.list(t_.components[component].groups)) 
+    *at++ = planted(Fault::reasons_are_overlooked) ? std::uint8_t{0} : s_.pending[g] & outdating;
+  const bool told = !head.ties || planted(Fault::ties_are_overlooked) || in_order(component, known);
+  std::size_t place = Recall::places;
+  if (told && head.current != Recall::unknown) {
+    place = known.find();
+    Recall::Move& move = known.move[place];
+    if (move.from != Recall::unknown) {
+      ++recalled_;
+      if (head.used != 0xffff) ++head.used;
+      recall_decision((move.bits & on_last) != 0, (move.bits & on_stale) != 0);
+      head.current = move.to;
+      if (move.to == move.from) return false;
+      if (!move.compared) known.difference[place] = compare(component, known, move);
+      any_stops = any_stops || (move.bits & stops) != 0;
+      return go(component, known, move, known.difference[place]);
+    }
+  }
+  const bool other = settle_by_pass(component, any_stops);
+  if (told) {
+    learn(component, known, place);
+  } else {
+    head.current = Recall::unknown;
+  }
+  return other;
+}
+
+bool Engine::settle_by_pass(Index component, bool& any_stops) {
+  ++passes_;
+  decide(component);
+  return changed(component, any_stops);
+}
+
+/// Siblings of one urgency were asked for in the order in which they are declared; else the situation's bytes do not
+/// tell it.
+bool Engine::in_order(Index component, const Recall::Part& known) const {
+  Index before = nil;
+  const std::span<const Index> edges = t_.list(t_.components[component].edges);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Index e = edges[i];
+    if ((known.ties[i / 64] >> i % 64 & 1) == 0 || s_.request[e] == nil) continue;
+    if (before != nil && t_.edges[before].requester == t_.edges[e].requester && s_.stamp[e] < s_.stamp[before])
+      return false;
+    before = e;
+  }
+  return true;
+}
+
+/// To another decision, as a pass and changed() would leave it. What a pass writes besides is used by nobody.
+bool Engine::go(Index component, const Recall::Part& known, Recall::Move move, Recall::Difference difference) {
+  const Component& row = t_.components[component];
+  const std::span<const Index> groups = t_.list(row.groups), edges = t_.list(row.edges);
+  const Index* at = known.row(move.to);
+  each_bit(difference.groups, [&](std::size_t place) {
+    const Index group = groups[place];
+    s_.now[group] = standing(at + standing_rows * place);
+    s_.group_marks[group] |= mark::differs;
+    s_.differing[differing_++] = group;
+  });
+  at += standing_rows * groups.size();
+  if ((move.bits & other_counts) != 0) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      s_.in_queue[groups[i]] &= static_cast<std::uint8_t>(~place::counts);
+      if (counts(at, i)) s_.in_queue[groups[i]] |= place::counts;
+    }
+  }
+  at += count_rows;
+  each_bit(difference.edges, [&](std::size_t place) {
+    for (; place < edges.size(); place += 64)
+      s_.queued[edges[place]] = {static_cast<Why>(at[why_rows * place]), at[why_rows * place + 1]};
+  });
+  at += why_rows * edges.size();
+  const Index count = s_.next_count[component] = *at++;
+  for (Index i = 0; i < count; ++i) s_.next_order[row.order + i] = at[i];
+  for (Index i = 0; i < count && (move.bits & other_order) != 0; ++i) s_.place[at[i]] = i;
+  at += groups.size();
+  if ((move.bits & other_plans) != 0) {
+    for (const Index g : groups) {
+      const Range slots = t_.groups[g].slots;
+      for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = *at++;
+    }
+  }
+  if ((move.bits & other_decision) != 0) s_.counters->unsettled = true;
+  return difference.groups != 0;
+}
+
+/// After a pass over a situation that the question tells; `place`: where the move belongs, if it is known from where.
+void Engine::learn(Index component, const Recall::Part& known, std::size_t place) {
+  if (known.full()) {
+    known.make_room();
+    place = Recall::places;
+  }
+  Recall::Head& head = *known.head;
+  const std::uint8_t from = head.current;
+  write(component, known.spare());
+  head.current = known.number_spare();
+  if (place == Recall::places) return;
+  Recall::Move move{from, head.current, 0, false};
+  if (depends_on_last()) move.bits |= on_last;
+  if (depends_on_stale()) move.bits |= on_stale;
+  known.move[place] = move;
+  ++head.moves;
+  for (std::size_t i = 0; i < known.words; ++i) known.asked[place * known.words + i] = known.question[i];
+}
+
+/// Between the two decisions of a move, which is told its bits. Only what is recalled has to be compared.
+Recall::Difference Engine::compare(Index component, const Recall::Part& known, Recall::Move& move) const {
+  const Component& row = t_.components[component];
+  const std::span<const Index> groups = t_.list(row.groups);
+  const Index *from = known.row(move.from), *to = known.row(move.to);
+  Recall::Difference out;
+  move.compared = true;
+  const auto differ = [&](std::size_t count) {
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i) any = *from++ != *to++ || any;
+    return any;
+  };
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const Standing last = standing(from), now = standing(to);
+    if (now.holder != last.holder || now.active != last.active || now.granted() != last.granted() ||
+        now.push != last.push)
+      move.bits |= other_decision;
+    if (last.active != nil && now.active == nil) move.bits |= stops;
+    if (differ(standing_rows)) out.groups |= Recall::Word{1} << i;
+  }
+  if (differ(count_rows)) move.bits |= other_counts;
+  for (std::size_t i = 0; i < row.edges.size(); ++i) {
+    if (differ(why_rows)) out.edges |= Recall::Word{1} << i % 64;
+  }
+  if (differ(1 + groups.size())) move.bits |= other_order;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (!differ(t_.groups[groups[i]].slots.size())) continue;
+    out.groups |= Recall::Word{1} << i;
+    move.bits |= other_plans;
+  }
+  return out;
+}
+
+/// A decision, as rows.
+void Engine::write(Index component, Index* to) const {
+  const Component& row = t_.components[component];
+  Recall::Word counting = 0;
+  std::size_t at = 0;
+  for (const Index g : t_.list(row.groups)) {
+    const Standing& now = s_.now[g];
+    for (const Index part :
+         {now.holder, now.active, now.planned, now.flags, now.push.edge, now.push.provider, now.push.condition})
+      *to++ = part;
+    counting |= Recall::Word{(s_.in_queue[g] & place::counts) != 0} << at++;
+  }
+  for (std::size_t i = 0; i < count_rows; ++i) *to++ = static_cast<Index>(counting >> 16 * i & 0xffff);
+  for (const Index e : t_.list(row.edges)) {
+    *to++ = static_cast<Index>(s_.queued[e].why);
+    *to++ = s_.queued[e].condition;
+  }
+  const Index count = s_.next_count[component];
+  *to++ = count;
+  for (Index i = 0; i < row.groups.size(); ++i) *to++ = i < count ? s_.next_order[row.order + i] : nil;
+  for (const Index g : t_.list(row.groups)) {
+    const Range slots = t_.groups[g].slots;
+    for (Index slot = slots.begin; slot != slots.end; ++slot) *to++ = s_.now.plan[slot];
+  }
+}
+
+void Engine::forget_decisions(Index component) {
+  const Recall::Part known = recall_.part(component);
+  if (known.head != nullptr && !planted(Fault::enabling_is_overlooked)) known.forget();
+}
+
+void Engine::note_condition(Index condition) {
+  if (!recall_.on() || planted(Fault::conditions_are_overlooked)) return;
+  for (const Index component : t_.list(t_.conditions[condition].components)) {
+    if (recall_.part(component).head == nullptr) continue;
+    std::uint8_t* at = recall_.conditions(component, t_);
+    for (const Index each : t_.list(t_.components[component].conditions)) {
+      if (each == condition) *at = s_.truth[condition];
+      ++at;
+    }
+  }
+}
+
+} // namespace director

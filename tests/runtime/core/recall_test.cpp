@@ -1,0 +1,155 @@
+#include "tests/runtime/core/machine.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace director::tests {
+namespace {
+
+const std::string rivals = R"(
+behaviour: rivals
+language: 1
+states:
+  Light: {values: [red, green], initial: red, external: true}
+roots:
+  Left: {priority: {low: 1, high: 3}}
+  Right: {priority: 2}
+groups:
+  Left: {tasks: [Shared]}
+  Right: {tasks: [Shared]}
+  Shared:
+    providers:
+      - {name: go, when: [Light == green]}
+      - {name: stand}
+)";
+
+/// What happens while the two take turns.
+Lines turns(Machine& machine, int times) {
+  Lines out;
+  for (int i = 0; i < times; ++i) {
+    machine.request("Left", i % 2 == 0 ? "high" : "low");
+    for (std::string& line : machine.step()) out.push_back(std::move(line));
+  }
+  return out;
+}
+
+TEST_CASE("what was decided before is decided again without a pass") {
+  Machine machine(rivals, 64, Recalls::yes);
+  machine.request("Left", "low");
+  machine.request("Right");
+  machine.step();
+  const Lines first = turns(machine, 4);
+  const std::uint64_t passes = machine.engine().passes(), recalled = machine.engine().recalled();
+  CHECK(turns(machine, 4) == first);
+  CHECK(machine.engine().passes() == passes);
+  CHECK(machine.engine().recalled() > recalled);
+}
+
+TEST_CASE("without a memory for it nothing is recalled, and the same happens") {
+  Machine with(rivals, 64, Recalls::yes), without(rivals);
+  for (Machine* machine : {&with, &without}) {
+    machine->request("Left", "low");
+    machine->request("Right");
+    machine->step();
+  }
+  CHECK(turns(with, 8) == turns(without, 8));
+  CHECK(with.engine().recalled() > 0);
+  CHECK(without.engine().recalled() == 0);
+}
+
+TEST_CASE("another value, or a provider that is disabled, is another situation") {
+  Machine machine(rivals, 64, Recalls::yes);
+  machine.request("Right");
+  machine.step();
+  turns(machine, 8);
+  machine.set("Light", "green");
+  CHECK(machine.step() == Lines{"run Shared.go new_task"});
+  machine.enable("Shared.go", false);
+  CHECK(machine.step() == Lines{"run Shared.stand new_task"});
+  machine.enable("Shared.go", true);
+  CHECK(machine.step() == Lines{"run Shared.go new_task"});
+  machine.set("Light", "red");
+  CHECK(machine.step() == Lines{"run Shared.stand new_task"});
+}
+
+TEST_CASE("which of two equals was asked for first is told from the other order") {
+  const std::string equals = R"(
+behaviour: equals
+language: 1
+roots:
+  Left: {priority: 1}
+  Right: {priority: 1}
+groups:
+  Left: {tasks: [Shared]}
+  Right: {tasks: [Shared]}
+  Shared: {}
+)";
+  Machine machine(equals, 64, Recalls::yes);
+  for (int i = 0; i < 3; ++i) {
+    for (const char* first : {"Left", "Right"}) {
+      const std::string second = first == std::string("Left") ? "Right" : "Left";
+      machine.request(first);
+      machine.step();
+      machine.request(second);
+      machine.step();
+      CHECK(machine.engine().holder(machine.group("Shared")) == machine.edge(std::string(first) + ">Shared"));
+      machine.cancel(first);
+      machine.cancel(second);
+      machine.step();
+    }
+  }
+}
+
+TEST_CASE("a memory that is full begins anew") {
+  std::string many = "{behaviour: b, language: 1, states: {N: {range: [0, 63], initial: 0, external: true}},"
+                     " roots: {A: {}}, groups: {A: {providers: [";
+  for (int i = 0; i < 64; ++i)
+    many += "{name: p" + std::to_string(i) + ", when: [N == " + std::to_string(i) + "]}" + (i == 63 ? "" : ", ");
+  Machine machine(many + "]}}}", 64, Recalls::yes);
+  machine.request("A");
+  machine.step();
+  for (int round = 0; round < 3; ++round) {
+    for (int i = 1; i <= 64; ++i) {
+      machine.set("N", std::to_string(i % 64));
+      CHECK(machine.step() == Lines{"run A.p" + std::to_string(i % 64) + " new_task"});
+    }
+  }
+  // Of little use as it was, it rests; then it recalls again.
+  for (int i = 0; i < 2 * Recall::rest; ++i) {
+    machine.set("N", std::to_string(i % 2));
+    machine.step();
+  }
+  const std::uint64_t passes = machine.engine().passes();
+  machine.set("N", "0");
+  CHECK(machine.step() == Lines{"run A.p0 new_task"});
+  CHECK(machine.engine().passes() == passes);
+}
+
+TEST_CASE("components that are large or have nothing to ask for take no memory") {
+  std::string large = "{behaviour: b, language: 1, roots: {A: {}}, groups: {A: {tasks: [";
+  std::string groups;
+  for (int i = 0; i < 64; ++i) {
+    large += "G" + std::to_string(i) + (i == 63 ? "" : ", ");
+    groups += ", G" + std::to_string(i) + ": {}";
+  }
+  Machine machine(large + "]}" + groups + "}}", 64, Recalls::yes);
+  CHECK(Recall::bytes(machine.tables()) == 0);
+  machine.request("A");
+  CHECK(machine.step().size() == 65);
+  CHECK(machine.engine().recalled() == 0);
+}
+
+TEST_CASE("a reset forgets what was decided") {
+  Machine machine(rivals, 64, Recalls::yes);
+  machine.request("Right");
+  machine.step();
+  const Lines first = turns(machine, 4);
+  turns(machine, 4);
+  machine.engine().reset();
+  CHECK(machine.engine().recalled() == 0);
+  machine.request("Right");
+  machine.step();
+  CHECK(turns(machine, 4) == first);
+}
+
+} // namespace
+} // namespace director::tests
