@@ -42,7 +42,6 @@ enum class Fault : unsigned char {
   news_are_overlooked,
   reasons_are_overlooked,
   conditions_are_overlooked,
-  ties_are_overlooked,
   enabling_is_overlooked,
   count
 };

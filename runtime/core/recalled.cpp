@@ -46,7 +46,7 @@ bool Engine::settle(Index component, bool& any_stops) {
   std::uint8_t* at = recall_.groups(component, t_);
   for (const Index g : t_.list(t_.components[component].groups)) 
     *at++ = planted(Fault::reasons_are_overlooked) ? std::uint8_t{0} : s_.pending[g] & outdating;
-  const bool told = !head.ties || planted(Fault::ties_are_overlooked) || in_order(component, known);
+  const bool told = !head.ties || in_order(component, known);
   std::size_t place = Recall::places;
   if (told && head.current != Recall::unknown) {
     place = known.find();

@@ -64,7 +64,6 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
     {"recall", "what is asked for anew belongs to the situation"},
     {"recall", "what waits to run belongs to the situation"},
     {"recall", "what is true belongs to the situation"},
-    {"recall", "of equals, who was first belongs to the situation"},
     {"recall", "who is enabled belongs to the situation"},
 }};
 
