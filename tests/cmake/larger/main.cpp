@@ -3,4 +3,8 @@
 
 #include <cstdio>
 
-int main() { std::printf("%s\n", watch() > 0 ? "events are told" : "no events"); }
+int main() {
+  const Watched watched = watch();
+  std::printf("%s, decisions are %s\n", watched.events > 0 ? "events are told" : "no events",
+              watched.recalled > 0 ? "recalled" : "made anew");
+}

@@ -23,16 +23,21 @@ void count(void* events, const director::Event&) { ++*static_cast<int*>(events);
 
 } // namespace
 
-int watch() {
-  int events = 0;
+Watched watch() {
+  Watched out;
   Bell bell;
   Keeper keeper;
   Bulb bulb;
-  buoy::Behaviour first{bell, {count, &events}};
-  lighthouse::Behaviour second{bulb, keeper, {count, &events}};
+  buoy::Behaviour first{bell, {count, &out.events}};
+  lighthouse::Behaviour second{bulb, keeper, {count, &out.events}};
   first.request(buoy::Ring{harbour::Sound{.hertz = 220}});
-  second.request<lighthouse::Turn>();
   first.step();
-  second.step();
-  return events;
+  for (int i = 0; i < 4; ++i) {
+    second.request<lighthouse::Turn>();
+    second.step();
+    second.cancel<lighthouse::Turn>();
+    second.step();
+  }
+  out.recalled = second.engine().recalled();
+  return out;
 }
