@@ -43,6 +43,7 @@ enum class Fault : unsigned char {
   reasons_are_overlooked,
   conditions_are_overlooked,
   enabling_is_overlooked,
+  a_rest_is_overlooked, // what was decided meanwhile
   count
 };
 

@@ -6,6 +6,14 @@ namespace director {
 static_assert(sizeof(Recall::Move) == 4 && sizeof(Recall::Difference) == 16 && sizeof(Recall::Head) == 8);
 
 namespace {
+#ifdef DIRECTOR_PLANTED_FAULTS // so little that random cases need more
+constexpr std::size_t room_for_decisions = 6, room_for_moves = 10;
+constexpr std::uint16_t least_rest = 3;
+#else
+constexpr std::size_t room_for_decisions = Recall::most_decisions, room_for_moves = Recall::most_moves;
+constexpr std::uint16_t least_rest = Recall::rest;
+#endif
+
 constexpr Recall::Word mix(Recall::Word digest, Recall::Word word) {
   digest = (digest ^ word) * 0x9e3779b97f4a7c15U;
   return digest ^ digest >> 32;
@@ -59,6 +67,8 @@ std::uint8_t Recall::Part::number_spare() const {
   return number;
 }
 
+bool Recall::Part::full() const { return head->decisions >= room_for_decisions || head->moves >= room_for_moves; }
+
 void Recall::Part::forget() const {
   head->current = unknown;
   head->decisions = head->moves = 0;
@@ -67,7 +77,7 @@ void Recall::Part::forget() const {
 }
 
 void Recall::Part::make_room() const {
-  if (head->used < head->moves) head->rest = Recall::rest;
+  if (head->used < head->moves) head->rest = least_rest;
   forget();
 }
 

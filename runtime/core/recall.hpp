@@ -1,10 +1,10 @@
 #pragma once
 // What was decided before. A pass is a function of how the groups of a component stand and of what was asked for, came
 // true or waits to run since: the situation. A robot is in few situations, again and again. So a component that is not
-// large keeps its last decisions, numbered, and the moves between them: after decision 3, in this situation, decision 5.
-// Situations are compared as a whole; what is not known is decided by a pass, as everything is without this memory,
-// which is no part of the decision state. When a component's part is full, it begins anew; where that was of little use,
-// it rests for a while.
+// large keeps its last decisions, numbered, and the moves between them: after decision 3, in this situation,
+// decision 5. Situations are compared as a whole; what is not known is decided by a pass, as everything is without this
+// memory, which is no part of the decision state. When a component's part is full, it begins anew; where that was of
+// little use, it rests for a while.
 
 #include "runtime/core/tables.hpp"
 
@@ -21,10 +21,10 @@ public:
   static constexpr std::size_t most_decisions = 16; ///< of one component
   static constexpr std::size_t most_moves = 48;     ///< of one component,
   static constexpr std::size_t places = 64;         ///< in a table of so many rows
-  static constexpr Index most_groups = 64;      ///< of a component; what is larger is always decided by passes
-  static constexpr Index most_levels = 64;      ///< of an edge
-  static constexpr std::uint16_t rest = 4096;   ///< decisions
-  static constexpr std::uint8_t unknown = 255;  ///< instead of a decision's number
+  static constexpr std::uint16_t rest = 4096;       ///< decisions
+  static constexpr Index most_groups = 64;          ///< of a component; what is larger is always decided by passes
+  static constexpr Index most_levels = 64;          ///< of an edge
+  static constexpr std::uint8_t unknown = 255;      ///< instead of a decision's number
 
   /// What follows from a decision in a situation.
   struct Move {
@@ -66,7 +66,7 @@ public:
     Index* spare() const { return decision + head->decisions * rows; }
     /// The number of the spare decision; that of an equal one, if there is one.
     std::uint8_t number_spare() const;
-    bool full() const { return head->decisions == most_decisions || head->moves == most_moves; }
+    bool full() const;
     void forget() const;
     /// It begins anew, after a rest if less was recalled than learnt.
     void make_room() const;
@@ -86,7 +86,9 @@ public:
   void reset(const Tables& t);
 
   bool on() const { return entries_ != nullptr; }
-  Part part(Index component) const { return on() && entries_[component].begin != 0 ? part_at(entries_[component]) : Part{}; }
+  Part part(Index component) const {
+    return on() && entries_[component].begin != 0 ? part_at(entries_[component]) : Part{};
+  }
 
   // The situation, a byte for each thing. Only while it is on().
   std::uint8_t& edge(Index e) const { return bytes_[edge_place_[e]]; }

@@ -1,9 +1,9 @@
 // Door: runtime/core/engine.hpp. Test: tests/runtime/core/recall_test.cpp.
 //
-// What a component decides: recalled from what it decided before, or found by a pass. Of the situation everything counts
-// that a pass reads and that is not a part of how things stand: levels, what is asked for anew, reasons that outdate
-// orders, conditions, and which of two siblings of one urgency was asked for first. When a provider is enabled or
-// disabled, everything is forgotten, as that is rare.
+// What a component decides: recalled from what it decided before, or found by a pass. Of the situation everything
+// counts that a pass reads and that is not a part of how things stand: levels, what is asked for anew, reasons that
+// outdate orders, conditions, and which of two siblings of one urgency was asked for first. When a provider is enabled
+// or disabled, everything is forgotten, as that is rare.
 
 #include "runtime/core/notes.hpp"
 
@@ -44,7 +44,7 @@ bool Engine::settle(Index component, bool& any_stops) {
     return settle_by_pass(component, any_stops);
   }
   std::uint8_t* at = recall_.groups(component, t_);
-  for (const Index g : t_.list(t_.components[component].groups)) 
+  for (const Index g : t_.list(t_.components[component].groups))
     *at++ = planted(Fault::reasons_are_overlooked) ? std::uint8_t{0} : s_.pending[g] & outdating;
   const bool told = !head.ties || in_order(component, known);
   std::size_t place = Recall::places;
@@ -132,11 +132,12 @@ bool Engine::go(Index component, const Recall::Part& known, Recall::Move move, R
 
 /// After a pass over a situation that the question tells; `place`: where the move belongs, if it is known from where.
 void Engine::learn(Index component, const Recall::Part& known, std::size_t place) {
+  Recall::Head& head = *known.head;
   if (known.full()) {
     known.make_room();
+    if (head.rest != 0 && !planted(Fault::a_rest_is_overlooked)) return; // what stands by then is not known
     place = Recall::places;
   }
-  Recall::Head& head = *known.head;
   const std::uint8_t from = head.current;
   write(component, known.spare());
   head.current = known.number_spare();

@@ -117,10 +117,10 @@ TEST_CASE("a memory that is full begins anew") {
       CHECK(machine.step() == Lines{"run A.p" + std::to_string(i % 64) + " new_task"});
     }
   }
-  // Of little use as it was, it rests; then it recalls again.
-  for (int i = 0; i < 2 * Recall::rest; ++i) {
-    machine.set("N", std::to_string(i % 2));
-    machine.step();
+  // Of little use as it was, it rests, whatever comes; then it recalls again, and nothing of before.
+  for (int i = 1; i <= 2 * Recall::rest; ++i) {
+    machine.set("N", std::to_string(i % 3));
+    CHECK(machine.step() == Lines{"run A.p" + std::to_string(i % 3) + " new_task"});
   }
   const std::uint64_t passes = machine.engine().passes();
   machine.set("N", "0");
