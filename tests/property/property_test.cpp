@@ -55,8 +55,12 @@ std::string minimal(const Documents& documents, std::uint64_t seed) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "behaviour.yaml") << to_yaml(small.behaviour);
   std::ofstream(folder / "random.scenario.yaml") << to_yaml(small.scenario);
-  return "minimal case, in " + folder.string() + (manner == Manner::in_leaps ? " (with time in leaps)" : manner == Manner::twice ? " (played twice)" : "") + "\n" +
-         to_yaml(small.behaviour) + "---\n" + to_yaml(small.scenario) + "---\n" + verdict_of(small, manner).difference;
+  return "minimal case, in " + folder.string() +
+         (manner == Manner::in_leaps ? " (with time in leaps)"
+          : manner == Manner::twice  ? " (played twice)"
+                                     : "") +
+         "\n" + to_yaml(small.behaviour) + "---\n" + to_yaml(small.scenario) + "---\n" +
+         verdict_of(small, manner).difference;
 }
 
 struct Shares {
