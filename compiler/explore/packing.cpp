@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <utility>
 
 namespace director::compiler {
@@ -90,7 +89,7 @@ void Packing::pack(const std::uint64_t* words, Packed& out) const {
 
 void Packing::unpack(std::span<const std::uint8_t> packed, std::uint64_t* words) const {
   const std::size_t count = first_.size(), rows = (count + row - 1) / row;
-  std::memcpy(words, first_.data(), count * sizeof(std::uint64_t));
+  std::copy(first_.begin(), first_.end(), words);
   const std::uint8_t* at = packed.data() + rows;
   for (std::size_t r = 0; r < rows; ++r) {
     each_bit(packed[r], [&](std::size_t b) {
