@@ -27,8 +27,6 @@ private:
   locale_t before_;
 };
 
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-
 } // namespace
 
 Glyph glyph_at(std::string_view text, std::size_t at) {

@@ -15,6 +15,9 @@ struct Glyph {
   bool printable = true; ///< false for control characters, and for a byte that is not UTF-8
 };
 
+/// It is a byte of a character of UTF-8, and not the first one.
+constexpr bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
 /// The character that begins at `text[at]`. `at` lies within `text`.
 Glyph glyph_at(std::string_view text, std::size_t at);
 

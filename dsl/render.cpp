@@ -37,8 +37,6 @@ constexpr std::string_view ellipsis = "…";
 constexpr std::size_t most_bytes_a_column =
     16; ///< of what is shown: a letter and some accents; accents alone have no end
 
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-
 /// A line as it is shown, and the columns in it (as on a terminal; tabs are blanks) that a span covers.
 struct Excerpt {
   std::string text;

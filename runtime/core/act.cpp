@@ -14,7 +14,7 @@ void Engine::act(Index passes, bool stops) {
   for (Index i = 0; i < passes && observed(); ++i) report_decisions(s_.work[i]);
   if (stops) {
     for (const Index group : held_before(passes)) {
-      if (s_.last[group].active != nil && s_.now[group].active == nil) stop_group(group);
+      if (s_.now[group].stops_after(s_.last[group])) stop_group(group);
     }
   }
   for (const Index group : with_reasons()) give_reasons(group);

@@ -139,7 +139,7 @@ private:
   void mark(Index component, std::uint8_t bits);
   void mark_stale(Index group);
   void note_edge(Index edge);
-  void note_asked(std::uint8_t bit);
+  void note_asked(bool marked);
   void touch(Index group);
   void untouch(Index group);
   void add_reason(Index group, Reason reason);

@@ -24,6 +24,7 @@ public:
   static constexpr std::uint16_t rest = 4096;       ///< decisions
   static constexpr Index most_groups = 64;          ///< of a component; what is larger is always decided by passes
   static constexpr Index most_levels = 64;          ///< of an edge
+  static constexpr std::uint8_t anew = 128;         ///< of an edge's byte: it is asked for anew
   static constexpr std::uint8_t unknown = 255;      ///< instead of a decision's number
 
   /// What follows from a decision in a situation.

@@ -116,10 +116,14 @@ bool Engine::go(Index component, const Recall::Part& known, Recall::Move move, R
       s_.queued[edges[place]] = {static_cast<Why>(at[why_rows * place]), at[why_rows * place + 1]};
   });
   at += why_rows * edges.size();
-  const Index count = s_.next_count[component] = *at++;
-  for (Index i = 0; i < count; ++i) s_.next_order[row.order + i] = at[i];
-  for (Index i = 0; i < count && (move.bits & other_order) != 0; ++i) s_.place[at[i]] = i;
-  at += groups.size();
+  if ((move.bits & other_order) != 0) {
+    const Index count = s_.next_count[component] = at[0];
+    for (Index i = 0; i < count; ++i) {
+      s_.next_order[row.order + i] = at[1 + i];
+      s_.place[at[1 + i]] = i;
+    }
+  }
+  at += 1 + groups.size();
   if ((move.bits & other_plans) != 0) {
     for (const Index g : groups) {
       const Range slots = t_.groups[g].slots;
@@ -164,10 +168,8 @@ Recall::Difference Engine::compare(Index component, const Recall::Part& known, R
   };
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const Standing last = standing(from), now = standing(to);
-    if (now.holder != last.holder || now.active != last.active || now.granted() != last.granted() ||
-        now.push != last.push)
-      move.bits |= other_decision;
-    if (last.active != nil && now.active == nil) move.bits |= stops;
+    if (now.decides_otherwise_than(last)) move.bits |= other_decision;
+    if (now.stops_after(last)) move.bits |= stops;
     if (differ(standing_rows)) out.groups |= Recall::Word{1} << i;
   }
   if (differ(count_rows)) move.bits |= other_counts;

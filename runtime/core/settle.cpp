@@ -22,7 +22,7 @@ void Engine::arbitrate() {
   const Index passes = c.work_count;
   bool stops = false;
   differing_ = 0;
-  note_asked(128);
+  note_asked(true);
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
     if (observed()) remember_queued(component);
@@ -33,17 +33,17 @@ void Engine::arbitrate() {
     if (other && (depends_on_last() || depends_on_stale())) bits |= work::unsettled;
     s_.component[component] = bits;
   }
-  note_asked(0);
+  note_asked(false);
   act(passes, stops);
   forget_work();
 }
 
-/// Marks with a bit what is asked for anew, where it is looked up what was decided before.
-DIRECTOR_INLINE void Engine::note_asked(std::uint8_t bit) {
+/// Marks what is asked for anew, where it is looked up what was decided before; or takes the marks away.
+DIRECTOR_INLINE void Engine::note_asked(bool marked) {
   if (!recall_.on() || planted(Fault::news_are_overlooked)) return;
   for (Index i = 0; i < s_.counters->asked_count; ++i) {
     std::uint8_t& byte = recall_.edge(s_.asked[i]);
-    byte = static_cast<std::uint8_t>((byte & 127) | bit);
+    byte = static_cast<std::uint8_t>(marked ? byte | Recall::anew : byte & ~Recall::anew);
   }
 }
 
@@ -82,9 +82,8 @@ bool Engine::changed(Index component, bool& stops) {
     if (now.same(last) && !(plans && other_plan(g))) continue;
     s_.group_marks[g] |= mark::differs;
     s_.differing[differing_++] = g;
-    decision = decision || now.holder != last.holder || now.active != last.active || now.granted() != last.granted() ||
-               now.push != last.push;
-    stops = stops || (last.active != nil && now.active == nil);
+    decision = decision || now.decides_otherwise_than(last);
+    stops = stops || now.stops_after(last);
   }
   if (decision) s_.counters->unsettled = true;
   return differing_ != before;

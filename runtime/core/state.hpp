@@ -98,6 +98,11 @@ struct Standing {
   Push push{};
   constexpr bool granted() const { return (flags & flag::granted) != 0; }
   constexpr bool operator==(const Standing&) const = default;
+  /// What the page calls a change: after it, it is arbitrated once more at rest.
+  constexpr bool decides_otherwise_than(const Standing& last) const {
+    return holder != last.holder || active != last.active || granted() != last.granted() || push != last.push;
+  }
+  constexpr bool stops_after(const Standing& last) const { return last.active != nil && active == nil; }
   /// The same as ==, in one comparison: mostly all is equal.
   constexpr bool same(const Standing& other) const {
     return ((holder ^ other.holder) | (active ^ other.active) | (planned ^ other.planned) | (flags ^ other.flags) |
