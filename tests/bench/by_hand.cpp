@@ -50,4 +50,12 @@ void take(Robot& robot, Input input, std::size_t which) {
   }
 }
 
+Idler& idler() {
+  class Empty final : public Idler {
+    void step() override {}
+  };
+  static Empty empty;
+  return empty;
+}
+
 } // namespace bench

@@ -27,4 +27,13 @@ Robot build_by_hand(std::size_t count);
 
 void take(Robot& robot, Input input, std::size_t which);
 
+/// The floor of a step that finds nothing to do: a virtual call of an empty function.
+class Idler {
+public:
+  virtual ~Idler() = default;
+  virtual void step() = 0;
+};
+/// Its class is told to nobody, so that whoever calls it cannot know the function while compiling.
+Idler& idler();
+
 } // namespace bench
