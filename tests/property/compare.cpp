@@ -28,7 +28,7 @@ public:
       : c_(compiled),
         oracle_(compiled.model, compiled.spec, manner == Manner::in_leaps),
         engine_(compiled, manner == Manner::in_leaps),
-        rounds_(manner == Manner::twice ? 2 : 1),
+        rounds_(manner == Manner::often ? 4 : 1),
         bounds_(checks::find_bounds(compiled.model, compiled.lowered.view())) {
     last_ = snapshot_of(oracle_.behaviour());
   }

@@ -49,12 +49,12 @@ struct Verdict {
 /// How a scenario is played.
 enum class Manner {
   once,     ///< each due time has a step to itself, as in `directorc simulate`, which must then tell the same
-  twice,    ///< the same, and then all of it again, so that much was decided before
+  often,    ///< the same, and then all of it thrice more, so that much was decided before
   in_leaps, ///< time is given to the engine in leaps, so that timers are late; and it recalls nothing
 };
 /// Of random cases.
 inline Manner manner_of(std::uint64_t seed) {
-  return seed % 4 == 3 ? Manner::in_leaps : seed % 4 == 1 ? Manner::twice : Manner::once;
+  return seed % 4 == 3 ? Manner::in_leaps : seed % 4 == 1 ? Manner::often : Manner::once;
 }
 
 Verdict compare(const Compiled& compiled, Manner manner);

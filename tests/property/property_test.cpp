@@ -57,7 +57,7 @@ std::string minimal(const Documents& documents, std::uint64_t seed) {
   std::ofstream(folder / "random.scenario.yaml") << to_yaml(small.scenario);
   return "minimal case, in " + folder.string() +
          (manner == Manner::in_leaps ? " (with time in leaps)"
-          : manner == Manner::twice  ? " (played twice)"
+          : manner == Manner::often  ? " (played four times)"
                                      : "") +
          "\n" + to_yaml(small.behaviour) + "---\n" + to_yaml(small.scenario) + "---\n" +
          verdict_of(small, manner).difference;
