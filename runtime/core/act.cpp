@@ -10,7 +10,6 @@
 namespace director {
 
 void Engine::act(Index passes, bool stops) {
-  Counters& c = *s_.counters;
   for (Index i = 0; i < passes && observed(); ++i) report_decisions(s_.work[i]);
   if (stops) {
     for (const Index group : held_before(passes)) {
@@ -18,10 +17,44 @@ void Engine::act(Index passes, bool stops) {
     }
   }
   for (const Index group : with_reasons()) give_reasons(group);
-  for (Index i = 0; i < c.touched_count; ++i) untouch(s_.touched[i]);
-  c.touched_count = 0;
-  for (Index i = 0; i < differing_; ++i) adopt(s_.differing[i]);
-  for (Index i = 0; i < passes; ++i) adopt_order(s_.work[i]);
+  adopt_differing();
+  for (Index i = 0; i < passes; ++i) {
+    adopt_order(s_.work[i]);
+    keep_promises_in(s_.work[i]);
+  }
+}
+
+/// The same for one component that takes a known move.
+void Engine::act(Index component, const Recall::Move& move) {
+  const std::span<const Index> groups = t_.list(t_.components[component].groups);
+  if (observed()) report_decisions(component);
+  const Recall::Acts& acts = move.acts;
+  if (differing_ == 0) {
+    act_on_touched();
+  } else {
+    std::size_t i = 0;
+    for (; i < acts.stops; ++i) stop_group(groups[acts.group[i]]);
+    if (others_are_touched()) {
+      for (const Index group : with_reasons()) give_reasons(group);
+    } else {
+      for (const std::size_t end = i + acts.gives; i < end; ++i) {
+        const Index group = groups[acts.group[i]];
+        (acts.reasons[i] & Recall::Acts::in_full) != 0 ? give_reasons(group) : give(group, acts.reasons[i]);
+      }
+    }
+    adopt_differing();
+  }
+  if ((move.bits & moved::other_order) != 0) adopt_order(component);
+  keep_promises_in(component);
+}
+
+/// Somebody can have a new reason to run that stands where it stood.
+DIRECTOR_INLINE bool Engine::others_are_touched() const {
+  for (Index i = 0; i < s_.counters->touched_count; ++i) {
+    const Index group = s_.touched[i];
+    if ((s_.group_marks[group] & mark::differs) == 0 && granted(group)) return true;
+  }
+  return false;
 }
 
 /// To a group that is granted as before. Whom it concerns that its orders are outdated, request() told already.
@@ -139,28 +172,48 @@ void Engine::handle(Index group, Reason reason) {
   faulted_ = true;
 }
 
+/// Why a group that is granted is to run, but for what is asked for anew.
+std::uint8_t Engine::reasons(const Standing& last, const Standing& now) {
+  std::uint8_t bits = 0;
+  const bool handed_on = last.holder != now.holder && !planted(Fault::a_new_holder_is_no_news);
+  if (last.active == nil || !last.granted() || handed_on) bits |= reason::new_task;
+  if (last.active != now.active) bits |= (now.flags & flag::in_force) != 0 ? reason::pushed : reason::new_task;
+  const bool served = (last.flags & flag::serving) != 0 && now.push.provider == last.push.provider &&
+                      now.push.condition == last.push.condition;
+  if ((now.flags & flag::serving) != 0 && !served && !planted(Fault::a_lost_state_is_nobodys_concern))
+    bits |= reason::pushed;
+  return bits;
+}
+
+/// What follows besides: a start handler is called, or a period ends or begins.
+bool Engine::takes_more(Index group, const Standing& last, const Standing& now) const {
+  if (last.active == nil && t_.groups[group].start) return true;
+  const auto every = [&](Index provider) { return provider != nil && t_.providers[provider].every != 0; };
+  return last.active != now.active && (every(last.active) || every(now.active));
+}
+
+/// To a group that is granted and stands elsewhere than before.
+DIRECTOR_INLINE void Engine::give(Index group, std::uint8_t bits) {
+  const Index holder = s_.data_from[group] = s_.now[group].holder;
+  if (s_.anew[holder] != 0) bits |= reason::new_task;
+  if (bits != 0) note_reasons(group, bits);
+  enqueue(group);
+}
+
 void Engine::give_reasons(Index group) {
   const Standing &now = s_.now[group], &last = s_.last[group];
-  s_.data_from[group] = now.holder;
-  const bool starts = last.active == nil;
-  if (starts) {
-    starting_ = group;
-    handle(group, Reason::started);
-    starting_ = nil;
-  }
-  const bool handed_on = last.holder != now.holder && !planted(Fault::a_new_holder_is_no_news);
-  if (starts || !last.granted() || handed_on || s_.anew[now.holder] != 0) add_reason(group, Reason::new_task);
-  if (last.active != now.active) {
-    add_reason(group, (now.flags & flag::in_force) != 0 ? Reason::pushed : Reason::new_task);
+  if (takes_more(group, last, now)) {
+    if (last.active == nil) {
+      s_.data_from[group] = now.holder;
+      starting_ = group;
+      handle(group, Reason::started);
+      starting_ = nil;
+    }
     const Time every = t_.providers[now.active].every; // the period begins when the provider becomes active
     disarm(Due::every, group);
     if (every != 0) arm(Due::every, group, s_.counters->now + every);
   }
-  const bool served = (last.flags & flag::serving) != 0 && now.push.provider == last.push.provider &&
-                      now.push.condition == last.push.condition;
-  if ((now.flags & flag::serving) != 0 && !served && !planted(Fault::a_lost_state_is_nobodys_concern))
-    add_reason(group, Reason::pushed);
-  enqueue(group);
+  give(group, reasons(last, now));
 }
 
 /// Section 7: a promise ends with its push, and when its condition has come true.
@@ -196,12 +249,24 @@ inline void Engine::adopt(Index group) {
   for (Index slot = slots.begin; slot != slots.end; ++slot) s_.last.plan[slot] = s_.now.plan[slot];
 }
 
+inline void Engine::adopt_differing() {
+  Counters& c = *s_.counters;
+  for (Index i = 0; i < c.touched_count; ++i) untouch(s_.touched[i]);
+  c.touched_count = 0;
+  for (Index i = 0; i < differing_; ++i) adopt(s_.differing[i]);
+}
+
 inline void Engine::adopt_order(Index component) {
   const Component& row = t_.components[component];
   const Index count = s_.order_count[component] = s_.next_count[component];
-  for (Index i = row.order; i != row.order + count; ++i) s_.order[i] = s_.next_order[i];
+  const Index* const next = s_.next_order + row.order;
+  Index* const order = s_.order + row.order;
+  for (Index i = 0; i < count; ++i) order[i] = next[i];
+}
+
+inline void Engine::keep_promises_in(Index component) {
   if (t_.promises.empty()) return;
-  for (const Index g : t_.list(row.groups)) {
+  for (const Index g : t_.list(t_.components[component].groups)) {
     if (s_.promised_provider[g] != nil) keep_promises(g);
   }
 }

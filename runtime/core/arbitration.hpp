@@ -18,9 +18,12 @@
 
 namespace director {
 
-/// Reasons to run that outdate the orders that a group gave.
-inline constexpr auto outdating =
-    static_cast<std::uint8_t>(static_cast<std::uint8_t>(Reason::new_task) | static_cast<std::uint8_t>(Reason::pushed));
+/// Bits of State::pending, as Reason.
+namespace reason {
+inline constexpr auto new_task = static_cast<std::uint8_t>(Reason::new_task);
+inline constexpr auto pushed = static_cast<std::uint8_t>(Reason::pushed);
+inline constexpr auto outdating = static_cast<std::uint8_t>(new_task | pushed); ///< the orders that a group gave
+} // namespace reason
 
 class Pass : public Order {
 public:
@@ -204,7 +207,8 @@ inline void Pass::now_granted(Index edge, Index provider) {
   const Standing& last = s_.last[group];
   now.active = now.planned = provider;
   now.flags |= flag::granted;
-  if ((s_.pending[group] & outdating) == 0 && s_.anew[edge] == 0 && edge == last.holder && provider == last.active)
+  if ((s_.pending[group] & reason::outdating) == 0 && s_.anew[edge] == 0 && edge == last.holder &&
+      provider == last.active)
     return;
   s_.group_marks[group] |= mark::outdated;
   ++stale_granted_;

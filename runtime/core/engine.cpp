@@ -32,7 +32,7 @@ void Engine::reset() {
   for (Index i = 0; i < t_.states.size(); ++i) {
     s_.values[i] = t_.states[i].initial;
     s_.handler_values[i] = s_.staged_value[i] = unset;
-    look_at_conditions(i);
+    look_at_conditions(i, false);
   }
   for (Index p = 0; p < t_.providers.size(); ++p) s_.enabled[p] = 1;
   for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e] = nil;
@@ -57,16 +57,7 @@ void Engine::reset() {
 
 void Engine::preset(Index state, std::int32_t value) {
   s_.values[state] = value;
-  look_at_conditions(state);
-}
-
-/// On a state, at the value that it has from the start.
-void Engine::look_at_conditions(Index state) {
-  for (const Index condition : t_.list(t_.states[state].conditions)) {
-    s_.truth[condition] = accepts(t_, t_.conditions[condition], s_.values[state]) ? 1 : 0;
-    note_condition(condition);
-  }
-  find_calm(state);
+  look_at_conditions(state, false);
 }
 
 RunState Engine::state(Index edge) const {

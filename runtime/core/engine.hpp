@@ -103,9 +103,7 @@ private:
   void take_handlers_input();
   bool fire(Index trigger);
   void set_by_handler(Index state, std::int32_t value);
-  void flip(Index state, std::int32_t before);
-  void find_calm(Index state);
-  void look_at_conditions(Index state);
+  void look_at_conditions(Index state, bool begun);
   void report_input(const Input& record) const;
   void report_set(Index state) const;
 
@@ -139,9 +137,14 @@ private:
   void mark(Index component, std::uint8_t bits);
   void mark_stale(Index group);
   void note_edge(Index edge);
+  static bool needs_pass(std::uint8_t bits);
+  void note_settled(Index component, bool other);
+  void watch(Index component, bool watched);
+  void forget_work();
   void note_asked(bool marked);
   void touch(Index group);
   void untouch(Index group);
+  bool note_reasons(Index group, std::uint8_t bits);
   void add_reason(Index group, Reason reason);
   void enqueue(Index group);
   Index next_of_queue();
@@ -154,12 +157,16 @@ private:
   void end_micro_step();
 
   // recalled.cpp: what a component decides
+  bool retrace();
   bool settle(Index component, bool& stops);
   bool settle_by_pass(Index component, bool& stops);
   bool in_order(Index component, const Recall::Part& known) const;
-  bool go(Index component, const Recall::Part& known, Recall::Move move, Recall::Difference difference);
+  bool ask(Index component, const Recall::Part& known);
+  bool recall_move(Index component, const Recall::Part& known, const Recall::Move& move);
+  bool go(Index component, const Recall::Move& move, const Index* at);
   void learn(Index component, const Recall::Part& known, std::size_t place);
-  Recall::Difference compare(Index component, const Recall::Part& known, Recall::Move& move) const;
+  void compare(Index component, const Recall::Part& known, Recall::Move& move) const;
+  void foresee(Index component, const Recall::Part& known, Recall::Move& move) const;
   void write(Index component, Index* to) const;
   void forget_decisions(Index component);
   void note_condition(Index condition);
@@ -169,22 +176,27 @@ private:
   bool changed(Index component, bool& stops);
   bool other_plan(Index group) const;
   void remember_queued(Index component);
-  void watch(Index component, bool watched);
-  void forget_work();
 
   // act.cpp: section 5
   void act(Index passes, bool stops);
+  void act(Index component, const Recall::Move& move);
   void act_on_touched();
   void sort_by_place(std::span<Index> groups, Along along) const;
   std::span<const Index> held_before(Index passes);
   std::span<const Index> with_reasons();
   void stop_group(Index group);
   void give_again(Index group);
+  static std::uint8_t reasons(const Standing& last, const Standing& now);
+  bool takes_more(Index group, const Standing& last, const Standing& now) const;
+  void give(Index group, std::uint8_t bits);
   void give_reasons(Index group);
   void keep_promises(Index group);
   void settle_data(Index edge);
+  bool others_are_touched() const;
   void adopt(Index group);
+  void adopt_differing();
   void adopt_order(Index component);
+  void keep_promises_in(Index component);
   void report_decisions(Index component) const;
   void handle(Index group, Reason reason);
 

@@ -102,39 +102,40 @@ bool Engine::fire(Index trigger) {
   return heard;
 }
 
-/// The components in which a condition flips have to decide again.
-void Engine::flip(Index state, std::int32_t before) {
-  const std::int32_t value = s_.values[state];
-  for (const Index condition : t_.list(t_.states[state].conditions)) {
-    const Condition& row = t_.conditions[condition];
-    const bool holds = accepts(t_, row, value);
-    if (accepts(t_, row, before) == holds) continue;
-    s_.truth[condition] = holds ? 1 : 0;
-    note_condition(condition);
-    for (const Index component : t_.list(row.components)) mark(component, work::changed);
+namespace {
+/// Whether the condition holds at the value; the interval around the value becomes smaller, so that none of the
+/// condition's bounds cuts it.
+inline bool narrow(Calm& calm, std::span<const Interval> accepted, std::int32_t value) {
+  bool holds = false;
+  for (const Interval& row : accepted) {
+    if (row.low > value) {
+      if (row.low - 1 < calm.high) calm.high = row.low - 1;
+    } else if (row.high < value) {
+      if (row.high + 1 > calm.low) calm.low = row.high + 1;
+    } else {
+      holds = true;
+      if (row.low > calm.low) calm.low = row.low;
+      if (row.high < calm.high) calm.high = row.high;
+    }
   }
-  find_calm(state);
+  return holds;
 }
+} // namespace
 
-/// The largest interval around the value that no bound of a condition's intervals cuts. Without a value nothing is
-/// true, so the interval is that of its own number, which no value has.
-void Engine::find_calm(Index state) {
+/// The state has another value. Components in which a condition flips have to decide again, unless nothing has begun.
+/// Without a value nothing is true, and it is calm nowhere but at that number, which no value has.
+void Engine::look_at_conditions(Index state, bool begun) {
   const std::int32_t value = s_.values[state];
   Calm calm{unset + 1, 2147483647};
   if (value == unset) calm = {unset, unset};
   for (const Index condition : t_.list(t_.states[state].conditions)) {
-    const Range accepts = t_.conditions[condition].accepts;
-    for (Index i = accepts.begin; i != accepts.end && value != unset; ++i) {
-      const Interval& row = t_.intervals[i];
-      if (row.low > value) {
-        if (row.low - 1 < calm.high) calm.high = row.low - 1;
-      } else if (row.high < value) {
-        if (row.high + 1 > calm.low) calm.low = row.high + 1;
-      } else {
-        if (row.low > calm.low) calm.low = row.low;
-        if (row.high < calm.high) calm.high = row.high;
-      }
-    }
+    const Condition& row = t_.conditions[condition];
+    const bool now = value != unset && narrow(calm, t_.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
+    if (now == holds(condition)) continue;
+    s_.truth[condition] = now ? 1 : 0;
+    note_condition(condition);
+    if (!begun) continue;
+    for (const Index component : t_.list(row.components)) mark(component, work::changed);
   }
   s_.calm[state] = calm;
 }

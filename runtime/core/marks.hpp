@@ -44,13 +44,4 @@ inline constexpr std::uint8_t alternatives = 2; ///< a group has slots
 inline constexpr std::uint8_t compared = 4;     ///< edges below different ones of root are often compared
 } // namespace trait
 
-/// A condition on an unset state is false.
-inline bool accepts(const Tables& t, const Condition& condition, std::int32_t value) {
-  if (value == unset) return false;
-  for (Index i = condition.accepts.begin; i != condition.accepts.end; ++i) {
-    if (t.intervals[i].low <= value && value <= t.intervals[i].high) return true;
-  }
-  return false;
-}
-
 } // namespace director

@@ -42,14 +42,18 @@ inline void Engine::touch(Index group) {
 
 inline void Engine::untouch(Index group) { s_.in_queue[group] &= static_cast<std::uint8_t>(~place::touched); }
 
+/// Bits of Reason. True if one of them is news.
+inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
+  if ((bits & reason::new_task) != 0 && !planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
+  const auto news = static_cast<std::uint8_t>(bits & ~s_.pending[group]);
+  if (news == 0) return false;
+  s_.pending[group] |= news;
+  if ((news & reason::outdating) != 0) mark_stale(group);
+  return true;
+}
+
 inline void Engine::add_reason(Index group, Reason reason) {
-  const auto bit = static_cast<std::uint8_t>(reason);
-  if (reason == Reason::new_task && !planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
-  if ((s_.pending[group] & bit) != 0) return;
-  s_.pending[group] |= bit;
-  touch(group);
-  if ((bit & outdating) == 0) return;
-  mark_stale(group);
+  if (note_reasons(group, static_cast<std::uint8_t>(reason))) touch(group);
 }
 
 // The run queue: groups linked in the order in which they are to run, so that one that is not granted any more leaves
@@ -84,6 +88,50 @@ inline void Engine::leave_queue(Index group) {
   (after == nil ? c.queue_first : s_.runs_before[after]) = before;
   (before == nil ? c.queue_last : s_.runs_after[before]) = after;
   s_.runs_after[group] = s_.runs_before[group] = nil;
+}
+
+// What the next arbitration has to look at.
+
+inline bool Engine::needs_pass(std::uint8_t bits) {
+  constexpr std::uint8_t outdated = work::stale_counts | work::stale_changed;
+  return (bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated;
+}
+
+/// Leaves it in State::work.
+DIRECTOR_INLINE void Engine::forget_work() {
+  Counters& c = *s_.counters;
+  const Index before = c.work_count;
+  Index left = 0;
+  for (Index i = 0; i < before; ++i) {
+    const Index component = s_.work[i];
+    Bits& bits = s_.component[component];
+    bits &= static_cast<std::uint8_t>(~work::passed);
+    if (needs_pass(bits)) {
+      s_.work[left++] = component;
+    } else {
+      bits &= work::stale_counts | work::reordered;
+    }
+  }
+  c.work_count = left;
+}
+
+/// `other`: it is another decision.
+DIRECTOR_INLINE void Engine::note_settled(Index component, bool other) {
+  auto bits = static_cast<std::uint8_t>((s_.component[component] & work::reordered) | work::listed | work::passed);
+  if (depends_on_stale()) bits |= work::stale_counts;
+  if (((bits ^ s_.component[component]) & work::stale_counts) != 0) watch(component, depends_on_stale());
+  if (other && (depends_on_last() || depends_on_stale())) bits |= work::unsettled;
+  s_.component[component] = bits;
+}
+
+/// Marks what is asked for anew, where it is looked up what was decided before; or takes the marks away.
+DIRECTOR_INLINE void Engine::note_asked(bool marked) {
+  if (!recall_.on() || planted(Fault::news_are_overlooked)) return;
+  const std::span<const Index> edges{s_.asked, s_.counters->asked_count};
+  for (const Index edge : edges) {
+    std::uint8_t& byte = recall_.edge(edge);
+    byte = static_cast<std::uint8_t>(marked ? byte | Recall::anew : byte & ~Recall::anew);
+  }
 }
 
 // What inputs and runs ask for.
@@ -121,10 +169,9 @@ inline bool Engine::set_value(Index state, std::int32_t value) {
 
 /// As long as a value stays where no condition flips, nobody has to look at the conditions.
 inline bool Engine::assign(Index state, std::int32_t value) {
-  const std::int32_t before = s_.values[state];
-  if (before == value) return false;
+  if (s_.values[state] == value) return false;
   s_.values[state] = value;
-  if (!s_.calm[state].has(value)) flip(state, before);
+  if (!s_.calm[state].has(value)) look_at_conditions(state, true);
   return true;
 }
 
@@ -144,7 +191,7 @@ inline void Engine::end_micro_step() {
   Counters& c = *s_.counters;
   c.unsettled = false;
   if (c.work_count != 0) {
-    arbitrate();
+    if (c.work_count != 1 || !recall_.on() || !retrace()) arbitrate();
   } else if (c.touched_count != 0) {
     act_on_touched();
   }

@@ -44,6 +44,8 @@ enum class Fault : unsigned char {
   conditions_are_overlooked,
   enabling_is_overlooked,
   a_rest_is_overlooked, // what was decided meanwhile
+  // and of what follows from a known move
+  handlers_are_overlooked,
   count
 };
 

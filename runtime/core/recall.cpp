@@ -3,7 +3,7 @@
 
 namespace director {
 
-static_assert(sizeof(Recall::Move) == 4 && sizeof(Recall::Difference) == 16 && sizeof(Recall::Head) == 8);
+static_assert(sizeof(Recall::Move) == 48 && sizeof(Recall::Head) == 8);
 
 namespace {
 #ifdef DIRECTOR_PLANTED_FAULTS // so little that random cases need more
@@ -13,11 +13,6 @@ constexpr std::uint16_t least_rest = 3;
 constexpr std::size_t room_for_decisions = Recall::most_decisions, room_for_moves = Recall::most_moves;
 constexpr std::uint16_t least_rest = Recall::rest;
 #endif
-
-constexpr Recall::Word mix(Recall::Word digest, Recall::Word word) {
-  digest = (digest ^ word) * 0x9e3779b97f4a7c15U;
-  return digest ^ digest >> 32;
-}
 
 /// Both can have one urgency: then it counts which was asked for first.
 bool can_tie(const Tables& t, const Edge& a, const Edge& b) {
@@ -29,23 +24,6 @@ bool can_tie(const Tables& t, const Edge& a, const Edge& b) {
   return false;
 }
 } // namespace
-
-std::size_t Recall::Part::find() const {
-  const std::uint8_t from = head->current;
-  Word found = from;
-  for (std::size_t i = 0; i < words; ++i) found = mix(found, question[i]);
-  const auto is_it = [&](std::size_t place) {
-    if (move[place].from != from) return false;
-    const Word* const situation = asked + place * words;
-    for (std::size_t i = 0; i < words; ++i) {
-      if (situation[i] != question[i]) return false;
-    }
-    return true;
-  };
-  std::size_t place = found % places;
-  while (move[place].from != unknown && !is_it(place)) place = (place + 1) % places;
-  return place;
-}
 
 std::uint8_t Recall::Part::number_spare() const {
   const Index* const given = spare();
@@ -73,7 +51,7 @@ void Recall::Part::forget() const {
   head->current = unknown;
   head->decisions = head->moves = 0;
   head->used = 0;
-  for (std::size_t i = 0; i < places; ++i) move[i] = Move{};
+  for (std::size_t i = 0; i < places; ++i) move(i) = Move{};
 }
 
 void Recall::Part::make_room() const {

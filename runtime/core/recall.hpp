@@ -14,6 +14,13 @@
 
 namespace director {
 
+/// Bits of Recall::Move.
+namespace moved {
+inline constexpr std::uint8_t on_last = 1, on_stale = 2; ///< what the pass depends on
+inline constexpr std::uint8_t other_decision = 4, stops = 8;
+inline constexpr std::uint8_t other_order = 16, other_plans = 32;
+} // namespace moved
+
 class Recall {
 public:
   using Word = std::uint64_t;
@@ -27,17 +34,30 @@ public:
   static constexpr std::uint8_t anew = 128;         ///< of an edge's byte: it is asked for anew
   static constexpr std::uint8_t unknown = 255;      ///< instead of a decision's number
 
+  /// What differs between two decisions.
+  struct Difference {
+    Word groups = 0; ///< a bit for each, as in Component::groups
+    Word edges = 0;  ///< likewise; from the 65th on they share bits
+    Word counts = 0; ///< a bit for each group: whether it counted that its orders are outdated
+  };
+  /// What acting on the difference comes to, where it is short: whom it stops, in the old order, and behind these whom
+  /// it gives a reason to run, in the new order.
+  struct Acts {
+    static constexpr std::size_t most = 7;
+    static constexpr std::uint8_t in_full = 128; ///< with its reasons: a handler or a period has to be looked at
+    std::uint8_t stops = 0;
+    std::uint8_t gives = unknown;    ///< unknown: look at the difference
+    std::uint8_t group[most] = {};   ///< its place in Component::groups
+    std::uint8_t reasons[most] = {}; ///< bits of Reason
+  };
   /// What follows from a decision in a situation.
   struct Move {
     std::uint8_t from = unknown; ///< unknown: the row is free
     std::uint8_t to = unknown;
-    std::uint8_t bits = 0; ///< of the engine: what it has to know
+    std::uint8_t bits = 0; ///< of `moved`
     bool compared = false; ///< the difference is known
-  };
-  /// What differs between the two.
-  struct Difference {
-    Word groups = 0; ///< a bit for each, as in Component::groups
-    Word edges = 0;  ///< likewise; from the 65th on they share bits
+    Acts acts;
+    Difference difference;
   };
   struct Head {
     std::uint8_t current = unknown; ///< the decision that stands
@@ -50,18 +70,37 @@ public:
   /// One component's part.
   struct Part {
     Head* head = nullptr; ///< null: it has none
-    Move* move = nullptr;
-    Difference* difference = nullptr; ///< of each move
-    Word* digest = nullptr;           ///< of each decision
-    Word* ties = nullptr;             ///< a bit for each edge, as in Component::edges: a sibling can tie with it
-    Word* question = nullptr;         ///< the situation in hand
-    Word* asked = nullptr;            ///< the situation of each move
-    Index* decision = nullptr;        ///< row after row
-    std::size_t words = 0;            ///< of a situation
-    std::size_t rows = 0;             ///< of a decision
+    Word* digest = nullptr;    ///< of each decision
+    Word* ties = nullptr;      ///< a bit for each edge, as in Component::edges: a sibling can tie with it
+    Word* question = nullptr;  ///< the situation in hand
+    Word* moves = nullptr;     ///< each with its situation
+    Index* decision = nullptr; ///< row after row
+    std::size_t words = 0;     ///< of a situation
+    std::size_t rows = 0;      ///< of a decision
 
+    Move& move(std::size_t place) const {
+      return *reinterpret_cast<Move*>(moves + place * (move_words + words)); // reset() and learning write them
+    }
+    bool is_asked(std::size_t place, std::uint8_t from) const {
+      if (move(place).from != from) return false;
+      const Word* const situation = asked(place);
+      for (std::size_t i = 0; i < words; ++i) {
+        if (situation[i] != question[i]) return false;
+      }
+      return true;
+    }
+    Word* asked(std::size_t place) const { return moves + place * (move_words + words) + move_words; }
+    /// The situation in hand, a byte for each edge, group and condition of the component.
+    std::uint8_t* bytes() const { return reinterpret_cast<std::uint8_t*>(question); }
     /// The place of the move from the decision that stands, in the situation in hand; a free one if it is not known.
-    std::size_t find() const;
+    std::size_t find() const {
+      const std::uint8_t from = head->current;
+      Word digest_of_it = from;
+      for (std::size_t i = 0; i < words; ++i) digest_of_it = mix(digest_of_it, question[i]);
+      std::size_t place = digest_of_it % places;
+      while (move(place).from != unknown && !is_asked(place, from)) place = (place + 1) % places;
+      return place;
+    }
     const Index* row(std::size_t number) const { return decision + number * rows; }
     /// Here a decision is written that may be a new one; there is room while it is not full().
     Index* spare() const { return decision + head->decisions * rows; }
@@ -91,17 +130,17 @@ public:
     return on() && entries_[component].begin != 0 ? part_at(entries_[component]) : Part{};
   }
 
-  // The situation, a byte for each thing. Only while it is on().
+  /// The bytes of a component's situation; null: it has no part.
+  std::uint8_t* situation(Index component) const { return part(component).bytes(); }
+  /// The byte of an edge in the situation in hand. Only while it is on().
   std::uint8_t& edge(Index e) const { return bytes_[edge_place_[e]]; }
-  /// Of the groups and then the conditions of a component that has a part.
-  std::uint8_t* groups(Index component, const Tables& t) const {
-    return bytes_ + edge_place_[t.lists[t.components[component].edges.begin]] + t.components[component].edges.size();
-  }
-  std::uint8_t* conditions(Index component, const Tables& t) const {
-    return groups(component, t) + t.components[component].groups.size();
-  }
 
 private:
+  static constexpr Word mix(Word digest, Word word) {
+    digest = (digest ^ word) * 0x9e3779b97f4a7c15U;
+    return digest ^ digest >> 32;
+  }
+
   /// Of one component, in words but for `rows`.
   struct Size {
     std::size_t question = 0, ties = 0, rows = 0;
@@ -109,7 +148,8 @@ private:
       return question == 0 ? 0 : fixed + ties + question * (1 + places) + most_decisions * rows / 2;
     }
   };
-  static constexpr std::size_t fixed = 1 + places / 2 + 2 * places + most_decisions;
+  static constexpr std::size_t move_words = sizeof(Move) / sizeof(Word);
+  static constexpr std::size_t fixed = 1 + move_words * places + most_decisions;
   struct Entry {
     std::uint32_t begin = 0; ///< word; 0: the component has no part
     std::uint16_t question = 0, rows = 0;
@@ -145,8 +185,8 @@ private:
     };
     part.words = entry.question;
     part.rows = entry.rows;
-    take(part.head, 1), take(part.move, places), take(part.difference, places), take(part.digest, most_decisions);
-    take(part.ties, ties_of(part.words)), take(part.question, part.words), take(part.asked, part.words * places);
+    take(part.head, 1), take(part.digest, most_decisions), take(part.ties, ties_of(part.words));
+    take(part.question, part.words), take(part.moves, (move_words + part.words) * places);
     take(part.decision, most_decisions * part.rows);
     return part;
   }

@@ -12,11 +12,6 @@
 namespace director {
 
 namespace {
-/// Bits of Recall::Move.
-constexpr std::uint8_t on_last = 1, on_stale = 2; ///< what the pass depends on
-constexpr std::uint8_t other_decision = 4, stops = 8;
-constexpr std::uint8_t other_order = 16, other_plans = 32, other_counts = 64;
-
 // A decision is written down as the groups' standings, a bit for each whose outdated orders counted, why each edge is
 // queued, the order, and the plans.
 constexpr std::size_t standing_rows = 7;
@@ -25,14 +20,32 @@ constexpr std::size_t why_rows = 2;
 
 Standing standing(const Index* row) { return {row[0], row[1], row[2], row[3], {row[4], row[5], row[6]}}; }
 
-bool counts(const Index* rows, std::size_t place) { return (rows[place / 16] >> place % 16 & 1) != 0; }
-
 /// Calls visit(place) for each bit.
 template <class Visit>
 void each_bit(Recall::Word bits, Visit&& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 } // namespace
+
+/// Completes the situation. False: its bytes do not tell all of it.
+DIRECTOR_INLINE bool Engine::ask(Index component, const Recall::Part& known) {
+  const Component& row = t_.components[component];
+  std::uint8_t* at = known.bytes() + row.edges.size();
+  const Bits* const pending = s_.pending;
+  for (const Index g : t_.list(row.groups))
+    *at++ = planted(Fault::reasons_are_overlooked) ? std::uint8_t{0} : pending[g] & reason::outdating;
+  return !known.head->ties || in_order(component, known);
+}
+
+/// True if it leads to another decision.
+DIRECTOR_INLINE bool Engine::recall_move(Index component, const Recall::Part& known, const Recall::Move& move) {
+  ++recalled_;
+  Recall::Head& head = *known.head;
+  if (head.used != 0xffff) ++head.used;
+  recall_decision((move.bits & moved::on_last) != 0, (move.bits & moved::on_stale) != 0);
+  head.current = move.to;
+  return move.to != move.from && go(component, move, known.row(move.to));
+}
 
 /// True if what is decided is another decision.
 bool Engine::settle(Index component, bool& any_stops) {
@@ -43,23 +56,15 @@ bool Engine::settle(Index component, bool& any_stops) {
     --head.rest;
     return settle_by_pass(component, any_stops);
   }
-  std::uint8_t* at = recall_.groups(component, t_);
-  for (const Index g : t_.list(t_.components[component].groups))
-    *at++ = planted(Fault::reasons_are_overlooked) ? std::uint8_t{0} : s_.pending[g] & outdating;
-  const bool told = !head.ties || in_order(component, known);
+  const bool told = ask(component, known);
   std::size_t place = Recall::places;
   if (told && head.current != Recall::unknown) {
     place = known.find();
-    Recall::Move& move = known.move[place];
+    Recall::Move& move = known.move(place);
     if (move.from != Recall::unknown) {
-      ++recalled_;
-      if (head.used != 0xffff) ++head.used;
-      recall_decision((move.bits & on_last) != 0, (move.bits & on_stale) != 0);
-      head.current = move.to;
-      if (move.to == move.from) return false;
-      if (!move.compared) known.difference[place] = compare(component, known, move);
-      any_stops = any_stops || (move.bits & stops) != 0;
-      return go(component, known, move, known.difference[place]);
+      if (!move.compared) compare(component, known, move);
+      any_stops = any_stops || (move.bits & moved::stops) != 0;
+      return recall_move(component, known, move);
     }
   }
   const bool other = settle_by_pass(component, any_stops);
@@ -69,6 +74,26 @@ bool Engine::settle(Index component, bool& any_stops) {
     head.current = Recall::unknown;
   }
   return other;
+}
+
+/// As arbitrate(), where only one component is to be decided, it was in this situation before, and what followed is
+/// written down. False: nothing was done.
+bool Engine::retrace() {
+  const Index component = s_.work[0];
+  const Recall::Part known = recall_.part(component);
+  if (known.head == nullptr || known.head->rest != 0 || known.head->current == Recall::unknown ||
+      !needs_pass(s_.component[component]))
+    return false;
+  note_asked(true);
+  const Recall::Move* move = ask(component, known) ? &known.move(known.find()) : nullptr;
+  note_asked(false);
+  if (move == nullptr || move->acts.gives == Recall::unknown) return false;
+  if (observed()) remember_queued(component);
+  differing_ = 0;
+  note_settled(component, recall_move(component, known, *move));
+  act(component, *move);
+  forget_work();
+  return true;
 }
 
 bool Engine::settle_by_pass(Index component, bool& any_stops) {
@@ -93,45 +118,43 @@ bool Engine::in_order(Index component, const Recall::Part& known) const {
 }
 
 /// To another decision, as a pass and changed() would leave it. What a pass writes besides is used by nobody.
-bool Engine::go(Index component, const Recall::Part& known, Recall::Move move, Recall::Difference difference) {
+bool Engine::go(Index component, const Recall::Move& move, const Index* at) {
   const Component& row = t_.components[component];
   const std::span<const Index> groups = t_.list(row.groups), edges = t_.list(row.edges);
-  const Index* at = known.row(move.to);
-  each_bit(difference.groups, [&](std::size_t place) {
+  each_bit(move.difference.groups, [&](std::size_t place) {
     const Index group = groups[place];
     s_.now[group] = standing(at + standing_rows * place);
     s_.group_marks[group] |= mark::differs;
     s_.differing[differing_++] = group;
   });
   at += standing_rows * groups.size();
-  if ((move.bits & other_counts) != 0) {
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      s_.in_queue[groups[i]] &= static_cast<std::uint8_t>(~place::counts);
-      if (counts(at, i)) s_.in_queue[groups[i]] |= place::counts;
-    }
-  }
+  each_bit(move.difference.counts, [&](std::size_t place) {
+    Bits& places = s_.in_queue[groups[place]];
+    places = places ^ place::counts;
+  });
   at += count_rows;
-  each_bit(difference.edges, [&](std::size_t place) {
+  each_bit(move.difference.edges, [&](std::size_t place) {
     for (; place < edges.size(); place += 64)
       s_.queued[edges[place]] = {static_cast<Why>(at[why_rows * place]), at[why_rows * place + 1]};
   });
   at += why_rows * edges.size();
-  if ((move.bits & other_order) != 0) {
+  if ((move.bits & moved::other_order) != 0) {
     const Index count = s_.next_count[component] = at[0];
+    Index *const order = s_.next_order + row.order, *const place = s_.place;
     for (Index i = 0; i < count; ++i) {
-      s_.next_order[row.order + i] = at[1 + i];
-      s_.place[at[1 + i]] = i;
+      order[i] = at[1 + i];
+      place[order[i]] = i;
     }
   }
   at += 1 + groups.size();
-  if ((move.bits & other_plans) != 0) {
+  if ((move.bits & moved::other_plans) != 0) {
     for (const Index g : groups) {
       const Range slots = t_.groups[g].slots;
       for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = *at++;
     }
   }
-  if ((move.bits & other_decision) != 0) s_.counters->unsettled = true;
-  return difference.groups != 0;
+  if ((move.bits & moved::other_decision) != 0) s_.counters->unsettled = true;
+  return move.difference.groups != 0;
 }
 
 /// After a pass over a situation that the question tells; `place`: where the move belongs, if it is known from where.
@@ -146,20 +169,21 @@ void Engine::learn(Index component, const Recall::Part& known, std::size_t place
   write(component, known.spare());
   head.current = known.number_spare();
   if (place == Recall::places) return;
-  Recall::Move move{from, head.current, 0, false};
-  if (depends_on_last()) move.bits |= on_last;
-  if (depends_on_stale()) move.bits |= on_stale;
-  known.move[place] = move;
+  Recall::Move& move = known.move(place) = {};
+  move.from = from;
+  move.to = head.current;
+  if (depends_on_last()) move.bits |= moved::on_last;
+  if (depends_on_stale()) move.bits |= moved::on_stale;
   ++head.moves;
-  for (std::size_t i = 0; i < known.words; ++i) known.asked[place * known.words + i] = known.question[i];
+  for (std::size_t i = 0; i < known.words; ++i) known.asked(place)[i] = known.question[i];
 }
 
-/// Between the two decisions of a move, which is told its bits. Only what is recalled has to be compared.
-Recall::Difference Engine::compare(Index component, const Recall::Part& known, Recall::Move& move) const {
+/// The two decisions of a move. Only what is recalled has to be compared.
+void Engine::compare(Index component, const Recall::Part& known, Recall::Move& move) const {
   const Component& row = t_.components[component];
   const std::span<const Index> groups = t_.list(row.groups);
   const Index *from = known.row(move.from), *to = known.row(move.to);
-  Recall::Difference out;
+  Recall::Difference& out = move.difference;
   move.compared = true;
   const auto differ = [&](std::size_t count) {
     bool any = false;
@@ -168,21 +192,51 @@ Recall::Difference Engine::compare(Index component, const Recall::Part& known, R
   };
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const Standing last = standing(from), now = standing(to);
-    if (now.decides_otherwise_than(last)) move.bits |= other_decision;
-    if (now.stops_after(last)) move.bits |= stops;
+    if (now.decides_otherwise_than(last)) move.bits |= moved::other_decision;
+    if (now.stops_after(last)) move.bits |= moved::stops;
     if (differ(standing_rows)) out.groups |= Recall::Word{1} << i;
   }
-  if (differ(count_rows)) move.bits |= other_counts;
+  for (std::size_t i = 0; i < count_rows; ++i) out.counts |= (Recall::Word{*from++} ^ Recall::Word{*to++}) << 16 * i;
   for (std::size_t i = 0; i < row.edges.size(); ++i) {
     if (differ(why_rows)) out.edges |= Recall::Word{1} << i % 64;
   }
-  if (differ(1 + groups.size())) move.bits |= other_order;
+  if (differ(1 + groups.size())) move.bits |= moved::other_order;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (!differ(t_.groups[groups[i]].slots.size())) continue;
     out.groups |= Recall::Word{1} << i;
-    move.bits |= other_plans;
+    move.bits |= moved::other_plans;
   }
-  return out;
+  foresee(component, known, move);
+}
+
+/// What act() would do about the difference. The order stands in a decision behind why each edge is queued.
+void Engine::foresee(Index component, const Recall::Part& known, Recall::Move& move) const {
+  const Component& row = t_.components[component];
+  const std::span<const Index> groups = t_.list(row.groups);
+  const Index *const from = known.row(move.from), *const to = known.row(move.to);
+  const std::size_t order = standing_rows * groups.size() + count_rows + why_rows * row.edges.size();
+  Recall::Acts acts;
+  std::size_t count = 0;
+  bool room = true;
+  const auto each_that = [&](const Index* decision, auto&& does) {
+    for (Index i = 0; i < decision[order]; ++i) {
+      std::uint8_t place = 0;
+      while (groups[place] != decision[order + 1 + i]) ++place;
+      if ((move.difference.groups >> place & 1) == 0) continue;
+      const Standing last = standing(from + standing_rows * place), now = standing(to + standing_rows * place);
+      if (!does(last, now)) continue;
+      room = room && count < Recall::Acts::most;
+      if (!room) return;
+      const bool more = takes_more(groups[place], last, now) && !planted(Fault::handlers_are_overlooked);
+      acts.group[count] = place;
+      acts.reasons[count++] = reasons(last, now) | (more ? Recall::Acts::in_full : std::uint8_t{0});
+    }
+  };
+  each_that(from, [](const Standing& last, const Standing& now) { return now.stops_after(last); });
+  acts.stops = static_cast<std::uint8_t>(count);
+  each_that(to, [](const Standing&, const Standing& now) { return now.granted(); });
+  acts.gives = static_cast<std::uint8_t>(count - acts.stops);
+  if (room) move.acts = acts;
 }
 
 /// A decision, as rows.
@@ -219,10 +273,12 @@ void Engine::forget_decisions(Index component) {
 void Engine::note_condition(Index condition) {
   if (!recall_.on() || planted(Fault::conditions_are_overlooked)) return;
   for (const Index component : t_.list(t_.conditions[condition].components)) {
-    if (recall_.part(component).head == nullptr) continue;
-    std::uint8_t* at = recall_.conditions(component, t_);
-    for (const Index each : t_.list(t_.components[component].conditions)) {
-      if (each == condition) *at = s_.truth[condition];
+    std::uint8_t* at = recall_.situation(component);
+    if (at == nullptr) continue;
+    const Component& row = t_.components[component];
+    at += row.edges.size() + row.groups.size();
+    for (const Index each : t_.list(row.conditions)) {
+      if (each == condition) *at = holds(condition) ? 1 : 0;
       ++at;
     }
   }

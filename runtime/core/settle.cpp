@@ -9,13 +9,6 @@
 
 namespace director {
 
-namespace {
-bool needs_pass(std::uint8_t bits) {
-  constexpr std::uint8_t outdated = work::stale_counts | work::stale_changed;
-  return (bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated;
-}
-} // namespace
-
 void Engine::arbitrate() {
   Counters& c = *s_.counters;
   forget_work();
@@ -26,25 +19,11 @@ void Engine::arbitrate() {
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
     if (observed()) remember_queued(component);
-    const bool other = settle(component, stops);
-    auto bits = static_cast<std::uint8_t>((s_.component[component] & work::reordered) | work::listed | work::passed);
-    if (depends_on_stale()) bits |= work::stale_counts;
-    if (((bits ^ s_.component[component]) & work::stale_counts) != 0) watch(component, depends_on_stale());
-    if (other && (depends_on_last() || depends_on_stale())) bits |= work::unsettled;
-    s_.component[component] = bits;
+    note_settled(component, settle(component, stops));
   }
   note_asked(false);
   act(passes, stops);
   forget_work();
-}
-
-/// Marks what is asked for anew, where it is looked up what was decided before; or takes the marks away.
-DIRECTOR_INLINE void Engine::note_asked(bool marked) {
-  if (!recall_.on() || planted(Fault::news_are_overlooked)) return;
-  for (Index i = 0; i < s_.counters->asked_count; ++i) {
-    std::uint8_t& byte = recall_.edge(s_.asked[i]);
-    byte = static_cast<std::uint8_t>(marked ? byte | Recall::anew : byte & ~Recall::anew);
-  }
 }
 
 /// Tells every group whether somebody has to hear when its orders are outdated.
@@ -53,22 +32,6 @@ void Engine::watch(Index component, bool watched) {
     s_.in_queue[g] &= static_cast<std::uint8_t>(~place::watched);
     if (watched) s_.in_queue[g] |= place::watched;
   }
-}
-
-/// Leaves in State::work what the next arbitration has to look at.
-void Engine::forget_work() {
-  Counters& c = *s_.counters;
-  Index left = 0;
-  for (Index i = 0; i < c.work_count; ++i) {
-    const Index component = s_.work[i];
-    s_.component[component] &= static_cast<std::uint8_t>(~work::passed);
-    if (needs_pass(s_.component[component])) {
-      s_.work[left++] = component;
-    } else {
-      s_.component[component] &= work::stale_counts | work::reordered;
-    }
-  }
-  c.work_count = left;
 }
 
 /// Is the new assignment another one? In what the page calls a change (holders, providers, who is granted, pushes), it

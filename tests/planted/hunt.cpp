@@ -66,6 +66,7 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
     {"recall", "what is true belongs to the situation"},
     {"recall", "who is enabled belongs to the situation"},
     {"recall", "what stands after a rest is not known"},
+    {"recall", "who starts has a handler and a period"},
 }};
 
 /// The number of the case that shows the fault in hand; 0: none does.
