@@ -10,15 +10,15 @@ namespace director::checks {
 namespace {
 
 /// The condition with which nothing is left, and the earlier ones that it clashes with.
-struct Clash {
+struct Contradiction {
   ConditionUse last{};
   std::vector<ConditionUse> others;
 };
 
-Clash find_clash(const Model& model, const Impossible& fault) {
+Contradiction find_contradiction(const Model& model, const Impossible& fault) {
   const auto accepted = [&](const ConditionUse& use) { return model.conditions[use.id].accepts; };
   ValueSet left = model.states[fault.state].domain();
-  Clash clash;
+  Contradiction clash;
   for (const ConditionUse& use : fault.uses) {
     clash.last = use;
     left = left.intersected(accepted(use));
@@ -42,7 +42,7 @@ void contradictory_when(const Input& input, Findings& findings) {
   const Model& model = input.model;
   for (const Impossible& fault : input.facts.impossible) {
     if (fault.why != Impossible::Why::contradictory) continue;
-    const Clash clash = find_clash(model, fault);
+    const Contradiction clash = find_contradiction(model, fault);
     const std::string last = name_of(model, clash.last.id);
     const std::string word = fault.stay ? "stay" : "when";
     if (clash.others.empty()) {

@@ -16,7 +16,7 @@ namespace {
 using dsl::Diagnostic;
 
 /// Two needs of a provider, and a group that neither can do without.
-struct Clash {
+struct CommonGroup {
   const Use<GroupId>* first = nullptr;
   const Use<GroupId>* second = nullptr;
   GroupId group{};
@@ -27,8 +27,9 @@ struct Clash {
 constexpr int most_compared = 200;
 
 /// The one with the shortest chains, of these the first.
-std::optional<Clash> find_clash(const Model& model, const Provider& provider, const Indispensable& indispensable) {
-  std::optional<Clash> best;
+std::optional<CommonGroup> find_common_group(const Model& model, const Provider& provider,
+                                             const Indispensable& indispensable) {
+  std::optional<CommonGroup> best;
   std::size_t length = 0;
   int compared = 0;
   for (std::size_t j = 1; j < provider.needs.size(); ++j) {
@@ -37,7 +38,7 @@ std::optional<Clash> find_clash(const Model& model, const Provider& provider, co
       const Use<GroupId>& b = provider.needs[j];
       for (const GroupId group : indispensable.in_common(a.id, b.id)) { // none in a cycle, which is reported as one
         if (compared++ == most_compared) return best;
-        Clash clash{&a, &b, group, need_path(model, a.id, group), need_path(model, b.id, group)};
+        CommonGroup clash{&a, &b, group, need_path(model, a.id, group), need_path(model, b.id, group)};
         const std::size_t steps = clash.from_first.size() + clash.from_second.size();
         if (best && steps >= length) continue;
         length = steps;
@@ -48,7 +49,7 @@ std::optional<Clash> find_clash(const Model& model, const Provider& provider, co
   return best;
 }
 
-void report_clash(const Model& model, ProviderId id, const Clash& clash, Findings& findings) {
+void report_common_group(const Model& model, ProviderId id, const CommonGroup& clash, Findings& findings) {
   const std::string provider = name_of(model, id);
   if (clash.first->id == clash.second->id) {
     Diagnostic& twice =
@@ -116,8 +117,8 @@ void needs_conflict(const Input& input, Findings& findings) {
   const std::vector<ProviderId> conflicts = find_need_conflicts(model, input.facts);
   if (conflicts.empty()) return;
   for (const ProviderId id : conflicts) {
-    if (const auto clash = find_clash(model, model.providers[id], input.shared.indispensable())) {
-      report_clash(model, id, *clash, findings);
+    if (const auto clash = find_common_group(model, model.providers[id], input.shared.indispensable())) {
+      report_common_group(model, id, *clash, findings);
     } else if (input.facts.plans[id] == PlanVerdict::none) {
       report_crowd(model, id, input.shared.indispensable(), findings);
     } else {

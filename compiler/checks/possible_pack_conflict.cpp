@@ -49,7 +49,7 @@ std::optional<GroupId> group_in_common(const Way& a, const Way& b) {
 }
 
 /// Two ways that want one group, one for each of two members.
-struct Clash {
+struct ClashingWays {
   const Way* first = nullptr;
   const Way* second = nullptr;
   const Way* first_instead = nullptr; ///< two that do not
@@ -70,7 +70,7 @@ public:
     }
   }
 
-  std::optional<Clash> run() const {
+  std::optional<ClashingWays> run() const {
     if (clashing_.empty() || working_.empty()) return std::nullopt;
     if (const Pair* useless = find_useless()) return make(*useless, true);
     std::vector<Region> regions;
@@ -88,7 +88,7 @@ private:
     Region region;
   };
 
-  Clash make(const Pair& pair, bool always) const {
+  ClashingWays make(const Pair& pair, bool always) const {
     return {pair.first, pair.second, working_.front().first, working_.front().second, always};
   }
 
@@ -140,7 +140,7 @@ std::string conditions_in_words(const Model& model, const Way& a, const Way& b) 
   return list_of(things);
 }
 
-void report(const Input& input, const Task& first, const Task& second, const Clash& clash, Findings& findings) {
+void report(const Input& input, const Task& first, const Task& second, const ClashingWays& clash, Findings& findings) {
   const Model& model = input.model;
   const GroupId group = *group_in_common(*clash.first, *clash.second);
   const std::string a = name_of(model, first.target), b = name_of(model, second.target);

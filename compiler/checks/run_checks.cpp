@@ -13,13 +13,12 @@
 namespace director::checks {
 
 using dsl::Diagnostic;
-using dsl::Level;
 
 namespace {
 
 /// A finding in C++ has a note where the thing stands in the YAML: that is the place that an `allow` can cover.
 bool covers(const Allowance& allowance, const Diagnostic& finding) {
-  if (allowance.id.value != finding.id || finding.level == Level::error) return false;
+  if (allowance.id.value != finding.id || finding.level == dsl::Level::error) return false;
   if (allowance.scope.contains(finding.span)) return true;
   const Registered* check = find_registered(finding.id);
   return check != nullptr && check->read_code != nullptr &&
@@ -30,7 +29,7 @@ bool covers(const Allowance& allowance, const Diagnostic& finding) {
 /// It is for `verify`, which says nothing of what the C++ does not show.
 bool is_for_code(const Allowance& allowance) {
   const Registered* check = find_registered(allowance.id.value);
-  return check != nullptr && check->read_code != nullptr && level_of(*check) != Level::error;
+  return check != nullptr && check->read_code != nullptr && level_of(*check) != dsl::Level::error;
 }
 
 /// Drops what the allowances cover, and marks those that covered something.
@@ -49,12 +48,12 @@ void drop_covered(const Model& model, std::vector<Diagnostic>& findings, std::ve
 
 bool names_error(const Allowance& allowance) {
   const Registered* check = find_registered(allowance.id.value);
-  return check != nullptr && level_of(*check) == Level::error;
+  return check != nullptr && level_of(*check) == dsl::Level::error;
 }
 
 Diagnostic unused(const Allowance& allowance) {
   const std::string& id = allowance.id.value;
-  Diagnostic finding{"unused_allow", Level::warning, allowance.id.span, {}, {}, {}};
+  Diagnostic finding{"unused_allow", dsl::Level::warning, allowance.id.span, {}, {}, {}};
   if (names_error(allowance)) {
     finding.message = fmt::format("`{}` is an error, which no `allow` covers", id);
     finding.help = "mend what it reports and remove this";
@@ -67,7 +66,7 @@ Diagnostic unused(const Allowance& allowance) {
 
 /// Whether anybody would hear of what it finds.
 bool is_wanted(const Registered& check, const Selection& selection, const Model& model) {
-  return level_of(check) != Level::lint || selection.every_lint || selection.lints.contains(check.id) ||
+  return level_of(check) != dsl::Level::lint || selection.every_lint || selection.lints.contains(check.id) ||
          std::any_of(model.allowances.begin(), model.allowances.end(),
                      [&](const Allowance& allowance) { return allowance.id.value == check.id; });
 }
@@ -89,9 +88,9 @@ const Registered* find_registered(std::string_view id) {
   return nullptr;
 }
 
-Level level_of(const Registered& check) {
+dsl::Level level_of(const Registered& check) {
   const std::string_view text = header_of(check, "\nLevel: ");
-  for (const Level level : {Level::error, Level::warning, Level::lint}) {
+  for (const dsl::Level level : {dsl::Level::error, dsl::Level::warning, dsl::Level::lint}) {
     if (text == dsl::name_of(level)) return level;
   }
   throw std::logic_error(fmt::format("{}.md says no level", check.id));
@@ -167,13 +166,13 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
 
 std::vector<Diagnostic> apply_selection(const Selection& selection, std::vector<Diagnostic> findings) {
   const auto is_unwanted = [&](const Diagnostic& finding) {
-    if (finding.level != Level::error && selection.allowed.count(finding.id) != 0) return true;
-    return finding.level == Level::lint && !selection.every_lint && selection.lints.count(finding.id) == 0;
+    if (finding.level != dsl::Level::error && selection.allowed.count(finding.id) != 0) return true;
+    return finding.level == dsl::Level::lint && !selection.every_lint && selection.lints.count(finding.id) == 0;
   };
   findings.erase(std::remove_if(findings.begin(), findings.end(), is_unwanted), findings.end());
   for (Diagnostic& finding : findings) {
     const bool asked = selection.every_warning_is_error || selection.warnings_as_errors.count(finding.id) != 0;
-    if (finding.level == Level::warning && asked) finding.level = Level::error;
+    if (finding.level == dsl::Level::warning && asked) finding.level = dsl::Level::error;
   }
   return findings;
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t most_counted = 1'000'000'000;
 
 /// Providers and plans that a task can be met with; `complete` is false where there are more than could be counted.
-struct Ways {
+struct WayCount {
   std::int64_t count = 0;
   bool complete = true;
 };
@@ -25,10 +25,10 @@ class Counter {
 public:
   explicit Counter(const Model& model) : model_(model), ways_(model.groups.size()) {}
 
-  const Ways& of(GroupId group) {
-    std::optional<Ways>& ways = ways_[group];
+  const WayCount& of(GroupId group) {
+    std::optional<WayCount>& ways = ways_[group];
     if (ways) return *ways;
-    ways = Ways{};
+    ways = WayCount{};
     for (const ProviderId provider : model_.groups[group].providers) {
       const std::int64_t most = std::min(model_.trials, most_counted) + 1;
       const PlanCount plans = count_plans(model_, provider, most - std::min(ways->count, most - 1));
@@ -40,7 +40,7 @@ public:
 
 private:
   const Model& model_;
-  IdTable<GroupId, std::optional<Ways>> ways_;
+  IdTable<GroupId, std::optional<WayCount>> ways_;
 };
 
 /// What one decision has to choose for: a task alone, or the members of a unit.
@@ -74,7 +74,7 @@ std::vector<Unit> find_units(const Model& model) {
   return out;
 }
 
-std::string amount(const Ways& ways) {
+std::string amount(const WayCount& ways) {
   return fmt::format("{}{} {}", ways.complete ? "" : "at least ", ways.count, ways.count == 1 ? "way" : "ways");
 }
 
@@ -118,7 +118,7 @@ void unbounded_choice(const Input& input, Findings& findings) {
     std::int64_t product = 1;
     bool complete = true;
     for (const Task* member : unit.members) {
-      const Ways& ways = counter.of(member->target);
+      const WayCount& ways = counter.of(member->target);
       const std::int64_t factor = std::max<std::int64_t>(ways.count, 1);
       product = product > std::numeric_limits<std::int64_t>::max() / factor ? std::numeric_limits<std::int64_t>::max()
                                                                             : product * factor;

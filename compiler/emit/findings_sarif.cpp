@@ -13,7 +13,6 @@ namespace director::compiler {
 
 namespace {
 
-Json number(std::size_t value) { return Json::number(static_cast<std::int64_t>(value)); }
 Json message(std::string_view text) { return Json::object({{"text", Json::text(text)}}); }
 
 std::string_view level_name(dsl::Level level) {
@@ -46,7 +45,7 @@ public:
 
   Json result(const dsl::Diagnostic& finding, std::size_t rule) {
     Json out = Json::object({{"ruleId", Json::text(finding.id)},
-                             {"ruleIndex", number(rule)},
+                             {"ruleIndex", Json::count(rule)},
                              {"level", Json::text(level_name(finding.level))}});
     out.add("message", message(finding.help.empty() ? finding.message : finding.message + "\nhelp: " + finding.help));
     out.add("locations", Json::list({location(finding.span)}));
@@ -85,9 +84,9 @@ private:
     const dsl::SourceFile& file = sources_[span.file];
     const dsl::Place begin = file.place(span.begin), end = file.place(span.end);
     Json region = Json::object({{"startLine", Json::number(begin.line)},
-                                {"startColumn", number(character(file, begin))},
+                                {"startColumn", Json::count(character(file, begin))},
                                 {"endLine", Json::number(end.line)},
-                                {"endColumn", number(character(file, end))}});
+                                {"endColumn", Json::count(character(file, end))}});
     Json physical = Json::object({{"artifactLocation", Json::object({{"uri", Json::text(uri(file.path()))}})}});
     physical.add("region", std::move(region));
     return Json::object({{"physicalLocation", std::move(physical)}});

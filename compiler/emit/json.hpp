@@ -17,6 +17,7 @@ public:
   Json() = default; ///< null
   static Json boolean(bool value);
   static Json number(std::int64_t value);
+  static Json count(std::size_t value) { return number(static_cast<std::int64_t>(value)); }
   static Json text(std::string_view value); ///< UTF-8; what is not becomes U+FFFD
   static Json list(std::vector<Json> items);
   static Json texts(const std::vector<std::string>& values); ///< a list of them

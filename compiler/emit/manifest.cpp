@@ -12,8 +12,6 @@ namespace director::compiler {
 
 namespace {
 
-Json number(std::size_t value) { return Json::number(static_cast<std::int64_t>(value)); }
-
 Json file_row(const std::string& path, const std::string& text) {
   return Json::object({{"path", Json::text(path)}, {"sha256", Json::text(sha256(text))}});
 }
@@ -30,9 +28,9 @@ Json inputs(const Deployment& from) {
 /// Bytes; the same on every machine, since the tables' numbers have fixed sizes.
 Json memory(const Tables& tables) {
   const Shape shape = Shape::of(tables);
-  return Json::object({{"decision_state", number(director::State::decision_bytes(shape))},
-                       {"engine", number(director::State::bytes(shape))},
-                       {"recall", number(director::Recall::bytes(tables))}});
+  return Json::object({{"decision_state", Json::count(director::State::decision_bytes(shape))},
+                       {"engine", Json::count(director::State::bytes(shape))},
+                       {"recall", Json::count(director::Recall::bytes(tables))}});
 }
 
 /// What `directorc check --verbose` prints; docs/integration.md says why each is a bound.
@@ -75,11 +73,11 @@ std::string manifest(const Deployment& deployment, const std::vector<Written>& w
   out.add("director", Json::text(version()));
   out.add("inputs", inputs(deployment));
   out.add("outputs", std::move(outputs));
-  out.add("size", Json::object({{"groups", number(shape.groups)},
-                                {"providers", number(shape.providers)},
-                                {"edges", number(shape.edges)},
-                                {"states", number(shape.states)},
-                                {"conditions", number(shape.conditions)}}));
+  out.add("size", Json::object({{"groups", Json::count(shape.groups)},
+                                {"providers", Json::count(shape.providers)},
+                                {"edges", Json::count(shape.edges)},
+                                {"states", Json::count(shape.states)},
+                                {"conditions", Json::count(shape.conditions)}}));
   out.add("bytes", memory(tables));
   out.add("bounds", bounds(deployment, tables));
   out.add("places", places(deployment, written));

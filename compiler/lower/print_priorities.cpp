@@ -25,9 +25,9 @@ bool goes_before(const Ranked& a, const Ranked& b) {
   return a.level.priority > b.level.priority;
 }
 
-class Printer {
+class PrioritiesPrinter {
 public:
-  explicit Printer(const Model& model) : model_(model) {}
+  explicit PrioritiesPrinter(const Model& model) : model_(model) {}
 
   std::string print() {
     out_ += "priorities\n";
@@ -106,6 +106,6 @@ private:
 
 } // namespace
 
-std::string print_priorities(const Model& model) { return Printer(model).print(); }
+std::string print_priorities(const Model& model) { return PrioritiesPrinter(model).print(); }
 
 } // namespace director::compiler

@@ -13,9 +13,12 @@ namespace director::compiler {
 
 namespace {
 
-class Printer {
+class TablesPrinter {
 public:
-  Printer(const Model& model, const Lowered& lowered) : model_(model), lowered_(lowered), tables_(lowered.view()) {}
+  TablesPrinter(const Model& model, const Lowered& lowered)
+      : model_(model),
+        lowered_(lowered),
+        tables_(lowered.view()) {}
 
   std::string print() {
     line("tables of {}", model_.name);
@@ -177,6 +180,6 @@ private:
 
 } // namespace
 
-std::string print_tables(const Model& model, const Lowered& lowered) { return Printer(model, lowered).print(); }
+std::string print_tables(const Model& model, const Lowered& lowered) { return TablesPrinter(model, lowered).print(); }
 
 } // namespace director::compiler

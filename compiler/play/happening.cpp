@@ -10,22 +10,20 @@ namespace director::compiler {
 
 namespace {
 
-using Kind = Happening::Kind;
-
-std::string_view name_of(Kind kind) {
+std::string_view name_of(Happening::Kind kind) {
   switch (kind) {
-  case Kind::input: return "input";
-  case Kind::run: return "run";
-  case Kind::start: return "start";
-  case Kind::stop: return "stop";
-  case Kind::done: return "done";
-  case Kind::failed: return "failed";
-  case Kind::broken: return "broken";
-  case Kind::budget_exhausted: return "budget_exhausted";
-  case Kind::queue: return "queue";
-  case Kind::push: return "push";
-  case Kind::release: return "release";
-  case Kind::set: break;
+  case Happening::Kind::input: return "input";
+  case Happening::Kind::run: return "run";
+  case Happening::Kind::start: return "start";
+  case Happening::Kind::stop: return "stop";
+  case Happening::Kind::done: return "done";
+  case Happening::Kind::failed: return "failed";
+  case Happening::Kind::broken: return "broken";
+  case Happening::Kind::budget_exhausted: return "budget_exhausted";
+  case Happening::Kind::queue: return "queue";
+  case Happening::Kind::push: return "push";
+  case Happening::Kind::release: return "release";
+  case Happening::Kind::set: break;
   }
   return "set";
 }
@@ -46,20 +44,20 @@ Json value_of(const Happening& happening) {
 
 std::string to_text(const Happening& happening) {
   switch (happening.kind) {
-  case Kind::input: return "> " + happening.words;
-  case Kind::run: return fmt::format("run {} {}", short_name(happening), fmt::join(happening.reasons, "+"));
-  case Kind::broken: return "broken " + short_name(happening);
-  case Kind::budget_exhausted: return "budget_exhausted";
-  case Kind::queue: return fmt::format("queue {}>{}: {}", happening.from, happening.group, happening.words);
-  case Kind::push:
+  case Happening::Kind::input: return "> " + happening.words;
+  case Happening::Kind::run: return fmt::format("run {} {}", short_name(happening), fmt::join(happening.reasons, "+"));
+  case Happening::Kind::broken: return "broken " + short_name(happening);
+  case Happening::Kind::budget_exhausted: return "budget_exhausted";
+  case Happening::Kind::queue: return fmt::format("queue {}>{}: {}", happening.from, happening.group, happening.words);
+  case Happening::Kind::push:
     return fmt::format("push {}.{} for {}>{}", happening.group, happening.provider, happening.from, happening.words);
-  case Kind::set:
+  case Happening::Kind::set:
     return happening.value ? fmt::format("set {} {}", happening.state, *happening.value) : "unset " + happening.state;
-  case Kind::start:
-  case Kind::stop:
-  case Kind::done:
-  case Kind::failed:
-  case Kind::release: break;
+  case Happening::Kind::start:
+  case Happening::Kind::stop:
+  case Happening::Kind::done:
+  case Happening::Kind::failed:
+  case Happening::Kind::release: break;
   }
   return fmt::format("{} {}", name_of(happening.kind), happening.group);
 }
@@ -67,29 +65,31 @@ std::string to_text(const Happening& happening) {
 std::string to_json(const Happening& happening) {
   Json json = Json::object({{"step", Json::number(happening.step)}, {"event", text(name_of(happening.kind))}});
   switch (happening.kind) {
-  case Kind::input: json.add("input", text(happening.words)); break;
-  case Kind::run: {
+  case Happening::Kind::input: json.add("input", text(happening.words)); break;
+  case Happening::Kind::run: {
     std::vector<Json> reasons;
     for (const std::string& reason : happening.reasons) reasons.push_back(text(reason));
     json.add("group", text(happening.group)).add("provider", text(happening.provider));
     json.add("reasons", Json::list(std::move(reasons)));
     break;
   }
-  case Kind::broken: json.add("group", text(happening.group)).add("provider", text(happening.provider)); break;
-  case Kind::budget_exhausted: break;
-  case Kind::queue:
+  case Happening::Kind::broken:
+    json.add("group", text(happening.group)).add("provider", text(happening.provider));
+    break;
+  case Happening::Kind::budget_exhausted: break;
+  case Happening::Kind::queue:
     json.add("from", text(happening.from)).add("group", text(happening.group)).add("why", text(happening.words));
     break;
-  case Kind::push:
+  case Happening::Kind::push:
     json.add("group", text(happening.group)).add("provider", text(happening.provider));
     json.add("for", text(happening.from + ">" + happening.words));
     break;
-  case Kind::set: json.add("state", text(happening.state)).add("value", value_of(happening)); break;
-  case Kind::start:
-  case Kind::stop:
-  case Kind::done:
-  case Kind::failed:
-  case Kind::release: json.add("group", text(happening.group)); break;
+  case Happening::Kind::set: json.add("state", text(happening.state)).add("value", value_of(happening)); break;
+  case Happening::Kind::start:
+  case Happening::Kind::stop:
+  case Happening::Kind::done:
+  case Happening::Kind::failed:
+  case Happening::Kind::release: json.add("group", text(happening.group)); break;
   }
   return to_line(json);
 }

@@ -11,7 +11,7 @@ namespace director::compiler {
 
 namespace {
 
-using Kind = dsl::InputSpec::Kind;
+using InputKind = dsl::InputSpec::Kind;
 
 std::size_t records_of(const ScenarioInput& input) {
   return std::max({std::size_t{1}, input.requests.size(), input.set.size()});
@@ -124,7 +124,7 @@ private:
   std::vector<Input> records(const ScenarioInput& input) {
     std::vector<Input> out;
     switch (input.kind) {
-    case Kind::request:
+    case InputKind::request:
       for (const Asked& asked : input.requests) {
         Input request = record(Input::Kind::request, asked.edge.value);
         request.level = static_cast<Index>(tables_.edges[request.thing].levels.begin + asked.level);
@@ -132,17 +132,17 @@ private:
         out.push_back(request);
       }
       break;
-    case Kind::set:
+    case InputKind::set:
       for (const Setting& setting : input.set) {
         Input set = record(Input::Kind::set, setting.state.value);
         set.value = static_cast<std::int32_t>(setting.value);
         out.push_back(set);
       }
       break;
-    case Kind::cancel: out.push_back(record(Input::Kind::cancel, input.root.value)); break;
-    case Kind::trigger: out.push_back(record(Input::Kind::fire, input.trigger.value)); break;
-    case Kind::enable: out.push_back(record(Input::Kind::enable, input.provider.value)); break;
-    case Kind::disable: out.push_back(record(Input::Kind::disable, input.provider.value)); break;
+    case InputKind::cancel: out.push_back(record(Input::Kind::cancel, input.root.value)); break;
+    case InputKind::trigger: out.push_back(record(Input::Kind::fire, input.trigger.value)); break;
+    case InputKind::enable: out.push_back(record(Input::Kind::enable, input.provider.value)); break;
+    case InputKind::disable: out.push_back(record(Input::Kind::disable, input.provider.value)); break;
     }
     for (std::size_t i = 0; i + 1 < out.size(); ++i) out[i].more = true;
     return out;

@@ -85,8 +85,6 @@ std::size_t count(const CoverageReport& report, CoverageClass of, bool covered) 
   }));
 }
 
-Json number(std::size_t value) { return Json::number(static_cast<std::int64_t>(value)); }
-
 } // namespace
 
 std::vector<Missing> coverage_texts(const Coverage& coverage, const Model& model, const dsl::Sources& sources) {
@@ -121,13 +119,13 @@ std::string to_text(const CoverageReport& report) {
 
 Json to_json(const CoverageReport& report) {
   Json out = Json::object({{"behaviour", Json::text(report.behaviour)},
-                           {"scenarios", number(report.scenarios)},
+                           {"scenarios", Json::count(report.scenarios)},
                            {"percent", Json::number(report.coverage.percent())},
-                           {"covered", number(report.coverage.covered())},
-                           {"points", number(report.coverage.points.size())}});
+                           {"covered", Json::count(report.coverage.covered())},
+                           {"points", Json::count(report.coverage.points.size())}});
   for (const CoverageClass of : all_coverage_classes) {
-    out.add(name_of(of),
-            Json::object({{"covered", number(count(report, of, true))}, {"points", number(count(report, of, false))}}));
+    out.add(name_of(of), Json::object({{"covered", Json::count(count(report, of, true))},
+                                       {"points", Json::count(count(report, of, false))}}));
   }
   Json list = Json::list({});
   for (const Missing& missing : report.missing) {

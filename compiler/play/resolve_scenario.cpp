@@ -13,7 +13,7 @@ namespace director::compiler {
 namespace {
 
 using dsl::Diagnostic;
-using Kind = dsl::InputSpec::Kind;
+using InputKind = dsl::InputSpec::Kind;
 
 class Resolving {
 public:
@@ -126,23 +126,23 @@ private:
     ScenarioInput input;
     input.kind = spec.kind.value;
     switch (spec.kind.value) {
-    case Kind::request:
+    case InputKind::request:
       for (const dsl::RequestSpec& request : spec.requests) {
         if (auto asked = names_.asked(model_.roots, "`roots` has", request))
           input.requests.push_back(std::move(*asked));
       }
       break;
-    case Kind::cancel:
+    case InputKind::cancel:
       if (const Task* task = names_.task(model_.roots, "`roots` has", spec.name)) input.root = task->edge;
       break;
-    case Kind::set:
+    case InputKind::set:
       for (const dsl::SettingSpec& each : spec.set) resolve_external(each, input);
       break;
-    case Kind::trigger:
+    case InputKind::trigger:
       if (const auto trigger = names_.trigger(spec.name, true)) input.trigger = *trigger;
       break;
-    case Kind::enable:
-    case Kind::disable:
+    case InputKind::enable:
+    case InputKind::disable:
       if (const auto group = names_.group(spec.name)) {
         if (const auto provider = names_.provider(*group, spec.provider)) input.provider = *provider;
       }

@@ -7,21 +7,21 @@ namespace {
 using namespace director;
 using tests::check_text;
 
-const std::string rivals = "roots: {Kick: {priority: 10}, Walk: {priority: 10}}\n"
-                           "groups:\n  Kick: {needs: [Legs]}\n  Walk: {needs: [Legs]}\n  Legs: {}\n";
+const std::string kick_and_walk = "roots: {Kick: {priority: 10}, Walk: {priority: 10}}\n"
+                                  "groups:\n  Kick: {needs: [Legs]}\n  Walk: {needs: [Legs]}\n  Legs: {}\n";
 
 compiler::CheckOptions asked(checks::Selection selection) { return {std::move(selection)}; }
 
 TEST_CASE("a warning is no error unless it is asked to be one") {
   checks::Selection selection;
-  CHECK(check_text(rivals).checked.findings.at(0).level == dsl::Level::warning);
+  CHECK(check_text(kick_and_walk).checked.findings.at(0).level == dsl::Level::warning);
   selection.warnings_as_errors = {"shadowed_provider"};
-  CHECK(check_text(rivals, asked(selection)).checked.findings.at(0).level == dsl::Level::warning);
+  CHECK(check_text(kick_and_walk, asked(selection)).checked.findings.at(0).level == dsl::Level::warning);
   selection.warnings_as_errors = {"equal_priority"};
-  CHECK(check_text(rivals, asked(selection)).checked.findings.at(0).level == dsl::Level::error);
+  CHECK(check_text(kick_and_walk, asked(selection)).checked.findings.at(0).level == dsl::Level::error);
   selection = {};
   selection.every_warning_is_error = true;
-  CHECK(check_text(rivals, asked(selection)).checked.findings.at(0).level == dsl::Level::error);
+  CHECK(check_text(kick_and_walk, asked(selection)).checked.findings.at(0).level == dsl::Level::error);
 }
 
 TEST_CASE("lints speak when they are asked") {
@@ -42,12 +42,12 @@ TEST_CASE("an allowance covers what stands inside its thing, and nothing beside 
   const std::string allow = "allow: [equal_priority], because: first come first served";
   const auto roots = [&](const std::string& kick, const std::string& walk) {
     return check_text("roots: {Kick: {priority: 10" + kick + "}, Walk: {priority: 10" + walk + "}}\n" +
-                      rivals.substr(52))
+                      kick_and_walk.substr(52))
         .findings();
   };
   CHECK(roots("", ", " + allow).empty());
   CHECK(roots(", " + allow, "").find("[unused_allow]") != std::string::npos);
-  CHECK(check_text(rivals + "allow: [equal_priority]\nbecause: first come first served\n").findings().empty());
+  CHECK(check_text(kick_and_walk + "allow: [equal_priority]\nbecause: first come first served\n").findings().empty());
 }
 
 TEST_CASE("an allowance of a lint is in use although the lint is not asked for") {
@@ -60,7 +60,7 @@ TEST_CASE("an allowance of a lint is in use although the lint is not asked for")
 TEST_CASE("an allowed warning is not made an error") {
   checks::Selection selection;
   selection.every_warning_is_error = true;
-  CHECK(check_text(rivals + "allow: [equal_priority]\nbecause: first come first served\n", asked(selection))
+  CHECK(check_text(kick_and_walk + "allow: [equal_priority]\nbecause: first come first served\n", asked(selection))
             .findings()
             .empty());
 }

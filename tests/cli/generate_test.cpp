@@ -7,13 +7,13 @@ namespace {
 using director::tests::World;
 using Paths = std::vector<std::string>;
 
-const std::string lamp = "behaviour: lamp\nlanguage: 1\nimports: [parts/my bulb.yaml]\nroots: [Lamp]\n"
-                         "groups:\n  Lamp: {tasks: [Bulb]}\n";
+const std::string lamp_text = "behaviour: lamp\nlanguage: 1\nimports: [parts/my bulb.yaml]\nroots: [Lamp]\n"
+                              "groups:\n  Lamp: {tasks: [Bulb]}\n";
 const std::string bulb = "behaviour: bulb\nlanguage: 1\ngroups:\n  Bulb: {}\n";
 
 World lit() {
   World world;
-  world.files.add("lamp.yaml", lamp);
+  world.files.add("lamp.yaml", lamp_text);
   world.files.add("parts/my bulb.yaml", bulb);
   return world;
 }
@@ -30,7 +30,8 @@ TEST_CASE("header, source, manifest and what they depend on are written") {
 
 TEST_CASE("a build that looks at a stamp of its own names it in the depfile") {
   World world = lit();
-  CHECK(world.directorc({"generate", "lamp.yaml", "-o", "out", "--depfile", "lamp.d", "--depfile-target", "stamp"}) == 0);
+  CHECK(world.directorc({"generate", "lamp.yaml", "-o", "out", "--depfile", "lamp.d", "--depfile-target", "stamp"}) ==
+        0);
   CHECK(world.outputs.files.at("lamp.d") == "stamp: \\\n  lamp.yaml \\\n  parts/my\\ bulb.yaml\n");
 }
 
@@ -44,7 +45,7 @@ TEST_CASE("what has not changed is not written again") {
 
 TEST_CASE("equal input gives equal bytes, wherever it lies") {
   World here = lit(), there;
-  there.files.add("far/away/lamp.yaml", lamp);
+  there.files.add("far/away/lamp.yaml", lamp_text);
   there.files.add("far/away/parts/my bulb.yaml", bulb);
   here.directorc({"generate", "lamp.yaml", "-o", "out"});
   there.directorc({"generate", "far/away/lamp.yaml", "-o", "out"});
@@ -61,7 +62,7 @@ TEST_CASE("a module has nothing to generate") {
 
 TEST_CASE("errors are told, and nothing is written") {
   World world = lit();
-  world.files.add("lamp.yaml", lamp + "extern: [Shade]\n");
+  world.files.add("lamp.yaml", lamp_text + "extern: [Shade]\n");
   CHECK(world.directorc({"generate", "lamp.yaml", "-o", "out"}) == 1);
   CHECK(world.err.find("[unprovided_task]") != std::string::npos);
   CHECK(world.outputs.written.empty());

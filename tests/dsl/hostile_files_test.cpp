@@ -17,18 +17,18 @@ namespace {
 constexpr std::chrono::milliseconds patience(20);
 
 /// A folder of its own, and the working directory, so that messages are the same everywhere.
-class Folder {
+class HostileFolder {
 public:
-  Folder() {
+  HostileFolder() {
     fs::create_directories(path_);
     fs::current_path(path_);
   }
-  ~Folder() {
+  ~HostileFolder() {
     fs::current_path(before_);
     fs::remove_all(path_);
   }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
+  HostileFolder(const Folder&) = delete;
+  HostileFolder& operator=(const Folder&) = delete;
 
 private:
   fs::path before_ = fs::current_path();
@@ -73,20 +73,20 @@ void as_nobody(const Act& act) {
 } // namespace
 
 TEST_CASE("A file that is missing is refused") {
-  const Folder folder;
+  const HostileFolder folder;
   check_refused("none.yaml", "import_not_found: cannot read `none.yaml`: No such file or directory",
                 "a path is relative to the folder in which the program runs",
                 "a path is relative to the file that it stands in");
 }
 
 TEST_CASE("A folder is no file") {
-  const Folder folder;
+  const HostileFolder folder;
   fs::create_directory("folder.yaml");
   check_refused("folder.yaml", "import_not_found: cannot read `folder.yaml`: Is a directory");
 }
 
 TEST_CASE("A file that may not be read is refused") {
-  const Folder folder;
+  const HostileFolder folder;
   write("secret.yaml", "behaviour: secret\nlanguage: 1\n");
   fs::permissions("secret.yaml", fs::perms::none);
   std::string behaviour, scenario;
@@ -101,7 +101,7 @@ TEST_CASE("A file that may not be read is refused") {
 }
 
 TEST_CASE("A pipe to which nobody writes is not waited for") {
-  const Folder folder;
+  const HostileFolder folder;
   REQUIRE(mkfifo("pipe.yaml", 0600) == 0);
   check_refused("pipe.yaml", "import_not_found: cannot read `pipe.yaml`: nobody writes to this pipe");
 }
@@ -135,14 +135,14 @@ TEST_CASE("A file above the limit is refused, as a scenario too") {
 }
 
 TEST_CASE("A link that leads to itself is no file") {
-  const Folder folder;
+  const HostileFolder folder;
   fs::create_symlink("b.yaml", "a.yaml");
   fs::create_symlink("a.yaml", "b.yaml");
   check_refused("a.yaml", "import_not_found: cannot read `a.yaml`: Too many levels of symbolic links");
 }
 
 TEST_CASE("A file that imports itself under another name is a cycle") {
-  const Folder folder;
+  const HostileFolder folder;
   fs::create_directory("sub");
   fs::create_symlink("..", "sub/up");
   fs::create_symlink("main.yaml", "other.yaml");

@@ -32,7 +32,7 @@ std::string html(std::string_view text) {
   return out;
 }
 
-std::string quoted(std::string_view text) {
+std::string dot_string(std::string_view text) {
   std::string out = "\"";
   for (const char letter : text) {
     if (letter == '"' || letter == '\\') out += '\\';
@@ -55,7 +55,7 @@ std::string small(std::string_view colour, std::string_view word, const std::str
   return fmt::format("<BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"9\" COLOR=\"{}\">{} {}</FONT>", colour, word, html(text));
 }
 
-std::string words_of(const PictureRow& row) {
+std::string conditions_of(const PictureRow& row) {
   return small(when_colour, "when", row.when) + small(when_colour, "stay", row.stay) +
          small(causing_colour, "causing", row.causing);
 }
@@ -71,12 +71,12 @@ void draw_box(Code& code, const PictureBox& box) {
                                : fmt::format("<BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"8\" COLOR=\"{}\">{}</FONT>",
                                              frame_colour, html(box.data));
   code.line(fmt::format("<TR><TD ALIGN=\"LEFT\"><B>{}</B>{}{}<BR ALIGN=\"LEFT\"/></TD></TR>", html(box.name), data,
-                        direct ? words_of(box.rows.front()) : std::string{}));
+                        direct ? conditions_of(box.rows.front()) : std::string{}));
   if (!direct) {
     for (const PictureRow& row : box.rows) {
       code.line(
           fmt::format("<TR><TD ALIGN=\"LEFT\" BORDER=\"1\" SIDES=\"T\" PORT=\"p{}\">{}{}<BR ALIGN=\"LEFT\"/></TD></TR>",
-                      row.provider.value, html(row.name.empty() ? "default" : row.name), words_of(row)));
+                      row.provider.value, html(row.name.empty() ? "default" : row.name), conditions_of(row)));
     }
   }
   code.line("</TABLE>");
@@ -95,7 +95,7 @@ void draw_cause(Code& code, const Picture& picture, const PictureCause& cause) {
   const std::string from = port(picture, cause.causer_group, cause.causer);
   const std::string to = port(picture, cause.waiter_group, cause.waiter);
   code.line(fmt::format("{} -> {} [color=\"{}\", style=dashed, arrowhead=empty, constraint=false, tooltip={}]", from,
-                        to, causing_colour, quoted(cause.condition)));
+                        to, causing_colour, dot_string(cause.condition)));
 }
 
 void draw_layers(Code& code, const Picture& picture) {
@@ -103,7 +103,7 @@ void draw_layers(Code& code, const Picture& picture) {
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const PictureLayer& layer = picture.layers[i];
     code.line(fmt::format("layer{} [shape=plaintext, fontsize=11, fontcolor=\"{}\", label={}]", i, frame_colour,
-                          quoted(layer.name.empty() ? "" : layer.name)));
+                          dot_string(layer.name.empty() ? "" : layer.name)));
     std::string groups;
     for (const GroupId group : layer.groups) groups += fmt::format(" {};", node(group));
     // What is in no layer finds its place by its arrows alone.
@@ -142,7 +142,7 @@ void draw_legend(Code& code, const Picture& picture) {
 
 std::string dot(const Picture& picture) {
   Code code;
-  code.open(fmt::format("digraph {} {{", quoted(picture.title)));
+  code.open(fmt::format("digraph {} {{", dot_string(picture.title)));
   code.line("graph [rankdir=TB, newrank=true, fontname=\"Helvetica\", fontsize=10, nodesep=0.3, ranksep=0.7, "
             "labelloc=b, labeljust=l]");
   code.line("node [shape=plain, fontname=\"Helvetica\", fontsize=12]");

@@ -10,7 +10,7 @@ using namespace director::compiler;
 using director::tests::MemoryFacts;
 
 /// director-clang: its version, then `answer`.
-class Child final : public Programs {
+class TypesChild final : public Programs {
 public:
   Answer run(const std::vector<std::string>& words, const std::string& text) override {
     if (words.back() == "version")
@@ -32,7 +32,7 @@ struct World {
     ScannedTypes types(std::move(flags), scanner, child, files, store);
     return types.read({{"types.hpp"}, {"A"}, "x"});
   }
-  Child child;
+  TypesChild child;
   director::dsl::MemoryFiles files;
   MemoryFacts store;
 };

@@ -15,7 +15,7 @@ struct Found : tests::Analysed {
   std::string pushed() const { return names(facts.pushed); }
 };
 
-const std::string walker = R"(
+const std::string walk_and_kick = R"(
 states: {Pose: {values: [moving, standing], initial: moving}}
 groups:
   Walk:
@@ -28,13 +28,13 @@ groups:
 )";
 
 TEST_CASE("a stronger task pushes what it waits for, and then runs with what is below it") {
-  const Found found(walker + "roots: {Walk: {priority: 1}, Kick: {priority: 2}}\n");
+  const Found found(walk_and_kick + "roots: {Walk: {priority: 1}, Kick: {priority: 2}}\n");
   CHECK(found.active() == "Walk.walking Walk.halting Kick Legs Ball ");
   CHECK(found.pushed() == "Walk.halting ");
 }
 
 TEST_CASE("a weaker task pushes nothing and never runs") {
-  const Found found(walker + "roots: {Walk: {priority: 2}, Kick: {priority: 1}}\n");
+  const Found found(walk_and_kick + "roots: {Walk: {priority: 2}, Kick: {priority: 1}}\n");
   CHECK(found.active() == "Walk.walking Legs ");
   CHECK(found.pushed().empty());
   CHECK_FALSE(found.facts.requested.contains(found.compiled.group("Ball")));

@@ -8,7 +8,7 @@ namespace {
 using namespace director;
 using namespace director::checks;
 
-const char* const text = R"(states:
+const char* const witnessed = R"(states:
   Pose: {values: [moving, standing, lying]}
   Arm: {values: [folded, out], initial: folded}
 roots: {Walk: {priority: 10}, Play: {priority: 20}}
@@ -35,7 +35,7 @@ std::string witness(const tests::Analysed& test, const Goal& goal) {
 }
 
 TEST_CASE("what leads to a task is told from the roots on, each thing once") {
-  const tests::Analysed test(text);
+  const tests::Analysed test(witnessed);
   CHECK(witness(test, test.group("Kick")) == R"(6: the program may request `Play`
 13: `Play` may run
 13: `Play` may request `Kick`
@@ -49,7 +49,7 @@ TEST_CASE("what leads to a task is told from the roots on, each thing once") {
 }
 
 TEST_CASE("what leads to a value, and what never comes about") {
-  const tests::Analysed test(text);
+  const tests::Analysed test(witnessed);
   const StateId pose = test.state("Pose"), arm = test.state("Arm");
   CHECK(witness(test, StateValue{arm, 0}) == "5: `Arm` is folded at the start\n");
   CHECK(witness(test, StateValue{pose, 2}) == "never");

@@ -16,36 +16,37 @@ bool comes_first(const std::string& text, const char* name) {
   return may_come_first(test.model, provider, Rivals(test.model, test.graph).of(provider), values, {});
 }
 
-const std::string states = "states:\n  X: {values: [a, b, c], initial: a, external: true}\n"
-                           "  Y: {values: [a, b], external: true}\n";
+const std::string two_states = "states:\n  X: {values: [a, b, c], initial: a, external: true}\n"
+                               "  Y: {values: [a, b], external: true}\n";
 
 TEST_CASE("a provider comes first where the earlier ones lack something") {
   CHECK(comes_first(
-      states + "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X == a]}, {name: q, when: [X != b]}]}}\n",
+      two_states + "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X == a]}, {name: q, when: [X != b]}]}}\n",
       "G.q"));
   CHECK_FALSE(comes_first(
-      states + "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X != b]}, {name: q, when: [X == a]}]}}\n",
+      two_states + "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X != b]}, {name: q, when: [X == a]}]}}\n",
       "G.q"));
-  CHECK_FALSE(
-      comes_first(states + "roots: [G]\ngroups: {G: {providers: [{name: p}, {name: q, when: [X == a]}]}}\n", "G.q"));
+  CHECK_FALSE(comes_first(two_states + "roots: [G]\ngroups: {G: {providers: [{name: p}, {name: q, when: [X == a]}]}}\n",
+                          "G.q"));
 }
 
 TEST_CASE("an unset state fails every condition on it") {
   CHECK(comes_first(
-      states +
+      two_states +
           "roots: [G]\ngroups: {G: {providers: [{name: p, when: [Y == a]}, {name: q, when: [Y == b]}, {name: r}]}}\n",
       "G.r"));
   CHECK_FALSE(comes_first(
-      states +
+      two_states +
           "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X == a]}, {name: q, when: [X != a]}, {name: r}]}}\n",
       "G.r"));
 }
 
 TEST_CASE("several rivals must all be able to fail at once") {
   const std::string rivals = "{name: p, when: [X == a]}, {name: q, when: [X == b, Y == a]}";
-  CHECK_FALSE(comes_first(
-      states + "roots: [G]\ngroups: {G: {providers: [" + rivals + ", {name: r, when: [X != c, Y == a]}]}}\n", "G.r"));
-  CHECK(comes_first(states + "roots: [G]\ngroups: {G: {providers: [" + rivals + ", {name: r, when: [X != c]}]}}\n",
+  CHECK_FALSE(comes_first(two_states + "roots: [G]\ngroups: {G: {providers: [" + rivals +
+                              ", {name: r, when: [X != c, Y == a]}]}}\n",
+                          "G.r"));
+  CHECK(comes_first(two_states + "roots: [G]\ngroups: {G: {providers: [" + rivals + ", {name: r, when: [X != c]}]}}\n",
                     "G.r"));
 }
 

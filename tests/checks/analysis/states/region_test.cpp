@@ -8,7 +8,7 @@ namespace {
 using namespace director;
 using namespace director::checks;
 
-const char* const text = R"(states:
+const char* const two_regions = R"(states:
   Pose: {values: [a, b, c], initial: a, external: true}
   Charge: {range: [0, 100], initial: 0, external: true}
 roots: [A]
@@ -20,7 +20,7 @@ groups:
 )";
 
 TEST_CASE("a region is what conditions leave of each state") {
-  const tests::Analysed test(text);
+  const tests::Analysed test(two_regions);
   const auto region = [&](const char* name) {
     return region_of(test.model, test.model.providers[test.provider(name)].when);
   };
@@ -38,7 +38,7 @@ TEST_CASE("a region is what conditions leave of each state") {
 }
 
 TEST_CASE("a hull leaves open what one side leaves open") {
-  const tests::Analysed test(text);
+  const tests::Analysed test(two_regions);
   const Region active = active_region(test.model, test.model.providers[test.provider("A")]);
   CHECK(active.states.size() == 1);
   CHECK(active.states.at(test.state("Charge")) == ValueSet::interval(21, 100));
