@@ -8,10 +8,11 @@ target_compile_options(director_warnings INTERFACE -Wall -Wextra -Wpedantic -Wco
 # Clang blames whoever sorts stably for a deprecated function that libstdc++ 12 itself calls.
 target_compile_options(director_warnings INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
 
-# director_room(<target> <alias> FOLDER <folder> [EXCLUDE <regex>...] [LINK <library>...] [PRIVATE_LINK <library>...] [PRECOMPILE <header>...])
-# PRECOMPILE names headers from outside that many of the room's sources include: with DIRECTOR_PCH they are read once. A room without a source yet is an interface library, so that the rooms can be furnished in any order.
+# director_room(<target> <alias> FOLDER <folder> [EXCLUDE <regex>...] [ALONE <source>...] [LINK <library>...] [PRIVATE_LINK <library>...])
+# ALONE names sources that cannot be compiled together with others (DIRECTOR_TOGETHER). A room without a source yet is an interface library, so that the
+# rooms can be furnished in any order.
 function(director_room target alias)
-  cmake_parse_arguments(room "" "FOLDER" "EXCLUDE;LINK;PRIVATE_LINK;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(room "" "FOLDER" "EXCLUDE;ALONE;LINK;PRIVATE_LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${room_FOLDER}/*.cpp)
   foreach(pattern IN LISTS room_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX ${pattern})
@@ -27,10 +28,9 @@ function(director_room target alias)
     if(DIRECTOR_FUZZABLE)
       target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
-    if(DIRECTOR_PCH AND room_PRECOMPILE)
-      target_precompile_headers(${target} PRIVATE ${room_PRECOMPILE})
-      # With the time in it, ccache would never see the same header twice.
-      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
+    if(DIRECTOR_TOGETHER)
+      target_compile_options(${target} PRIVATE -Wno-shadow) # a local name may be one of another source
+      director_compile_together(${target} ${room_FOLDER} "${room_ALONE}" ${sources})
     endif()
   else()
     add_library(${target} INTERFACE)
@@ -41,4 +41,32 @@ function(director_room target alias)
   endif()
   add_library(Director::${alias} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${alias})
+endfunction()
+
+# director_compile_together(<target> <room's folder> <sources that stay alone> <source>...): the sources of each folder within the room, with those below
+# it, up to sixteen at a time, become one for the compiler. Most of the time that it takes goes into the templates of the standard library, which each
+# source instantiates anew.
+function(director_compile_together target room alone)
+  set(groups "")
+  foreach(source IN LISTS ARGN)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${room} OUTPUT_VARIABLE place)
+    if(place IN_LIST alone)
+      continue()
+    endif()
+    string(REGEX MATCH "^[^/]+/" folder ${place})
+    string(MAKE_C_IDENTIFIER "group_${folder}" group)
+    list(APPEND groups ${group})
+    list(APPEND ${group} ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES groups)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(group IN LISTS groups)
+    set(number 0)
+    while(${group})
+      math(EXPR number "${number} + 1")
+      list(SUBLIST ${group} 0 16 few)
+      set_source_files_properties(${few} PROPERTIES UNITY_GROUP ${group}${number})
+      list(REMOVE_ITEM ${group} ${few})
+    endwhile()
+  endforeach()
 endfunction()

@@ -21,8 +21,6 @@ std::size_t inbox_size(const Ground& ground) {
   return std::bit_ceil(most);
 }
 
-std::size_t words(std::size_t bytes) { return (bytes + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t); }
-
 Input record(Input::Kind kind, Index thing) {
   Input out;
   out.kind = kind;
@@ -37,7 +35,7 @@ Machine::Machine(const Ground& ground, Breadth breadth)
       breadth_(breadth),
       cells_(inbox_size(ground)),
       inbox_(cells_),
-      memory_(words(director::State::bytes(Shape::of(ground.tables)))),
+      memory_(Projection::words_of(director::State::bytes(Shape::of(ground.tables)))),
       engine_(ground.tables, reinterpret_cast<std::byte*>(memory_.data()), table(), inbox_),
       block_(director::State::decision_bytes(Shape::of(ground.tables))),
       printer_(ground, engine_),

@@ -8,25 +8,21 @@
 
 namespace director::compiler {
 
-namespace {
-std::size_t words(std::size_t bytes) { return Projection::words_of(bytes); }
-} // namespace
-
 /// The decision state, and behind it why requests are queued: no decision depends on that, but assertions do, and the
 /// engine writes it only where it decides anew.
 void Machine::read(std::vector<std::uint64_t>& out) const {
   const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
-  out.resize(words(block_) + words(queued));
+  out.resize(Projection::words_of(block_) + Projection::words_of(queued));
   out.back() = 0;
   std::memcpy(out.data(), memory_.data(), block_);
-  if (queued != 0) std::memcpy(out.data() + words(block_), engine_.memory().queued, queued);
+  if (queued != 0) std::memcpy(out.data() + Projection::words_of(block_), engine_.memory().queued, queued);
 }
 
 void Machine::write(const std::vector<std::uint64_t>& from) {
   const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
   std::memcpy(memory_.data(), from.data(), block_);
   const director::State& s = engine_.memory();
-  if (queued != 0) std::memcpy(static_cast<void*>(s.queued), from.data() + words(block_), queued);
+  if (queued != 0) std::memcpy(static_cast<void*>(s.queued), from.data() + Projection::words_of(block_), queued);
   // Between micro-steps what the last pass decided stands in `now` as well, and an act that gives reasons in a
   // component that was not decided again reads it there.
   if (ground_.tables.components.size() > 1) std::copy_n(s.last.group, ground_.tables.groups.size(), s.now.group);

@@ -13,7 +13,7 @@ namespace director::compiler {
 
 namespace {
 
-constexpr std::size_t block = 8, row = block * 8;
+constexpr std::size_t block = 8, row_size = block * 8;
 
 /// To each half: 1, or what takes it away.
 std::uint64_t shifted(std::uint64_t word, std::uint32_t by) {
@@ -69,18 +69,19 @@ void each_bit(unsigned bits, Visit&& visit) {
 
 Packing::Packing(std::vector<std::uint64_t> first)
     : first_(std::move(first)),
-      written_((first_.size() + row - 1) / row + (first_.size() + block - 1) / block + 9 * first_.size() + 1) {}
+      written_((first_.size() + row_size - 1) / row_size + (first_.size() + block - 1) / block + 9 * first_.size() +
+               1) {}
 
 void Packing::pack(const std::uint64_t* words, Packed& out) const {
   const std::size_t count = first_.size();
   std::uint8_t* const rows = written_.data();
-  std::uint8_t* at = rows + (count + row - 1) / row;
+  std::uint8_t* at = rows + (count + row_size - 1) / row_size;
   std::fill(rows, at, std::uint8_t{0});
   for (std::size_t begin = 0; begin < count; begin += block) {
     const std::uint64_t *const now = words + begin, *const then = first_.data() + begin;
     const unsigned differ = count - begin < block ? differing(now, then, count - begin) : differing(now, then);
     if (differ == 0) continue;
-    rows[begin / row] |= static_cast<std::uint8_t>(1U << begin / block % 8);
+    rows[begin / row_size] |= static_cast<std::uint8_t>(1U << begin / block % 8);
     *at++ = static_cast<std::uint8_t>(differ);
     each_bit(differ, [&](std::size_t i) { at = write(up(now[i]) ^ up(then[i]), at); });
   }
@@ -88,13 +89,13 @@ void Packing::pack(const std::uint64_t* words, Packed& out) const {
 }
 
 void Packing::unpack(std::span<const std::uint8_t> packed, std::uint64_t* words) const {
-  const std::size_t count = first_.size(), rows = (count + row - 1) / row;
+  const std::size_t count = first_.size(), rows = (count + row_size - 1) / row_size;
   std::copy(first_.begin(), first_.end(), words);
   const std::uint8_t* at = packed.data() + rows;
   for (std::size_t r = 0; r < rows; ++r) {
     each_bit(packed[r], [&](std::size_t b) {
       each_bit(*at++, [&](std::size_t i) {
-        std::uint64_t& word = words[r * row + b * block + i];
+        std::uint64_t& word = words[r * row_size + b * block + i];
         std::uint64_t bits = 0;
         each_bit(*at++, [&](std::size_t byte) { bits |= std::uint64_t{*at++} << 8 * byte; });
         word = down(up(word) ^ bits);

@@ -6,7 +6,7 @@ namespace {
 
 using director::tests::World;
 
-World lamp() {
+World lamp_and_bell() {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nstates: {Day: {values: [no, yes], initial: no}}\n"
                                "roots: [Lamp]\ngroups:\n  Lamp: {sets: [Day == yes]}\n  Bell: {}\n");
@@ -15,7 +15,7 @@ World lamp() {
 }
 
 TEST_CASE("how something may be reached is told behind the findings") {
-  World world = lamp();
+  World world = lamp_and_bell();
   CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable", "Day == yes", "--allow=yaml_word_trap"}) == 0);
   CHECK(world.out == "`Day == yes` may be reached:\n"
                      "  lamp.yaml:4:9: the program may request `Lamp`\n"
@@ -67,7 +67,7 @@ groups:
 }
 
 TEST_CASE("what it may be asked about") {
-  World world = lamp();
+  World world = lamp_and_bell();
   CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=Lump"}) == 2);
   CHECK(world.err == "directorc: there is no group called `Lump`; did you mean `Lamp`?\n");
   CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=Lamp.dim"}) == 2);
@@ -82,7 +82,7 @@ TEST_CASE("what it may be asked about") {
 }
 
 TEST_CASE("a condition that is none is told of as in a behaviour") {
-  World world = lamp();
+  World world = lamp_and_bell();
   const auto refused = [&](const std::string& words) {
     CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=" + words}) == 2);
     return world.err;
@@ -104,7 +104,7 @@ TEST_CASE("a condition that is none is told of as in a behaviour") {
 }
 
 TEST_CASE("the same as JSON") {
-  World world = lamp();
+  World world = lamp_and_bell();
   CHECK(world.directorc({"check", "--format=json", "lamp.yaml", "--explain-reachable=Lamp.default",
                          "--allow=yaml_word_trap"}) == 0);
   CHECK(world.out == R"({

@@ -9,7 +9,7 @@ using director::tests::search_both_ways;
 
 namespace {
 
-constexpr std::size_t bound = 20'000;
+constexpr std::size_t few_states = 20'000;
 
 } // namespace
 
@@ -48,7 +48,7 @@ groups:
   const auto compiled = director::tests::compile("behaviour: b\nlanguage: 1\n" + behaviour);
   const Ground ground(compiled.model);
   SearchOptions options;
-  options.bound = bound;
+  options.bound = few_states;
   options.threads = 1;
   options.breadth = GENERATE(Breadth::all, Breadth::lean);
   CHECK(search_both_ways(ground, options).empty());

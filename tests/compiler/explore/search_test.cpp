@@ -6,14 +6,14 @@ using director::tests::explore_all;
 
 namespace {
 
-const std::string walker = "behaviour: walker\nlanguage: 1\n"
-                           "states: {Pose: {values: [moving, standing], external: true}}\n" +
-                           director::tests::walker_groups;
+const std::string whole_walker = "behaviour: walker\nlanguage: 1\n"
+                                 "states: {Pose: {values: [moving, standing], external: true}}\n" +
+                                 director::tests::walker_groups;
 
 } // namespace
 
 TEST_CASE("a small behaviour is explored to the end, and on any number of cores alike") {
-  const auto compiled = director::tests::compile(walker);
+  const auto compiled = director::tests::compile(whole_walker);
   const Ground ground(compiled.model);
   const Exploration one = explore_all(ground, 100'000, 1), three = explore_all(ground, 100'000, 3);
   CHECK(one.searched.complete);
@@ -23,7 +23,7 @@ TEST_CASE("a small behaviour is explored to the end, and on any number of cores 
 }
 
 TEST_CASE("beyond its bound a search says that it is not complete") {
-  const auto compiled = director::tests::compile(walker);
+  const auto compiled = director::tests::compile(whole_walker);
   const Ground ground(compiled.model);
   SearchOptions options;
   options.bound = 20;

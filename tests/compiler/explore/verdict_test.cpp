@@ -30,7 +30,7 @@ std::string verdict_of(const std::string& groups, const std::string& assertion, 
   return (verdict.kind == Verdict::Kind::proven ? "proven: " : "refuted: ") + verdict.why;
 }
 
-const std::string walker =
+const std::string posing_walker =
     "states: {Pose: {values: [moving, standing], initial: standing}}\n" + director::tests::walker_groups;
 
 const std::string two = R"(
@@ -57,7 +57,7 @@ groups:
 } // namespace
 
 TEST_CASE("two that need the same are never together") {
-  CHECK(verdict_of(walker, "{never_together: [Walk, Kick]}") ==
+  CHECK(verdict_of(posing_walker, "{never_together: [Walk, Kick]}") ==
         "proven: no two of them can be granted without `Legs`, and a group has one holder");
 }
 
@@ -75,9 +75,9 @@ TEST_CASE("two that have nothing to do with each other can be together") {
 }
 
 TEST_CASE("who goes first at root is never blocked by the other side") {
-  CHECK(verdict_of(walker, "{beats: {Kick: Walk}}") ==
+  CHECK(verdict_of(posing_walker, "{beats: {Kick: Walk}}") ==
         "proven: both are requested by the program alone, and at root its side always goes first");
-  CHECK(verdict_of(walker, "{beats: {Walk: Kick}}").find("refuted: after ") == 0);
+  CHECK(verdict_of(posing_walker, "{beats: {Walk: Kick}}").find("refuted: after ") == 0);
 }
 
 TEST_CASE("what can run is shown by how it comes to run") {
@@ -89,7 +89,7 @@ TEST_CASE("what can run is shown by how it comes to run") {
 }
 
 TEST_CASE("a walk that does not say that it moves is cut off hard") {
-  CHECK(verdict_of(walker, "{soft: {from: Walk, to: Kick}}") ==
+  CHECK(verdict_of(posing_walker, "{soft: {from: Walk, to: Kick}}") ==
         "refuted: after request Walk; request Kick, granting `Kick` takes what `Walk` holds, and none of its causing "
         "providers ran since `Kick` was requested");
 }

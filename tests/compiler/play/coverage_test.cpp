@@ -10,7 +10,7 @@ using director::tests::LoadedScenario;
 
 namespace {
 
-const char* const walker = R"(behaviour: walker
+const char* const watched_walker = R"(behaviour: walker
 language: 1
 states:
   Pose: {values: [moving, standing]}
@@ -40,7 +40,7 @@ struct Watched {
 };
 
 Watched watch(const std::string& steps) {
-  const LoadedScenario loaded = load_scenario(walker, steps);
+  const LoadedScenario loaded = load_scenario(watched_walker, steps);
   INFO(loaded.findings);
   REQUIRE(loaded.findings.empty());
   const Model& model = loaded.behaviour.model;
@@ -127,7 +127,7 @@ TEST_CASE("a soft transition covers a push, a condition both ways, and a take-ov
 }
 
 TEST_CASE("who looks on changes nothing of what happens") {
-  const LoadedScenario loaded = load_scenario(walker, soft_kick);
+  const LoadedScenario loaded = load_scenario(watched_walker, soft_kick);
   std::vector<std::string> alone;
   play(loaded.scenario, loaded.behaviour.model, loaded.lowered, {},
        [&](const Happening& happening) { alone.push_back(to_text(happening)); });

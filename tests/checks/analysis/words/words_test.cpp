@@ -22,8 +22,8 @@ TEST_CASE("values and chains in words") {
 roots: [A]
 groups: {A: {tasks: [B]}, B: {tasks: [C]}, C: {}}
 )");
-  const State& pose = test.model.states[test.state("Pose")];
-  const State& charge = test.model.states[test.state("Charge")];
+  const auto& pose = test.model.states[test.state("Pose")];
+  const auto& charge = test.model.states[test.state("Charge")];
   CHECK(values_in_words(pose, pose.domain()) == "a, b or c");
   CHECK(values_in_words(pose, {}) == "nothing");
   CHECK(values_in_words(charge, charge.domain().without(ValueSet::interval(1, 98))) == "0 or 99 to 100");
