@@ -35,8 +35,8 @@ Machine::Machine(const Ground& ground, Breadth breadth)
       breadth_(breadth),
       cells_(inbox_size(ground)),
       inbox_(cells_),
-      memory_(Projection::words_of(director::State::bytes(Shape::of(ground.tables)))),
-      engine_(ground.tables, reinterpret_cast<std::byte*>(memory_.data()), table(), inbox_),
+      memory_(ground.tables, EngineMemory::Recalls::no),
+      engine_(ground.tables, memory_.state().data(), table(), inbox_),
       block_(director::State::decision_bytes(Shape::of(ground.tables))),
       printer_(ground, engine_),
       foresight_(ground, engine_, printer_) {

@@ -6,6 +6,7 @@
 #include "compiler/explore/packing.hpp"
 #include "compiler/explore/print.hpp"
 #include "compiler/explore/tape.hpp"
+#include "runtime/hosted/engine_memory.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -62,7 +63,7 @@ private:
   std::vector<void (*)(void*, Handling&)> starts_, stops_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
-  std::vector<std::uint64_t> memory_;
+  EngineMemory memory_;
   Engine engine_;
   std::size_t block_; ///< bytes of the decision state
   Printer printer_;

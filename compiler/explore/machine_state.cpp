@@ -14,13 +14,13 @@ void Machine::read(std::vector<std::uint64_t>& out) const {
   const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
   out.resize(Projection::words_of(block_) + Projection::words_of(queued));
   out.back() = 0;
-  std::memcpy(out.data(), memory_.data(), block_);
+  std::memcpy(out.data(), memory_.state().data(), block_);
   if (queued != 0) std::memcpy(out.data() + Projection::words_of(block_), engine_.memory().queued, queued);
 }
 
 void Machine::write(const std::vector<std::uint64_t>& from) {
   const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
-  std::memcpy(memory_.data(), from.data(), block_);
+  std::memcpy(memory_.state().data(), from.data(), block_);
   const director::State& s = engine_.memory();
   if (queued != 0) std::memcpy(static_cast<void*>(s.queued), from.data() + Projection::words_of(block_), queued);
   // Between micro-steps what the last pass decided stands in `now` as well, and an act that gives reasons in a

@@ -3,6 +3,7 @@
 
 #include "compiler/play/scripted_bodies.hpp"
 #include "runtime/core/engine.hpp"
+#include "runtime/hosted/engine_memory.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -44,10 +45,8 @@ public:
         recorder_(model, lowered, options.decisions, sink),
         cells_(inbox_size(scenario)),
         inbox_(cells_),
-        memory_((director::State::bytes(Shape::of(tables_)) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)),
-        recall_(director::Recall::bytes(tables_) / sizeof(std::uint64_t)),
-        engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies_.table(), inbox_, recorder_.observer(),
-                std::as_writable_bytes(std::span(recall_))) {
+        memory_(tables_),
+        engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, recorder_.observer(), memory_.recall()) {
     engine_.set_budget(onlooker_ == nullptr ? play_budget : 1);
   }
 
@@ -157,7 +156,7 @@ private:
   Recorder recorder_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
-  std::vector<std::uint64_t> memory_, recall_;
+  EngineMemory memory_;
   Engine engine_;
   Time now_ = 0;
   std::uint32_t step_ = 0;

@@ -54,10 +54,8 @@ TableRobot::TableRobot(Compiled compiled, std::size_t cells)
       handler_table_(tables_.groups.size(), [](void*, Handling&) {}),
       cells_(cells),
       inbox_(cells_),
-      memory_((State::bytes(Shape::of(tables_)) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)),
-      recall_(Recall::bytes(tables_) / sizeof(std::uint64_t)),
-      engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), functions(), inbox_, {},
-              std::as_writable_bytes(std::span(recall_))) {
+      memory_(tables_),
+      engine_(tables_, memory_.state().data(), functions(), inbox_, {}, memory_.recall()) {
   engine_.set_budget(1'000'000'000);
   for (const compiler::ProviderId id : model().providers.ids()) {
     const std::vector<compiler::Pack>& packs = model().providers[id].packs;

@@ -5,6 +5,7 @@
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
 #include "runtime/core/engine.hpp"
+#include "runtime/hosted/engine_memory.hpp"
 
 #include <string>
 #include <vector>
@@ -70,7 +71,7 @@ private:
   std::vector<void (*)(void*, director::Handling&)> handler_table_;
   std::vector<director::Inbox::Cell> cells_;
   director::Inbox inbox_;
-  std::vector<std::uint64_t> memory_, recall_;
+  director::EngineMemory memory_;
   std::uint64_t calls_ = 0;
   director::Engine engine_;
 };

@@ -26,10 +26,8 @@ EngineRun::EngineRun(const Compiled& compiled, bool leap)
       recorder_(compiled.model, compiled.lowered, false, sink_),
       cells_(inbox_cells),
       inbox_(cells_),
-      memory_(director::State::bytes(Shape::of(tables_)) / sizeof(std::uint64_t) + 1),
-      recall_(leap ? 0 : director::Recall::bytes(tables_) / sizeof(std::uint64_t)),
-      engine_(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies_.table(), inbox_, recorder_.observer(),
-              std::as_writable_bytes(std::span(recall_))),
+      memory_(tables_, leap ? EngineMemory::Recalls::no : EngineMemory::Recalls::yes),
+      engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, recorder_.observer(), memory_.recall()),
       leap_(leap) {
   for (const compiler::Setting& given : compiled.scenario.given) {
     engine_.preset(static_cast<Index>(given.state.value), static_cast<std::int32_t>(given.value));

@@ -4,6 +4,7 @@
 #include "compiler/play/recorder.hpp"
 #include "compiler/play/scripted_bodies.hpp"
 #include "runtime/core/engine.hpp"
+#include "runtime/hosted/engine_memory.hpp"
 #include "tests/property/compiled.hpp"
 #include "tests/property/snapshot.hpp"
 
@@ -33,7 +34,7 @@ private:
   compiler::Recorder recorder_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
-  std::vector<std::uint64_t> memory_, recall_; ///< the latter only where time does not leap
+  EngineMemory memory_; ///< with recalling only where time does not leap
   Engine engine_;
   bool leap_;
   Time now_ = 0, until_ = 0;

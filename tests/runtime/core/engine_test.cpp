@@ -237,7 +237,7 @@ TEST_CASE("data wait in the staging slot until the act is over, and stay with a 
 
 TEST_CASE("two engines on one set of tables know nothing of each other") {
   Machine machine(pair);
-  std::vector<std::uint64_t> memory(machine.memory().size());
+  EngineMemory memory(machine.tables(), Recalls::no);
   std::vector<Inbox::Cell> cells(4);
   Inbox inbox(cells);
   std::vector<Outcome (*)(void*, Run&)> run(machine.tables().providers.size(),
@@ -246,7 +246,7 @@ TEST_CASE("two engines on one set of tables know nothing of each other") {
   Bodies bodies;
   bodies.run = run.data();
   bodies.start = bodies.stop = handlers.data();
-  Engine other(machine.tables(), reinterpret_cast<std::byte*>(memory.data()), bodies, inbox);
+  Engine other(machine.tables(), memory.state().data(), bodies, inbox);
   machine.request("Lead");
   machine.step();
   CHECK(other.step(0) == StepResult::quiescent);

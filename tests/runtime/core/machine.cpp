@@ -8,8 +8,7 @@ Machine::Machine(const std::string& behaviour, std::size_t inbox, Recalls recall
     : compiled_(compile(behaviour)),
       lowered_(compiler::lower(compiled_.model)),
       tables_(lowered_.view()),
-      memory_(State::bytes(Shape::of(tables_)) / sizeof(std::uint64_t)),
-      recall_(recalls == Recalls::yes ? Recall::bytes(tables_) / sizeof(std::uint64_t) : 0),
+      memory_(tables_, recalls),
       cells_(inbox),
       inbox_(cells_) {
   run_.assign(tables_.providers.size(), [](void* self, Run& run) {
@@ -41,8 +40,7 @@ Machine::Machine(const std::string& behaviour, std::size_t inbox, Recalls recall
     machine.data_moves.push_back(std::string(names[static_cast<std::size_t>(what)]) + " " + machine.edge_name(edge));
   };
   const Observer observer{[](void* self, const Event& event) { static_cast<Machine*>(self)->tell(event); }, this};
-  engine_ = std::make_unique<Engine>(tables_, reinterpret_cast<std::byte*>(memory_.data()), bodies, inbox_, observer,
-                                     std::as_writable_bytes(std::span(recall_)));
+  engine_ = std::make_unique<Engine>(tables_, memory_.state().data(), bodies, inbox_, observer, memory_.recall());
 }
 
 Machine& Machine::body(const std::string& provider, Body body) {

@@ -4,12 +4,14 @@
 
 #include "compiler/lower/lower.hpp"
 #include "runtime/core/engine.hpp"
+#include "runtime/hosted/engine_memory.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
 #include <array>
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,8 +19,7 @@ namespace director::tests {
 
 using Lines = std::vector<std::string>;
 
-/// Has the engine a memory of what it decided?
-enum class Recalls { no, yes };
+using Recalls = EngineMemory::Recalls;
 
 class Machine {
 public:
@@ -46,7 +47,7 @@ public:
   Inbox& inbox() { return inbox_; }
   const compiler::Model& model() const { return compiled_.model; }
   const Tables& tables() const { return tables_; }
-  std::vector<std::uint64_t>& memory() { return memory_; }
+  std::span<std::byte> memory() { return memory_.state(); }
   Index edge(const std::string& name) const { return static_cast<Index>(compiled_.edge(name).value); }
   Index group(const std::string& name) const { return static_cast<Index>(compiled_.group(name).value); }
   Index state(const std::string& name) const { return static_cast<Index>(compiled_.model.find_state(name)->value); }
@@ -68,7 +69,7 @@ private:
   Compiled compiled_;
   compiler::Lowered lowered_;
   Tables tables_;
-  std::vector<std::uint64_t> memory_, recall_;
+  EngineMemory memory_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
   std::map<Index, Body> bodies_;
