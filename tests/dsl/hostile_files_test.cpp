@@ -27,8 +27,8 @@ public:
     fs::current_path(before_);
     fs::remove_all(path_);
   }
-  HostileFolder(const Folder&) = delete;
-  HostileFolder& operator=(const Folder&) = delete;
+  HostileFolder(const HostileFolder&) = delete;
+  HostileFolder& operator=(const HostileFolder&) = delete;
 
 private:
   fs::path before_ = fs::current_path();
