@@ -6,13 +6,11 @@ namespace {
 
 using namespace director;
 
-std::string beginning(const std::string& name) { return "behaviour: " + name + "\nlanguage: 1\n"; }
-
 /// The modules of a deployment that imports one file of this name.
 std::string modules(const std::string& file, const std::string& text) {
   const auto checked =
-      tests::check_files({{"main.yaml", beginning("robot") + "imports: [\"" + file + "\"]\nroots: [Walk]\n"},
-                          {file, beginning("other") + text}});
+      tests::check_files({{"main.yaml", tests::beginning("robot") + "imports: [\"" + file + "\"]\nroots: [Walk]\n"},
+                          {file, tests::beginning("other") + text}});
   INFO(dsl::render(checked.checked.findings, checked.sources));
   CHECK(checked.checked.resolved);
   std::string out;

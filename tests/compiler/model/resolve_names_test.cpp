@@ -20,8 +20,8 @@ TEST_CASE("a task that is listed twice") {
 }
 
 TEST_CASE("roots of an imported file must mean something too") {
-  const auto text = tests::check_files({{"main.yaml", "behaviour: robot\nlanguage: 1\nimports: [a.yaml]\nroots: [A]\n"},
-                                        {"a.yaml", "behaviour: a\nlanguage: 1\nroots: [B]\ngroups: {A: {}}\n"}});
+  const auto text = tests::check_files({{"main.yaml", tests::beginning("robot") + "imports: [a.yaml]\nroots: [A]\n"},
+                                        {"a.yaml", tests::beginning("a") + "roots: [B]\ngroups: {A: {}}\n"}});
   CHECK(text.findings() == "a.yaml:3: there is no group called `B` [undefined_name]\n");
 }
 
@@ -38,8 +38,8 @@ TEST_CASE("a level cannot be called like the group that it asks for") {
 
 TEST_CASE("an extern that two files name is reported in both") {
   const auto text =
-      tests::check_files({{"main.yaml", "behaviour: robot\nlanguage: 1\nimports: [a.yaml]\nextern: [Say]\nroots: [A]\n"},
-                          {"a.yaml", "behaviour: a\nlanguage: 1\nextern: [Say]\ngroups: {A: {tasks: [Say]}}\n"}});
+      tests::check_files({{"main.yaml", tests::beginning("robot") + "imports: [a.yaml]\nextern: [Say]\nroots: [A]\n"},
+                          {"a.yaml", tests::beginning("a") + "extern: [Say]\ngroups: {A: {tasks: [Say]}}\n"}});
   CHECK(text.findings() == "main.yaml:4: nothing provides `Say` [unprovided_task]\n"
                            "a.yaml:3: nothing provides `Say` [unprovided_task]\n");
 }

@@ -8,6 +8,7 @@
 namespace {
 
 using namespace director;
+using tests::beginning;
 using tests::check_files;
 using tests::check_text;
 
@@ -22,8 +23,6 @@ std::string lines_with(const compiler::Model& model, const std::string& begin) {
   }
   return out;
 }
-
-std::string head(const std::string& name) { return "behaviour: " + name + "\nlanguage: 1\n"; }
 
 TEST_CASE("edges stand by requester, in the order in which its providers first name them, needs last") {
   const auto text = check_text(R"(
@@ -65,9 +64,9 @@ groups:
 
 TEST_CASE("what is imported is declared before what imports it, and its roots do not count") {
   const auto text =
-      check_files({{"main.yaml", head("robot") + "imports: [b.yaml, a.yaml]\nroots: [Main]\ngroups: {Main: {}}\n"},
-                   {"a.yaml", head("a") + "imports: [b.yaml]\nroots: [A]\ngroups: {A: {}}\n"},
-                   {"b.yaml", head("b") + "groups: {B: {}}\n"}});
+      check_files({{"main.yaml", beginning("robot") + "imports: [b.yaml, a.yaml]\nroots: [Main]\ngroups: {Main: {}}\n"},
+                   {"a.yaml", beginning("a") + "imports: [b.yaml]\nroots: [A]\ngroups: {A: {}}\n"},
+                   {"b.yaml", beginning("b") + "groups: {B: {}}\n"}});
   CHECK(text.findings().empty());
   CHECK(lines_with(text.checked.model, "group") ==
         "group B: module b_module\ngroup A: module a_module\ngroup Main: module main_module\n" + std::string());
@@ -76,13 +75,13 @@ TEST_CASE("what is imported is declared before what imports it, and its roots do
 }
 
 TEST_CASE("extensions take their place in the order of preference, one after the other") {
-  const auto text = check_files({{"main.yaml", head("robot") + R"(
+  const auto text = check_files({{"main.yaml", beginning("robot") + R"(
 imports: [a.yaml]
 roots: [Walk]
 extend:
   Walk: {before: slow, providers: [{name: careful}, {name: brisk}]}
 )"},
-                                 {"a.yaml", head("a") + R"(
+                                 {"a.yaml", beginning("a") + R"(
 groups:
   Walk: {providers: [{name: fast}, {name: slow}]}
 extend:
@@ -133,13 +132,14 @@ because: they wait for the rest
 }
 
 TEST_CASE("the main file's layers come first") {
-  const auto text = check_files({{"main.yaml", head("robot") + "imports: [a.yaml]\nlayers: [top, low]\nroots: [A]\n"},
-                                 {"a.yaml", head("a") + "layers: [low, middle]\ngroups: {A: {layer: middle}}\n"}});
+  const auto text =
+      check_files({{"main.yaml", beginning("robot") + "imports: [a.yaml]\nlayers: [top, low]\nroots: [A]\n"},
+                   {"a.yaml", beginning("a") + "layers: [low, middle]\ngroups: {A: {layer: middle}}\n"}});
   CHECK(lines_with(text.checked.model, "layer") == "layer top\nlayer low\nlayer middle\n");
 }
 
 TEST_CASE("an imported assertion counts where all of its groups can be requested") {
-  const std::string module = head("a") + R"(
+  const std::string module = beginning("a") + R"(
 groups:
   A: {tasks: [B]}
   B: {}
@@ -148,14 +148,15 @@ assertions:
   - can_run: B
   - never_together: [B, C]
 )";
-  const auto text = check_files({{"main.yaml", head("robot") + "imports: [a.yaml]\nroots: [A]\n"}, {"a.yaml", module}});
+  const auto text =
+      check_files({{"main.yaml", beginning("robot") + "imports: [a.yaml]\nroots: [A]\n"}, {"a.yaml", module}});
   CHECK(lines_with(text.checked.model, "assert") == "assert can run B\n");
 }
 
 TEST_CASE("headers of all files are included, the namespace is the main file's") {
-  const auto text =
-      check_files({{"main.yaml", head("robot") + "imports: [a.yaml]\ncpp: {headers: [m.hpp, a.hpp]}\nroots: [A]\n"},
-                   {"a.yaml", head("a") + "cpp: {namespace: other, headers: [a.hpp]}\ngroups: {A: {}}\n"}});
+  const auto text = check_files(
+      {{"main.yaml", beginning("robot") + "imports: [a.yaml]\ncpp: {headers: [m.hpp, a.hpp]}\nroots: [A]\n"},
+       {"a.yaml", beginning("a") + "cpp: {namespace: other, headers: [a.hpp]}\ngroups: {A: {}}\n"}});
   CHECK(text.checked.model.headers == std::vector<std::string>{"a.hpp", "m.hpp"});
   CHECK(text.checked.model.name_space == "robot");
 }

@@ -35,9 +35,12 @@ inline CheckedText check_files(const std::map<std::string, std::string>& texts,
   return out;
 }
 
-/// Behind the two lines that every file has.
+/// The two lines that every file has.
+inline std::string beginning(const std::string& name) { return "behaviour: " + name + "\nlanguage: 1\n"; }
+
+/// Behind the beginning of a `robot`.
 inline CheckedText check_text(const std::string& text, const compiler::CheckOptions& options = {}) {
-  return check_files({{"main.yaml", "behaviour: robot\nlanguage: 1\n" + text}}, options);
+  return check_files({{"main.yaml", beginning("robot") + text}}, options);
 }
 
 } // namespace director::tests
