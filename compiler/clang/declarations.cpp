@@ -63,8 +63,9 @@ public:
     const bool has_place = fault.hasSourceManager() && fault.getLocation().isValid();
     if (!has_place) of_command_line.push_back(message.str().str());
     // What is wrong with the command line is told of the first line of the file.
-    Json row = has_place ? row_at(fault.getSourceManager(), fault.getLocation())
-                         : Json::object({{"path", Json::text(path_)}, {"line", number(1)}, {"column", number(1)}});
+    Json row =
+        has_place ? row_at(fault.getSourceManager(), fault.getLocation())
+                  : Json::object({{"path", Json::text(path_)}, {"line", Json::number(1)}, {"column", Json::number(1)}});
     row.add("message", Json::text(message.str().str()));
     problems.try_emplace(has_place ? place_of(fault.getSourceManager(), fault.getLocation())
                                    : Findings::Place{path_, 0},

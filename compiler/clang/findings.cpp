@@ -5,8 +5,6 @@
 
 namespace director::scanning {
 
-Json number(std::uint64_t value) { return Json::number(static_cast<std::int64_t>(value)); }
-
 std::string canonical(clang::FileEntryRef file) {
   std::error_code fault;
   const llvm::StringRef real = file.getFileEntry().tryGetRealPathName();
@@ -21,8 +19,8 @@ Findings::Place place_of(const clang::SourceManager& sources, clang::SourceLocat
 
 Json row_at(const clang::SourceManager& sources, clang::SourceLocation at) {
   return Json::object({{"path", Json::text(place_of(sources, at).first)},
-                       {"line", number(sources.getExpansionLineNumber(at))},
-                       {"column", number(sources.getExpansionColumnNumber(at))}});
+                       {"line", Json::count(sources.getExpansionLineNumber(at))},
+                       {"column", Json::count(sources.getExpansionColumnNumber(at))}});
 }
 
 } // namespace director::scanning

@@ -20,8 +20,6 @@ struct Findings {
   std::set<std::string> seen; ///< files, by their canonical paths
 };
 
-Json number(std::uint64_t value);
-
 std::string canonical(clang::FileEntryRef file);
 
 /// Of what stands there; in a macro, where that is used. Path and offset.

@@ -29,9 +29,8 @@ Json whole(const format::FormatStyle& style, const std::string& path, const std:
   pass(format::reformat(style, code, {Range(0, static_cast<unsigned>(code.size()))}, path));
   Json out = Json::list({});
   if (code != text)
-    out.add(Json::object({{"offset", Json::number(0)},
-                          {"length", Json::number(static_cast<std::int64_t>(text.size()))},
-                          {"text", Json::text(code)}}));
+    out.add(
+        Json::object({{"offset", Json::number(0)}, {"length", Json::count(text.size())}, {"text", Json::text(code)}}));
   return out;
 }
 
@@ -41,8 +40,8 @@ Json parts(const format::FormatStyle& style, const std::string& path, const comp
     ranges.emplace_back(static_cast<unsigned>(each.begin), static_cast<unsigned>(each.end - each.begin));
   Json out = Json::list({});
   for (const clang::tooling::Replacement& each : format::reformat(style, applied.text, ranges, path))
-    out.add(Json::object({{"offset", Json::number(each.getOffset())},
-                          {"length", Json::number(each.getLength())},
+    out.add(Json::object({{"offset", Json::count(each.getOffset())},
+                          {"length", Json::count(each.getLength())},
                           {"text", Json::text(each.getReplacementText().str())}}));
   return out;
 }

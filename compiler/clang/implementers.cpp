@@ -89,7 +89,7 @@ private:
       row.add("name", Json::text(type.getQualifiedNameAsString()));
       row.add("interfaces", Json::texts({interfaces.begin(), interfaces.end()}));
       row.add("bases", Json::texts({bases.begin(), bases.end()}));
-      row.add("end", number(place(end).second));
+      row.add("end", Json::count(place(end).second));
       row.add("inside", Json::number(inside(end)));
       row.add("public", Json::boolean(access_at_end(type) == clang::AS_public));
       row.add("macro", Json::boolean(end.isMacroID()));
@@ -136,8 +136,8 @@ private:
     row.add("class", Json::text(function.getParent()->getQualifiedNameAsString()));
     row.add("name", Json::text(function.getNameAsString()));
     row.add("context", Json::text(known ? context_of(parameter) : written(type)));
-    row.add("begin", number(place(begin).second));
-    row.add("end", number(end.offset));
+    row.add("begin", Json::count(place(begin).second));
+    row.add("end", Json::count(end.offset));
     row.add("inside", Json::number(end.inside));
     row.add("known", Json::boolean(known));
     row.add("within", Json::boolean(within));

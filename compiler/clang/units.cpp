@@ -13,9 +13,8 @@ void tell_reading(Json& answer, const Reading& reading) {
   Json files = Json::list({}), errors = Json::list({});
   for (const Included& file : reading.files) files.add(Json::list({Json::text(file.path), Json::boolean(file.system)}));
   for (const Fault& fault : reading.errors) {
-    errors.add(Json::object({{"message", Json::text(fault.message)},
-                             {"file", Json::text(fault.file)},
-                             {"line", Json::number(static_cast<std::int64_t>(fault.line))}}));
+    errors.add(Json::object(
+        {{"message", Json::text(fault.message)}, {"file", Json::text(fault.file)}, {"line", Json::count(fault.line)}}));
   }
   answer.add("files", std::move(files));
   answer.add("errors", std::move(errors));

@@ -17,8 +17,8 @@ void print(const Verify& request, const Verified& verified, const dsl::Sources& 
   if (request.format == Format::json) {
     Json out = findings_json(verified.findings, sources);
     out.add("not_decided", Json::texts(verified.not_decided));
-    out.add("bodies", Json::number(static_cast<std::int64_t>(verified.bodies)));
-    out.add("seen", Json::number(static_cast<std::int64_t>(verified.seen)));
+    out.add("bodies", Json::count(verified.bodies));
+    out.add("seen", Json::count(verified.seen));
     console.out << to_lines(out);
     return;
   }

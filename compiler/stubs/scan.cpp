@@ -6,9 +6,8 @@ namespace director::compiler::stubs {
 namespace {
 
 Json to_json(const Insertion& each) {
-  return Json::object({{"path", Json::text(each.path)},
-                       {"offset", Json::number(static_cast<std::int64_t>(each.offset))},
-                       {"text", Json::text(each.text)}});
+  return Json::object(
+      {{"path", Json::text(each.path)}, {"offset", Json::count(each.offset)}, {"text", Json::text(each.text)}});
 }
 
 Json to_json(const std::vector<Insertion>& insertions) {
