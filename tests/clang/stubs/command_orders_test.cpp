@@ -47,6 +47,7 @@ public:
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "src");
     write(folder_ / ".clang-format", clang_format(number));
+    write(folder_ / "compile_commands.json", "[]"); // not that of the build around it
     // What orders call the type that a body returns, too.
     write(folder_ / "result.hpp", "#pragma once\nnamespace director { class Outcome; }\nusing Result = "
                                   "director::Outcome;\n");

@@ -38,6 +38,7 @@ public:
     fs::create_directories(folder_);
     write("cart.yaml", yaml);
     write(".clang-format", "DisableFormat: true\n"); // not the project's own
+    write("compile_commands.json", "[]");            // nor that of the build around it
   }
   ~Workshop() { fs::remove_all(folder_); }
   std::string folder() const { return folder_.string(); }
