@@ -255,7 +255,7 @@ void overlap(Robot& robot, bool defect) {
             {number, defect ? "30" : "60"});
 }
 
-constexpr Planter planters[]{
+constexpr Planter of_conditions[]{
     {"contradictory_when", "two values", two_values},
     {"contradictory_when", "between numbers", between_numbers},
     {"contradictory_when", "beyond the range", beyond_the_range},
@@ -290,6 +290,6 @@ constexpr Planter planters[]{
 
 } // namespace
 
-std::span<const Planter> condition_planters() { return planters; }
+std::span<const Planter> condition_planters() { return of_conditions; }
 
 } // namespace director::defects

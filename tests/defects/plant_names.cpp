@@ -209,7 +209,7 @@ void unread_enum(Robot& robot, bool defect) {
                                              : "{@type: robot::Gear, values: [a, b], external: true}");
 }
 
-constexpr Planter planters[]{
+constexpr Planter of_names[]{
     {"undefined_name", "a task", misspelt_task},
     {"undefined_name", "a need", misspelt_need},
     {"undefined_name", "a member of a pack", misspelt_member},
@@ -255,6 +255,6 @@ constexpr Planter planters[]{
 
 } // namespace
 
-std::span<const Planter> naming_planters() { return planters; }
+std::span<const Planter> naming_planters() { return of_names; }
 
 } // namespace director::defects

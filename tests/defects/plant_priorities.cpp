@@ -139,7 +139,7 @@ void set_by_a_body(Robot& robot, bool defect) {
   script(robot, fill("script:\n  $0:\n    @set: {$1: $2}\nsteps:\n  - request: $0\n",
                      {name, robot.inner, defect ? "never" : "second"}));
 }
-void set_by_a_handler(Robot& robot, bool defect) {
+void set_when_stopped(Robot& robot, bool defect) {
   const std::string name = make_root(robot, "{start: {sets: [$0 == second]}, stop: true}", {robot.inner});
   script(robot, fill("script:\n  $0.$2:\n    @set: {$1: second}\nsteps:\n  - request: $0\n  - cancel: $0\n",
                      {name, robot.inner, defect ? "stop" : "start"}));
@@ -177,7 +177,7 @@ void allowed_for_a_file(Robot& robot, bool defect) {
   robot.section(file, "because") = Node("nobody minds");
 }
 
-constexpr Planter planters[]{
+constexpr Planter of_priorities[]{
     {"equal_priority", "two roots", two_roots},
     {"equal_priority", "two of a pack", two_of_a_pack},
     {"equal_priority", "two purposes", two_purposes},
@@ -193,7 +193,7 @@ constexpr Planter planters[]{
     {"assertion_failed", "soft", cuts_hard},
     {"assertion_failed", "can_run", cannot_run},
     {"undeclared_state_write", "a body", set_by_a_body},
-    {"undeclared_state_write", "a handler", set_by_a_handler},
+    {"undeclared_state_write", "a handler", set_when_stopped},
     {"undeclared_state_write", "a step", set_by_a_step},
     {"unused_allow", "nothing", allows_nothing},
     {"unused_allow", "an error", allows_an_error},
@@ -203,6 +203,6 @@ constexpr Planter planters[]{
 
 } // namespace
 
-std::span<const Planter> priority_planters() { return planters; }
+std::span<const Planter> priority_planters() { return of_priorities; }
 
 } // namespace director::defects

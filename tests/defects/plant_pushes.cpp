@@ -397,7 +397,7 @@ void unsettled_by_a_task(Robot& robot, bool defect) {
   ask_for_both(robot, play, walk);
 }
 
-constexpr Planter planters[]{
+constexpr Planter of_pushes[]{
     {"unreachable_causing", "nobody asks", nobody_asks},
     {"unreachable_causing", "never its turn", never_its_turn},
     {"unreachable_causing", "the lowest one", the_lowest_one},
@@ -434,6 +434,6 @@ constexpr Planter planters[]{
 
 } // namespace
 
-std::span<const Planter> push_planters() { return planters; }
+std::span<const Planter> push_planters() { return of_pushes; }
 
 } // namespace director::defects

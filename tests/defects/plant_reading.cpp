@@ -70,7 +70,7 @@ void word_twice(Robot& robot, bool defect) {
   Node& skill = robot.group(any_skill(robot));
   if (defect) skill.add("@needs", flow("[$0]", {robot.parts[robot.part()]}));
 }
-void value_twice(Robot& robot, bool defect) {
+void state_word_twice(Robot& robot, bool defect) {
   Node& state = robot.state(robot.sense(SenseKind::plain).name);
   if (defect) state.add("@initial", *state.find("initial"));
 }
@@ -277,7 +277,7 @@ void trap_as_provider(Robot& robot, bool defect) {
   if (defect) provider.items.front() = Node("off");
 }
 
-constexpr Planter planters[]{
+constexpr Planter of_reading[]{
     {"yaml_syntax", "an alias", alias},
     {"yaml_syntax", "an anchor", anchor},
     {"yaml_syntax", "a tag", tag},
@@ -290,7 +290,7 @@ constexpr Planter planters[]{
     {"yaml_syntax", "a second document", second_document},
     {"duplicate_key", "a group", group_twice},
     {"duplicate_key", "a word of a group", word_twice},
-    {"duplicate_key", "a word of a state", value_twice},
+    {"duplicate_key", "a word of a state", state_word_twice},
     {"duplicate_key", "a section", section_twice},
     {"unknown_key", "of a group", misspelt_word},
     {"unknown_key", "of a provider", misspelt_in_provider},
@@ -334,6 +334,6 @@ constexpr Planter planters[]{
 
 } // namespace
 
-std::span<const Planter> reading_planters() { return planters; }
+std::span<const Planter> reading_planters() { return of_reading; }
 
 } // namespace director::defects

@@ -269,7 +269,7 @@ void many_needs(Robot& robot, bool defect) {
   robot.add_root("@" + boss, robot.above());
 }
 
-constexpr Planter planters[]{
+constexpr Planter of_resources[]{
     {"needs_cycle", "a part and a skill", part_needs_skill},
     {"needs_cycle", "itself", needs_itself},
     {"needs_cycle", "three in a circle", longer_circle},
@@ -307,6 +307,6 @@ constexpr Planter planters[]{
 
 } // namespace
 
-std::span<const Planter> resource_planters() { return planters; }
+std::span<const Planter> resource_planters() { return of_resources; }
 
 } // namespace director::defects

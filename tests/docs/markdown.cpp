@@ -10,7 +10,7 @@ namespace director::tests {
 
 namespace {
 
-std::string trimmed(std::string_view text) {
+std::string without_margin(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \n");
   if (first == std::string_view::npos) return {};
   return std::string(text.substr(first, text.find_last_not_of(" \n") - first + 1));
@@ -41,20 +41,20 @@ public:
 
 private:
   void line(const std::string& line) {
-    const bool after_blank = std::exchange(blank_, trimmed(line).empty());
+    const bool after_blank = std::exchange(blank_, without_margin(line).empty());
     if (blank_) return;
     if (line.starts_with("<!--")) return comment();
     const std::string before = std::exchange(comment_, {});
     if (is_fence(line)) return block(before);
     if (line.starts_with("    ") && after_blank) page_.indented.push_back({at_, line});
-    if (line.starts_with("#")) heading(trimmed(line.substr(line.find_first_not_of('#'))));
+    if (line.starts_with("#")) heading(without_margin(line.substr(line.find_first_not_of('#'))));
     words(line, before);
   }
 
   void comment() {
     std::string text = page_.lines[at_].substr(4);
     while (text.find("-->") == std::string::npos && at_ + 1 < page_.lines.size()) text += "\n" + page_.lines[++at_];
-    comment_ = trimmed(std::string_view(text).substr(0, text.find("-->")));
+    comment_ = without_margin(std::string_view(text).substr(0, text.find("-->")));
   }
 
   void block(const std::string& before) {

@@ -13,9 +13,9 @@ namespace {
 using Taken = std::uint64_t;
 constexpr std::size_t most_plans = 40; ///< of one provider: the oracle writes all of them out
 
-class Writer {
+class BehaviourWriter {
 public:
-  Writer(Random& random, const Flavour& flavour, std::size_t groups) : r_(random), f_(flavour) {
+  BehaviourWriter(Random& random, const Flavour& flavour, std::size_t groups) : r_(random), f_(flavour) {
     draft_.groups.resize(groups);
     for (std::size_t g = 0; g < groups; ++g) draft_.groups[g].name = "G" + std::to_string(g);
     plans_.resize(groups);
@@ -345,7 +345,7 @@ Flavour random_flavour(Random& random) {
 }
 
 BehaviourDraft random_behaviour(Random& random, const Flavour& flavour, std::size_t groups) {
-  return Writer(random, flavour, groups).write();
+  return BehaviourWriter(random, flavour, groups).write();
 }
 
 Documents generate(std::uint64_t seed) {

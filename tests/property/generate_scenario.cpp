@@ -9,9 +9,9 @@ namespace {
 
 constexpr int scripted_runs = 3; ///< of a provider or handler; later ones only continue
 
-class Writer {
+class ScenarioWriter {
 public:
-  Writer(Random& random, const Flavour& flavour, const BehaviourDraft& behaviour)
+  ScenarioWriter(Random& random, const Flavour& flavour, const BehaviourDraft& behaviour)
       : r_(random),
         f_(flavour),
         b_(behaviour) {}
@@ -209,7 +209,7 @@ private:
 } // namespace
 
 Node random_scenario(Random& random, const Flavour& flavour, const BehaviourDraft& behaviour) {
-  return Writer(random, flavour, behaviour).write();
+  return ScenarioWriter(random, flavour, behaviour).write();
 }
 
 } // namespace director::property
