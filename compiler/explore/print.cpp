@@ -137,7 +137,7 @@ std::uint64_t* Printer::add_holdings(Projection& out) const {
 
 void Printer::add_queue(Projection& out, Index first) const {
   const director::State& s = engine_.memory();
-  for (Index g = first; g != nil; g = s.runs_before[g]) out.add(std::uint64_t{g} + 1);
+  for (Index g = first; g != nil; g = s.turn[g].runs_before) out.add(std::uint64_t{g} + 1);
 }
 
 Print Printer::print(Phase phase) const {
@@ -176,7 +176,7 @@ std::uint64_t Printer::rest_before(Index group) const {
     overwrite<Bits>(done + Projection::words_of(t.groups.size()), group, group + 1, 0);
   }
   all.add(std::uint64_t{group} + 1);
-  add_queue(all, runs ? s.runs_before[group] : s.counters->queue_first);
+  add_queue(all, runs ? s.turn[group].runs_before : s.counters->queue_first);
   return all.sum();
 }
 

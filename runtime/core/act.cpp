@@ -24,45 +24,12 @@ void Engine::act(Index passes, bool stops) {
   }
 }
 
-/// The same for one component that takes a known move.
-void Engine::act(Index component, const Recall::Move& move) {
-  const std::span<const Index> groups = t_.list(t_.components[component].groups);
-  if (observed()) report_decisions(component);
-  const Recall::Acts& acts = move.acts;
-  if (differing_ == 0) {
-    act_on_touched();
-  } else {
-    std::size_t i = 0;
-    for (; i < acts.stops; ++i) stop_group(groups[acts.group[i]]);
-    if (others_are_touched()) {
-      for (const Index group : with_reasons()) give_reasons(group);
-    } else {
-      for (const std::size_t end = i + acts.gives; i < end; ++i) {
-        const Index group = groups[acts.group[i]];
-        (acts.reasons[i] & Recall::Acts::in_full) != 0 ? give_reasons(group) : give(group, acts.reasons[i]);
-      }
-    }
-    adopt_differing();
-  }
-  if ((move.bits & moved::other_order) != 0) adopt_order(component);
-  keep_promises_in(component);
-}
-
-/// Somebody can have a new reason to run that stands where it stood.
-DIRECTOR_INLINE bool Engine::others_are_touched() const {
-  for (Index i = 0; i < s_.counters->touched_count; ++i) {
-    const Index group = s_.touched[i];
-    if ((s_.group_marks[group] & mark::differs) == 0 && granted(group)) return true;
-  }
-  return false;
-}
-
 /// To a group that is granted as before. Whom it concerns that its orders are outdated, request() told already.
 inline void Engine::give_again(Index group) {
   const Index holder = s_.last[group].holder;
-  s_.data_from[group] = holder;
+  s_.turn[group].data_from = holder;
   if (s_.anew[holder] != 0) {
-    s_.pending[group] |= static_cast<std::uint8_t>(Reason::new_task);
+    s_.pending[group] |= reason::new_task;
     if (!planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
   }
   enqueue(group);
@@ -148,7 +115,7 @@ void Engine::stop_group(Index group) {
   s_.pending[group] = s_.done[group] = 0;
   disarm(Due::wait, group);
   disarm(Due::every, group);
-  s_.data_from[group] = nil;
+  s_.turn[group].data_from = nil;
   const Range listens = t_.groups[group].listens, edges = t_.groups[group].edges;
   for (Index slot = listens.begin; slot != listens.end; ++slot) s_.fired[slot] = 0;
   for (Index e = edges.begin; e != edges.end; ++e) {
@@ -192,50 +159,48 @@ bool Engine::takes_more(Index group, const Standing& last, const Standing& now) 
   return last.active != now.active && (every(last.active) || every(now.active));
 }
 
-/// To a group that is granted and stands elsewhere than before.
-DIRECTOR_INLINE void Engine::give(Index group, std::uint8_t bits) {
-  const Index holder = s_.data_from[group] = s_.now[group].holder;
-  if (s_.anew[holder] != 0) bits |= reason::new_task;
-  if (bits != 0) note_reasons(group, bits);
-  enqueue(group);
+/// The start handler is called where the group becomes live, and a period ends or begins.
+void Engine::begin(Index group, const Standing& now) {
+  if (s_.last[group].active == nil) {
+    s_.turn[group].data_from = now.holder;
+    starting_ = group;
+    handle(group, Reason::started);
+    starting_ = nil;
+  }
+  const Time every = t_.providers[now.active].every; // the period begins when the provider becomes active
+  disarm(Due::every, group);
+  if (every != 0) arm(Due::every, group, s_.counters->now + every);
 }
 
+/// To a group that is granted and stands elsewhere than before, or was touched.
 void Engine::give_reasons(Index group) {
   const Standing &now = s_.now[group], &last = s_.last[group];
-  if (takes_more(group, last, now)) {
-    if (last.active == nil) {
-      s_.data_from[group] = now.holder;
-      starting_ = group;
-      handle(group, Reason::started);
-      starting_ = nil;
-    }
-    const Time every = t_.providers[now.active].every; // the period begins when the provider becomes active
-    disarm(Due::every, group);
-    if (every != 0) arm(Due::every, group, s_.counters->now + every);
-  }
-  give(group, reasons(last, now));
+  if (takes_more(group, last, now)) begin(group, now);
+  note_given(group, now.holder, reasons(last, now));
+  enqueue(group);
 }
 
 /// Section 7: a promise ends with its push, and when its condition has come true.
 void Engine::keep_promises(Index group) {
-  const Index provider = s_.promised_provider[group];
+  Turn& turn = s_.turn[group];
+  const Index provider = turn.promised_provider;
   if (provider == nil) return;
   const Push& push = s_.last[group].push;
-  const bool stands = in_force(group) && push.edge == s_.promised_edge[group] && push.provider == provider;
+  const bool stands = in_force(group) && push.edge == turn.promised_edge && push.provider == provider;
   const Range promises = t_.providers[provider].promises;
   for (Index i = promises.begin; i != promises.end; ++i) {
     if (!stands || holds(t_.promises[i].condition)) disarm(Due::promise, i);
   }
-  if (!stands) s_.promised_edge[group] = s_.promised_provider[group] = nil;
+  if (!stands) turn.promised_edge = turn.promised_provider = nil;
 }
 
 /// The data of a new request take their slot. What was there is kept for a group that still lives on it.
 void Engine::settle_data(Index edge) {
   const Index group = t_.edges[edge].target;
   const bool given = granted(group) && s_.last[group].holder == edge;
-  if (!given && s_.last[group].active != nil && s_.data_from[group] == edge) {
+  if (!given && s_.last[group].active != nil && s_.turn[group].data_from == edge) {
     bodies_.data(bodies_.self, Bodies::Data::retain, edge, nil);
-    s_.data_from[group] = nil;
+    s_.turn[group].data_from = nil;
   }
   bodies_.data(bodies_.self, Bodies::Data::settle, edge, nil);
 }
@@ -262,13 +227,6 @@ inline void Engine::adopt_order(Index component) {
   const Index* const next = s_.next_order + row.order;
   Index* const order = s_.order + row.order;
   for (Index i = 0; i < count; ++i) order[i] = next[i];
-}
-
-inline void Engine::keep_promises_in(Index component) {
-  if (t_.promises.empty()) return;
-  for (const Index g : t_.list(t_.components[component].groups)) {
-    if (s_.promised_provider[g] != nil) keep_promises(g);
-  }
 }
 
 void Engine::report_decisions(Index component) const {

@@ -37,10 +37,7 @@ void Engine::reset() {
   for (Index p = 0; p < t_.providers.size(); ++p) s_.enabled[p] = 1;
   for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e] = nil;
   for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = nil;
-  for (Index g = 0; g < t_.groups.size(); ++g) {
-    s_.runs_after[g] = s_.runs_before[g] = nil;
-    s_.promised_edge[g] = s_.promised_provider[g] = s_.data_from[g] = s_.trial[g] = nil;
-  }
+  for (Index g = 0; g < t_.groups.size(); ++g) s_.trial[g] = nil;
   find_traits();
   for (Index c = 0; c < t_.components.size(); ++c) {
     Index* link = &s_.first_root[c];
@@ -90,7 +87,7 @@ bool Engine::failed(Index edge) const {
 /// Where the data of the task are that the group was given last. A start handler may be called for a request of this
 /// very micro-step, whose data are settled after the act.
 DataPlace Engine::data_of(Index group) const {
-  const Index edge = s_.data_from[group];
+  const Index edge = s_.turn[group].data_from;
   if (edge == nil) return {DataPlace::Slot::group, group};
   if (starting_ == group && s_.anew[edge] != 0) return {DataPlace::Slot::staging, edge};
   return {DataPlace::Slot::edge, edge};

@@ -58,6 +58,16 @@ public:
     return true;
   }
 
+  /// An input of one record, without the way through the inbox: the next step takes it before all that is posted from
+  /// now on. False: something waits already, so post it. For the thread that calls step().
+  bool take_first(const Input& input) {
+    if (first_waits_ || inside_ || !inbox_.empty()) return false;
+    first_ = input;
+    first_waits_ = true;
+    s_.counters->quiet_until = first_time;
+    return true;
+  }
+
   /// The next time at which a step would have something to do without an input; `never` if there is nil.
   Time next_due() const { return s_.counters->next_due; }
 
@@ -96,7 +106,8 @@ private:
   bool work_left() const;
 
   // inputs.cpp
-  bool take_input();
+  bool take_posted();
+  void take_input(Input& record);
   bool take_more(Input& record);
   void take_request(Input& record);
   void take_states(Input& record);
@@ -139,12 +150,12 @@ private:
   void note_edge(Index edge);
   static bool needs_pass(std::uint8_t bits);
   void note_settled(Index component, bool other);
-  void watch(Index component, bool watched);
   void forget_work();
   void note_asked(bool marked);
   void touch(Index group);
   void untouch(Index group);
   bool note_reasons(Index group, std::uint8_t bits);
+  void note_given(Index group, Index holder, std::uint8_t bits);
   void add_reason(Index group, Reason reason);
   void enqueue(Index group);
   Index next_of_queue();
@@ -154,6 +165,7 @@ private:
   bool set_value(Index state, std::int32_t value);
   bool assign(Index state, std::int32_t value);
   void settle_requests();
+  void keep_promises_in(Index component);
   void end_micro_step();
 
   // recalled.cpp: what a component decides
@@ -162,8 +174,14 @@ private:
   bool settle_by_pass(Index component, bool& stops);
   bool in_order(Index component, const Recall::Part& known) const;
   bool ask(Index component, const Recall::Part& known);
-  bool recall_move(Index component, const Recall::Part& known, const Recall::Move& move);
+  void note_recalled(const Recall::Part& known, const Recall::Move& move);
+  void note_move(Index component, const Recall::Move& move, const Index* at);
+  void recall_order(Index component, const Recall::Move& move, const Index* at, Index& count, Index* order,
+                    Index* plan);
   bool go(Index component, const Recall::Move& move, const Index* at);
+  void follow(Index component, const Recall::Move& move, const Index* at);
+  Index join_touched(Index given);
+  bool touched_elsewhere(Index component) const;
   void learn(Index component, const Recall::Part& known, std::size_t place);
   void compare(Index component, const Recall::Part& known, Recall::Move& move) const;
   void foresee(Index component, const Recall::Part& known, Recall::Move& move) const;
@@ -173,13 +191,13 @@ private:
 
   // settle.cpp: after every micro-step
   void arbitrate();
+  void watch(Index component, bool watched);
   bool changed(Index component, bool& stops);
   bool other_plan(Index group) const;
   void remember_queued(Index component);
 
   // act.cpp: section 5
   void act(Index passes, bool stops);
-  void act(Index component, const Recall::Move& move);
   void act_on_touched();
   void sort_by_place(std::span<Index> groups, Along along) const;
   std::span<const Index> held_before(Index passes);
@@ -188,15 +206,13 @@ private:
   void give_again(Index group);
   static std::uint8_t reasons(const Standing& last, const Standing& now);
   bool takes_more(Index group, const Standing& last, const Standing& now) const;
-  void give(Index group, std::uint8_t bits);
+  void begin(Index group, const Standing& now);
   void give_reasons(Index group);
   void keep_promises(Index group);
   void settle_data(Index edge);
-  bool others_are_touched() const;
   void adopt(Index group);
   void adopt_differing();
   void adopt_order(Index component);
-  void keep_promises_in(Index component);
   void report_decisions(Index component) const;
   void handle(Index group, Reason reason);
 
@@ -216,7 +232,9 @@ private:
   std::uint32_t budget_ = default_budget;
   Index differing_ = 0;  ///< rows of State::differing in use
   Index starting_ = nil; ///< the group whose start handler runs: its data may still be staged
-  bool inside_ = false;  ///< a body or handler is running
+  Input first_;          ///< taken before what is in the inbox
+  bool first_waits_ = false;
+  bool inside_ = false; ///< a body or handler is running
   bool faulted_ = false;
 };
 

@@ -7,9 +7,14 @@
 
 namespace director {
 
-bool Engine::take_input() {
+bool Engine::take_posted() {
   Input record;
   if (!inbox_.take(record)) return false;
+  take_input(record);
+  return true;
+}
+
+void Engine::take_input(Input& record) {
   ++s_.counters->micro_step;
   if (observed()) report_input(record);
   switch (record.kind) {
@@ -34,7 +39,6 @@ bool Engine::take_input() {
     break;
   }
   }
-  return true;
 }
 
 /// The next record of the same input; the writer published it before the first one.

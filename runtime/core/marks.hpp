@@ -25,7 +25,7 @@ inline constexpr std::uint8_t looked_at = 64; ///< set only while a member's cho
 inline constexpr std::uint8_t wanted = 1;
 } // namespace mark
 
-/// Bits of State::in_queue.
+/// Bits of Turn::places.
 namespace place {
 inline constexpr std::uint8_t queue = 1;   ///< it is to run
 inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched

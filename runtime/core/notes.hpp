@@ -21,7 +21,7 @@ inline void Engine::mark(Index component, std::uint8_t bits) {
 
 /// Whose orders are outdated may be another from now on. Most of the time nobody has asked.
 inline void Engine::mark_stale(Index group) {
-  const std::uint8_t asked = s_.in_queue[group] & (place::counts | place::watched);
+  const std::uint8_t asked = s_.turn[group].places & (place::counts | place::watched);
   if (asked == 0) return;
   mark(t_.groups[group].component, (asked & place::counts) != 0 ? work::changed : work::stale_changed);
 }
@@ -34,13 +34,13 @@ DIRECTOR_INLINE void Engine::note_edge(Index edge) {
 }
 
 inline void Engine::touch(Index group) {
-  Bits& places = s_.in_queue[group];
+  Bits& places = s_.turn[group].places;
   if ((places & place::touched) != 0) return;
   places |= place::touched;
   s_.touched[s_.counters->touched_count++] = group;
 }
 
-inline void Engine::untouch(Index group) { s_.in_queue[group] &= static_cast<std::uint8_t>(~place::touched); }
+inline void Engine::untouch(Index group) { s_.turn[group].places &= static_cast<std::uint8_t>(~place::touched); }
 
 /// Bits of Reason. True if one of them is news.
 inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
@@ -52,6 +52,13 @@ inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
   return true;
 }
 
+/// To a group that is granted to the holder.
+DIRECTOR_INLINE void Engine::note_given(Index group, Index holder, std::uint8_t bits) {
+  s_.turn[group].data_from = holder;
+  if (s_.anew[holder] != 0) bits |= reason::new_task;
+  if (bits != 0) note_reasons(group, bits);
+}
+
 inline void Engine::add_reason(Index group, Reason reason) {
   if (note_reasons(group, static_cast<std::uint8_t>(reason))) touch(group);
 }
@@ -60,34 +67,38 @@ inline void Engine::add_reason(Index group, Reason reason) {
 // without a look at the others.
 
 DIRECTOR_INLINE void Engine::enqueue(Index group) {
-  if (s_.pending[group] == 0 || (s_.in_queue[group] & place::queue) != 0) return;
-  s_.in_queue[group] |= place::queue;
+  Turn& turn = s_.turn[group];
+  if (s_.pending[group] == 0 || (turn.places & place::queue) != 0) return;
+  turn.places |= place::queue;
   Counters& c = *s_.counters;
   const Index last = c.queue_last;
-  (last == nil ? c.queue_first : s_.runs_before[last]) = group;
-  s_.runs_after[group] = last;
+  (last == nil ? c.queue_first : s_.turn[last].runs_before) = group;
+  turn.runs_after = last;
   c.queue_last = group;
 }
 
 /// Takes the group away that is to run next.
 inline Index Engine::next_of_queue() {
   Counters& c = *s_.counters;
-  const Index group = c.queue_first, before = s_.runs_before[group];
-  s_.in_queue[group] &= static_cast<std::uint8_t>(~place::queue);
+  const Index group = c.queue_first;
+  Turn& turn = s_.turn[group];
+  const Index before = turn.runs_before;
+  turn.places &= static_cast<std::uint8_t>(~place::queue);
+  turn.runs_before = nil;
   c.queue_first = before;
-  (before == nil ? c.queue_last : s_.runs_after[before]) = nil;
-  s_.runs_before[group] = nil;
+  (before == nil ? c.queue_last : s_.turn[before].runs_after) = nil;
   return group;
 }
 
 inline void Engine::leave_queue(Index group) {
-  if ((s_.in_queue[group] & place::queue) == 0) return;
-  s_.in_queue[group] &= static_cast<std::uint8_t>(~place::queue);
+  Turn& turn = s_.turn[group];
+  if ((turn.places & place::queue) == 0) return;
+  turn.places &= static_cast<std::uint8_t>(~place::queue);
   Counters& c = *s_.counters;
-  const Index after = s_.runs_after[group], before = s_.runs_before[group];
-  (after == nil ? c.queue_first : s_.runs_before[after]) = before;
-  (before == nil ? c.queue_last : s_.runs_after[before]) = after;
-  s_.runs_after[group] = s_.runs_before[group] = nil;
+  const Index after = turn.runs_after, before = turn.runs_before;
+  (after == nil ? c.queue_first : s_.turn[after].runs_before) = before;
+  (before == nil ? c.queue_last : s_.turn[before].runs_after) = after;
+  turn.runs_after = turn.runs_before = nil;
 }
 
 // What the next arbitration has to look at.
@@ -173,6 +184,13 @@ inline bool Engine::assign(Index state, std::int32_t value) {
   s_.values[state] = value;
   if (!s_.calm[state].has(value)) look_at_conditions(state, true);
   return true;
+}
+
+inline void Engine::keep_promises_in(Index component) {
+  if (t_.promises.empty()) return;
+  for (const Index g : t_.list(t_.components[component].groups)) {
+    if (s_.turn[g].promised_provider != nil) keep_promises(g);
+  }
 }
 
 /// What was requested in this micro-step is not new any more.

@@ -3,6 +3,7 @@
 // program.hpp.
 
 #include "runtime/core/body.hpp"
+#include "runtime/core/engine.hpp"
 #include "runtime/core/inbox.hpp"
 
 #include <array>
@@ -20,7 +21,11 @@ class Post {
   using Roots = typename Facts::Roots;
 
 public:
-  Post(Inbox& inbox, typename Facts::Data& data) : inbox_(&inbox), data_(&data) {}
+  /// `engine`: only in the thread that calls step(), where an input for which nobody waits goes straight to it.
+  Post(Inbox& inbox, typename Facts::Data& data, Engine* engine = nullptr)
+      : inbox_(&inbox),
+        data_(&data),
+        engine_(engine) {}
 
   /// Root tasks, with their data; several come together. `request(soccer::Kick{command})` False: only for a level that
   /// the program does not declare in `roots`.
@@ -35,7 +40,7 @@ public:
     link(records);
     Input* input = records.data();
     const bool room = (wait(task, *input) && ... && wait(more, *++input));
-    if (room && inbox_->post_in_turn(records)) return true;
+    if (room && (goes_first(records) || inbox_->post_in_turn(records))) return true;
     std::array words = records;
     inbox_->reserve(words);
     input = words.data();
@@ -56,8 +61,8 @@ public:
   template <class Task>
   bool cancel() const {
     static_assert(Roots::template has<Task>, "only tasks that stand in `roots` can be cancelled from outside");
-    Input input{.kind = Input::Kind::cancel, .thing = Roots::template For<Task>::edge};
-    return inbox_->insist({&input, 1});
+    std::array input{Input{.kind = Input::Kind::cancel, .thing = Roots::template For<Task>::edge}};
+    return goes_first(input) || inbox_->insist(input);
   }
 
   /// A state of this type is set from outside.
@@ -76,23 +81,23 @@ public:
     bool inside = true;
     for (const Input& input : records) inside = inside && States::domains[input.thing].has(input.value);
     link(records);
-    return inside && inbox_->post(records);
+    return inside && (goes_first(records) || inbox_->post(records));
   }
 
   template <class Trigger>
   bool fire() const {
     static_assert(Facts::Triggers::template has<Trigger>, "this is not a trigger of the behaviour");
-    const Input input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>};
-    return inbox_->post({&input, 1});
+    const std::array input{Input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>}};
+    return goes_first(input) || inbox_->post(input);
   }
 
   /// A provider that is not enabled does not run. `enable<soccer::Walk::Halting>(false)`
   template <class Provider>
   bool enable(bool enabled) const {
     static_assert(Facts::Providers::template has<Provider>, "this is not a provider of the behaviour");
-    const Input input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
-                      .thing = Facts::Providers::template row<Provider>};
-    return inbox_->post({&input, 1});
+    const std::array input{Input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
+                                 .thing = Facts::Providers::template row<Provider>}};
+    return goes_first(input) || inbox_->post(input);
   }
 
   // By number, for whoever meets names only while the program runs, such as a bridge to other processes.
@@ -120,6 +125,11 @@ private:
   static bool has_level(Index edge, Index level) {
     const Range levels = Facts::tables().edges[edge].levels;
     return levels.begin <= level && level < levels.end;
+  }
+
+  template <std::size_t count>
+  bool goes_first(const std::array<Input, count>& records) const {
+    return count == 1 && engine_ != nullptr && engine_->take_first(records[0]);
   }
 
   template <std::size_t count>
@@ -165,6 +175,7 @@ private:
 
   Inbox* inbox_;
   typename Facts::Data* data_;
+  Engine* engine_;
 };
 
 } // namespace director

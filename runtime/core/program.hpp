@@ -37,15 +37,15 @@ public:
   // assertions they are refused (false).
   template <class Task, class... More>
   bool request(Task task, More... more) {
-    return outside() && post().request(std::move(task), std::move(more)...);
+    return outside() && words().request(std::move(task), std::move(more)...);
   }
   template <class Task, class... More>
   bool request() {
-    return outside() && post().template request<Task, More...>();
+    return outside() && words().template request<Task, More...>();
   }
   template <class Task>
   bool cancel() {
-    return outside() && post().template cancel<Task>();
+    return outside() && words().template cancel<Task>();
   }
   template <class Value, class... More>
   bool set(Value value, More... more) {
@@ -55,15 +55,15 @@ public:
           engine_.take_at_once(setting.state, setting.value))
         return true;
     }
-    return outside() && post().set(value, more...);
+    return outside() && words().set(value, more...);
   }
   template <class Trigger>
   bool fire() {
-    return outside() && post().template fire<Trigger>();
+    return outside() && words().template fire<Trigger>();
   }
   template <class Provider>
   bool enable(bool enabled) {
-    return outside() && post().template enable<Provider>(enabled);
+    return outside() && words().template enable<Provider>(enabled);
   }
 
   /// The same words for other threads and interrupts, and for bodies. As long as the behaviour lives, a copy may be
@@ -107,6 +107,8 @@ protected:
   typename Facts::Data& data() { return data_; }
 
 private:
+  Post words() { return {inbox_, data_, &engine_}; }
+
 #ifdef DIRECTOR_NO_RECALL
   static constexpr std::size_t recall_bytes = 0;
 #else

@@ -25,6 +25,15 @@ bool can_tie(const Tables& t, const Edge& a, const Edge& b) {
 }
 } // namespace
 
+std::uint8_t Recall::Part::look_up() const {
+  const std::uint8_t from = head->current;
+  Word digest_of_it = from;
+  for (std::size_t i = 0; i < words; ++i) digest_of_it = mix(digest_of_it, question[i]);
+  auto place = static_cast<std::uint8_t>(digest_of_it % places);
+  while (move(place).from != unknown && !is_asked(place, from)) place = static_cast<std::uint8_t>((place + 1) % places);
+  return place;
+}
+
 std::uint8_t Recall::Part::number_spare() const {
   const Index* const given = spare();
   Word found = 0;
@@ -49,8 +58,7 @@ bool Recall::Part::full() const { return head->decisions >= room_for_decisions |
 
 void Recall::Part::forget() const {
   head->current = unknown;
-  head->decisions = head->moves = 0;
-  head->used = 0;
+  head->decisions = head->moves = head->used = head->taken = 0;
   for (std::size_t i = 0; i < places; ++i) move(i) = Move{};
 }
 

@@ -56,6 +56,7 @@ public:
     std::uint8_t to = unknown;
     std::uint8_t bits = 0; ///< of `moved`
     bool compared = false; ///< the difference is known
+    std::uint8_t next = unknown; ///< the place of the move that was made behind it the last time
     Acts acts;
     Difference difference;
   };
@@ -63,7 +64,8 @@ public:
     std::uint8_t current = unknown; ///< the decision that stands
     std::uint8_t decisions = 0, moves = 0;
     bool ties = false;      ///< which of two siblings was asked for first can matter
-    std::uint16_t used = 0; ///< how often a move was, since the part began anew
+    std::uint8_t used = 0;  ///< how often a move was, since the part began anew; 255: or more often
+    std::uint8_t taken = 0; ///< the place of the last move
     std::uint16_t rest = 0; ///< for so many decisions nothing is looked up or learnt
   };
 
@@ -93,14 +95,13 @@ public:
     /// The situation in hand, a byte for each edge, group and condition of the component.
     std::uint8_t* bytes() const { return reinterpret_cast<std::uint8_t*>(question); }
     /// The place of the move from the decision that stands, in the situation in hand; a free one if it is not known.
+    /// Mostly the last move is followed by the one that followed it before.
     std::size_t find() const {
-      const std::uint8_t from = head->current;
-      Word digest_of_it = from;
-      for (std::size_t i = 0; i < words; ++i) digest_of_it = mix(digest_of_it, question[i]);
-      std::size_t place = digest_of_it % places;
-      while (move(place).from != unknown && !is_asked(place, from)) place = (place + 1) % places;
-      return place;
+      std::uint8_t& next = move(head->taken).next;
+      if (next == unknown || !is_asked(next, head->current)) next = look_up();
+      return head->taken = next;
     }
+    std::uint8_t look_up() const;
     const Index* row(std::size_t number) const { return decision + number * rows; }
     /// Here a decision is written that may be a new one; there is room while it is not full().
     Index* spare() const { return decision + head->decisions * rows; }

@@ -18,7 +18,10 @@ constexpr std::size_t standing_rows = 7;
 constexpr std::size_t count_rows = 4; ///< of 16 bits
 constexpr std::size_t why_rows = 2;
 
-Standing standing(const Index* row) { return {row[0], row[1], row[2], row[3], {row[4], row[5], row[6]}}; }
+Standing standing(const Index* decision, std::size_t place = 0) {
+  const Index* const row = decision + standing_rows * place;
+  return {row[0], row[1], row[2], row[3], {row[4], row[5], row[6]}};
+}
 
 /// Calls visit(place) for each bit.
 template <class Visit>
@@ -37,14 +40,12 @@ DIRECTOR_INLINE bool Engine::ask(Index component, const Recall::Part& known) {
   return !known.head->ties || in_order(component, known);
 }
 
-/// True if it leads to another decision.
-DIRECTOR_INLINE bool Engine::recall_move(Index component, const Recall::Part& known, const Recall::Move& move) {
+DIRECTOR_INLINE void Engine::note_recalled(const Recall::Part& known, const Recall::Move& move) {
   ++recalled_;
   Recall::Head& head = *known.head;
-  if (head.used != 0xffff) ++head.used;
+  if (head.used != 0xff) ++head.used;
   recall_decision((move.bits & moved::on_last) != 0, (move.bits & moved::on_stale) != 0);
   head.current = move.to;
-  return move.to != move.from && go(component, move, known.row(move.to));
 }
 
 /// True if what is decided is another decision.
@@ -64,7 +65,8 @@ bool Engine::settle(Index component, bool& any_stops) {
     if (move.from != Recall::unknown) {
       if (!move.compared) compare(component, known, move);
       any_stops = any_stops || (move.bits & moved::stops) != 0;
-      return recall_move(component, known, move);
+      note_recalled(known, move);
+      return go(component, move, known.row(move.to));
     }
   }
   const bool other = settle_by_pass(component, any_stops);
@@ -88,10 +90,11 @@ bool Engine::retrace() {
   const Recall::Move* move = ask(component, known) ? &known.move(known.find()) : nullptr;
   note_asked(false);
   if (move == nullptr || move->acts.gives == Recall::unknown) return false;
-  if (observed()) remember_queued(component);
-  differing_ = 0;
-  note_settled(component, recall_move(component, known, *move));
-  act(component, *move);
+  const bool other = move->difference.groups != 0;
+  if (other && touched_elsewhere(component)) return false;
+  note_recalled(known, *move);
+  note_settled(component, other);
+  follow(component, *move, known.row(move->to));
   forget_work();
   return true;
 }
@@ -117,44 +120,124 @@ bool Engine::in_order(Index component, const Recall::Part& known) const {
   return true;
 }
 
-/// To another decision, as a pass and changed() would leave it. What a pass writes besides is used by nobody.
-bool Engine::go(Index component, const Recall::Move& move, const Index* at) {
+/// What a move changes besides where groups stand: whose outdated orders count, and why edges are queued.
+DIRECTOR_INLINE void Engine::note_move(Index component, const Recall::Move& move, const Index* at) {
   const Component& row = t_.components[component];
   const std::span<const Index> groups = t_.list(row.groups), edges = t_.list(row.edges);
-  each_bit(move.difference.groups, [&](std::size_t place) {
-    const Index group = groups[place];
-    s_.now[group] = standing(at + standing_rows * place);
-    s_.group_marks[group] |= mark::differs;
-    s_.differing[differing_++] = group;
-  });
-  at += standing_rows * groups.size();
   each_bit(move.difference.counts, [&](std::size_t place) {
-    Bits& places = s_.in_queue[groups[place]];
+    Bits& places = s_.turn[groups[place]].places;
     places = places ^ place::counts;
   });
-  at += count_rows;
+  at += standing_rows * groups.size() + count_rows;
   each_bit(move.difference.edges, [&](std::size_t place) {
     for (; place < edges.size(); place += 64)
       s_.queued[edges[place]] = {static_cast<Why>(at[why_rows * place]), at[why_rows * place + 1]};
   });
-  at += why_rows * edges.size();
+  if ((move.bits & moved::other_decision) != 0) s_.counters->unsettled = true;
+}
+
+/// The order and the plans of a decision, where the move changes them.
+DIRECTOR_INLINE void Engine::recall_order(Index component, const Recall::Move& move, const Index* at, Index& count,
+                                          Index* order, Index* plan) {
+  const Component& row = t_.components[component];
+  const std::span<const Index> groups = t_.list(row.groups);
+  at += standing_rows * groups.size() + count_rows + why_rows * row.edges.size();
   if ((move.bits & moved::other_order) != 0) {
-    const Index count = s_.next_count[component] = at[0];
-    Index *const order = s_.next_order + row.order, *const place = s_.place;
+    count = at[0];
     for (Index i = 0; i < count; ++i) {
       order[i] = at[1 + i];
-      place[order[i]] = i;
+      s_.place[order[i]] = i;
     }
   }
+  if ((move.bits & moved::other_plans) == 0) return;
   at += 1 + groups.size();
-  if ((move.bits & moved::other_plans) != 0) {
-    for (const Index g : groups) {
-      const Range slots = t_.groups[g].slots;
-      for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = *at++;
-    }
+  for (const Index g : groups) {
+    const Range slots = t_.groups[g].slots;
+    for (Index slot = slots.begin; slot != slots.end; ++slot) plan[slot] = *at++;
   }
-  if ((move.bits & moved::other_decision) != 0) s_.counters->unsettled = true;
+}
+
+/// To another decision, as a pass and changed() would leave it. What a pass writes besides is used by nobody. True if
+/// it is another one.
+bool Engine::go(Index component, const Recall::Move& move, const Index* at) {
+  const Component& row = t_.components[component];
+  const std::span<const Index> groups = t_.list(row.groups);
+  each_bit(move.difference.groups, [&](std::size_t place) {
+    const Index group = groups[place];
+    s_.now[group] = standing(at, place);
+    s_.group_marks[group] |= mark::differs;
+    s_.differing[differing_++] = group;
+  });
+  note_move(component, move, at);
+  recall_order(component, move, at, s_.next_count[component], s_.next_order + row.order, s_.now.plan);
   return move.difference.groups != 0;
+}
+
+/// The same, and acting on it, as act() would: what is known of that saves looking for it.
+void Engine::follow(Index component, const Recall::Move& move, const Index* at) {
+  const Component& row = t_.components[component];
+  const std::span<const Index> groups = t_.list(row.groups);
+  if (observed()) remember_queued(component);
+  note_move(component, move, at);
+  if (observed()) {
+    for (std::size_t i = 0; i < groups.size(); ++i) s_.now[groups[i]] = standing(at, i);
+    report_decisions(component);
+  }
+  if (move.difference.groups == 0) {
+    act_on_touched();
+  } else {
+    const Recall::Acts& acts = move.acts;
+    for (std::size_t i = 0; i < acts.stops; ++i) stop_group(groups[acts.group[i]]);
+    const std::size_t end = std::size_t{acts.stops} + acts.gives;
+    for (std::size_t i = acts.stops; i < end; ++i) {
+      const std::size_t place = acts.group[i];
+      if ((acts.reasons[i] & Recall::Acts::in_full) != 0) begin(groups[place], standing(at, place));
+    }
+    each_bit(move.difference.groups, [&](std::size_t place) {
+      Standing& last = s_.last[groups[place]];
+      last = standing(at, place);
+      if (!last.granted()) leave_queue(groups[place]);
+    });
+    recall_order(component, move, at, s_.order_count[component], s_.order + row.order, s_.last.plan);
+    Index count = 0;
+    for (std::size_t i = acts.stops; i < end; ++i) {
+      const Index group = s_.sorted[count++] = groups[acts.group[i]];
+      note_given(group, s_.last[group].holder, acts.reasons[i] & static_cast<std::uint8_t>(~Recall::Acts::in_full));
+    }
+    if (s_.counters->touched_count != 0) count = join_touched(count);
+    for (Index i = 0; i < count; ++i) enqueue(s_.sorted[i]);
+  }
+  keep_promises_in(component);
+}
+
+/// To those of State::sorted that stand elsewhere, those that can have a new reason to run where they stood. Returns
+/// how many they are.
+Index Engine::join_touched(Index given) {
+  Counters& c = *s_.counters;
+  Index count = given;
+  const auto joined = [&](Index group) {
+    Index i = 0;
+    while (i < given && s_.sorted[i] != group) ++i;
+    return i != given;
+  };
+  for (Index i = 0; i < c.touched_count; ++i) {
+    const Index group = s_.touched[i];
+    untouch(group);
+    if (!granted(group) || joined(group)) continue;
+    note_given(group, s_.last[group].holder, 0);
+    s_.sorted[count++] = group;
+  }
+  c.touched_count = 0;
+  if (count != given) sort_by_place({s_.sorted, count}, Along::last);
+  return count;
+}
+
+/// In a component other than this one.
+bool Engine::touched_elsewhere(Index component) const {
+  for (Index i = 0; i < s_.counters->touched_count; ++i) {
+    if (t_.groups[s_.touched[i]].component != component) return true;
+  }
+  return false;
 }
 
 /// After a pass over a situation that the question tells; `place`: where the move belongs, if it is known from where.
@@ -223,7 +306,7 @@ void Engine::foresee(Index component, const Recall::Part& known, Recall::Move& m
       std::uint8_t place = 0;
       while (groups[place] != decision[order + 1 + i]) ++place;
       if ((move.difference.groups >> place & 1) == 0) continue;
-      const Standing last = standing(from + standing_rows * place), now = standing(to + standing_rows * place);
+      const Standing last = standing(from, place), now = standing(to, place);
       if (!does(last, now)) continue;
       room = room && count < Recall::Acts::most;
       if (!room) return;
@@ -249,7 +332,7 @@ void Engine::write(Index component, Index* to) const {
     for (const Index part :
          {now.holder, now.active, now.planned, now.flags, now.push.edge, now.push.provider, now.push.condition})
       *to++ = part;
-    counting |= Recall::Word{(s_.in_queue[g] & place::counts) != 0} << at++;
+    counting |= Recall::Word{(s_.turn[g].places & place::counts) != 0} << at++;
   }
   for (std::size_t i = 0; i < count_rows; ++i) *to++ = static_cast<Index>(counting >> 16 * i & 0xffff);
   for (const Index e : t_.list(row.edges)) {

@@ -59,13 +59,13 @@ void Engine::run_next() {
   s_.pending[group] = 0;
   mark_stale(group);
   const bool pushed = in_force(group);
-  if (!pushed) reasons &= static_cast<std::uint8_t>(~static_cast<std::uint8_t>(Reason::pushed));
+  if (!pushed) reasons &= static_cast<std::uint8_t>(~reason::pushed);
   if (reasons == 0) return end_micro_step(); // nobody pushes it any more
 
   const Index provider = s_.last[group].active;
-  if (pushed && s_.promised_provider[group] == nil) { // section 7: its first run on that push
-    s_.promised_edge[group] = s_.last[group].push.edge;
-    s_.promised_provider[group] = provider;
+  if (pushed && s_.turn[group].promised_provider == nil) { // section 7: its first run on that push
+    s_.turn[group].promised_edge = s_.last[group].push.edge;
+    s_.turn[group].promised_provider = provider;
     const Range promises = t_.providers[provider].promises;
     for (Index i = promises.begin; i != promises.end; ++i) arm(Due::promise, i, c.now + t_.promises[i].within);
   }
@@ -81,7 +81,7 @@ void Engine::run_next() {
   inside_ = false;
   commit(run, outcome.kind());
   end_micro_step();
-  if (s_.promised_provider[group] != nil) keep_promises(group);
+  if (s_.turn[group].promised_provider != nil) keep_promises(group);
 }
 
 void Engine::commit_states(bool fault) {

@@ -29,8 +29,8 @@ void Engine::arbitrate() {
 /// Tells every group whether somebody has to hear when its orders are outdated.
 void Engine::watch(Index component, bool watched) {
   for (const Index g : t_.list(t_.components[component].groups)) {
-    s_.in_queue[g] &= static_cast<std::uint8_t>(~place::watched);
-    if (watched) s_.in_queue[g] |= place::watched;
+    s_.turn[g].places &= static_cast<std::uint8_t>(~place::watched);
+    if (watched) s_.turn[g].places |= place::watched;
   }
 }
 

@@ -111,6 +111,16 @@ struct Standing {
   }
 };
 
+/// Where a group stands in the run queue, and what it runs on. Behind Standing, what most micro-steps look at.
+struct Turn {
+  Index runs_after = nil;        ///< group that is to run: the one before it in the queue; nil
+  Index runs_before = nil;       ///< and the one behind it
+  Index data_from = nil;         ///< edge whose slot holds its data; nil: its own slot
+  Index promised_edge = nil;     ///< pusher of the push for which promises were taken
+  Index promised_provider = nil; ///< its provider; nil: no promise
+  Bits places{};                 ///< bits of `place`
+};
+
 /// One assignment: what a pass decides. The committed one is a part of the decision state; a pass writes another.
 struct Assignment {
   Standing* group = nullptr;
@@ -174,17 +184,12 @@ struct State {
   Index* place = nullptr;                 ///< group that is held: where it stands in that order
   Index* first_root = nullptr;            ///< component: its first edge of root, in order; nil
   Index* next_root = nullptr;             ///< edge of root: the next one of its component; nil
-  Index* runs_after = nullptr;            ///< group that is to run: the one before it in the queue; nil
-  Index* runs_before = nullptr;           ///< and the one behind it
+  Turn* turn = nullptr;                   ///< group
   Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
-  Index* promised_edge = nullptr;         ///< group: pusher of the push for which promises were taken
-  Index* promised_provider = nullptr;     ///< group: its provider; nil: no promise
-  Index* data_from = nullptr;             ///< group: edge whose slot holds its data; nil: its own slot
   Bits* component = nullptr;              ///< component: bits of `work`
   Bits* enabled = nullptr;                ///< provider
   Bits* done = nullptr;                   ///< group: bits of `result`
   Bits* pending = nullptr;                ///< group: bits of Reason
-  Bits* in_queue = nullptr;               ///< group
   Bits* fired = nullptr;                  ///< listening slot (Group::listens): the trigger fired since the last run
 
   // What one pass, commit or act needs and forgets.
@@ -241,11 +246,10 @@ struct State {
     each_of(s.last, n, visit);
     visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
     visit(s.first_root, n.components), visit(s.next_root, n.edges);
-    visit(s.runs_after, n.groups), visit(s.runs_before, n.groups);
-    visit(s.work, n.components), visit(s.promised_edge, n.groups), visit(s.promised_provider, n.groups);
-    visit(s.data_from, n.groups), visit(s.component, n.components), visit(s.enabled, n.providers);
+    visit(s.turn, n.groups), visit(s.work, n.components);
+    visit(s.component, n.components), visit(s.enabled, n.providers);
     visit(s.truth, n.conditions);
-    visit(s.done, n.groups), visit(s.pending, n.groups), visit(s.in_queue, n.groups), visit(s.fired, n.listen_slots);
+    visit(s.done, n.groups), visit(s.pending, n.groups), visit(s.fired, n.listen_slots);
     scratch();
     visit(s.cost, n.conditions), visit(s.cost_at, n.conditions), visit(s.cost_plan, n.conditions);
     visit(s.cost_next, n.conditions);

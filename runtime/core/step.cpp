@@ -21,7 +21,11 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   Counters& c = *s_.counters;
   for (;;) {
     if (c.handlers_set) return take_handlers_input(), true;
-    if (inbox_.due() && take_input()) return true;
+    if (first_waits_) {
+      first_waits_ = false;
+      return take_input(first_), true;
+    }
+    if (inbox_.due() && take_posted()) return true;
     if (c.serving && take_timer()) return true;
     if (c.queue_first != nil) return run_next(), true;
     if (c.unsettled) {
@@ -67,7 +71,7 @@ StepResult Engine::come_to_rest() {
 
 bool Engine::work_left() const {
   const Counters& c = *s_.counters;
-  return c.handlers_set || c.queue_first != nil || c.unsettled || inbox_.due() || next_due() <= c.until;
+  return c.handlers_set || c.queue_first != nil || c.unsettled || first_waits_ || inbox_.due() || next_due() <= c.until;
 }
 
 } // namespace director

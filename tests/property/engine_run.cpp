@@ -117,7 +117,7 @@ Snapshot EngineRun::snapshot() const {
     const std::int32_t value = engine_.value(v);
     out.values.push_back(value == unset ? std::nullopt : std::optional<std::int64_t>(value));
   }
-  for (Index g = s.counters->queue_first; g != nil; g = s.runs_before[g]) out.queue.push_back(oracle::GroupId{g});
+  for (Index g = s.counters->queue_first; g != nil; g = s.turn[g].runs_before) out.queue.push_back(oracle::GroupId{g});
   return out;
 }
 
