@@ -24,28 +24,20 @@ void Engine::act(Index passes, bool stops) {
   }
 }
 
-/// To a group that is granted as before. Whom it concerns that its orders are outdated, request() told already.
-inline void Engine::give_again(Index group) {
-  const Index holder = s_.last[group].holder;
-  s_.turn[group].data_from = holder;
-  if (s_.anew[holder] != 0) {
-    s_.pending[group] |= reason::new_task;
-    if (!planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
-  }
-  enqueue(group);
-}
-
 /// Nothing was arbitrated, so nothing starts, stops or changes hands: only what is granted can gain a reason to run.
 void Engine::act_on_touched() {
   Counters& c = *s_.counters;
+  if (c.touched_count != 1) return act_on_all_touched();
+  c.touched_count = 0;
+  const Index group = s_.touched[0];
+  untouch(group);
+  if (granted(group)) give_again(group, s_.anew[s_.last[group].holder] != 0);
+}
+
+void Engine::act_on_all_touched() {
+  Counters& c = *s_.counters;
   const Index touched = c.touched_count;
   c.touched_count = 0;
-  if (touched == 1) {
-    const Index group = s_.touched[0];
-    untouch(group);
-    if (granted(group)) give_again(group);
-    return;
-  }
   Index count = 0;
   bool sorted = true; // as what one pack asks for mostly comes
   for (Index i = 0; i < touched; ++i) {
@@ -60,7 +52,7 @@ void Engine::act_on_touched() {
     s_.touched[count++] = group;
   }
   if (!sorted) sort_by_place({s_.touched, count}, Along::last);
-  for (Index i = 0; i < count; ++i) give_again(s_.touched[i]);
+  for (Index i = 0; i < count; ++i) give_again(s_.touched[i], s_.anew[s_.last[s_.touched[i]].holder] != 0);
 }
 
 /// In the order of all: the groups of one component know their places.
@@ -244,15 +236,7 @@ void Engine::report_decisions(Index component) const {
     push.condition = now.condition;
     tell(push);
   }
-  for (const Index e : t_.list(row.edges)) {
-    const Queued &now = s_.queued[e], &last = s_.last_queued[e];
-    if (now.why == Why::none || now == last) continue;
-    Event queue = event(Event::Kind::queue, t_.edges[e].target);
-    queue.edge = e;
-    queue.why = now.why;
-    queue.condition = now.condition;
-    tell(queue);
-  }
+  report_queued(component);
   for (const Index g : t_.list(row.groups)) {
     const Index now = s_.now[g].holder, last = s_.last[g].holder;
     if (now == last) continue;
@@ -261,6 +245,18 @@ void Engine::report_decisions(Index component) const {
     control.other = last;
     control.provider = s_.now[g].active;
     tell(control);
+  }
+}
+
+void Engine::report_queued(Index component) const {
+  for (const Index e : t_.list(t_.components[component].edges)) {
+    const Queued &now = s_.queued[e], &last = s_.last_queued[e];
+    if (now.why == Why::none || now == last) continue;
+    Event queue = event(Event::Kind::queue, t_.edges[e].target);
+    queue.edge = e;
+    queue.why = now.why;
+    queue.condition = now.condition;
+    tell(queue);
   }
 }
 

@@ -111,6 +111,9 @@ private:
   bool take_more(Input& record);
   void take_request(Input& record);
   void take_states(Input& record);
+  void take_cancel(Index edge);
+  void take_fired(Index trigger);
+  void take_enabled(Index provider, std::uint8_t wanted);
   void take_handlers_input();
   bool fire(Index trigger);
   void set_by_handler(Index state, std::int32_t value);
@@ -120,7 +123,7 @@ private:
 
   // runs.cpp
   void run_next();
-  void commit(const Run& run, Outcome::Kind kind);
+  void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
   void commit_states(bool fault);
   void commit_pack(Range edges);
   void answer(Index group, bool failed);
@@ -149,7 +152,7 @@ private:
   void mark_stale(Index group);
   void note_edge(Index edge);
   static bool needs_pass(std::uint8_t bits);
-  void note_settled(Index component, bool other);
+  std::uint8_t settled_bits(Index component, bool other, bool on_last, bool on_stale);
   void forget_work();
   void note_asked(bool marked);
   void touch(Index group);
@@ -158,6 +161,7 @@ private:
   void note_given(Index group, Index holder, std::uint8_t bits);
   void add_reason(Index group, Reason reason);
   void enqueue(Index group);
+  void give_again(Index group, bool anew);
   Index next_of_queue();
   void leave_queue(Index group);
   void request(Index edge, Index level);
@@ -166,6 +170,7 @@ private:
   bool assign(Index state, std::int32_t value);
   void settle_requests();
   void keep_promises_in(Index component);
+  bool ask_again(Index edge, Index level);
   void end_micro_step();
 
   // recalled.cpp: what a component decides
@@ -179,9 +184,9 @@ private:
   void recall_order(Index component, const Recall::Move& move, const Index* at, Index& count, Index* order,
                     Index* plan);
   bool go(Index component, const Recall::Move& move, const Index* at);
+  void stay(Index component, const Recall::Move& move, const Index* at);
   void follow(Index component, const Recall::Move& move, const Index* at);
   Index join_touched(Index given);
-  bool touched_elsewhere(Index component) const;
   void learn(Index component, const Recall::Part& known, std::size_t place);
   void compare(Index component, const Recall::Part& known, Recall::Move& move) const;
   void foresee(Index component, const Recall::Part& known, Recall::Move& move) const;
@@ -199,11 +204,11 @@ private:
   // act.cpp: section 5
   void act(Index passes, bool stops);
   void act_on_touched();
+  void act_on_all_touched();
   void sort_by_place(std::span<Index> groups, Along along) const;
   std::span<const Index> held_before(Index passes);
   std::span<const Index> with_reasons();
   void stop_group(Index group);
-  void give_again(Index group);
   static std::uint8_t reasons(const Standing& last, const Standing& now);
   bool takes_more(Index group, const Standing& last, const Standing& now) const;
   void begin(Index group, const Standing& now);
@@ -214,6 +219,7 @@ private:
   void adopt_differing();
   void adopt_order(Index component);
   void report_decisions(Index component) const;
+  void report_queued(Index component) const;
   void handle(Index group, Reason reason);
 
   Event event(Event::Kind kind, Index group = nil) const;

@@ -66,7 +66,7 @@ private:
   std::atomic<std::uint32_t> tail_{0};
   std::uint32_t head_ = 0;
   std::uint32_t limit_ = 0; ///< the reader takes cells up to here
-  bool closed_ = false;     ///< the next record's writer is not ready yet
+  bool closed_ = false;     ///< nothing is due, or the next record's writer is not ready yet
   bool word_ = false;       ///< what was taken last is a last word
   LastWords words_;
 };
@@ -74,8 +74,8 @@ private:
 /// The tail first: who sees a record sees the last words that its writer said before.
 inline void Inbox::open() {
   limit_ = tail_.load(std::memory_order_acquire);
-  closed_ = false;
   if (!words_.none_spoken()) words_.open();
+  closed_ = head_ == limit_ && !words_.any_in_hand();
 }
 
 inline bool Inbox::take(Input& out) {

@@ -14,30 +14,17 @@ bool Engine::take_posted() {
   return true;
 }
 
+/// What comes seldom, or is long, stands apart: so the way to it is short.
 void Engine::take_input(Input& record) {
   ++s_.counters->micro_step;
   if (observed()) report_input(record);
   switch (record.kind) {
-  case Input::Kind::request: take_request(record); break;
-  case Input::Kind::set: take_states(record); break;
-  case Input::Kind::cancel:
-    if (s_.request[record.thing] == nil) break;
-    withdraw(record.thing);
-    end_micro_step();
-    break;
-  case Input::Kind::fire:
-    if (fire(record.thing)) end_micro_step();
-    break;
-  case Input::Kind::enable:
-  case Input::Kind::disable: {
-    const std::uint8_t wanted = record.kind == Input::Kind::enable ? 1 : 0;
-    if (s_.enabled[record.thing] == wanted) break;
-    s_.enabled[record.thing] = wanted;
-    forget_decisions(t_.groups[t_.providers[record.thing].group].component);
-    mark(t_.groups[t_.providers[record.thing].group].component, work::changed);
-    end_micro_step();
-    break;
-  }
+  case Input::Kind::request: return take_request(record);
+  case Input::Kind::set: return take_states(record);
+  case Input::Kind::cancel: return take_cancel(record.thing);
+  case Input::Kind::fire: return take_fired(record.thing);
+  case Input::Kind::enable: return take_enabled(record.thing, 1);
+  case Input::Kind::disable: return take_enabled(record.thing, 0);
   }
 }
 
@@ -48,19 +35,44 @@ bool Engine::take_more(Input& record) {
   return true;
 }
 
-inline void Engine::take_request(Input& record) {
-  do {
+[[gnu::noinline]] void Engine::take_request(Input& record) {
+  const auto accept = [&] {
     if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
+  };
+  accept();
+  if (!record.more && ask_again(record.thing, record.level)) return;
+  request(record.thing, record.level);
+  while (take_more(record)) {
+    accept();
     request(record.thing, record.level);
-  } while (take_more(record));
+  }
   end_micro_step();
 }
 
-inline void Engine::take_states(Input& record) {
+[[gnu::noinline]] void Engine::take_states(Input& record) {
   bool changes = false;
   do changes = set_value(record.thing, record.value) || changes;
   while (take_more(record));
   if (changes) end_micro_step();
+}
+
+[[gnu::noinline]] void Engine::take_fired(Index trigger) {
+  if (fire(trigger)) end_micro_step();
+}
+
+[[gnu::noinline]] void Engine::take_cancel(Index edge) {
+  if (s_.request[edge] == nil) return;
+  withdraw(edge);
+  end_micro_step();
+}
+
+[[gnu::noinline]] void Engine::take_enabled(Index provider, std::uint8_t wanted) {
+  if (s_.enabled[provider] == wanted) return;
+  s_.enabled[provider] = wanted;
+  const Index component = t_.groups[t_.providers[provider].group].component;
+  forget_decisions(component);
+  mark(component, work::changed);
+  end_micro_step();
 }
 
 /// What start and stop handlers set during one act, merged into one input.

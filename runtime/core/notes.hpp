@@ -77,6 +77,17 @@ DIRECTOR_INLINE void Engine::enqueue(Index group) {
   c.queue_last = group;
 }
 
+/// To a group that is granted as before. `anew`: to the request that holds it. Whom it concerns that its orders are
+/// outdated, request() told.
+DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
+  s_.turn[group].data_from = s_.last[group].holder;
+  if (anew) {
+    s_.pending[group] |= reason::new_task;
+    if (!planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
+  }
+  enqueue(group);
+}
+
 /// Takes the group away that is to run next.
 inline Index Engine::next_of_queue() {
   Counters& c = *s_.counters;
@@ -126,21 +137,24 @@ DIRECTOR_INLINE void Engine::forget_work() {
   c.work_count = left;
 }
 
-/// `other`: it is another decision.
-DIRECTOR_INLINE void Engine::note_settled(Index component, bool other) {
-  auto bits = static_cast<std::uint8_t>((s_.component[component] & work::reordered) | work::listed | work::passed);
-  if (depends_on_stale()) bits |= work::stale_counts;
-  if (((bits ^ s_.component[component]) & work::stale_counts) != 0) watch(component, depends_on_stale());
-  if (other && (depends_on_last() || depends_on_stale())) bits |= work::unsettled;
-  s_.component[component] = bits;
+/// What is left to note of a component that was decided, but for `listed`. `other`: it is another decision; what it
+/// depends on: see Pass.
+DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, bool other, bool on_last, bool on_stale) {
+  const std::uint8_t before = s_.component[component];
+  auto bits = static_cast<std::uint8_t>(before & work::reordered);
+  if (on_stale) bits |= work::stale_counts;
+  if (((bits ^ before) & work::stale_counts) != 0) watch(component, on_stale);
+  if (other && (on_last || on_stale)) bits |= work::unsettled;
+  return bits;
 }
 
 /// Marks what is asked for anew, where it is looked up what was decided before; or takes the marks away.
 DIRECTOR_INLINE void Engine::note_asked(bool marked) {
   if (!recall_.on() || planted(Fault::news_are_overlooked)) return;
+  const Recall recall = recall_;
   const std::span<const Index> edges{s_.asked, s_.counters->asked_count};
   for (const Index edge : edges) {
-    std::uint8_t& byte = recall_.edge(edge);
+    std::uint8_t& byte = recall.edge(edge);
     byte = static_cast<std::uint8_t>(marked ? byte | Recall::anew : byte & ~Recall::anew);
   }
 }
@@ -204,7 +218,22 @@ inline void Engine::settle_requests() {
   for (Index i = 0; i < count; ++i) s_.anew[s_.asked[i]] = 0;
 }
 
-/// Every micro-step ends here.
+/// A micro-step that asks for one task again and for nothing else. Where nobody looks at whose orders are outdated, all
+/// that can come of it is a run. False: more can come of it, and nothing was done.
+DIRECTOR_INLINE bool Engine::ask_again(Index edge, Index level) {
+  Counters& c = *s_.counters;
+  const Index group = t_.edges[edge].target;
+  if (s_.request[edge] != level || (s_.turn[group].places & (place::counts | place::watched)) != 0 ||
+      (c.work_count | c.touched_count) != 0)
+    return false;
+  c.unsettled = false;
+  const Standing& last = s_.last[group];
+  if (last.granted()) give_again(group, last.holder == edge);
+  if (bodies_.data != nullptr) settle_data(edge);
+  return true;
+}
+
+/// Every micro-step ends here, but for those that ask_again().
 inline void Engine::end_micro_step() {
   Counters& c = *s_.counters;
   c.unsettled = false;

@@ -33,6 +33,10 @@ public:
   bool request(Task task, More... more) const {
     static_assert(Roots::template takes<Task, More...>,
                   "only tasks that stand in `roots` can be requested from outside");
+    if constexpr (sizeof...(More) == 0 && !has_data<Task>) {
+      const Input input = record(task);
+      if (engine_ != nullptr && input.level != nil && engine_->take_first(input)) return true;
+    }
     std::array records{record(task), record(more)...};
     for (const Input& input : records) {
       if (input.level == nil) return false;

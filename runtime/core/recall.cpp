@@ -26,9 +26,9 @@ bool can_tie(const Tables& t, const Edge& a, const Edge& b) {
 } // namespace
 
 std::uint8_t Recall::Part::look_up() const {
-  const std::uint8_t from = head->current;
+  const std::uint8_t from = head().current;
   Word digest_of_it = from;
-  for (std::size_t i = 0; i < words; ++i) digest_of_it = mix(digest_of_it, question[i]);
+  for (std::size_t i = 0; i < words_; ++i) digest_of_it = mix(digest_of_it, question()[i]);
   auto place = static_cast<std::uint8_t>(digest_of_it % places);
   while (move(place).from != unknown && !is_asked(place, from)) place = static_cast<std::uint8_t>((place + 1) % places);
   return place;
@@ -37,33 +37,33 @@ std::uint8_t Recall::Part::look_up() const {
 std::uint8_t Recall::Part::number_spare() const {
   const Index* const given = spare();
   Word found = 0;
-  for (std::size_t i = 0; i < rows; i += 2) found = mix(found, Word{given[i]} << 32 | given[i + 1]);
+  for (std::size_t i = 0; i < rows_; i += 2) found = mix(found, Word{given[i]} << 32 | given[i + 1]);
   const auto is_it = [&](std::size_t number) {
-    if (digest[number] != found) return false;
-    for (std::size_t i = 0; i < rows; ++i) {
+    if (digest()[number] != found) return false;
+    for (std::size_t i = 0; i < rows_; ++i) {
       if (row(number)[i] != given[i]) return false;
     }
     return true;
   };
   std::uint8_t number = 0;
-  while (number < head->decisions && !is_it(number)) ++number;
-  if (number == head->decisions) {
-    digest[number] = found;
-    ++head->decisions;
+  while (number < head().decisions && !is_it(number)) ++number;
+  if (number == head().decisions) {
+    digest()[number] = found;
+    ++head().decisions;
   }
   return number;
 }
 
-bool Recall::Part::full() const { return head->decisions >= room_for_decisions || head->moves >= room_for_moves; }
+bool Recall::Part::full() const { return head().decisions >= room_for_decisions || head().moves >= room_for_moves; }
 
 void Recall::Part::forget() const {
-  head->current = unknown;
-  head->decisions = head->moves = head->used = head->taken = 0;
+  head().current = unknown;
+  head().decisions = head().moves = head().used = head().taken = 0;
   for (std::size_t i = 0; i < places; ++i) move(i) = Move{};
 }
 
 void Recall::Part::make_room() const {
-  if (head->used < head->moves) head->rest = least_rest;
+  if (head().used < head().moves) head().rest = least_rest;
   forget();
 }
 
@@ -92,7 +92,7 @@ void Recall::reset(const Tables& t) {
     const Part own = part_at(entries_[c]);
     own.forget();
     find_ties(t, row, own);
-    auto place = static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(own.question) - bytes_);
+    auto place = static_cast<std::uint32_t>(own.bytes() - bytes_);
     for (const Index e : t.list(row.edges)) edge_place_[e] = place++;
   }
 }
@@ -103,9 +103,9 @@ void Recall::find_ties(const Tables& t, const Component& row, const Part& part) 
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = i + 1; j < edges.size() && t.edges[edges[j]].requester == t.edges[edges[i]].requester; ++j) {
       if (!can_tie(t, t.edges[edges[i]], t.edges[edges[j]])) continue;
-      part.ties[i / 64] |= Word{1} << i % 64;
-      part.ties[j / 64] |= Word{1} << j % 64;
-      part.head->ties = true;
+      part.ties()[i / 64] |= Word{1} << i % 64;
+      part.ties()[j / 64] |= Word{1} << j % 64;
+      part.head().ties = true;
     }
   }
 }

@@ -19,6 +19,7 @@ namespace moved {
 inline constexpr std::uint8_t on_last = 1, on_stale = 2; ///< what the pass depends on
 inline constexpr std::uint8_t other_decision = 4, stops = 8;
 inline constexpr std::uint8_t other_order = 16, other_plans = 32;
+inline constexpr std::uint8_t begins = 64; ///< some group does, as in Acts
 } // namespace moved
 
 class Recall {
@@ -44,7 +45,7 @@ public:
   /// it gives a reason to run, in the new order.
   struct Acts {
     static constexpr std::size_t most = 7;
-    static constexpr std::uint8_t in_full = 128; ///< with its reasons: a handler or a period has to be looked at
+    static constexpr std::uint8_t begins = 128; ///< with its reasons: it has a handler that is called, or a period
     std::uint8_t stops = 0;
     std::uint8_t gives = unknown;    ///< unknown: look at the difference
     std::uint8_t group[most] = {};   ///< its place in Component::groups
@@ -69,48 +70,66 @@ public:
     std::uint16_t rest = 0; ///< for so many decisions nothing is looked up or learnt
   };
 
-  /// One component's part.
-  struct Part {
-    Head* head = nullptr; ///< null: it has none
-    Word* digest = nullptr;    ///< of each decision
-    Word* ties = nullptr;      ///< a bit for each edge, as in Component::edges: a sibling can tie with it
-    Word* question = nullptr;  ///< the situation in hand
-    Word* moves = nullptr;     ///< each with its situation
-    Index* decision = nullptr; ///< row after row
-    std::size_t words = 0;     ///< of a situation
-    std::size_t rows = 0;      ///< of a decision
+  static constexpr std::size_t move_words = sizeof(Move) / sizeof(Word);
+  /// There are no more edges than bytes in a situation.
+  static constexpr std::size_t ties_of(std::size_t words) { return (words + 7) / 8; }
 
-    Move& move(std::size_t place) const {
-      return *reinterpret_cast<Move*>(moves + place * (move_words + words)); // reset() and learning write them
-    }
-    bool is_asked(std::size_t place, std::uint8_t from) const {
-      if (move(place).from != from) return false;
-      const Word* const situation = asked(place);
-      for (std::size_t i = 0; i < words; ++i) {
-        if (situation[i] != question[i]) return false;
-      }
-      return true;
-    }
-    Word* asked(std::size_t place) const { return moves + place * (move_words + words) + move_words; }
-    /// The situation in hand, a byte for each edge, group and condition of the component.
-    std::uint8_t* bytes() const { return reinterpret_cast<std::uint8_t*>(question); }
+  /// One component's part: where its arrays begin.
+  class Part {
+  public:
+    Part() = default; ///< it has none
+    Part(std::uint8_t* begin, std::size_t words, std::size_t rows) : begin_(begin), words_(words), rows_(rows) {}
+    explicit operator bool() const { return begin_ != nullptr; }
+
+    Head& head() const { return *at<Head>(0); }
+    std::size_t words() const { return words_; } ///< of a situation
+    std::size_t rows() const { return rows_; }   ///< of a decision
+    Word* digest() const { return at<Word>(1); } ///< of each decision
+    /// The situation in hand: a byte for each edge, group and condition of the component.
+    Word* question() const { return at<Word>(1 + most_decisions); }
+    std::uint8_t* bytes() const { return at<std::uint8_t>(1 + most_decisions); }
+    Move& move(std::size_t place) const { return *at<Move>(move_at(place)); }
+    Word* asked(std::size_t place) const { return at<Word>(move_at(place) + move_words); } ///< the move's situation
+    /// A bit for each edge, as in Component::edges: a sibling can tie with it.
+    Word* ties() const { return at<Word>(move_at(places)); }
+    const Index* row(std::size_t number) const { return decisions() + number * rows_; }
+    /// Here a decision is written that may be a new one; there is room while it is not full().
+    Index* spare() const { return decisions() + head().decisions * rows_; }
+
     /// The place of the move from the decision that stands, in the situation in hand; a free one if it is not known.
     /// Mostly the last move is followed by the one that followed it before.
     std::size_t find() const {
-      std::uint8_t& next = move(head->taken).next;
-      if (next == unknown || !is_asked(next, head->current)) next = look_up();
-      return head->taken = next;
+      Head& own = head();
+      std::uint8_t& next = move(own.taken).next;
+      if (next == unknown || !is_asked(next, own.current)) next = look_up();
+      return own.taken = next;
     }
-    std::uint8_t look_up() const;
-    const Index* row(std::size_t number) const { return decision + number * rows; }
-    /// Here a decision is written that may be a new one; there is room while it is not full().
-    Index* spare() const { return decision + head->decisions * rows; }
     /// The number of the spare decision; that of an equal one, if there is one.
     std::uint8_t number_spare() const;
     bool full() const;
     void forget() const;
     /// It begins anew, after a rest if less was recalled than learnt.
     void make_room() const;
+
+  private:
+    template <class T>
+    T* at(std::size_t word) const {
+      return reinterpret_cast<T*>(begin_ + word * sizeof(Word)); // reset() and learning write them
+    }
+    std::size_t move_at(std::size_t place) const { return 1 + most_decisions + words_ + place * (move_words + words_); }
+    Index* decisions() const { return at<Index>(move_at(places) + ties_of(words_)); }
+    bool is_asked(std::size_t place, std::uint8_t from) const {
+      if (move(place).from != from) return false;
+      const Word *const situation = asked(place), *const wanted = question();
+      for (std::size_t i = 0; i < words_; ++i) {
+        if (situation[i] != wanted[i]) return false;
+      }
+      return true;
+    }
+    std::uint8_t look_up() const;
+
+    std::uint8_t* begin_ = nullptr;
+    std::size_t words_ = 0, rows_ = 0;
   };
 
   /// The memory that it needs, at most; the same for every size of Index.
@@ -131,8 +150,6 @@ public:
     return on() && entries_[component].begin != 0 ? part_at(entries_[component]) : Part{};
   }
 
-  /// The bytes of a component's situation; null: it has no part.
-  std::uint8_t* situation(Index component) const { return part(component).bytes(); }
   /// The byte of an edge in the situation in hand. Only while it is on().
   std::uint8_t& edge(Index e) const { return bytes_[edge_place_[e]]; }
 
@@ -149,7 +166,6 @@ private:
       return question == 0 ? 0 : fixed + ties + question * (1 + places) + most_decisions * rows / 2;
     }
   };
-  static constexpr std::size_t move_words = sizeof(Move) / sizeof(Word);
   static constexpr std::size_t fixed = 1 + move_words * places + most_decisions;
   struct Entry {
     std::uint32_t begin = 0; ///< word; 0: the component has no part
@@ -174,22 +190,8 @@ private:
     size.rows = (rows + 3) / 4 * 4;
     return size;
   }
-  /// There are no more edges than bytes in a situation.
-  static constexpr std::size_t ties_of(std::size_t question) { return (question + 7) / 8; }
-
   Part part_at(const Entry& entry) const {
-    Part part;
-    std::uint8_t* at = bytes_ + std::size_t{entry.begin} * sizeof(Word);
-    const auto take = [&]<class T>(T*& array, std::size_t count) {
-      array = reinterpret_cast<T*>(at); // the bytes become these arrays; reset() fills them
-      at += count * sizeof(T);
-    };
-    part.words = entry.question;
-    part.rows = entry.rows;
-    take(part.head, 1), take(part.digest, most_decisions), take(part.ties, ties_of(part.words));
-    take(part.question, part.words), take(part.moves, (move_words + part.words) * places);
-    take(part.decision, most_decisions * part.rows);
-    return part;
+    return {bytes_ + std::size_t{entry.begin} * sizeof(Word), entry.question, entry.rows};
   }
   static void find_ties(const Tables& t, const Component& row, const Part& part);
 

@@ -25,7 +25,7 @@ Standing standing(const Index* decision, std::size_t place = 0) {
 
 /// Calls visit(place) for each bit.
 template <class Visit>
-void each_bit(Recall::Word bits, Visit&& visit) {
+DIRECTOR_INLINE void each_bit(Recall::Word bits, Visit&& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 } // namespace
@@ -37,22 +37,21 @@ DIRECTOR_INLINE bool Engine::ask(Index component, const Recall::Part& known) {
   const Bits* const pending = s_.pending;
   for (const Index g : t_.list(row.groups))
     *at++ = planted(Fault::reasons_are_overlooked) ? std::uint8_t{0} : pending[g] & reason::outdating;
-  return !known.head->ties || in_order(component, known);
+  return !known.head().ties || in_order(component, known);
 }
 
 DIRECTOR_INLINE void Engine::note_recalled(const Recall::Part& known, const Recall::Move& move) {
   ++recalled_;
-  Recall::Head& head = *known.head;
+  Recall::Head& head = known.head();
   if (head.used != 0xff) ++head.used;
-  recall_decision((move.bits & moved::on_last) != 0, (move.bits & moved::on_stale) != 0);
   head.current = move.to;
 }
 
 /// True if what is decided is another decision.
 bool Engine::settle(Index component, bool& any_stops) {
   const Recall::Part known = recall_.part(component);
-  if (known.head == nullptr) return settle_by_pass(component, any_stops);
-  Recall::Head& head = *known.head;
+  if (!known) return settle_by_pass(component, any_stops);
+  Recall::Head& head = known.head();
   if (head.rest != 0) {
     --head.rest;
     return settle_by_pass(component, any_stops);
@@ -66,6 +65,7 @@ bool Engine::settle(Index component, bool& any_stops) {
       if (!move.compared) compare(component, known, move);
       any_stops = any_stops || (move.bits & moved::stops) != 0;
       note_recalled(known, move);
+      recall_decision((move.bits & moved::on_last) != 0, (move.bits & moved::on_stale) != 0);
       return go(component, move, known.row(move.to));
     }
   }
@@ -83,19 +83,29 @@ bool Engine::settle(Index component, bool& any_stops) {
 bool Engine::retrace() {
   const Index component = s_.work[0];
   const Recall::Part known = recall_.part(component);
-  if (known.head == nullptr || known.head->rest != 0 || known.head->current == Recall::unknown ||
+  if (!known || known.head().rest != 0 || known.head().current == Recall::unknown ||
       !needs_pass(s_.component[component]))
     return false;
   note_asked(true);
-  const Recall::Move* move = ask(component, known) ? &known.move(known.find()) : nullptr;
+  const Recall::Move* const found = ask(component, known) ? &known.move(known.find()) : nullptr;
   note_asked(false);
-  if (move == nullptr || move->acts.gives == Recall::unknown) return false;
-  const bool other = move->difference.groups != 0;
-  if (other && touched_elsewhere(component)) return false;
-  note_recalled(known, *move);
-  note_settled(component, other);
-  follow(component, *move, known.row(move->to));
-  forget_work();
+  if (found == nullptr || found->acts.gives == Recall::unknown) return false;
+  const Recall::Move& move = *found;
+  note_recalled(known, move);
+  const bool other = move.difference.groups != 0;
+  const std::uint8_t left =
+      settled_bits(component, other, (move.bits & moved::on_last) != 0, (move.bits & moved::on_stale) != 0);
+  const bool again = needs_pass(left);
+  s_.component[component] = again ? left | work::listed : left;
+  s_.counters->work_count = again ? 1 : 0;
+  const Index* const at = known.row(move.to);
+  if (other) {
+    follow(component, move, at);
+  } else {
+    if (move.to != move.from) stay(component, move, at);
+    if (s_.counters->touched_count != 0) act_on_touched();
+  }
+  keep_promises_in(component);
   return true;
 }
 
@@ -112,7 +122,7 @@ bool Engine::in_order(Index component, const Recall::Part& known) const {
   const std::span<const Index> edges = t_.list(t_.components[component].edges);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Index e = edges[i];
-    if ((known.ties[i / 64] >> i % 64 & 1) == 0 || s_.request[e] == nil) continue;
+    if ((known.ties()[i / 64] >> i % 64 & 1) == 0 || s_.request[e] == nil) continue;
     if (before != nil && t_.edges[before].requester == t_.edges[e].requester && s_.stamp[e] < s_.stamp[before])
       return false;
     before = e;
@@ -129,10 +139,13 @@ DIRECTOR_INLINE void Engine::note_move(Index component, const Recall::Move& move
     places = places ^ place::counts;
   });
   at += standing_rows * groups.size() + count_rows;
-  each_bit(move.difference.edges, [&](std::size_t place) {
-    for (; place < edges.size(); place += 64)
-      s_.queued[edges[place]] = {static_cast<Why>(at[why_rows * place]), at[why_rows * place + 1]};
-  });
+  for (std::size_t begin = 0; begin < edges.size(); begin += 64) {
+    each_bit(move.difference.edges, [&](std::size_t bit) {
+      const std::size_t place = begin + bit;
+      if (place < edges.size())
+        s_.queued[edges[place]] = {static_cast<Why>(at[why_rows * place]), at[why_rows * place + 1]};
+    });
+  }
   if ((move.bits & moved::other_decision) != 0) s_.counters->unsettled = true;
 }
 
@@ -173,6 +186,14 @@ bool Engine::go(Index component, const Recall::Move& move, const Index* at) {
   return move.difference.groups != 0;
 }
 
+/// The same, where every group stands as before.
+void Engine::stay(Index component, const Recall::Move& move, const Index* at) {
+  if (observed()) remember_queued(component);
+  note_move(component, move, at);
+  recall_order(component, move, at, s_.order_count[component], s_.order + t_.components[component].order, s_.last.plan);
+  if (observed()) report_queued(component);
+}
+
 /// The same, and acting on it, as act() would: what is known of that saves looking for it.
 void Engine::follow(Index component, const Recall::Move& move, const Index* at) {
   const Component& row = t_.components[component];
@@ -183,31 +204,28 @@ void Engine::follow(Index component, const Recall::Move& move, const Index* at) 
     for (std::size_t i = 0; i < groups.size(); ++i) s_.now[groups[i]] = standing(at, i);
     report_decisions(component);
   }
-  if (move.difference.groups == 0) {
-    act_on_touched();
-  } else {
-    const Recall::Acts& acts = move.acts;
-    for (std::size_t i = 0; i < acts.stops; ++i) stop_group(groups[acts.group[i]]);
-    const std::size_t end = std::size_t{acts.stops} + acts.gives;
+  const Recall::Acts& acts = move.acts;
+  for (std::size_t i = 0; i < acts.stops; ++i) stop_group(groups[acts.group[i]]);
+  const std::size_t end = std::size_t{acts.stops} + acts.gives;
+  if ((move.bits & moved::begins) != 0) {
     for (std::size_t i = acts.stops; i < end; ++i) {
       const std::size_t place = acts.group[i];
-      if ((acts.reasons[i] & Recall::Acts::in_full) != 0) begin(groups[place], standing(at, place));
+      if ((acts.reasons[i] & Recall::Acts::begins) != 0) begin(groups[place], standing(at, place));
     }
-    each_bit(move.difference.groups, [&](std::size_t place) {
-      Standing& last = s_.last[groups[place]];
-      last = standing(at, place);
-      if (!last.granted()) leave_queue(groups[place]);
-    });
-    recall_order(component, move, at, s_.order_count[component], s_.order + row.order, s_.last.plan);
-    Index count = 0;
-    for (std::size_t i = acts.stops; i < end; ++i) {
-      const Index group = s_.sorted[count++] = groups[acts.group[i]];
-      note_given(group, s_.last[group].holder, acts.reasons[i] & static_cast<std::uint8_t>(~Recall::Acts::in_full));
-    }
-    if (s_.counters->touched_count != 0) count = join_touched(count);
-    for (Index i = 0; i < count; ++i) enqueue(s_.sorted[i]);
   }
-  keep_promises_in(component);
+  each_bit(move.difference.groups, [&](std::size_t place) {
+    Standing& last = s_.last[groups[place]];
+    last = standing(at, place);
+    if (!last.granted()) leave_queue(groups[place]);
+  });
+  recall_order(component, move, at, s_.order_count[component], s_.order + row.order, s_.last.plan);
+  Index count = 0;
+  for (std::size_t i = acts.stops; i < end; ++i) {
+    const Index group = s_.sorted[count++] = groups[acts.group[i]];
+    note_given(group, s_.last[group].holder, acts.reasons[i] & static_cast<std::uint8_t>(~Recall::Acts::begins));
+  }
+  if (s_.counters->touched_count != 0) count = join_touched(count);
+  for (Index i = 0; i < count; ++i) enqueue(s_.sorted[i]);
 }
 
 /// To those of State::sorted that stand elsewhere, those that can have a new reason to run where they stood. Returns
@@ -232,17 +250,9 @@ Index Engine::join_touched(Index given) {
   return count;
 }
 
-/// In a component other than this one.
-bool Engine::touched_elsewhere(Index component) const {
-  for (Index i = 0; i < s_.counters->touched_count; ++i) {
-    if (t_.groups[s_.touched[i]].component != component) return true;
-  }
-  return false;
-}
-
 /// After a pass over a situation that the question tells; `place`: where the move belongs, if it is known from where.
 void Engine::learn(Index component, const Recall::Part& known, std::size_t place) {
-  Recall::Head& head = *known.head;
+  Recall::Head& head = known.head();
   if (known.full()) {
     known.make_room();
     if (head.rest != 0 && !planted(Fault::a_rest_is_overlooked)) return; // what stands by then is not known
@@ -258,7 +268,7 @@ void Engine::learn(Index component, const Recall::Part& known, std::size_t place
   if (depends_on_last()) move.bits |= moved::on_last;
   if (depends_on_stale()) move.bits |= moved::on_stale;
   ++head.moves;
-  for (std::size_t i = 0; i < known.words; ++i) known.asked(place)[i] = known.question[i];
+  for (std::size_t i = 0; i < known.words(); ++i) known.asked(place)[i] = known.question()[i];
 }
 
 /// The two decisions of a move. Only what is recalled has to be compared.
@@ -310,9 +320,13 @@ void Engine::foresee(Index component, const Recall::Part& known, Recall::Move& m
       if (!does(last, now)) continue;
       room = room && count < Recall::Acts::most;
       if (!room) return;
-      const bool more = takes_more(groups[place], last, now) && !planted(Fault::handlers_are_overlooked);
       acts.group[count] = place;
-      acts.reasons[count++] = reasons(last, now) | (more ? Recall::Acts::in_full : std::uint8_t{0});
+      acts.reasons[count] = reasons(last, now);
+      if (takes_more(groups[place], last, now) && !planted(Fault::handlers_are_overlooked)) {
+        acts.reasons[count] |= Recall::Acts::begins;
+        move.bits |= moved::begins;
+      }
+      ++count;
     }
   };
   each_that(from, [](const Standing& last, const Standing& now) { return now.stops_after(last); });
@@ -350,16 +364,16 @@ void Engine::write(Index component, Index* to) const {
 
 void Engine::forget_decisions(Index component) {
   const Recall::Part known = recall_.part(component);
-  if (known.head != nullptr && !planted(Fault::enabling_is_overlooked)) known.forget();
+  if (known && !planted(Fault::enabling_is_overlooked)) known.forget();
 }
 
 void Engine::note_condition(Index condition) {
   if (!recall_.on() || planted(Fault::conditions_are_overlooked)) return;
   for (const Index component : t_.list(t_.conditions[condition].components)) {
-    std::uint8_t* at = recall_.situation(component);
-    if (at == nullptr) continue;
+    const Recall::Part known = recall_.part(component);
+    if (!known) continue;
     const Component& row = t_.components[component];
-    at += row.edges.size() + row.groups.size();
+    std::uint8_t* at = known.bytes() + row.edges.size() + row.groups.size();
     for (const Index each : t_.list(row.conditions)) {
       if (each == condition) *at = holds(condition) ? 1 : 0;
       ++at;

@@ -17,20 +17,19 @@ DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
     }
     staged->level = nil;
     if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
-    if (!staged->keep) request(e, level);
+    if (!staged->keep && !(edges.size() == 1 && ask_again(e, level))) request(e, level);
   }
 }
 
 /// Everything that a run asked for, together.
-DIRECTOR_INLINE void Engine::commit(const Run& run, Outcome::Kind kind) {
-  const Index group = run.group_;
+DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
   const Group& row = t_.groups[group];
   for (Index slot = row.listens.begin; slot != row.listens.end; ++slot) s_.fired[slot] = 0;
   if (s_.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
     commit_pack(row.edges);
     s_.done[group] = 0;
-    if (run.wait_ <= 0) disarm(Due::wait, group);
+    if (wait <= 0) disarm(Due::wait, group);
   } else {
     for (Index i = 0; i < row.edges.size(); ++i) s_.staged_request[i].level = nil;
     if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && s_.done[group] == 0)
@@ -38,15 +37,15 @@ DIRECTOR_INLINE void Engine::commit(const Run& run, Outcome::Kind kind) {
     if (kind == Outcome::Kind::fault) {
       if (observed()) {
         Event fault = event(Event::Kind::fault, group);
-        fault.provider = run.provider_;
+        fault.provider = provider;
         tell(fault);
       }
       faulted_ = true;
       return;
     }
   }
-  if (run.wait_ <= 0) return;
-  const Time due = s_.counters->now + run.wait_;
+  if (wait <= 0) return;
+  const Time due = s_.counters->now + wait;
   if (observed()) report_wait(group, due);
   arm(Due::wait, group, due);
 }
@@ -79,7 +78,7 @@ void Engine::run_next() {
   inside_ = true;
   const Outcome outcome = bodies_.run[provider](bodies_.self, run);
   inside_ = false;
-  commit(run, outcome.kind());
+  commit(group, provider, run.wait_, outcome.kind());
   end_micro_step();
   if (s_.turn[group].promised_provider != nil) keep_promises(group);
 }

@@ -19,7 +19,9 @@ void Engine::arbitrate() {
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
     if (observed()) remember_queued(component);
-    note_settled(component, settle(component, stops));
+    const bool other = settle(component, stops);
+    s_.component[component] =
+        settled_bits(component, other, depends_on_last(), depends_on_stale()) | work::listed | work::passed;
   }
   note_asked(false);
   act(passes, stops);
