@@ -187,7 +187,7 @@ private:
   void stay(Index component, const Recall::Move& move, const Index* at);
   void follow(Index component, const Recall::Move& move, const Index* at);
   Index join_touched(Index given);
-  void learn(Index component, const Recall::Part& known, std::size_t place);
+  void learn(Index component, const Recall::Part& known);
   void compare(Index component, const Recall::Part& known, Recall::Move& move) const;
   void foresee(Index component, const Recall::Part& known, Recall::Move& move) const;
   void write(Index component, Index* to) const;

@@ -25,13 +25,31 @@ bool can_tie(const Tables& t, const Edge& a, const Edge& b) {
 }
 } // namespace
 
-std::uint8_t Recall::Part::look_up() const {
+/// The place of the number of the move from the decision that stands, in the situation in hand; a free one if it is not
+/// known.
+std::size_t Recall::Part::look_up() const {
   const std::uint8_t from = head().current;
   Word digest_of_it = from;
   for (std::size_t i = 0; i < words_; ++i) digest_of_it = mix(digest_of_it, question()[i]);
-  auto place = static_cast<std::uint8_t>(digest_of_it % places);
-  while (move(place).from != unknown && !is_asked(place, from)) place = static_cast<std::uint8_t>((place + 1) % places);
+  std::size_t place = digest_of_it % places;
+  const std::uint8_t* const number = places_of_moves();
+  while (number[place] != unknown && !is_asked(number[place], from)) place = (place + 1) % places;
   return place;
+}
+
+Recall::Move& Recall::Part::add(std::uint8_t from, std::uint8_t to) const {
+  Head& own = head();
+  const std::uint8_t number = own.moves++;
+  own.current = from;
+  places_of_moves()[look_up()] = number;
+  own.current = to;
+  move(own.taken).next = number;
+  own.taken = number;
+  for (std::size_t i = 0; i < words_; ++i) asked(number)[i] = question()[i];
+  Move& out = move(number);
+  out.from = from;
+  out.to = to;
+  return out;
 }
 
 std::uint8_t Recall::Part::number_spare() const {
@@ -59,7 +77,8 @@ bool Recall::Part::full() const { return head().decisions >= room_for_decisions 
 void Recall::Part::forget() const {
   head().current = unknown;
   head().decisions = head().moves = head().used = head().taken = 0;
-  for (std::size_t i = 0; i < places; ++i) move(i) = Move{};
+  for (std::size_t i = 0; i < most_moves; ++i) move(i) = Move{};
+  for (std::size_t i = 0; i < places; ++i) places_of_moves()[i] = unknown;
 }
 
 void Recall::Part::make_room() const {

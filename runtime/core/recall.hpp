@@ -28,7 +28,7 @@ public:
 
   static constexpr std::size_t most_decisions = 16; ///< of one component
   static constexpr std::size_t most_moves = 48;     ///< of one component,
-  static constexpr std::size_t places = 64;         ///< in a table of so many rows
+  static constexpr std::size_t places = 64;         ///< found in a table of so many rows
   static constexpr std::uint16_t rest = 4096;       ///< decisions
   static constexpr Index most_groups = 64;          ///< of a component; what is larger is always decided by passes
   static constexpr Index most_levels = 64;          ///< of an edge
@@ -53,11 +53,11 @@ public:
   };
   /// What follows from a decision in a situation.
   struct Move {
-    std::uint8_t from = unknown; ///< unknown: the row is free
+    std::uint8_t from = unknown; ///< unknown: there is none yet
     std::uint8_t to = unknown;
     std::uint8_t bits = 0; ///< of `moved`
     bool compared = false; ///< the difference is known
-    std::uint8_t next = unknown; ///< the place of the move that was made behind it the last time
+    std::uint8_t next = unknown; ///< the move that was made behind it the last time
     Acts acts;
     Difference difference;
   };
@@ -66,7 +66,7 @@ public:
     std::uint8_t decisions = 0, moves = 0;
     bool ties = false;      ///< which of two siblings was asked for first can matter
     std::uint8_t used = 0;  ///< how often a move was, since the part began anew; 255: or more often
-    std::uint8_t taken = 0; ///< the place of the last move
+    std::uint8_t taken = 0; ///< the last move
     std::uint16_t rest = 0; ///< for so many decisions nothing is looked up or learnt
   };
 
@@ -84,26 +84,33 @@ public:
     Head& head() const { return *at<Head>(0); }
     std::size_t words() const { return words_; } ///< of a situation
     std::size_t rows() const { return rows_; }   ///< of a decision
-    Word* digest() const { return at<Word>(1); } ///< of each decision
     /// The situation in hand: a byte for each edge, group and condition of the component.
-    Word* question() const { return at<Word>(1 + most_decisions); }
-    std::uint8_t* bytes() const { return at<std::uint8_t>(1 + most_decisions); }
-    Move& move(std::size_t place) const { return *at<Move>(move_at(place)); }
-    Word* asked(std::size_t place) const { return at<Word>(move_at(place) + move_words); } ///< the move's situation
+    Word* question() const { return at<Word>(1); }
+    std::uint8_t* bytes() const { return at<std::uint8_t>(1); }
+    Move& move(std::size_t number) const { return *at<Move>(move_at(number)); }
+    Word* asked(std::size_t number) const { return at<Word>(move_at(number) + move_words); } ///< the move's situation
     /// A bit for each edge, as in Component::edges: a sibling can tie with it.
-    Word* ties() const { return at<Word>(move_at(places)); }
+    Word* ties() const { return at<Word>(ties_at()); }
+    Word* digest() const { return at<Word>(ties_at() + ties_of(words_)); } ///< of each decision
     const Index* row(std::size_t number) const { return decisions() + number * rows_; }
     /// Here a decision is written that may be a new one; there is room while it is not full().
     Index* spare() const { return decisions() + head().decisions * rows_; }
 
-    /// The place of the move from the decision that stands, in the situation in hand; a free one if it is not known.
-    /// Mostly the last move is followed by the one that followed it before.
-    std::size_t find() const {
+    /// The move from the decision that stands, in the situation in hand; null: it is not known. Mostly the last move is
+    /// followed by the one that followed it before.
+    Move* find() const {
       Head& own = head();
-      std::uint8_t& next = move(own.taken).next;
-      if (next == unknown || !is_asked(next, own.current)) next = look_up();
-      return own.taken = next;
+      Move& last = move(own.taken);
+      if (last.next == unknown || !is_asked(last.next, own.current)) {
+        const std::uint8_t number = places_of_moves()[look_up()];
+        if (number == unknown) return nullptr;
+        last.next = number;
+      }
+      own.taken = last.next;
+      return &move(own.taken);
     }
+    /// The same, where it is not known: a new one, to the decision that is written down in `to`.
+    Move& add(std::uint8_t from, std::uint8_t to) const;
     /// The number of the spare decision; that of an equal one, if there is one.
     std::uint8_t number_spare() const;
     bool full() const;
@@ -116,17 +123,19 @@ public:
     T* at(std::size_t word) const {
       return reinterpret_cast<T*>(begin_ + word * sizeof(Word)); // reset() and learning write them
     }
-    std::size_t move_at(std::size_t place) const { return 1 + most_decisions + words_ + place * (move_words + words_); }
-    Index* decisions() const { return at<Index>(move_at(places) + ties_of(words_)); }
-    bool is_asked(std::size_t place, std::uint8_t from) const {
-      if (move(place).from != from) return false;
-      const Word *const situation = asked(place), *const wanted = question();
+    std::size_t move_at(std::size_t number) const { return 1 + words_ + number * (move_words + words_); }
+    std::size_t ties_at() const { return move_at(most_moves) + places / sizeof(Word); }
+    Index* decisions() const { return at<Index>(ties_at() + ties_of(words_) + most_decisions); }
+    std::uint8_t* places_of_moves() const { return at<std::uint8_t>(move_at(most_moves)); }
+    bool is_asked(std::size_t number, std::uint8_t from) const {
+      if (move(number).from != from) return false;
+      const Word *const situation = asked(number), *const wanted = question();
       for (std::size_t i = 0; i < words_; ++i) {
         if (situation[i] != wanted[i]) return false;
       }
       return true;
     }
-    std::uint8_t look_up() const;
+    std::size_t look_up() const;
 
     std::uint8_t* begin_ = nullptr;
     std::size_t words_ = 0, rows_ = 0;
@@ -163,10 +172,10 @@ private:
   struct Size {
     std::size_t question = 0, ties = 0, rows = 0;
     constexpr std::size_t all() const {
-      return question == 0 ? 0 : fixed + ties + question * (1 + places) + most_decisions * rows / 2;
+      return question == 0 ? 0 : fixed + ties + question * (1 + most_moves) + most_decisions * rows / 2;
     }
   };
-  static constexpr std::size_t fixed = 1 + move_words * places + most_decisions;
+  static constexpr std::size_t fixed = 1 + move_words * most_moves + places / sizeof(Word) + most_decisions;
   struct Entry {
     std::uint32_t begin = 0; ///< word; 0: the component has no part
     std::uint16_t question = 0, rows = 0;

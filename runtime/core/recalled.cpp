@@ -57,21 +57,17 @@ bool Engine::settle(Index component, bool& any_stops) {
     return settle_by_pass(component, any_stops);
   }
   const bool told = ask(component, known);
-  std::size_t place = Recall::places;
-  if (told && head.current != Recall::unknown) {
-    place = known.find();
-    Recall::Move& move = known.move(place);
-    if (move.from != Recall::unknown) {
-      if (!move.compared) compare(component, known, move);
-      any_stops = any_stops || (move.bits & moved::stops) != 0;
-      note_recalled(known, move);
-      recall_decision((move.bits & moved::on_last) != 0, (move.bits & moved::on_stale) != 0);
-      return go(component, move, known.row(move.to));
-    }
+  Recall::Move* const move = told && head.current != Recall::unknown ? known.find() : nullptr;
+  if (move != nullptr) {
+    if (!move->compared) compare(component, known, *move);
+    any_stops = any_stops || (move->bits & moved::stops) != 0;
+    note_recalled(known, *move);
+    recall_decision((move->bits & moved::on_last) != 0, (move->bits & moved::on_stale) != 0);
+    return go(component, *move, known.row(move->to));
   }
   const bool other = settle_by_pass(component, any_stops);
   if (told) {
-    learn(component, known, place);
+    learn(component, known);
   } else {
     head.current = Recall::unknown;
   }
@@ -87,7 +83,7 @@ bool Engine::retrace() {
       !needs_pass(s_.component[component]))
     return false;
   note_asked(true);
-  const Recall::Move* const found = ask(component, known) ? &known.move(known.find()) : nullptr;
+  const Recall::Move* const found = ask(component, known) ? known.find() : nullptr;
   note_asked(false);
   if (found == nullptr || found->acts.gives == Recall::unknown) return false;
   const Recall::Move& move = *found;
@@ -250,25 +246,20 @@ Index Engine::join_touched(Index given) {
   return count;
 }
 
-/// After a pass over a situation that the question tells; `place`: where the move belongs, if it is known from where.
-void Engine::learn(Index component, const Recall::Part& known, std::size_t place) {
+/// After a pass over a situation that the question tells, and that no move is known in.
+void Engine::learn(Index component, const Recall::Part& known) {
   Recall::Head& head = known.head();
   if (known.full()) {
     known.make_room();
     if (head.rest != 0 && !planted(Fault::a_rest_is_overlooked)) return; // what stands by then is not known
-    place = Recall::places;
   }
   const std::uint8_t from = head.current;
   write(component, known.spare());
   head.current = known.number_spare();
-  if (place == Recall::places) return;
-  Recall::Move& move = known.move(place) = {};
-  move.from = from;
-  move.to = head.current;
+  if (from == Recall::unknown) return;
+  Recall::Move& move = known.add(from, head.current);
   if (depends_on_last()) move.bits |= moved::on_last;
   if (depends_on_stale()) move.bits |= moved::on_stale;
-  ++head.moves;
-  for (std::size_t i = 0; i < known.words(); ++i) known.asked(place)[i] = known.question()[i];
 }
 
 /// The two decisions of a move. Only what is recalled has to be compared.
