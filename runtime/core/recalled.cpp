@@ -114,14 +114,21 @@ bool Engine::settle_by_pass(Index component, bool& any_stops) {
 /// Siblings of one urgency were asked for in the order in which they are declared; else the situation's bytes do not
 /// tell it.
 bool Engine::in_order(Index component, const Recall::Part& known) const {
-  Index before = nil;
   const std::span<const Index> edges = t_.list(t_.components[component].edges);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Index e = edges[i];
-    if ((known.ties()[i / 64] >> i % 64 & 1) == 0 || s_.request[e] == nil) continue;
-    if (before != nil && t_.edges[before].requester == t_.edges[e].requester && s_.stamp[e] < s_.stamp[before])
-      return false;
-    before = e;
+  const std::uint8_t* const asked_for = known.bytes();
+  const Recall::Word* ties = known.ties();
+  Index requester = nil;
+  std::uint64_t before = 0;
+  for (std::size_t begin = 0; begin < edges.size(); begin += 64, ++ties) {
+    for (Recall::Word bits = *ties; bits != 0; bits &= bits - 1) {
+      const std::size_t place = begin + static_cast<std::size_t>(std::countr_zero(bits));
+      if (asked_for[place] == 0) continue;
+      const Index e = edges[place], from = t_.edges[e].requester;
+      if (from != requester) before = 0;
+      requester = from;
+      if (s_.stamp[e] < before) return false;
+      before = s_.stamp[e];
+    }
   }
   return true;
 }

@@ -69,7 +69,7 @@ TableRobot::TableRobot(Compiled compiled, std::size_t cells)
 
 std::vector<Act>& TableRobot::acts(const std::string& provider) {
   for (const compiler::ProviderId id : model().providers.ids()) {
-    if (model().full_name(id) == provider) return bodies_[id.value].acts;
+    if (model().full_name(id) == provider) return acts(static_cast<Index>(id.value));
   }
   throw std::logic_error("there is no " + provider);
 }
@@ -101,7 +101,22 @@ void TableRobot::post(std::span<const Input> records) {
 }
 
 void TableRobot::step(Time now) {
+  if (rows_.empty()) lay_out();
   if (engine_.step(now) != StepResult::quiescent) throw std::logic_error("it does not come to rest");
+}
+
+void TableRobot::lay_out() {
+  first_row_.clear();
+  edges_.clear();
+  for (const Body& body : bodies_) {
+    first_row_.push_back(static_cast<Index>(rows_.size()));
+    for (const Act& act : body.acts) {
+      const auto begin = static_cast<Index>(edges_.size());
+      edges_.insert(edges_.end(), act.edges.begin(), act.edges.end());
+      rows_.push_back({act.answer, static_cast<std::uint16_t>(body.acts.size()), act.state, act.value, begin,
+                       static_cast<Index>(edges_.size())});
+    }
+  }
 }
 
 Bodies TableRobot::functions() {
@@ -114,17 +129,17 @@ Bodies TableRobot::functions() {
 
 Outcome TableRobot::run(Run& run) {
   ++calls_;
-  Body& body = bodies_[run.provider()];
-  const Act& act = body.acts.size() == 1 ? body.acts.front() : body.acts[body.runs++ / act_length % body.acts.size()];
-  if (act.state != nil) run.set(act.state, act.value);
-  switch (act.answer) {
+  const Row* row = &rows_[first_row_[run.provider()]];
+  if (row->count > 1) row += bodies_[run.provider()].runs++ / act_length % row->count;
+  if (row->state != nil) run.set(row->state, row->value);
+  switch (row->answer) {
   case Outcome::Kind::done: return run.done();
   case Outcome::Kind::failed: return run.fail();
   case Outcome::Kind::keep: return run.keep();
   case Outcome::Kind::fault: return run.fault();
   case Outcome::Kind::pack: break;
   }
-  for (const Index edge : act.edges) run.request(edge, tables_.edges[edge].levels.begin);
+  for (Index i = row->begin; i != row->end; ++i) run.request(edges_[i], tables_.edges[edges_[i]].levels.begin);
   return run.pack();
 }
 

@@ -39,7 +39,10 @@ public:
 
   /// The acts of a provider, in turn, each for `act_length` runs.
   std::vector<Act>& acts(const std::string& provider);
-  std::vector<Act>& acts(director::Index provider) { return bodies_[provider].acts; }
+  std::vector<Act>& acts(director::Index provider) {
+    rows_.clear(); // for somebody is about to change them
+    return bodies_[provider].acts;
+  }
   std::uint64_t act_length = 1;
 
   director::Index root(const std::string& group) const; ///< edge
@@ -61,12 +64,24 @@ private:
     std::vector<Act> acts;
     std::uint64_t runs = 0;
   };
+  /// The acts, as they are run: one after another, so that of a large robot no more has to be fetched than it takes.
+  struct Row {
+    director::Outcome::Kind answer = director::Outcome::Kind::pack;
+    std::uint16_t count = 0; ///< of acts, of which this is the first
+    director::Index state = director::nil;
+    std::int32_t value = 0;
+    director::Index begin = 0, end = 0; ///< of edges_
+  };
+  void lay_out();
   director::Bodies functions();
   director::Outcome run(director::Run& run);
 
   Compiled compiled_;
   const director::Tables tables_;
   std::vector<Body> bodies_;
+  std::vector<Row> rows_;                  ///< empty: they are to be laid out
+  std::vector<director::Index> first_row_; ///< of each provider
+  std::vector<director::Index> edges_;
   std::vector<director::Outcome (*)(void*, director::Run&)> run_table_;
   std::vector<void (*)(void*, director::Handling&)> handler_table_;
   std::vector<director::Inbox::Cell> cells_;
