@@ -62,7 +62,11 @@ public:
   /// now on. False: something waits already, so post it. For the thread that calls step().
   bool take_first(const Input& input) {
     if (first_waits_ || inside_ || !inbox_.empty()) return false;
-    first_ = input;
+    first_.kind = input.kind; // one by one: a copy of it all would wait until it was written
+    first_.thing = input.thing;
+    first_.level = input.level;
+    first_.handle = input.handle;
+    first_.value = input.value;
     first_waits_ = true;
     s_.counters->quiet_until = first_time;
     return true;
@@ -108,8 +112,12 @@ private:
   // inputs.cpp
   bool take_posted();
   void take_input(Input& record);
+  void take_observed(Input& record);
+  void take_rarer(Input& record);
   bool take_more(Input& record);
   void take_request(Input& record);
+  void take_request_with_data(Input& record);
+  void take_requests(Input& record);
   void take_states(Input& record);
   void take_cancel(Index edge);
   void take_fired(Index trigger);
@@ -170,6 +178,7 @@ private:
   bool assign(Index state, std::int32_t value);
   void settle_requests();
   void keep_promises_in(Index component);
+  bool asks_again(Index edge, Index level) const;
   bool ask_again(Index edge, Index level);
   void end_micro_step();
 

@@ -14,10 +14,20 @@ bool Engine::take_posted() {
   return true;
 }
 
-/// What comes seldom, or is long, stands apart: so the way to it is short.
+/// What is long stands apart, and the call of it is the last thing that is done: so the way to it is short.
 void Engine::take_input(Input& record) {
   ++s_.counters->micro_step;
-  if (observed()) report_input(record);
+  if (observed()) return take_observed(record);
+  if (record.kind == Input::Kind::request) return take_request(record);
+  take_rarer(record);
+}
+
+[[gnu::noinline]] void Engine::take_observed(Input& record) {
+  report_input(record);
+  record.kind == Input::Kind::request ? take_request(record) : take_rarer(record);
+}
+
+void Engine::take_rarer(Input& record) {
   switch (record.kind) {
   case Input::Kind::request: return take_request(record);
   case Input::Kind::set: return take_states(record);
@@ -35,17 +45,26 @@ bool Engine::take_more(Input& record) {
   return true;
 }
 
-[[gnu::noinline]] void Engine::take_request(Input& record) {
-  const auto accept = [&] {
-    if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
-  };
-  accept();
-  if (!record.more && ask_again(record.thing, record.level)) return;
-  request(record.thing, record.level);
-  while (take_more(record)) {
-    accept();
-    request(record.thing, record.level);
+void Engine::take_request(Input& record) {
+  if (bodies_.data != nullptr) return take_request_with_data(record);
+  if (record.more || !ask_again(record.thing, record.level)) take_requests(record);
+}
+
+[[gnu::noinline]] void Engine::take_request_with_data(Input& record) {
+  if (!record.more && asks_again(record.thing, record.level)) {
+    bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
+    ask_again(record.thing, record.level);
+    settle_data(record.thing);
+  } else {
+    take_requests(record);
   }
+}
+
+[[gnu::noinline]] void Engine::take_requests(Input& record) {
+  do {
+    if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
+    request(record.thing, record.level);
+  } while (take_more(record));
   end_micro_step();
 }
 

@@ -218,18 +218,21 @@ inline void Engine::settle_requests() {
   for (Index i = 0; i < count; ++i) s_.anew[s_.asked[i]] = 0;
 }
 
-/// A micro-step that asks for one task again and for nothing else. Where nobody looks at whose orders are outdated, all
-/// that can come of it is a run. False: more can come of it, and nothing was done.
+/// Of a micro-step that asks for this task and for nothing else: it does so again, and nobody looks at whose orders are
+/// outdated. All that can come of it is a run.
+DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
+  const Counters& c = *s_.counters;
+  return s_.request[edge] == level && (c.work_count | c.touched_count) == 0 &&
+         (s_.turn[t_.edges[edge].target].places & (place::counts | place::watched)) == 0;
+}
+
+/// Takes such a request; its data are still to be settled. False: it is another one, and nothing was done.
 DIRECTOR_INLINE bool Engine::ask_again(Index edge, Index level) {
-  Counters& c = *s_.counters;
+  if (!asks_again(edge, level)) return false;
   const Index group = t_.edges[edge].target;
-  if (s_.request[edge] != level || (s_.turn[group].places & (place::counts | place::watched)) != 0 ||
-      (c.work_count | c.touched_count) != 0)
-    return false;
-  c.unsettled = false;
   const Standing& last = s_.last[group];
+  s_.counters->unsettled = false;
   if (last.granted()) give_again(group, last.holder == edge);
-  if (bodies_.data != nullptr) settle_data(edge);
   return true;
 }
 

@@ -17,7 +17,12 @@ DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
     }
     staged->level = nil;
     if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
-    if (!staged->keep && !(edges.size() == 1 && ask_again(e, level))) request(e, level);
+    if (staged->keep) continue;
+    if (edges.size() != 1 || !ask_again(e, level)) {
+      request(e, level);
+    } else if (bodies_.data != nullptr) {
+      settle_data(e);
+    }
   }
 }
 
