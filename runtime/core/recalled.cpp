@@ -74,37 +74,6 @@ bool Engine::settle(Index component, bool& any_stops) {
   return other;
 }
 
-/// As arbitrate(), where only one component is to be decided, it was in this situation before, and what followed is
-/// written down. False: nothing was done.
-bool Engine::retrace() {
-  const Index component = s_.work[0];
-  const Recall::Part known = recall_.part(component);
-  if (!known || known.head().rest != 0 || known.head().current == Recall::unknown ||
-      !needs_pass(s_.component[component]))
-    return false;
-  note_asked(true);
-  const Recall::Move* const found = ask(component, known) ? known.find() : nullptr;
-  note_asked(false);
-  if (found == nullptr || found->acts.gives == Recall::unknown) return false;
-  const Recall::Move& move = *found;
-  note_recalled(known, move);
-  const bool other = move.difference.groups != 0;
-  const std::uint8_t left =
-      settled_bits(component, other, (move.bits & moved::on_last) != 0, (move.bits & moved::on_stale) != 0);
-  const bool again = needs_pass(left);
-  s_.component[component] = again ? left | work::listed : left;
-  s_.counters->work_count = again ? 1 : 0;
-  const Index* const at = known.row(move.to);
-  if (other) {
-    follow(component, move, at);
-  } else {
-    if (move.to != move.from) stay(component, move, at);
-    if (s_.counters->touched_count != 0) act_on_touched();
-  }
-  keep_promises_in(component);
-  return true;
-}
-
 bool Engine::settle_by_pass(Index component, bool& any_stops) {
   ++passes_;
   decide(component);
@@ -190,7 +159,7 @@ bool Engine::go(Index component, const Recall::Move& move, const Index* at) {
 }
 
 /// The same, where every group stands as before.
-void Engine::stay(Index component, const Recall::Move& move, const Index* at) {
+DIRECTOR_INLINE void Engine::stay(Index component, const Recall::Move& move, const Index* at) {
   if (observed()) remember_queued(component);
   note_move(component, move, at);
   recall_order(component, move, at, s_.order_count[component], s_.order + t_.components[component].order, s_.last.plan);
@@ -198,7 +167,7 @@ void Engine::stay(Index component, const Recall::Move& move, const Index* at) {
 }
 
 /// The same, and acting on it, as act() would: what is known of that saves looking for it.
-void Engine::follow(Index component, const Recall::Move& move, const Index* at) {
+DIRECTOR_INLINE void Engine::follow(Index component, const Recall::Move& move, const Index* at) {
   const Component& row = t_.components[component];
   const std::span<const Index> groups = t_.list(row.groups);
   if (observed()) remember_queued(component);
@@ -229,6 +198,37 @@ void Engine::follow(Index component, const Recall::Move& move, const Index* at) 
   }
   if (s_.counters->touched_count != 0) count = join_touched(count);
   for (Index i = 0; i < count; ++i) enqueue(s_.sorted[i]);
+}
+
+/// As arbitrate(), where only one component is to be decided, it was in this situation before, and what followed is
+/// written down. False: nothing was done.
+bool Engine::retrace() {
+  const Index component = s_.work[0];
+  const Recall::Part known = recall_.part(component);
+  if (!known || known.head().rest != 0 || known.head().current == Recall::unknown ||
+      !needs_pass(s_.component[component]))
+    return false;
+  note_asked(true);
+  const Recall::Move* const found = ask(component, known) ? known.find() : nullptr;
+  note_asked(false);
+  if (found == nullptr || found->acts.gives == Recall::unknown) return false;
+  const Recall::Move& move = *found;
+  note_recalled(known, move);
+  const bool other = move.difference.groups != 0;
+  const std::uint8_t left =
+      settled_bits(component, other, (move.bits & moved::on_last) != 0, (move.bits & moved::on_stale) != 0);
+  const bool again = needs_pass(left);
+  s_.component[component] = again ? left | work::listed : left;
+  s_.counters->work_count = again ? 1 : 0;
+  const Index* const at = known.row(move.to);
+  if (other) {
+    follow(component, move, at);
+  } else {
+    if (move.to != move.from) stay(component, move, at);
+    if (s_.counters->touched_count != 0) act_on_touched();
+  }
+  keep_promises_in(component);
+  return true;
 }
 
 /// To those of State::sorted that stand elsewhere, those that can have a new reason to run where they stood. Returns
