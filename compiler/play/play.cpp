@@ -109,7 +109,7 @@ private:
   }
 
   bool take(const std::vector<ScenarioInput>& inputs) {
-    for (const ScenarioInput& input : inputs) inbox_.post(records(input));
+    for (const ScenarioInput& input : inputs) engine_.post(records(input));
     return run_engine();
   }
 

@@ -18,13 +18,6 @@
 
 namespace director {
 
-/// Bits of State::pending, as Reason.
-namespace reason {
-inline constexpr auto new_task = static_cast<std::uint8_t>(Reason::new_task);
-inline constexpr auto pushed = static_cast<std::uint8_t>(Reason::pushed);
-inline constexpr auto outdating = static_cast<std::uint8_t>(new_task | pushed); ///< the orders that a group gave
-} // namespace reason
-
 class Pass : public Order {
 public:
   using Order::Order;

@@ -32,7 +32,7 @@ void Engine::reset() {
   for (Index i = 0; i < t_.states.size(); ++i) {
     s_.values[i] = t_.states[i].initial;
     s_.handler_values[i] = s_.staged_value[i] = unset;
-    look_at_conditions(i, false);
+    look_at_conditions(i);
   }
   for (Index p = 0; p < t_.providers.size(); ++p) s_.enabled[p] = 1;
   for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e] = nil;
@@ -54,7 +54,7 @@ void Engine::reset() {
 
 void Engine::preset(Index state, std::int32_t value) {
   s_.values[state] = value;
-  look_at_conditions(state, false);
+  look_at_conditions(state);
 }
 
 RunState Engine::state(Index edge) const {

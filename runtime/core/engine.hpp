@@ -72,6 +72,11 @@ public:
     return true;
   }
 
+  /// An input for the next step, as short a way as there is. False: the inbox is full. For the thread that calls step().
+  bool post(std::span<const Input> records) {
+    return (records.size() == 1 && take_first(records[0])) || inbox_.post(records);
+  }
+
   /// The next time at which a step would have something to do without an input; `never` if there is nil.
   Time next_due() const { return s_.counters->next_due; }
 
@@ -125,7 +130,7 @@ private:
   void take_handlers_input();
   bool fire(Index trigger);
   void set_by_handler(Index state, std::int32_t value);
-  void look_at_conditions(Index state, bool begun);
+  void look_at_conditions(Index state);
   void report_input(const Input& record) const;
   void report_set(Index state) const;
 

@@ -159,7 +159,7 @@ inline bool narrow(Calm& calm, std::span<const Interval> accepted, std::int32_t 
 
 /// The state has another value. Components in which a condition flips have to decide again, unless nothing has begun.
 /// Without a value nothing is true, and it is calm nowhere but at that number, which no value has.
-void Engine::look_at_conditions(Index state, bool begun) {
+void Engine::look_at_conditions(Index state) {
   const std::int32_t value = s_.values[state];
   Calm calm{unset + 1, 2147483647};
   if (value == unset) calm = {unset, unset};
@@ -169,7 +169,7 @@ void Engine::look_at_conditions(Index state, bool begun) {
     if (now == holds(condition)) continue;
     s_.truth[condition] = now ? 1 : 0;
     note_condition(condition);
-    if (!begun) continue;
+    if (!s_.counters->begun) continue;
     for (const Index component : t_.list(row.components)) mark(component, work::changed);
   }
   s_.calm[state] = calm;

@@ -196,7 +196,7 @@ inline bool Engine::set_value(Index state, std::int32_t value) {
 inline bool Engine::assign(Index state, std::int32_t value) {
   if (s_.values[state] == value) return false;
   s_.values[state] = value;
-  if (!s_.calm[state].has(value)) look_at_conditions(state, true);
+  if (!s_.calm[state].has(value)) look_at_conditions(state);
   return true;
 }
 

@@ -52,6 +52,13 @@ inline constexpr std::uint8_t passed = 32;       ///< it was decided again in th
 inline constexpr std::uint8_t reordered = 64;    ///< an edge of root may be in another place among its like
 } // namespace work
 
+/// Bits of State::pending, as Reason.
+namespace reason {
+inline constexpr auto new_task = static_cast<std::uint8_t>(Reason::new_task);
+inline constexpr auto pushed = static_cast<std::uint8_t>(Reason::pushed);
+inline constexpr auto outdating = static_cast<std::uint8_t>(new_task | pushed); ///< the orders that a group gave
+} // namespace reason
+
 /// Bits of State::done.
 namespace result {
 inline constexpr std::uint8_t done = 1;

@@ -139,11 +139,9 @@ private:
 
   /// The group is about to run for a task that is new, or for nobody any more.
   bool orders_change(Index group) const {
-    constexpr auto outdating = static_cast<std::uint8_t>(static_cast<std::uint8_t>(Reason::new_task) |
-                                                         static_cast<std::uint8_t>(Reason::pushed));
     for (; group != nil; group = requester(v_.holder(group))) {
       if (v_.holder(group) == nil || v_.is_limbo(v_.holder(group))) return true;
-      if (v_.granted(group)) return (v_.pending[group] & outdating) != 0;
+      if (v_.granted(group)) return (v_.pending[group] & reason::outdating) != 0;
     }
     return false;
   }

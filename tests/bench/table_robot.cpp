@@ -97,7 +97,7 @@ Input TableRobot::request(Index edge) const {
 }
 
 void TableRobot::post(std::span<const Input> records) {
-  if (!inbox_.post(records)) throw std::logic_error("the inbox is full");
+  if (!engine_.post(records)) throw std::logic_error("the inbox is full");
 }
 
 void TableRobot::step(Time now) {
