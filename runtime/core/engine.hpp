@@ -195,8 +195,7 @@ private:
   bool ask(Index component, const Recall::Part& known);
   void note_recalled(const Recall::Part& known, const Recall::Move& move);
   void note_move(Index component, const Recall::Move& move, const Index* at);
-  void recall_order(Index component, const Recall::Move& move, const Index* at, Index& count, Index* order,
-                    Index* plan);
+  void recall_order(Index component, std::uint8_t bits, const Index* at, Index& count, Index* order, Index* plan);
   bool go(Index component, const Recall::Move& move, const Index* at);
   void stay(Index component, const Recall::Move& move, const Index* at);
   void follow(Index component, const Recall::Move& move, const Index* at);

@@ -222,8 +222,8 @@ inline void Engine::settle_requests() {
 /// outdated. All that can come of it is a run.
 DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
   const Counters& c = *s_.counters;
-  return s_.request[edge] == level && (c.work_count | c.touched_count) == 0 &&
-         (s_.turn[t_.edges[edge].target].places & (place::counts | place::watched)) == 0;
+  if (s_.request[edge] != level || (c.work_count | c.touched_count) != 0) return false;
+  return (s_.turn[t_.edges[edge].target].places & (place::counts | place::watched)) == 0;
 }
 
 /// Takes such a request; its data are still to be settled. False: it is another one, and nothing was done.

@@ -46,6 +46,8 @@ enum class Fault : unsigned char {
   a_rest_is_overlooked, // what was decided meanwhile
   // and of what follows from a known move
   handlers_are_overlooked,
+  the_order_stays,
+  who_stands_as_before_is_overlooked,
   count
 };
 

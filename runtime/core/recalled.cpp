@@ -121,20 +121,20 @@ DIRECTOR_INLINE void Engine::note_move(Index component, const Recall::Move& move
   if ((move.bits & moved::other_decision) != 0) s_.counters->unsettled = true;
 }
 
-/// The order and the plans of a decision, where the move changes them.
-DIRECTOR_INLINE void Engine::recall_order(Index component, const Recall::Move& move, const Index* at, Index& count,
+/// The order and the plans of a decision, as far as `bits` (of `moved`) name them.
+DIRECTOR_INLINE void Engine::recall_order(Index component, std::uint8_t bits, const Index* at, Index& count,
                                           Index* order, Index* plan) {
   const Component& row = t_.components[component];
   const std::span<const Index> groups = t_.list(row.groups);
   at += standing_rows * groups.size() + count_rows + why_rows * row.edges.size();
-  if ((move.bits & moved::other_order) != 0) {
+  if ((bits & moved::other_order) != 0 && !planted(Fault::the_order_stays)) {
     count = at[0];
     for (Index i = 0; i < count; ++i) {
       order[i] = at[1 + i];
       s_.place[order[i]] = i;
     }
   }
-  if ((move.bits & moved::other_plans) == 0) return;
+  if ((bits & moved::other_plans) == 0) return;
   at += 1 + groups.size();
   for (const Index g : groups) {
     const Range slots = t_.groups[g].slots;
@@ -154,7 +154,8 @@ bool Engine::go(Index component, const Recall::Move& move, const Index* at) {
     s_.differing[differing_++] = group;
   });
   note_move(component, move, at);
-  recall_order(component, move, at, s_.next_count[component], s_.next_order + row.order, s_.now.plan);
+  recall_order(component, moved::other_order | moved::other_plans, at, s_.next_count[component],
+               s_.next_order + row.order, s_.now.plan);
   return move.difference.groups != 0;
 }
 
@@ -162,7 +163,8 @@ bool Engine::go(Index component, const Recall::Move& move, const Index* at) {
 DIRECTOR_INLINE void Engine::stay(Index component, const Recall::Move& move, const Index* at) {
   if (observed()) remember_queued(component);
   note_move(component, move, at);
-  recall_order(component, move, at, s_.order_count[component], s_.order + t_.components[component].order, s_.last.plan);
+  recall_order(component, move.bits, at, s_.order_count[component], s_.order + t_.components[component].order,
+               s_.last.plan);
   if (observed()) report_queued(component);
 }
 
@@ -190,7 +192,7 @@ DIRECTOR_INLINE void Engine::follow(Index component, const Recall::Move& move, c
     last = standing(at, place);
     if (!last.granted()) leave_queue(groups[place]);
   });
-  recall_order(component, move, at, s_.order_count[component], s_.order + row.order, s_.last.plan);
+  recall_order(component, move.bits, at, s_.order_count[component], s_.order + row.order, s_.last.plan);
   Index count = 0;
   for (std::size_t i = acts.stops; i < end; ++i) {
     const Index group = s_.sorted[count++] = groups[acts.group[i]];
@@ -244,7 +246,7 @@ Index Engine::join_touched(Index given) {
   for (Index i = 0; i < c.touched_count; ++i) {
     const Index group = s_.touched[i];
     untouch(group);
-    if (!granted(group) || joined(group)) continue;
+    if (!granted(group) || joined(group) || planted(Fault::who_stands_as_before_is_overlooked)) continue;
     note_given(group, s_.last[group].holder, 0);
     s_.sorted[count++] = group;
   }

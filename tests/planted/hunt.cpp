@@ -67,6 +67,8 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
     {"recall", "who is enabled belongs to the situation"},
     {"recall", "what stands after a rest is not known"},
     {"recall", "who starts has a handler and a period"},
+    {"recall", "the order may be another where all stand as before"},
+    {"recall", "who stands as before may be asked anew"},
 }};
 
 /// The number of the case that shows the fault in hand; 0: none does.

@@ -39,6 +39,48 @@ TEST_CASE("an input that came before the step is taken before what is due in it"
   CHECK(machine.engine().next_due() == ms(200));
 }
 
+TEST_CASE("an input that need not wait in the inbox comes before what is posted behind it, and behind what waits") {
+  const std::string light = R"(
+behaviour: light
+language: 1
+states:
+  Light: {values: [red, green, yellow], initial: red, external: true}
+roots: [Watch]
+groups:
+  Watch:
+    providers:
+      - {name: go, when: [Light == green]}
+      - {name: slow, when: [Light == yellow]}
+      - {name: stand}
+)";
+  Machine machine(light);
+  machine.request("Watch");
+  machine.step();
+  Input green{.kind = Input::Kind::set, .thing = machine.state("Light")};
+  green.value = machine.value("Light", "green");
+  CHECK(machine.engine().take_first(green));
+  CHECK_FALSE(machine.engine().take_first(green)); // one waits already
+  machine.set("Light", "yellow");
+  CHECK(machine.step() == Lines{"run Watch.slow new_task"}); // all inputs come before a run
+
+  machine.set("Light", "red");
+  CHECK_FALSE(machine.engine().take_first(green)); // it would overtake
+  CHECK(machine.engine().post({&green, 1}));
+  CHECK(machine.step() == Lines{"run Watch.go new_task"});
+}
+
+TEST_CASE("an input that need not wait in the inbox counts among the micro-steps of its step") {
+  Machine machine("{behaviour: b, language: 1, roots: [Watch], groups: {Watch: {}}}");
+  machine.request("Watch");
+  machine.engine().set_budget(1);
+  CHECK(machine.step() == Lines{"exhausted"});
+  Input again{.kind = Input::Kind::request, .thing = machine.edge("root>Watch")};
+  again.level = machine.level(again.thing);
+  CHECK(machine.engine().take_first(again)); // before the run that is left
+  CHECK(machine.step() == Lines{"exhausted"});
+  CHECK(machine.step() == Lines{"run Watch new_task"});
+}
+
 TEST_CASE("an earlier time counts as the last one") {
   Machine machine(timed);
   machine.request("Clock");

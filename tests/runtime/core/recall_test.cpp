@@ -103,6 +103,56 @@ groups:
   CHECK(machine.engine().recalled() > 0);
 }
 
+TEST_CASE(
+    "what follows from a known move follows whole: handlers, periods, and who stands as before but was asked anew") {
+  const std::string robot = R"(
+behaviour: robot
+language: 1
+states:
+  Pose: {values: [up, down], initial: up}
+roots:
+  Play: {priority: 1}
+  Rest: {priority: {low: 0, high: 2}}
+groups:
+  Play: {tasks: [Arm, Legs]}
+  Rest: {tasks: [Legs]}
+  Arm: {}
+  Legs:
+    start: {sets: [Pose == down]}
+    stop: {sets: [Pose == up]}
+    every: 10 ms
+)";
+  const auto play = [&](Recalls recalls) {
+    Machine machine(robot, 64, recalls);
+    machine.handler("Legs.start", [&](Handling& it) { it.set(machine.state("Pose"), machine.value("Pose", "down")); });
+    machine.handler("Legs.stop", [&](Handling& it) { it.set(machine.state("Pose"), machine.value("Pose", "up")); });
+    machine.decisions = true;
+    Lines out;
+    Time now = 0;
+    const auto step = [&] {
+      out.push_back("at " + std::to_string(now));
+      for (std::string& line : machine.step(now)) out.push_back(std::move(line));
+      now += 7'000;
+    };
+    for (int i = 0; i < 12; ++i) {
+      machine.request("Play");
+      step();
+      machine.request("Rest", "high");
+      machine.request("Play");
+      step();
+      machine.request("Rest", "low");
+      step();
+      machine.cancel("Play");
+      step();
+      machine.cancel("Rest");
+      step();
+    }
+    CHECK((machine.engine().recalled() > 20) == (recalls == Recalls::yes));
+    return out;
+  };
+  CHECK(play(Recalls::yes) == play(Recalls::no));
+}
+
 TEST_CASE("a memory that is full begins anew") {
   std::string many = "{behaviour: b, language: 1, states: {N: {range: [0, 63], initial: 0, external: true}},"
                      " roots: {A: {}}, groups: {A: {providers: [";
