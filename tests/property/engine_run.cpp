@@ -57,11 +57,11 @@ bool EngineRun::micro_step() {
 }
 
 void EngineRun::post(const compiler::ScenarioInput& input) {
-  using Kind = dsl::InputSpec::Kind;
+  using Wanted = dsl::InputSpec::Kind;
   using Record = director::Input::Kind;
   std::vector<director::Input> records;
   switch (input.kind) {
-  case Kind::request:
+  case Wanted::request:
     for (const compiler::Asked& asked : input.requests) {
       records.push_back(record(Record::request, asked.edge.value));
       const Range levels = tables_.edges[records.back().thing].levels;
@@ -69,16 +69,16 @@ void EngineRun::post(const compiler::ScenarioInput& input) {
       records.back().handle = bodies_.data().wait_for_input(asked.data);
     }
     break;
-  case Kind::set:
+  case Wanted::set:
     for (const compiler::Setting& setting : input.set) {
       records.push_back(record(Record::set, setting.state.value));
       records.back().value = static_cast<std::int32_t>(setting.value);
     }
     break;
-  case Kind::cancel: records.push_back(record(Record::cancel, input.root.value)); break;
-  case Kind::trigger: records.push_back(record(Record::fire, input.trigger.value)); break;
-  case Kind::enable: records.push_back(record(Record::enable, input.provider.value)); break;
-  case Kind::disable: records.push_back(record(Record::disable, input.provider.value)); break;
+  case Wanted::cancel: records.push_back(record(Record::cancel, input.root.value)); break;
+  case Wanted::trigger: records.push_back(record(Record::fire, input.trigger.value)); break;
+  case Wanted::enable: records.push_back(record(Record::enable, input.provider.value)); break;
+  case Wanted::disable: records.push_back(record(Record::disable, input.provider.value)); break;
   }
   for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
   if (!(leap_ ? inbox_.post(records) : engine_.post(records))) throw std::runtime_error("the inbox of the test is too small");
