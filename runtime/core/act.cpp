@@ -249,6 +249,7 @@ void Engine::report_decisions(Index component) const {
 }
 
 void Engine::report_queued(Index component) const {
+  if (!observed()) return;
   for (const Index e : t_.list(t_.components[component].edges)) {
     const Queued &now = s_.queued[e], &last = s_.last_queued[e];
     if (now.why == Why::none || now == last) continue;
