@@ -72,7 +72,8 @@ public:
     return true;
   }
 
-  /// An input for the next step, as short a way as there is. False: the inbox is full. For the thread that calls step().
+  /// An input for the next step, by as short a way as there is. False: the inbox is full. For the thread that calls
+  /// step().
   bool post(std::span<const Input> records) {
     return (records.size() == 1 && take_first(records[0])) || inbox_.post(records);
   }

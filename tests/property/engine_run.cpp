@@ -81,7 +81,8 @@ void EngineRun::post(const compiler::ScenarioInput& input) {
   case Wanted::disable: records.push_back(record(Record::disable, input.provider.value)); break;
   }
   for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
-  if (!(leap_ ? inbox_.post(records) : engine_.post(records))) throw std::runtime_error("the inbox of the test is too small");
+  if (!(leap_ ? inbox_.post(records) : engine_.post(records)))
+    throw std::runtime_error("the inbox of the test is too small");
 }
 
 Snapshot EngineRun::snapshot() const {
