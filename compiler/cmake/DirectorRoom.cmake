@@ -29,8 +29,7 @@ function(director_room target alias)
       target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
     if(DIRECTOR_TOGETHER)
-      target_compile_options(${target} PRIVATE -Wno-shadow) # a local name may be one of another source
-      director_compile_together(${target} ${room_FOLDER} "${room_ALONE}" ${sources})
+      director_room_together(${target} ${room_FOLDER} "${room_ALONE}" ${sources})
     endif()
   else()
     add_library(${target} INTERFACE)
@@ -41,6 +40,12 @@ function(director_room target alias)
   endif()
   add_library(Director::${alias} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${alias})
+endfunction()
+
+# director_room_together(<target> <room's folder> <sources that stay alone> <source>...): a room's sources, compiled together.
+function(director_room_together target room alone)
+  target_compile_options(${target} PRIVATE -Wno-shadow) # a local name may be one of another source
+  director_compile_together(${target} ${room} "${alone}" ${ARGN})
 endfunction()
 
 # director_compile_together(<target> <room's folder> <sources that stay alone> <source>...): the sources of each folder within the room, with those below
