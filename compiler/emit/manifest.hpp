@@ -1,6 +1,6 @@
 #pragma once
-// What was made from what: for tools that need to know whether the generated code is up to date, where a line of it comes
-// from, and what memory a behaviour takes.
+// What was made from what: for tools that need to know whether the generated code is up to date, where a line of it
+// comes from, and what memory a behaviour takes.
 
 #include "compiler/emit/code.hpp"
 #include "compiler/emit/deployment.hpp"

@@ -1,8 +1,8 @@
 // Door: compiler/explore/focus.hpp. Test: tests/compiler/explore/focus_test.cpp.
 //
 // The plan is one of a world where nothing that was reached is ever lost again: the cheapest way to have a provider run
-// is the cheapest request of its group and, for each of its conditions, the cheapest thing that makes it true. Costs are
-// relaxed in rounds until none changes (Bellman and Ford), then the plan is read off from the goal backwards.
+// is the cheapest request of its group and, for each of its conditions, the cheapest thing that makes it true. Costs
+// are relaxed in rounds until none changes (Bellman and Ford), then the plan is read off from the goal backwards.
 #include "compiler/explore/focus.hpp"
 
 #include <algorithm>
@@ -149,7 +149,8 @@ public:
     if (const auto edge = planner_.request(provider.group)) add(*edge);
     for (const ConditionUse& use : provider.when) add(use.id);
     for (const ProviderId earlier : model_.groups[provider.group].providers) { // which would run in its place
-      for (const ConditionUse& use : model_.providers[earlier].when) states[model_.conditions[use.id].state.value] = true;
+      for (const ConditionUse& use : model_.providers[earlier].when)
+        states[model_.conditions[use.id].state.value] = true;
     }
   }
 

@@ -13,8 +13,8 @@ struct Goal {
   std::vector<ProviderId> providers;
 };
 
-/// Leaves in `ground` what a plan for the goal takes: which root tasks are asked for, which states are set, and what its
-/// bodies answer. Other bodies do what is usual. Nothing expires, breaks, waits or fires.
+/// Leaves in `ground` what a plan for the goal takes: which root tasks are asked for, which states are set, and what
+/// its bodies answer. Other bodies do what is usual. Nothing expires, breaks, waits or fires.
 void focus_on(Ground& ground, const Goal& goal);
 
 } // namespace director::compiler

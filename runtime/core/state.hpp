@@ -265,7 +265,8 @@ struct State {
     visit(s.asked, n.edges);
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.sorted, n.groups);
     visit(s.differing, n.groups);
-    visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.component_traits, n.components), visit(s.trial, n.groups);
+    visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.component_traits, n.components);
+    visit(s.trial, n.groups);
     visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
     visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
     visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);

@@ -1,6 +1,6 @@
 #pragma once
-// The memory of an engine whose tables are known only while running, from the heap, taken once. Generated code has it in
-// its Behaviour and does not need this.
+// The memory of an engine whose tables are known only while running, from the heap, taken once. Generated code has it
+// in its Behaviour and does not need this.
 
 #include "runtime/core/recall.hpp"
 #include "runtime/core/state.hpp"

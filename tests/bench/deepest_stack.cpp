@@ -1,8 +1,9 @@
 // Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 //
 // deepest_stack FUNCTION FOLDER: how many bytes of stack a call of FUNCTION may take, from what g++ writes with
-// -fcallgraph-info=su about each source file: all .ci files below the folder. FUNCTION is a part of its printed name. What is called by a pointer
-// (provider bodies, the observer) is not in it; a cycle of calls is an error, for it has no bound.
+// -fcallgraph-info=su about each source file: all .ci files below the folder. FUNCTION is a part of its printed name.
+// What is called by a pointer (provider bodies, the observer) is not in it; a cycle of calls is an error, for it has no
+// bound.
 #include <filesystem>
 #include <fstream>
 #include <iostream>

@@ -1,6 +1,6 @@
 #pragma once
-// Large behaviours for the compiler, as the texts of their files: of the shape that people write, and of shapes that are
-// hard for one stage or another.
+// Large behaviours for the compiler, as the texts of their files: of the shape that people write, and of shapes that
+// are hard for one stage or another.
 
 #include <cstddef>
 #include <map>

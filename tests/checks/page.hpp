@@ -8,8 +8,8 @@
 // `behaviour:` nor `language:` begins a line, both are added in front. `# file: other.yaml` begins a further file; one
 // that ends in .scenario.yaml is played, and what is wrong with it is found too.
 //
-// ```cpp blocks that follow belong to the specimen: the user's C++, with the same words behind `//`. The first file is modules.cpp
-// unless `// file: ...` says otherwise.
+// ```cpp blocks that follow belong to the specimen: the user's C++, with the same words behind `//`. The first file is
+// modules.cpp unless `// file: ...` says otherwise.
 
 #include <cstdint>
 #include <map>

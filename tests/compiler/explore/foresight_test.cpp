@@ -35,12 +35,17 @@ groups:
   Mid: {when: [T == b], tasks: [Low]}
 )",
                                          R"(
-states: {Pose: {values: [moving, standing], initial: moving, external: true}, Level: {range: [0, 9], initial: 5, external: true}}
+states:
+  Pose: {values: [moving, standing], initial: moving, external: true}
+  Level: {range: [0, 9], initial: 5, external: true}
 roots: {Goal: {priority: 5}, Other: {priority: 5}}
 groups:
   Goal: {packs: {all: {Walk: {priority: 1}, Kick: {priority: 2}, Look: {priority: 2}}, kick: {Kick: {priority: 2}}}}
   Other: {tasks: [Look, Walk]}
-  Walk: {providers: [{name: walking, sets: [Pose == moving], needs: [Legs]}, {name: halting, causing: [Pose == standing], needs: [Legs], tasks: [Legs]}]}
+  Walk:
+    providers:
+      - {name: walking, sets: [Pose == moving], needs: [Legs]}
+      - {name: halting, causing: [Pose == standing], needs: [Legs], tasks: [Legs]}
   Kick: {when: [Pose == standing, Level > 3], needs: [Legs], tasks: [Legs]}
   Look: {providers: [{name: near, when: [Level > 3]}, {name: far, tasks: [Legs]}]}
   Legs: {}

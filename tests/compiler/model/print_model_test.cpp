@@ -41,7 +41,10 @@ groups:
         needs: [Legs]
         uses: [Legs]
         packs: {brake: {Legs: {priority: 7, apart: true}}, rest: {}}
-  Kick: {when: [Stability == standing, Charge > 10, Phase == ready|playing], stay: [Stability != unknown], needs: [Legs]}
+  Kick:
+    when: [Stability == standing, Charge > 10, Phase == ready|playing]
+    stay: [Stability != unknown]
+    needs: [Legs]
   Legs: {layer: limb}
 assertions:
   - never_together: [Walk, Kick]

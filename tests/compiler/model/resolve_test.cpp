@@ -53,7 +53,8 @@ groups:
   A:
     providers:
       - {name: one, tasks: {B: {priority: {soft: 5, hard: 9}}}}
-      - {name: two, packs: {p: {B: {priority: 9}}, q: {B: {priority: 5, optional: true}}, r: {B: {priority: 5, apart: true}}}}
+      - name: two
+        packs: {p: {B: {priority: 9}}, q: {B: {priority: 5, optional: true}}, r: {B: {priority: 5, apart: true}}}
   B: {}
 )");
   CHECK(lines_with(text.checked.model, "edge") == "edge root>A: 1, 2\nedge A>B: 5, 9, 5 optional, 5 apart\n");

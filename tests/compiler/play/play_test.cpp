@@ -45,7 +45,11 @@ steps:
 TEST_CASE("the first case whose guards hold is used, and none is to go on") {
   CHECK(play(walker, R"(
 script:
-  Walk.walking: [{run: 3, done: true}, {trigger: Bell, tasks: []}, {reason: subtask_done, continue: true}, {run: 1, tasks: [Legs]}]
+  Walk.walking:
+    - {run: 3, done: true}
+    - {trigger: Bell, tasks: []}
+    - {reason: subtask_done, continue: true}
+    - {run: 1, tasks: [Legs]}
   Legs: [{run: 1, continue: true}, {failed: true}]
 steps:
   - request: Walk

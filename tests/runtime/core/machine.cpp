@@ -16,19 +16,10 @@ Machine::Machine(const std::string& behaviour, std::size_t inbox, Recalls recall
     const auto body = machine.bodies_.find(run.provider());
     return body == machine.bodies_.end() ? machine.everything(run) : body->second(run);
   });
-  const auto handle = [](const char* which) {
-    return which[2] == 'a' ? [](void* self, Handling& handling) {
-      Machine& machine = *static_cast<Machine*>(self);
-      const auto found = machine.handlers_.find(machine.model().groups[compiler::GroupId{handling.group()}].name.value + ".start");
-      if (found != machine.handlers_.end()) found->second(handling);
-    } : [](void* self, Handling& handling) {
-      Machine& machine = *static_cast<Machine*>(self);
-      const auto found = machine.handlers_.find(machine.model().groups[compiler::GroupId{handling.group()}].name.value + ".stop");
-      if (found != machine.handlers_.end()) found->second(handling);
-    };
-  };
-  start_.assign(tables_.groups.size(), handle("start"));
-  stop_.assign(tables_.groups.size(), handle("stop"));
+  start_.assign(tables_.groups.size(),
+                [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, ".start"); });
+  stop_.assign(tables_.groups.size(),
+               [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, ".stop"); });
   Bodies bodies;
   bodies.self = this;
   bodies.run = run_.data();
@@ -51,6 +42,12 @@ Machine& Machine::body(const std::string& provider, Body body) {
 Machine& Machine::handler(const std::string& group, Handler handler) {
   handlers_[group] = std::move(handler);
   return *this;
+}
+
+void Machine::handle(Handling& handling, const char* which) {
+  const std::string& group = model().groups[compiler::GroupId{handling.group()}].name.value;
+  const auto found = handlers_.find(group + which);
+  if (found != handlers_.end()) found->second(handling);
 }
 
 Outcome Machine::everything(Run& run) const {

@@ -62,6 +62,7 @@ public:
   Lines data_moves;       ///< `settle root>Kick`
 
 private:
+  void handle(Handling& handling, const char* which); ///< `.start`
   void tell(const Event& event);
   std::string provider_name(Index provider) const;
   std::string edge_name(Index edge) const;
