@@ -7,6 +7,7 @@
 // A behaviour with a defect may have other findings too, which follow from it or are as true; they are counted.
 #include "compiler/checks/check.hpp"
 #include "tests/defects/trial.hpp"
+#include "tests/support/environment.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -99,8 +100,7 @@ int show(const Shapes& shapes, const std::string& id, std::uint64_t seed) {
 /// Every check has a planter; the table, and whether it is good enough.
 bool run(const Shapes& shapes) {
   bool good = true;
-  const char* const asked = std::getenv("DIRECTOR_CASES");
-  const std::size_t cases = asked == nullptr ? least_cases : std::strtoull(asked, nullptr, 10);
+  const std::size_t cases = tests::from_environment("DIRECTOR_CASES", least_cases);
   std::vector<checks::Registered> measured;
   for (const checks::Registered& check : checks::registered()) {
     // What is wrong in the user's C++ is planted in tests/clang.

@@ -9,11 +9,11 @@
 #include "compiler/explore/write_scenario.hpp"
 #include "tests/property/engine_run.hpp"
 #include "tests/property/generate.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/support/same_searches.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
 #include <iostream>
 
 namespace {
@@ -29,11 +29,6 @@ constexpr std::uint64_t usual_cases = 150;
 constexpr std::uint64_t usual_cases = 20;
 #endif
 constexpr std::size_t bound = 4'000;
-
-std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
-  const char* text = std::getenv(variable);
-  return text == nullptr ? otherwise : std::stoull(text);
-}
 
 /// Everything that could be asserted of two of its groups.
 void assert_all(compiler::Model& model) {
@@ -105,7 +100,8 @@ std::vector<std::size_t> refuted_by(const Compiled& compiled) {
 }
 
 TEST_CASE("explorations agree with the checks, with proofs, and with what is played") {
-  const std::uint64_t first = number_from("DIRECTOR_SEED", 1), cases = number_from("DIRECTOR_CASES", usual_cases);
+  const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
+  const std::uint64_t cases = tests::from_environment("DIRECTOR_CASES", usual_cases);
   std::size_t complete = 0, proven = 0, refuted = 0, not_played = 0, states = 0, scenarios = 0;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     const Case each = make(seed);

@@ -8,11 +8,11 @@
 #include "tests/property/compare.hpp"
 #include "tests/property/shrink.hpp"
 #include "tests/property/watch.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -21,6 +21,7 @@
 namespace {
 
 using namespace director::property;
+using director::tests::from_environment;
 
 #ifdef NDEBUG
 constexpr std::uint64_t usual_cases = 8'000;
@@ -28,11 +29,6 @@ constexpr std::uint64_t usual_cases = 8'000;
 constexpr std::uint64_t usual_cases = 600; // not optimised, or under a sanitizer
 #endif
 constexpr int parts = 4; // of the cases: ctest runs them side by side
-
-std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
-  const char* text = std::getenv(variable);
-  return text == nullptr ? otherwise : std::stoull(text);
-}
 
 Verdict verdict_of(const Documents& documents, Manner manner) {
   const CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
@@ -93,9 +89,9 @@ struct Shares {
 };
 
 void run_part(int part) {
-  const std::uint64_t all = number_from("DIRECTOR_CASES", usual_cases);
+  const std::uint64_t all = from_environment("DIRECTOR_CASES", usual_cases);
   const std::uint64_t share = (all + parts - 1) / parts;
-  const std::uint64_t first = number_from("DIRECTOR_SEED", 1) + static_cast<std::uint64_t>(part) * share;
+  const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1) + static_cast<std::uint64_t>(part) * share;
   Shares shares;
   for (std::uint64_t seed = first; seed < first + share; ++seed) {
     watch(seed);

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <numeric>
 #include <set>
 
@@ -253,11 +252,6 @@ std::string to_text(const Order& order) {
   std::string out = order.yaml();
   for (const auto& [path, text] : order.texts()) out += fmt::format("==== {}\n{}\n", path, text);
   return out;
-}
-
-unsigned from_environment(const char* name, unsigned otherwise) {
-  const char* const text = std::getenv(name);
-  return text == nullptr ? otherwise : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
 }
 
 std::string small_header(const Wanted& wanted) {

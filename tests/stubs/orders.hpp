@@ -70,9 +70,6 @@ std::vector<int> shrunk(std::vector<int> steps, const std::function<bool(const s
 /// The behaviour and the C++ of an order, for whoever has to see why it failed.
 std::string to_text(const Order& order);
 
-/// A number that the environment names, such as DIRECTOR_ORDERS.
-unsigned from_environment(const char* name, unsigned otherwise);
-
 /// A header as small as it can be that says the same as the generated one of what matters here.
 std::string small_header(const compiler::stubs::Wanted& wanted);
 

@@ -4,6 +4,7 @@
 #include "compiler/stubs/merge.hpp"
 #include "tests/stubs/cheap_cpp.hpp"
 #include "tests/stubs/orders.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -141,8 +142,8 @@ std::string fault_of(unsigned number, const std::vector<int>& steps, const fs::p
 
 TEST_CASE("the command leaves every byte of the user's in place, in random orders of editing and stubs") {
   const bool few = std::getenv("DIRECTOR_COMMAND_ORDERS") == nullptr;
-  const unsigned count = from_environment("DIRECTOR_COMMAND_ORDERS", 24);
-  const unsigned first = from_environment("DIRECTOR_ORDERS_FROM", 0);
+  const auto count = from_environment<unsigned>("DIRECTOR_COMMAND_ORDERS", 24);
+  const auto first = from_environment<unsigned>("DIRECTOR_ORDERS_FROM", 0);
   std::cout << "orders " << first << " to " << first + count - 1 << std::endl;
   const fs::path root = fs::canonical(binary_dir()) / ("tests/stubs-command-orders-" + std::to_string(getpid()));
   std::size_t changed = 0;

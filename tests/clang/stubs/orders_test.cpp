@@ -6,6 +6,7 @@
 #include "compiler/stubs/scan.hpp"
 #include "tests/stubs/cheap_cpp.hpp"
 #include "tests/stubs/orders.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -162,7 +163,8 @@ std::string told(unsigned number, const fs::path& root) {
 } // namespace
 
 TEST_CASE("Clang reads the orders as the cheap stand-in does, the user's bytes stay, and what is inserted it finds") {
-  const unsigned count = from_environment("DIRECTOR_ORDERS", 2000), first = from_environment("DIRECTOR_ORDERS_FROM", 0);
+  const auto count = from_environment<unsigned>("DIRECTOR_ORDERS", 2000);
+  const auto first = from_environment<unsigned>("DIRECTOR_ORDERS_FROM", 0);
   std::cout << "orders " << first << " to " << first + count - 1 << std::endl;
   const fs::path root = fs::canonical(binary_dir()) / ("tests/stubs-orders-" + std::to_string(getpid()));
   fs::remove_all(root);
