@@ -27,13 +27,13 @@ public:
     for (std::size_t i = 1; i <= trees_; ++i) {
       const std::string tree = std::to_string(i);
       const Index pose = robot_.state("Pose_" + tree);
-      Act& walking = robot_.acts("Walk_" + tree + ".walking").front();
+      Act& walking = robot_.act("Walk_" + tree + ".walking");
       walking.state = pose;
       walking.value = robot_.value(pose, "moving");
-      Act& halting = robot_.acts("Walk_" + tree + ".halting").front();
+      Act& halting = robot_.act("Walk_" + tree + ".halting");
       halting.state = pose;
       halting.value = robot_.value(pose, "standing");
-      robot_.acts("Kick_" + tree).front().answer = director::Outcome::Kind::done;
+      robot_.act("Kick_" + tree).answer = director::Outcome::Kind::done;
       kicks_.push_back(robot_.request(robot_.root("Kick_" + tree)));
       robot_.post(robot_.request(robot_.root("Robot_" + tree)));
       robot_.step();

@@ -19,9 +19,8 @@ constexpr director::Time tick = 10'000; // us
 /// READY and SET, the robot falls every two minutes and stands again four seconds later.
 class Robocup {
 public:
-  Robocup() : robot_(compile_file("behaviours/robocup/robocup.yaml"), 64) {
+  Robocup() : robot_(compile_file("behaviours/robocup/robocup.yaml"), 64, Play::changing) {
     robot_.act_length = 64;
-    for (Index i = 0; i < robot_.model().providers.size(); ++i) write_acts(i);
     set("Stability", "STANDING");
     set("WalkState", "STOPPED");
     for (const char* root : {"Walk", "Look", "FindPurpose", "FallRecovery"})
@@ -43,30 +42,6 @@ public:
   }
 
 private:
-  /// Each pack in turn; what it promises or may set, the first value of each, in turn too.
-  void write_acts(Index provider) {
-    const director::compiler::Model& m = robot_.model();
-    const director::compiler::Provider& p = m.providers[director::compiler::ProviderId{provider}];
-    std::vector<Act> acts;
-    for (const director::compiler::Pack& pack : p.packs) {
-      Act act;
-      for (const director::compiler::Task& task : pack.tasks) act.edges.push_back(static_cast<Index>(task.edge.value));
-      acts.push_back(act);
-    }
-    if (acts.empty()) acts.emplace_back();
-    std::size_t next = 0;
-    for (const auto* uses : {&p.causing, &p.sets}) {
-      for (const director::compiler::ConditionUse& use : *uses) {
-        const director::compiler::Condition& condition = m.conditions[use.id];
-        if (condition.operands.empty()) continue;
-        if (next == acts.size()) acts.push_back(acts.front());
-        acts[next].state = static_cast<Index>(condition.state.value);
-        acts[next++].value = static_cast<std::int32_t>(condition.operands.front());
-      }
-    }
-    robot_.acts(provider) = acts;
-  }
-
   void every_second(std::uint64_t second) {
     const std::uint64_t in_half = second % 1800;
     if (in_half == 0) set("Phase", "READY");

@@ -45,10 +45,11 @@ Compiled compile_file(const std::string& path) {
   return compile(path, files);
 }
 
-TableRobot::TableRobot(Compiled compiled, std::size_t cells)
+TableRobot::TableRobot(Compiled compiled, std::size_t cells, Play play)
     : compiled_(std::move(compiled)),
       tables_(compiled_.lowered.view()),
-      bodies_(tables_.providers.size()),
+      play_(play),
+      runs_(tables_.providers.size()),
       run_table_(tables_.providers.size(),
                  [](void* self, Run& run) { return static_cast<TableRobot*>(self)->run(run); }),
       handler_table_(tables_.groups.size(), [](void*, Handling&) {}),
@@ -58,18 +59,38 @@ TableRobot::TableRobot(Compiled compiled, std::size_t cells)
       engine_(tables_, memory_.state().data(), functions(), inbox_, {}, memory_.recall()) {
   engine_.set_budget(1'000'000'000);
   for (const compiler::ProviderId id : model().providers.ids()) {
-    const std::vector<compiler::Pack>& packs = model().providers[id].packs;
-    Act act;
-    if (!packs.empty()) {
-      for (const compiler::Task& task : packs.front().tasks) act.edges.push_back(static_cast<Index>(task.edge.value));
+    first_act_.push_back(static_cast<Index>(acts_.size()));
+    add_acts(model().providers[id]);
+  }
+  first_act_.push_back(static_cast<Index>(acts_.size()));
+}
+
+void TableRobot::add_acts(const compiler::Provider& provider) {
+  const std::size_t first = acts_.size();
+  for (const compiler::Pack& pack : provider.packs) {
+    Act& act = acts_.emplace_back();
+    act.begin = static_cast<Index>(edges_.size());
+    for (const compiler::Task& task : pack.tasks) edges_.push_back(static_cast<Index>(task.edge.value));
+    act.end = static_cast<Index>(edges_.size());
+    if (play_ == Play::same) return;
+  }
+  if (provider.packs.empty()) acts_.emplace_back();
+  if (play_ == Play::same) return;
+  std::size_t next = first;
+  for (const auto* uses : {&provider.causing, &provider.sets}) {
+    for (const compiler::ConditionUse& use : *uses) {
+      const compiler::Condition& condition = model().conditions[use.id];
+      if (condition.operands.empty()) continue;
+      if (next == acts_.size()) acts_.push_back(acts_[first]);
+      acts_[next].state = static_cast<Index>(condition.state.value);
+      acts_[next++].value = static_cast<std::int32_t>(condition.operands.front());
     }
-    bodies_[id.value].acts = {act};
   }
 }
 
-std::vector<Act>& TableRobot::acts(const std::string& provider) {
+Act& TableRobot::act(const std::string& provider) {
   for (const compiler::ProviderId id : model().providers.ids()) {
-    if (model().full_name(id) == provider) return acts(static_cast<Index>(id.value));
+    if (model().full_name(id) == provider) return acts_[first_act_[id.value]];
   }
   throw std::logic_error("there is no " + provider);
 }
@@ -101,22 +122,7 @@ void TableRobot::post(std::span<const Input> records) {
 }
 
 void TableRobot::step(Time now) {
-  if (rows_.empty()) lay_out();
   if (engine_.step(now) != StepResult::quiescent) throw std::logic_error("it does not come to rest");
-}
-
-void TableRobot::lay_out() {
-  first_row_.clear();
-  edges_.clear();
-  for (const Body& body : bodies_) {
-    first_row_.push_back(static_cast<Index>(rows_.size()));
-    for (const Act& act : body.acts) {
-      const auto begin = static_cast<Index>(edges_.size());
-      edges_.insert(edges_.end(), act.edges.begin(), act.edges.end());
-      rows_.push_back({act.answer, static_cast<std::uint16_t>(body.acts.size()), act.state, act.value, begin,
-                       static_cast<Index>(edges_.size())});
-    }
-  }
 }
 
 Bodies TableRobot::functions() {
@@ -129,17 +135,21 @@ Bodies TableRobot::functions() {
 
 Outcome TableRobot::run(Run& run) {
   ++calls_;
-  const Row* row = &rows_[first_row_[run.provider()]];
-  if (row->count > 1) row += bodies_[run.provider()].runs++ / act_length % row->count;
-  if (row->state != nil) run.set(row->state, row->value);
-  switch (row->answer) {
+  std::size_t at = first_act_[run.provider()];
+  if (play_ == Play::changing) {
+    const std::size_t count = first_act_[run.provider() + 1] - at;
+    if (count > 1) at += runs_[run.provider()]++ / act_length % count;
+  }
+  const Act& act = acts_[at];
+  if (act.state != nil) run.set(act.state, act.value);
+  switch (act.answer) {
   case Outcome::Kind::done: return run.done();
   case Outcome::Kind::failed: return run.fail();
   case Outcome::Kind::keep: return run.keep();
   case Outcome::Kind::fault: return run.fault();
   case Outcome::Kind::pack: break;
   }
-  for (Index i = row->begin; i != row->end; ++i) run.request(edges_[i], tables_.edges[edges_[i]].levels.begin);
+  for (Index i = act.begin; i != act.end; ++i) run.request(edges_[i], tables_.edges[edges_[i]].levels.begin);
   return run.pack();
 }
 

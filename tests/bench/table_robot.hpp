@@ -25,25 +25,27 @@ Compiled compile_file(const std::string& path);
 /// What a provider does in one of its runs.
 struct Act {
   director::Outcome::Kind answer = director::Outcome::Kind::pack;
-  std::vector<director::Index> edges; ///< requested, at their first level
   director::Index state = director::nil;
   std::int32_t value = 0;
+  director::Index begin = 0, end = 0; ///< of the robot's edges: requested, at their first level
+};
+
+/// What the providers do if nobody says otherwise.
+enum class Play {
+  same,    ///< each its whole first pack, in every run
+  changing ///< its packs in turn; what it promises or may set, the first value of each, in turn too
 };
 
 class TableRobot {
 public:
-  /// Each provider has its whole first pack in every run; `cells`: of the inbox, a power of two.
-  TableRobot(Compiled compiled, std::size_t cells);
+  /// `cells`: of the inbox, a power of two.
+  TableRobot(Compiled compiled, std::size_t cells, Play play = Play::same);
   TableRobot(const TableRobot&) = delete;
   TableRobot& operator=(const TableRobot&) = delete;
 
-  /// The acts of a provider, in turn, each for `act_length` runs.
-  std::vector<Act>& acts(const std::string& provider);
-  std::vector<Act>& acts(director::Index provider) {
-    rows_.clear(); // for somebody is about to change them
-    return bodies_[provider].acts;
-  }
-  std::uint64_t act_length = 1;
+  /// The first act of a provider.
+  Act& act(const std::string& provider);
+  std::uint64_t act_length = 1; ///< in runs: for as long it has no other
 
   director::Index root(const std::string& group) const; ///< edge
   director::Index state(const std::string& name) const;
@@ -60,28 +62,17 @@ public:
   const director::compiler::Model& model() const { return compiled_.model; }
 
 private:
-  struct Body {
-    std::vector<Act> acts;
-    std::uint64_t runs = 0;
-  };
-  /// The acts, as they are run: one after another, so that of a large robot no more has to be fetched than it takes.
-  struct Row {
-    director::Outcome::Kind answer = director::Outcome::Kind::pack;
-    std::uint16_t count = 0; ///< of acts, of which this is the first
-    director::Index state = director::nil;
-    std::int32_t value = 0;
-    director::Index begin = 0, end = 0; ///< of edges_
-  };
-  void lay_out();
+  void add_acts(const director::compiler::Provider& provider);
   director::Bodies functions();
   director::Outcome run(director::Run& run);
 
   Compiled compiled_;
   const director::Tables tables_;
-  std::vector<Body> bodies_;
-  std::vector<Row> rows_;                  ///< empty: they are to be laid out
-  std::vector<director::Index> first_row_; ///< of each provider
+  const Play play_;
+  std::vector<Act> acts_; ///< one provider's behind the other's: of a large robot no more is fetched than it takes
   std::vector<director::Index> edges_;
+  std::vector<director::Index> first_act_; ///< of each provider, and the end of all
+  std::vector<std::uint64_t> runs_;        ///< of each provider, if its acts change
   std::vector<director::Outcome (*)(void*, director::Run&)> run_table_;
   std::vector<void (*)(void*, director::Handling&)> handler_table_;
   std::vector<director::Inbox::Cell> cells_;
