@@ -115,6 +115,42 @@ TEST_CASE("what changes nobody's chances takes a run and no pass") {
   CHECK(machine.engine().micro_steps() > machine.engine().passes());
 }
 
+TEST_CASE("who is asked for again by itself is decided again where it counts whose orders are outdated") {
+  Machine machine(R"(
+behaviour: watch
+language: 1
+states:
+  Pose: {values: [moving, standing], initial: moving}
+  Light: {values: [day, night], initial: day, external: true}
+roots: {Watch: {priority: 20}, Walk: {priority: 10}}
+groups:
+  Watch: {tasks: {Look: {priority: 2}, Listen: {priority: 1}}}
+  Look:
+    providers:
+      - {name: afar, when: [Light == day, Pose == standing]}
+      - {name: by_lamp, when: [Light == night]}
+  Listen: {when: [Pose == standing]}
+  Walk:
+    providers:
+      - {name: walking}
+      - {name: halting, causing: [Pose == standing]}
+)");
+  machine.decisions = true;
+  machine.body("Walk.halting", [&](Run& run) {
+    run.set(machine.state("Pose"), machine.value("Pose", "standing"));
+    return run.pack();
+  });
+  machine.request("Walk");
+  machine.request("Watch");
+  machine.step();
+  machine.set("Light", "night");
+  CHECK(machine.step() == Lines{"run Look.by_lamp new_task"});
+  // The push that Look made serves Listen only, so it ends while each of them stands for itself.
+  machine.request("Watch");
+  CHECK(machine.step() == Lines{"release Walk", "run Watch new_task", "run Walk.walking new_task",
+                                "run Look.by_lamp new_task", "run Listen new_task"});
+}
+
 TEST_CASE("what is due runs at its own time") {
   Machine machine(R"(
 behaviour: waits
