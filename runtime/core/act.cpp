@@ -105,6 +105,7 @@ void Engine::stop_group(Index group) {
   }
   handle(group, Reason::stopped);
   s_.pending[group] = s_.done[group] = 0;
+  note_pending(group);
   disarm(Due::wait, group);
   disarm(Due::every, group);
   s_.turn[group].data_from = nil;
@@ -113,7 +114,7 @@ void Engine::stop_group(Index group) {
   for (Index e = edges.begin; e != edges.end; ++e) {
     if (planted(Fault::stopped_requests_stand)) continue;
     s_.request[e] = nil;
-    note_edge(e);
+    note_level(e, nil, s_.anew[e] != 0);
   }
 }
 
@@ -128,7 +129,7 @@ void Engine::handle(Index group, Reason reason) {
   inside_ = false;
   if (!handling.faulted_) return;
   report(Event::Kind::fault, group);
-  faulted_ = true;
+  end_with_fault();
 }
 
 /// Why a group that is granted is to run, but for what is asked for anew.
@@ -174,16 +175,16 @@ void Engine::give_reasons(Index group) {
 
 /// Section 7: a promise ends with its push, and when its condition has come true.
 void Engine::keep_promises(Index group) {
-  Turn& turn = s_.turn[group];
-  const Index provider = turn.promised_provider;
+  Promised& promised = s_.promised[group];
+  const Index provider = promised.provider;
   if (provider == nil) return;
   const Push& push = s_.last[group].push;
-  const bool stands = in_force(group) && push.edge == turn.promised_edge && push.provider == provider;
+  const bool stands = in_force(group) && push.edge == promised.edge && push.provider == provider;
   const Range promises = t_.providers[provider].promises;
   for (Index i = promises.begin; i != promises.end; ++i) {
     if (!stands || holds(t_.promises[i].condition)) disarm(Due::promise, i);
   }
-  if (!stands) turn.promised_edge = turn.promised_provider = nil;
+  if (!stands) promised = {};
 }
 
 /// The data of a new request take their slot. What was there is kept for a group that still lives on it.

@@ -47,6 +47,8 @@ void Engine::reset() {
       link = &s_.next_root[e];
     }
     *link = nil;
+    std::uint32_t place = recall_.groups_at(t_, c);
+    for (const Index g : t_.list(t_.components[c].groups)) s_.turn[g].situation = place == 0 ? 0 : place++;
   }
   starting_ = nil;
   inside_ = faulted_ = false;

@@ -61,13 +61,7 @@ public:
   /// An input of one record, without the way through the inbox: the next step takes it before all that is posted from
   /// now on. False: something waits already, so post it. For the thread that calls step().
   bool take_first(const Input& input) {
-    if (first_waits_ || inside_ || !inbox_.empty()) return false;
-    first_.kind = input.kind; // one by one: a copy of it all would wait until it was written
-    first_.thing = input.thing;
-    first_.level = input.level;
-    first_.handle = input.handle;
-    first_.value = input.value;
-    first_waits_ = true;
+    if (inside_ || !inbox_.put_first(input)) return false;
     s_.counters->quiet_until = first_time;
     return true;
   }
@@ -95,9 +89,9 @@ public:
   View view() const; ///< all that one may ask for; see why.hpp, snapshot.hpp
   Time now() const { return s_.counters->now; }
   std::uint64_t micro_steps() const { return s_.counters->micro_step; } ///< so far
-  std::uint64_t passes() const { return passes_; } ///< of arbitration over a component, from nothing, so far
+  std::uint64_t passes() const { return passes_; }     ///< of arbitration over a component, from nothing, so far
   std::uint64_t recalled() const { return recalled_; } ///< decisions that needed no pass, so far
-  bool inside() const { return inside_; }          ///< a body or handler is running; for the thread that calls step()
+  bool inside() const { return inside_; } ///< a body or handler is running; for the thread that calls step()
   const Tables& tables() const { return t_; }
   const State& memory() const { return s_; }
 
@@ -108,35 +102,38 @@ private:
   /// Kinds of timers, in the order in which those that are due together are served.
   enum class Due : std::uint8_t { expiry, wait, promise, every };
 
+  /// What a micro-step found to do.
+  enum class Taken : std::uint8_t { nothing, no_change, change };
+
   // step.cpp: section 3
   StepResult take_step(Time now);
   void take_first_step(Time now);
   bool micro_step();
+  Taken take_next(Index& ran);
+  void end_with_fault();
   StepResult come_to_rest();
   bool work_left() const;
 
   // inputs.cpp
-  bool take_posted();
-  void take_input(Input& record);
-  void take_observed(Input& record);
-  void take_rarer(Input& record);
+  Taken take_posted();
+  Taken take_input(Input& record);
+  Taken take_observed(Input& record);
+  Taken take_rarer(Input& record);
   bool take_more(Input& record);
-  void take_request(Input& record);
-  void take_request_with_data(Input& record);
-  void take_requests(Input& record);
-  void take_states(Input& record);
-  void take_cancel(Index edge);
-  void take_fired(Index trigger);
-  void take_enabled(Index provider, std::uint8_t wanted);
-  void take_handlers_input();
+  Taken take_request(Input& record);
+  Taken take_request_with_data(Input& record);
+  Taken take_requests(Input& record);
+  Taken take_states(Input& record);
+  Taken take_cancel(Index edge);
+  Taken take_enabled(Index provider, std::uint8_t wanted);
+  Taken take_handlers_input();
   bool fire(Index trigger);
   void set_by_handler(Index state, std::int32_t value);
   void look_at_conditions(Index state);
   void report_input(const Input& record) const;
   void report_set(Index state) const;
 
-  // runs.cpp
-  void run_next();
+  Index run_next();
   void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
   void commit_states(bool fault);
   void commit_pack(Range edges);
@@ -155,7 +152,7 @@ private:
     return node < timers ? s_.soonest[node] : static_cast<Index>(node - timers);
   }
   Index sooner(std::size_t node) const;
-  bool take_timer();
+  Taken take_timer();
   bool serve_timer(Due kind, Index row, Time when);
   void report_timer(Due kind, Index row) const;
   bool expire(Index state);
@@ -164,11 +161,12 @@ private:
   // notes.hpp
   void mark(Index component, std::uint8_t bits);
   void mark_stale(Index group);
-  void note_edge(Index edge);
+  void note_level(Index edge, Index level, bool anew);
+  void note_pending(Index group);
+  std::uint8_t note_news(Index group, std::uint8_t bits);
   static bool needs_pass(std::uint8_t bits);
   std::uint8_t settled_bits(Index component, bool other, bool on_last, bool on_stale);
   void forget_work();
-  void note_asked(bool marked);
   void touch(Index group);
   void untouch(Index group);
   bool note_reasons(Index group, std::uint8_t bits);
@@ -185,26 +183,27 @@ private:
   void settle_requests();
   void keep_promises_in(Index component);
   bool asks_again(Index edge, Index level) const;
-  bool ask_again(Index edge, Index level);
-  void end_micro_step();
+  void give_what_is_asked_again(Index edge);
+
+  // retrace.hpp: what is known to follow
+  bool retrace();
+  std::uint8_t note_effect(const Recall::Effect& row);
+  void note_outdated(const Recall::Effect& row, std::uint8_t news);
 
   // recalled.cpp: what a component decides
-  bool retrace();
   bool settle(Index component, bool& stops);
   bool settle_by_pass(Index component, bool& stops);
   bool in_order(Index component, const Recall::Part& known) const;
-  bool ask(Index component, const Recall::Part& known);
+  bool told(Index component, const Recall::Part& known) const;
   void note_recalled(const Recall::Part& known, const Recall::Move& move);
-  void note_move(Index component, const Recall::Move& move, const Index* at);
-  void recall_order(Index component, std::uint8_t bits, const Index* at, Index& count, Index* order, Index* plan);
-  bool go(Index component, const Recall::Move& move, const Index* at);
-  void stay(Index component, const Recall::Move& move, const Index* at);
-  void follow(Index component, const Recall::Move& move, const Index* at);
-  Index join_touched(Index given);
+  void give_and_join(const Recall::Effect* row, const Recall::Move& move);
+  void begin_groups(Index component, const Recall::Part& known, const Recall::Move& move);
+  void foretell(Index component, const Index* rows);
   void learn(Index component, const Recall::Part& known);
-  void compare(Index component, const Recall::Part& known, Recall::Move& move) const;
-  void foresee(Index component, const Recall::Part& known, Recall::Move& move) const;
+  class Foresight;
+  bool foresee(Index component, const Recall::Part& known, Recall::Move& move) const;
   void write(Index component, Index* to) const;
+  void read(Index component, const Index* rows);
   void forget_decisions(Index component);
   void note_condition(Index condition);
 
@@ -250,11 +249,10 @@ private:
   Recall recall_;
   std::uint64_t passes_ = 0, recalled_ = 0;
   std::uint32_t budget_ = default_budget;
-  Index differing_ = 0;  ///< rows of State::differing in use
-  Index starting_ = nil; ///< the group whose start handler runs: its data may still be staged
-  Input first_;          ///< taken before what is in the inbox
-  bool first_waits_ = false;
-  bool inside_ = false; ///< a body or handler is running
+  std::uint32_t left_ = 0; ///< micro-steps that may still be taken
+  Index differing_ = 0;    ///< rows of State::differing in use
+  Index starting_ = nil;   ///< the group whose start handler runs: its data may still be staged
+  bool inside_ = false;    ///< a body or handler is running
   bool faulted_ = false;
 };
 

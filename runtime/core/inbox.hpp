@@ -46,9 +46,31 @@ public:
 
   // For the reader's thread.
 
+  /// An input of one record that is taken before all that is posted from now on. False: something waits already, and it
+  /// would overtake that.
+  bool put_first(const Input& record) {
+    if (first_waits_ || !empty()) return false;
+    first_.kind = record.kind; // one by one: a copy of it all would wait until it was written
+    first_.thing = record.thing;
+    first_.level = record.level;
+    first_.handle = record.handle;
+    first_.value = record.value;
+    first_waits_ = true;
+    return true;
+  }
+  /// That input, which stays where it is until there is another; null: there is none.
+  Input* take_first() {
+    if (!first_waits_) return nullptr;
+    first_waits_ = false;
+    closed_ = head_ == limit_ && !words_.any_in_hand();
+    return &first_;
+  }
+
   /// What is in it now may be taken, until it is opened again.
   void open();
-  bool due() const { return !closed_ && (head_ != limit_ || words_.any_in_hand()); }
+  bool due() const { return first_waits_ || (!closed_ && (head_ != limit_ || words_.any_in_hand())); }
+  /// False: nothing is due. True: mostly something is.
+  bool is_open() const { return !closed_; }
   /// The next record, if one is due and there.
   bool take(Input& out);
   /// The next record of the same input, where the last one says that there is more.
@@ -56,7 +78,8 @@ public:
 
   /// Records claimed by writers and not taken yet, as seen by the reader.
   std::uint32_t waiting() const { return tail_.load(std::memory_order_acquire) - head_; }
-  /// A last word in hand needs no look: it stays there only behind a record that is claimed and was not taken.
+  /// But for what was put first. A last word in hand needs no look: it stays there only behind a record that is claimed
+  /// and was not taken.
   bool empty() const { return waiting() == 0 && words_.none_spoken(); }
 
 private:
@@ -67,7 +90,9 @@ private:
   std::uint32_t head_ = 0;
   std::uint32_t limit_ = 0; ///< the reader takes cells up to here
   bool closed_ = false;     ///< nothing is due, or the next record's writer is not ready yet
-  bool word_ = false;       ///< what was taken last is a last word
+  bool first_waits_ = false;
+  Input first_;       ///< taken before what is in the cells
+  bool word_ = false; ///< what was taken last is a last word
   LastWords words_;
 };
 
@@ -75,7 +100,7 @@ private:
 inline void Inbox::open() {
   limit_ = tail_.load(std::memory_order_acquire);
   if (!words_.none_spoken()) words_.open();
-  closed_ = head_ == limit_ && !words_.any_in_hand();
+  closed_ = !first_waits_ && head_ == limit_ && !words_.any_in_hand();
 }
 
 inline bool Inbox::take(Input& out) {

@@ -7,35 +7,34 @@
 
 namespace director {
 
-bool Engine::take_posted() {
+Engine::Taken Engine::take_posted() {
   Input record;
-  if (!inbox_.take(record)) return false;
-  take_input(record);
-  return true;
+  return inbox_.take(record) ? take_input(record) : Taken::nothing;
 }
 
 /// What is long stands apart, and the call of it is the last thing that is done: so the way to it is short.
-void Engine::take_input(Input& record) {
+Engine::Taken Engine::take_input(Input& record) {
   ++s_.counters->micro_step;
   if (observed()) return take_observed(record);
   if (record.kind == Input::Kind::request) return take_request(record);
-  take_rarer(record);
+  return take_rarer(record);
 }
 
-[[gnu::noinline]] void Engine::take_observed(Input& record) {
+[[gnu::noinline]] Engine::Taken Engine::take_observed(Input& record) {
   report_input(record);
-  record.kind == Input::Kind::request ? take_request(record) : take_rarer(record);
+  return record.kind == Input::Kind::request ? take_request(record) : take_rarer(record);
 }
 
-void Engine::take_rarer(Input& record) {
+Engine::Taken Engine::take_rarer(Input& record) {
   switch (record.kind) {
   case Input::Kind::request: return take_request(record);
   case Input::Kind::set: return take_states(record);
   case Input::Kind::cancel: return take_cancel(record.thing);
-  case Input::Kind::fire: return take_fired(record.thing);
+  case Input::Kind::fire: return fire(record.thing) ? Taken::change : Taken::no_change;
   case Input::Kind::enable: return take_enabled(record.thing, 1);
   case Input::Kind::disable: return take_enabled(record.thing, 0);
   }
+  return Taken::no_change;
 }
 
 /// The next record of the same input; the writer published it before the first one.
@@ -45,57 +44,53 @@ bool Engine::take_more(Input& record) {
   return true;
 }
 
-void Engine::take_request(Input& record) {
+Engine::Taken Engine::take_request(Input& record) {
   if (bodies_.data != nullptr) return take_request_with_data(record);
-  if (record.more || !ask_again(record.thing, record.level)) take_requests(record);
+  if (record.more || !asks_again(record.thing, record.level)) return take_requests(record);
+  give_what_is_asked_again(record.thing);
+  return Taken::no_change;
 }
 
-[[gnu::noinline]] void Engine::take_request_with_data(Input& record) {
-  if (!record.more && asks_again(record.thing, record.level)) {
-    bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
-    ask_again(record.thing, record.level);
-    settle_data(record.thing);
-  } else {
-    take_requests(record);
-  }
+[[gnu::noinline]] Engine::Taken Engine::take_request_with_data(Input& record) {
+  if (record.more || !asks_again(record.thing, record.level)) return take_requests(record);
+  bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
+  give_what_is_asked_again(record.thing);
+  settle_data(record.thing);
+  return Taken::no_change;
 }
 
-[[gnu::noinline]] void Engine::take_requests(Input& record) {
+[[gnu::noinline]] Engine::Taken Engine::take_requests(Input& record) {
   do {
     if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
     request(record.thing, record.level);
   } while (take_more(record));
-  end_micro_step();
+  return Taken::change;
 }
 
-[[gnu::noinline]] void Engine::take_states(Input& record) {
+[[gnu::noinline]] Engine::Taken Engine::take_states(Input& record) {
   bool changes = false;
   do changes = set_value(record.thing, record.value) || changes;
   while (take_more(record));
-  if (changes) end_micro_step();
+  return changes ? Taken::change : Taken::no_change;
 }
 
-[[gnu::noinline]] void Engine::take_fired(Index trigger) {
-  if (fire(trigger)) end_micro_step();
-}
-
-[[gnu::noinline]] void Engine::take_cancel(Index edge) {
-  if (s_.request[edge] == nil) return;
+[[gnu::noinline]] Engine::Taken Engine::take_cancel(Index edge) {
+  if (s_.request[edge] == nil) return Taken::no_change;
   withdraw(edge);
-  end_micro_step();
+  return Taken::change;
 }
 
-[[gnu::noinline]] void Engine::take_enabled(Index provider, std::uint8_t wanted) {
-  if (s_.enabled[provider] == wanted) return;
+[[gnu::noinline]] Engine::Taken Engine::take_enabled(Index provider, std::uint8_t wanted) {
+  if (s_.enabled[provider] == wanted) return Taken::no_change;
   s_.enabled[provider] = wanted;
   const Index component = t_.groups[t_.providers[provider].group].component;
   forget_decisions(component);
   mark(component, work::changed);
-  end_micro_step();
+  return Taken::change;
 }
 
 /// What start and stop handlers set during one act, merged into one input.
-void Engine::take_handlers_input() {
+Engine::Taken Engine::take_handlers_input() {
   Counters& c = *s_.counters;
   ++c.micro_step;
   c.handlers_set = false;
@@ -110,7 +105,7 @@ void Engine::take_handlers_input() {
     changes = true;
     report_set(state);
   }
-  if (changes) end_micro_step();
+  return changes ? Taken::change : Taken::no_change;
 }
 
 void Engine::set_by_handler(Index state, std::int32_t value) {

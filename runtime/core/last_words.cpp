@@ -16,14 +16,14 @@ namespace {
 
 enum class PlaceState : std::uint32_t { free = 0, filling = 1, published = 2, held = 3 };
 
-constexpr std::uint32_t bits = 2;
+constexpr std::uint32_t bits_each = 2;
 
 constexpr PlaceState state_of(std::uint32_t states, Index place) {
-  return static_cast<PlaceState>(states >> (bits * place) & 3U);
+  return static_cast<PlaceState>(states >> (bits_each * place) & 3U);
 }
 
 constexpr std::uint32_t with(std::uint32_t states, Index place, PlaceState state) {
-  const std::uint32_t shift = bits * place;
+  const std::uint32_t shift = bits_each * place;
   return (states & ~(3U << shift)) | static_cast<std::uint32_t>(state) << shift;
 }
 

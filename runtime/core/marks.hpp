@@ -29,9 +29,13 @@ inline constexpr std::uint8_t wanted = 1;
 namespace place {
 inline constexpr std::uint8_t queue = 1;   ///< it is to run
 inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched
-inline constexpr std::uint8_t counts = 4;  ///< that its orders were outdated made a difference in the last pass
-inline constexpr std::uint8_t watched = 8; ///< in the last pass of its component it counted whose orders are outdated
 } // namespace place
+
+/// Bits of Turn::concerns.
+namespace concern {
+inline constexpr Index counts = 1;  ///< that its orders were outdated made a difference in the last pass
+inline constexpr Index watched = 2; ///< in the last pass of its component it counted whose orders are outdated
+} // namespace concern
 
 namespace trait {
 // Bits of State::traits.

@@ -21,16 +21,24 @@ inline void Engine::mark(Index component, std::uint8_t bits) {
 
 /// Whose orders are outdated may be another from now on. Most of the time nobody has asked.
 inline void Engine::mark_stale(Index group) {
-  const std::uint8_t asked = s_.turn[group].places & (place::counts | place::watched);
-  if (asked == 0) return;
-  mark(t_.groups[group].component, (asked & place::counts) != 0 ? work::changed : work::stale_changed);
+  const Index concerns = s_.turn[group].concerns;
+  if (concerns == 0) return;
+  mark(t_.groups[group].component, (concerns & concern::counts) != 0 ? work::changed : work::stale_changed);
 }
 
-/// To be told where it is looked up what was decided before (recalled.cpp).
-DIRECTOR_INLINE void Engine::note_edge(Index edge) {
+// To be told where it is looked up what was decided before (recalled.cpp).
+
+/// An edge that is requested at the level, or (nil) not any more.
+DIRECTOR_INLINE void Engine::note_level(Index edge, Index level, bool anew) {
   if (!recall_.on()) return;
-  const Index level = s_.request[edge];
-  recall_.edge(edge) = static_cast<std::uint8_t>(level == nil ? 0 : level % Recall::most_levels + 1);
+  if (planted(Fault::news_are_overlooked)) anew = false;
+  const auto bits = level == nil ? 0 : level % Recall::most_levels + 1;
+  recall_.edge(edge) = static_cast<std::uint8_t>(anew ? bits | Recall::anew : bits);
+}
+
+DIRECTOR_INLINE void Engine::note_pending(Index group) {
+  if (planted(Fault::reasons_are_overlooked)) return;
+  recall_.byte(s_.turn[group].situation) = s_.pending[group] & reason::outdating;
 }
 
 inline void Engine::touch(Index group) {
@@ -42,14 +50,22 @@ inline void Engine::touch(Index group) {
 
 inline void Engine::untouch(Index group) { s_.turn[group].places &= static_cast<std::uint8_t>(~place::touched); }
 
-/// Bits of Reason. True if one of them is news.
-inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
+/// Bits of Reason. Which of them are news; of those that outdate orders the situation is still to be told.
+DIRECTOR_INLINE std::uint8_t Engine::note_news(Index group, std::uint8_t bits) {
   if ((bits & reason::new_task) != 0 && !planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
   const auto news = static_cast<std::uint8_t>(bits & ~s_.pending[group]);
-  if (news == 0) return false;
   s_.pending[group] |= news;
-  if ((news & reason::outdating) != 0) mark_stale(group);
-  return true;
+  return news;
+}
+
+/// True if one of them is news.
+inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
+  const std::uint8_t news = note_news(group, bits);
+  if ((news & reason::outdating) != 0) {
+    mark_stale(group);
+    note_pending(group);
+  }
+  return news != 0;
 }
 
 /// To a group that is granted to the holder.
@@ -86,6 +102,7 @@ DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
     if (!planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
   }
   enqueue(group);
+  if (anew) note_pending(group);
 }
 
 /// Takes the group away that is to run next.
@@ -148,17 +165,6 @@ DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, bool other, b
   return bits;
 }
 
-/// Marks what is asked for anew, where it is looked up what was decided before; or takes the marks away.
-DIRECTOR_INLINE void Engine::note_asked(bool marked) {
-  if (!recall_.on() || planted(Fault::news_are_overlooked)) return;
-  const Recall recall = recall_;
-  const std::span<const Index> edges{s_.asked, s_.counters->asked_count};
-  for (const Index edge : edges) {
-    std::uint8_t& byte = recall.edge(edge);
-    byte = static_cast<std::uint8_t>(marked ? byte | Recall::anew : byte & ~Recall::anew);
-  }
-}
-
 // What inputs and runs ask for.
 
 DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
@@ -170,17 +176,17 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   if (s_.request[edge] != level) {
     s_.stamp[edge] = s_.counters->micro_step;
     s_.request[edge] = level;
-    note_edge(edge);
     mark(t_.groups[group].component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
   }
   mark_stale(group);
   touch(group);
+  note_level(edge, level, true);
 }
 
 DIRECTOR_INLINE void Engine::withdraw(Index edge) {
   if (s_.request[edge] == nil) return;
   s_.request[edge] = nil;
-  note_edge(edge);
+  note_level(edge, nil, s_.anew[edge] != 0);
   mark(t_.groups[t_.edges[edge].target].component,
        edge < t_.root_edges ? work::changed | work::reordered : work::changed);
 }
@@ -203,7 +209,7 @@ inline bool Engine::assign(Index state, std::int32_t value) {
 inline void Engine::keep_promises_in(Index component) {
   if (t_.promises.empty()) return;
   for (const Index g : t_.list(t_.components[component].groups)) {
-    if (s_.turn[g].promised_provider != nil) keep_promises(g);
+    if (s_.promised[g].provider != nil) keep_promises(g);
   }
 }
 
@@ -215,7 +221,11 @@ inline void Engine::settle_requests() {
   if (bodies_.data != nullptr) {
     for (Index i = 0; i < count; ++i) settle_data(s_.asked[i]);
   }
-  for (Index i = 0; i < count; ++i) s_.anew[s_.asked[i]] = 0;
+  const std::span<const Index> edges{s_.asked, count};
+  for (const Index edge : edges) {
+    s_.anew[edge] = 0;
+    if (recall_.on()) recall_.edge(edge) &= static_cast<std::uint8_t>(~Recall::anew);
+  }
 }
 
 /// Of a micro-step that asks for this task and for nothing else: it does so again, and nobody looks at whose orders are
@@ -223,29 +233,15 @@ inline void Engine::settle_requests() {
 DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
   const Counters& c = *s_.counters;
   if (s_.request[edge] != level || (c.work_count | c.touched_count) != 0) return false;
-  return (s_.turn[t_.edges[edge].target].places & (place::counts | place::watched)) == 0;
+  return s_.turn[t_.edges[edge].target].concerns == 0;
 }
 
-/// Takes such a request; its data are still to be settled. False: it is another one, and nothing was done.
-DIRECTOR_INLINE bool Engine::ask_again(Index edge, Index level) {
-  if (!asks_again(edge, level)) return false;
+/// The run; data are settled besides.
+DIRECTOR_INLINE void Engine::give_what_is_asked_again(Index edge) {
   const Index group = t_.edges[edge].target;
   const Standing& last = s_.last[group];
   s_.counters->unsettled = false;
   if (last.granted()) give_again(group, last.holder == edge);
-  return true;
-}
-
-/// Every micro-step ends here, but for those that ask_again().
-inline void Engine::end_micro_step() {
-  Counters& c = *s_.counters;
-  c.unsettled = false;
-  if (c.work_count != 0) {
-    if (c.work_count != 1 || !recall_.on() || !retrace()) arbitrate();
-  } else if (c.touched_count != 0) {
-    act_on_touched();
-  }
-  if (c.asked_count != 0) settle_requests();
 }
 
 inline Index Engine::timer(Due kind, Index row) const {

@@ -48,6 +48,8 @@ enum class Fault : unsigned char {
   handlers_are_overlooked,
   the_order_stays,
   who_stands_as_before_is_overlooked,
+  others_are_overlooked,
+  who_leaves_stays_queued,
   count
 };
 

@@ -33,10 +33,6 @@ public:
   bool request(Task task, More... more) const {
     static_assert(Roots::template takes<Task, More...>,
                   "only tasks that stand in `roots` can be requested from outside");
-    if constexpr (sizeof...(More) == 0 && !has_data<Task>) {
-      const Input input = record(task);
-      if (engine_ != nullptr && input.level != nil && engine_->take_first(input)) return true;
-    }
     std::array records{record(task), record(more)...};
     for (const Input& input : records) {
       if (input.level == nil) return false;
@@ -85,14 +81,14 @@ public:
     bool inside = true;
     for (const Input& input : records) inside = inside && States::domains[input.thing].has(input.value);
     link(records);
-    return inside && (goes_first(records) || inbox_->post(records));
+    return inside && send(records);
   }
 
   template <class Trigger>
   bool fire() const {
     static_assert(Facts::Triggers::template has<Trigger>, "this is not a trigger of the behaviour");
     const std::array input{Input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>}};
-    return goes_first(input) || inbox_->post(input);
+    return send(input);
   }
 
   /// A provider that is not enabled does not run. `enable<soccer::Walk::Halting>(false)`
@@ -101,7 +97,7 @@ public:
     static_assert(Facts::Providers::template has<Provider>, "this is not a provider of the behaviour");
     const std::array input{Input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
                                  .thing = Facts::Providers::template row<Provider>}};
-    return goes_first(input) || inbox_->post(input);
+    return send(input);
   }
 
   // By number, for whoever meets names only while the program runs, such as a bridge to other processes.
@@ -131,9 +127,14 @@ private:
     return levels.begin <= level && level < levels.end;
   }
 
+  /// True: the engine has it, as nothing waits that it would overtake.
   template <std::size_t count>
   bool goes_first(const std::array<Input, count>& records) const {
     return count == 1 && engine_ != nullptr && engine_->take_first(records[0]);
+  }
+  template <std::size_t count>
+  bool send(const std::array<Input, count>& records) const {
+    return goes_first(records) || inbox_->post(records);
   }
 
   template <std::size_t count>

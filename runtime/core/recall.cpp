@@ -3,7 +3,9 @@
 
 namespace director {
 
-static_assert(sizeof(Recall::Move) == 48 && sizeof(Recall::Head) == 8);
+static_assert(sizeof(Recall::Move) <= Recall::move_words * sizeof(Recall::Word));
+static_assert(sizeof(Recall::Head) <= Recall::head_words * sizeof(Recall::Word));
+static_assert(sizeof(Recall::Effect) == sizeof(Recall::Word));
 
 namespace {
 #ifdef DIRECTOR_PLANTED_FAULTS // so little that random cases need more
@@ -28,26 +30,24 @@ bool can_tie(const Tables& t, const Edge& a, const Edge& b) {
 /// The place of the number of the move from the decision that stands, in the situation in hand; a free one if it is not
 /// known.
 std::size_t Recall::Part::look_up() const {
-  const std::uint8_t from = head().current;
-  Word digest_of_it = from;
-  for (std::size_t i = 0; i < words_; ++i) digest_of_it = mix(digest_of_it, question()[i]);
+  Word digest_of_it = 0;
+  for (std::size_t i = 0; i < head().words; ++i) digest_of_it = mix(digest_of_it, question()[i]);
   std::size_t place = digest_of_it % places;
   const std::uint8_t* const number = places_of_moves();
-  while (number[place] != unknown && !is_asked(number[place], from)) place = (place + 1) % places;
+  while (number[place] != unknown && !is_asked(move(number[place]))) place = (place + 1) % places;
   return place;
 }
 
-Recall::Move& Recall::Part::add(std::uint8_t from, std::uint8_t to) const {
+Recall::Move& Recall::Part::add(std::uint8_t to) const {
   Head& own = head();
   const std::uint8_t number = own.moves++;
-  own.current = from;
   places_of_moves()[look_up()] = number;
-  own.current = to;
-  move(own.taken).next = number;
-  own.taken = number;
-  for (std::size_t i = 0; i < words_; ++i) asked(number)[i] = question()[i];
+  const std::size_t word = move_at(number);
+  at<Move>(own.taken)->next = static_cast<std::uint16_t>(word);
+  own.taken = static_cast<std::uint16_t>(word);
+  own.guess = 0;
   Move& out = move(number);
-  out.from = from;
+  for (std::size_t i = 0; i < own.words; ++i) situation<Word>(out)[i] = question()[i];
   out.to = to;
   return out;
 }
@@ -55,10 +55,10 @@ Recall::Move& Recall::Part::add(std::uint8_t from, std::uint8_t to) const {
 std::uint8_t Recall::Part::number_spare() const {
   const Index* const given = spare();
   Word found = 0;
-  for (std::size_t i = 0; i < rows_; i += 2) found = mix(found, Word{given[i]} << 32 | given[i + 1]);
+  for (std::size_t i = 0; i < head().rows; i += 2) found = mix(found, Word{given[i]} << 32 | given[i + 1]);
   const auto is_it = [&](std::size_t number) {
     if (digest()[number] != found) return false;
-    for (std::size_t i = 0; i < rows_; ++i) {
+    for (std::size_t i = 0; i < head().rows; ++i) {
       if (row(number)[i] != given[i]) return false;
     }
     return true;
@@ -75,14 +75,19 @@ std::uint8_t Recall::Part::number_spare() const {
 bool Recall::Part::full() const { return head().decisions >= room_for_decisions || head().moves >= room_for_moves; }
 
 void Recall::Part::forget() const {
-  head().current = unknown;
-  head().decisions = head().moves = head().used = head().taken = 0;
+  Head& own = head();
+  current() = unknown;
+  own.decisions = own.moves = own.used = 0;
+  own.effects = 0;
+  own.taken = static_cast<std::uint16_t>(move_at(0));
+  own.guess = 0;
   for (std::size_t i = 0; i < most_moves; ++i) move(i) = Move{};
   for (std::size_t i = 0; i < places; ++i) places_of_moves()[i] = unknown;
 }
 
 void Recall::Part::make_room() const {
-  if (head().used < head().moves) head().rest = least_rest;
+  Head& own = head();
+  if (own.used < own.moves) own.rest = least_rest;
   forget();
 }
 
@@ -90,8 +95,8 @@ Recall::Recall(const Tables& t, std::span<std::byte> memory) {
   const std::size_t needed = bytes(t);
   if (needed == 0 || memory.size() < needed) return;
   bytes_ = reinterpret_cast<std::uint8_t*>(memory.data());
-  entries_ = reinterpret_cast<Entry*>(bytes_);
-  edge_place_ = reinterpret_cast<std::uint32_t*>(bytes_ + t.components.size() * sizeof(Entry));
+  begin_ = reinterpret_cast<std::uint32_t*>(bytes_ + sizeof(Word));
+  edge_place_ = begin_ + t.components.size();
 }
 
 void Recall::reset(const Tables& t) {
@@ -99,16 +104,16 @@ void Recall::reset(const Tables& t) {
   const std::size_t all = bytes(t);
   for (std::size_t i = 0; i < all; ++i) bytes_[i] = 0;
   std::size_t begin = lists(t);
-  for (Index e = 0; e < t.edges.size(); ++e) edge_place_[e] = static_cast<std::uint32_t>((begin - 1) * sizeof(Word));
   for (Index c = 0; c < t.components.size(); ++c) {
     const Component& row = t.components[c];
     const Size size = size_of(t, row);
     if (size.question == 0) continue;
-    entries_[c].begin = static_cast<std::uint32_t>(begin);
-    entries_[c].question = static_cast<std::uint16_t>(size.question);
-    entries_[c].rows = static_cast<std::uint16_t>(size.rows);
+    begin_[c] = static_cast<std::uint32_t>(begin);
     begin += size.all();
-    const Part own = part_at(entries_[c]);
+    const Part own = part_at(begin_[c]);
+    own.head().words = static_cast<std::uint16_t>(size.question);
+    own.head().rows = static_cast<std::uint16_t>(size.rows);
+    own.head().room = static_cast<std::uint16_t>(size.effects);
     own.forget();
     find_ties(t, row, own);
     auto place = static_cast<std::uint32_t>(own.bytes() - bytes_);

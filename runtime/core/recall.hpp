@@ -17,9 +17,11 @@ namespace director {
 /// Bits of Recall::Move.
 namespace moved {
 inline constexpr std::uint8_t on_last = 1, on_stale = 2; ///< what the pass depends on
-inline constexpr std::uint8_t other_decision = 4, stops = 8;
-inline constexpr std::uint8_t other_order = 16, other_plans = 32;
-inline constexpr std::uint8_t begins = 64; ///< some group does, as in Acts
+inline constexpr std::uint8_t other_decision = 4;
+inline constexpr std::uint8_t begins = 8;    ///< some group does, as in Recall::Effect
+inline constexpr std::uint8_t foreseen = 16; ///< its effects are written down
+inline constexpr std::uint8_t too_long = 32; ///< there is no room for them
+inline constexpr std::uint8_t rare = 64;     ///< some group stops, begins, leaves or is passed over
 } // namespace moved
 
 class Recall {
@@ -35,42 +37,42 @@ public:
   static constexpr std::uint8_t anew = 128;         ///< of an edge's byte: it is asked for anew
   static constexpr std::uint8_t unknown = 255;      ///< instead of a decision's number
 
-  /// What differs between two decisions.
-  struct Difference {
-    Word groups = 0; ///< a bit for each, as in Component::groups
-    Word edges = 0;  ///< likewise; from the 65th on they share bits
-    Word counts = 0; ///< a bit for each group: whether it counted that its orders are outdated
-  };
-  /// What acting on the difference comes to, where it is short: whom it stops, in the old order, and behind these whom
-  /// it gives a reason to run, in the new order.
-  struct Acts {
-    static constexpr std::size_t most = 7;
-    static constexpr std::uint8_t begins = 128; ///< with its reasons: it has a handler that is called, or a period
-    std::uint8_t stops = 0;
-    std::uint8_t gives = unknown;    ///< unknown: look at the difference
-    std::uint8_t group[most] = {};   ///< its place in Component::groups
-    std::uint8_t reasons[most] = {}; ///< bits of Reason
+  /// One row of what acting on a move comes to.
+  struct Effect {
+    static constexpr Index begins = 256; ///< with its reasons: it has a handler that is called, or a period
+    static constexpr Index again = 512;  ///< all stand as before: request() told whom its outdated orders concern
+    std::uint32_t where = 0; ///< where the value is written: bytes from the beginning of the state; or a group
+    Index value = 0;         ///< with a group that gets a reason to run: bits of Reason, and of the above
   };
   /// What follows from a decision in a situation.
   struct Move {
-    std::uint8_t from = unknown; ///< unknown: there is none yet
     std::uint8_t to = unknown;
-    std::uint8_t bits = 0; ///< of `moved`
-    bool compared = false; ///< the difference is known
-    std::uint8_t next = unknown; ///< the move that was made behind it the last time
-    Acts acts;
-    Difference difference;
+    std::uint8_t bits = 0;      ///< of `moved`
+    std::uint8_t component = 0; ///< bits of `work` that are left of its component
+    // Its effects, in this order:
+    std::uint8_t words = 0;   ///< that change
+    std::uint8_t stops = 0;   ///< in the old order
+    std::uint8_t leaves = 0;  ///< not granted any more
+    std::uint8_t gives = 0;   ///< get a reason to run, or are asked for anew; in the new order
+    std::uint8_t passed = 0;  ///< are asked for anew and not granted
+    std::uint8_t asked = 0;   ///< how many groups are asked for anew: no rows
+    std::uint16_t next = 0;   ///< word: the move that was made behind it the last time; 0: none was
+    std::uint32_t effect = 0; ///< word: the first row
   };
   struct Head {
-    std::uint8_t current = unknown; ///< the decision that stands
     std::uint8_t decisions = 0, moves = 0;
-    bool ties = false;      ///< which of two siblings was asked for first can matter
-    std::uint8_t used = 0;  ///< how often a move was, since the part began anew; 255: or more often
-    std::uint8_t taken = 0; ///< the last move
-    std::uint16_t rest = 0; ///< for so many decisions nothing is looked up or learnt
+    bool ties = false;         ///< which of two siblings was asked for first can matter
+    std::uint8_t used = 0;     ///< how often a move was, since the part began anew; 255: or more often
+    std::uint16_t rest = 0;    ///< for so many decisions nothing is looked up or learnt
+    std::uint16_t taken = 0;   ///< word: the last move
+    std::uint16_t guess = 0;   ///< word: the one that was made behind it the last time; 0: none was
+    std::uint16_t effects = 0; ///< rows in use,
+    std::uint16_t room = 0;    ///< of so many
+    std::uint16_t words = 0;   ///< of a situation
+    std::uint16_t rows = 0;    ///< of a decision
   };
 
-  static constexpr std::size_t move_words = sizeof(Move) / sizeof(Word);
+  static constexpr std::size_t move_words = 2, head_words = 3;
   /// There are no more edges than bytes in a situation.
   static constexpr std::size_t ties_of(std::size_t words) { return (words + 7) / 8; }
 
@@ -78,39 +80,47 @@ public:
   class Part {
   public:
     Part() = default; ///< it has none
-    Part(std::uint8_t* begin, std::size_t words, std::size_t rows) : begin_(begin), words_(words), rows_(rows) {}
+    explicit Part(std::uint8_t* begin) : begin_(begin) {}
     explicit operator bool() const { return begin_ != nullptr; }
 
     Head& head() const { return *at<Head>(0); }
-    std::size_t words() const { return words_; } ///< of a situation
-    std::size_t rows() const { return rows_; }   ///< of a decision
-    /// The situation in hand: a byte for each edge, group and condition of the component.
-    Word* question() const { return at<Word>(1); }
-    std::uint8_t* bytes() const { return at<std::uint8_t>(1); }
+    /// The situation in hand: a byte for the decision that stands (or unknown), and for each edge, group and condition
+    /// of the component.
+    Word* question() const { return at<Word>(head_words); }
+    std::uint8_t& current() const { return *at<std::uint8_t>(head_words); }
+    std::uint8_t* bytes() const { return at<std::uint8_t>(head_words) + 1; }
     Move& move(std::size_t number) const { return *at<Move>(move_at(number)); }
-    Word* asked(std::size_t number) const { return at<Word>(move_at(number) + move_words); } ///< the move's situation
+    /// The decision from which a move leads.
+    static std::uint8_t from(const Move& move) { return *situation<std::uint8_t>(move); }
     /// A bit for each edge, as in Component::edges: a sibling can tie with it.
     Word* ties() const { return at<Word>(ties_at()); }
-    Word* digest() const { return at<Word>(ties_at() + ties_of(words_)); } ///< of each decision
-    const Index* row(std::size_t number) const { return decisions() + number * rows_; }
+    Word* digest() const { return at<Word>(ties_at() + ties_of(head().words)); } ///< of each decision
+    const Index* row(std::size_t number) const { return decisions() + number * head().rows; }
     /// Here a decision is written that may be a new one; there is room while it is not full().
-    Index* spare() const { return decisions() + head().decisions * rows_; }
+    Index* spare() const { return decisions() + head().decisions * head().rows; }
+    /// Row by row, as many as Head::room.
+    Effect* effects() const { return reinterpret_cast<Effect*>(decisions() + most_decisions * head().rows); }
+    std::uint32_t effect_at(std::size_t row) const {
+      return static_cast<std::uint32_t>(reinterpret_cast<Word*>(effects() + row) - at<Word>(0));
+    }
+    const Effect* effects(const Move& move) const { return at<Effect>(move.effect); }
 
     /// The move from the decision that stands, in the situation in hand; null: it is not known. Mostly the last move is
     /// followed by the one that followed it before.
     Move* find() const {
       Head& own = head();
-      Move& last = move(own.taken);
-      if (last.next == unknown || !is_asked(last.next, own.current)) {
+      if (own.guess == 0 || !is_asked(*at<Move>(own.guess))) {
         const std::uint8_t number = places_of_moves()[look_up()];
         if (number == unknown) return nullptr;
-        last.next = number;
+        at<Move>(own.taken)->next = own.guess = static_cast<std::uint16_t>(move_at(number));
       }
-      own.taken = last.next;
-      return &move(own.taken);
+      Move& move = *at<Move>(own.guess);
+      own.taken = own.guess;
+      own.guess = move.next;
+      return &move;
     }
     /// The same, where it is not known: a new one, to the decision that is written down in `to`.
-    Move& add(std::uint8_t from, std::uint8_t to) const;
+    Move& add(std::uint8_t to) const;
     /// The number of the spare decision; that of an equal one, if there is one.
     std::uint8_t number_spare() const;
     bool full() const;
@@ -123,22 +133,32 @@ public:
     T* at(std::size_t word) const {
       return reinterpret_cast<T*>(begin_ + word * sizeof(Word)); // reset() and learning write them
     }
-    std::size_t move_at(std::size_t number) const { return 1 + words_ + number * (move_words + words_); }
+    std::size_t move_at(std::size_t number) const {
+      return head_words + head().words + number * (move_words + head().words);
+    }
     std::size_t ties_at() const { return move_at(most_moves) + places / sizeof(Word); }
-    Index* decisions() const { return at<Index>(ties_at() + ties_of(words_) + most_decisions); }
+    Index* decisions() const { return at<Index>(ties_at() + ties_of(head().words) + most_decisions); }
     std::uint8_t* places_of_moves() const { return at<std::uint8_t>(move_at(most_moves)); }
-    bool is_asked(std::size_t number, std::uint8_t from) const {
-      if (move(number).from != from) return false;
-      const Word *const situation = asked(number), *const wanted = question();
-      for (std::size_t i = 0; i < words_; ++i) {
-        if (situation[i] != wanted[i]) return false;
+    /// It lies behind its move.
+    template <class T>
+    static T* situation(Move& move) {
+      return reinterpret_cast<T*>(reinterpret_cast<std::uint8_t*>(&move) + move_words * sizeof(Word));
+    }
+    template <class T>
+    static const T* situation(const Move& move) {
+      return reinterpret_cast<const T*>(reinterpret_cast<const std::uint8_t*>(&move) + move_words * sizeof(Word));
+    }
+    bool is_asked(const Move& move) const {
+      const Word *const known = situation<Word>(move), *const wanted = question();
+      const std::size_t words = head().words;
+      for (std::size_t i = 0; i < words; ++i) {
+        if (known[i] != wanted[i]) return false;
       }
       return true;
     }
     std::size_t look_up() const;
 
     std::uint8_t* begin_ = nullptr;
-    std::size_t words_ = 0, rows_ = 0;
   };
 
   /// The memory that it needs, at most; the same for every size of Index.
@@ -150,17 +170,25 @@ public:
 
   /// `memory`: bytes(t) of them, aligned to 8; with less, nothing is recalled.
   Recall(const Tables& t, std::span<std::byte> memory);
+  Recall(const Recall&) = delete;
+  Recall& operator=(const Recall&) = delete;
 
   /// Forgets everything: nothing is requested, pending or true.
   void reset(const Tables& t);
 
-  bool on() const { return entries_ != nullptr; }
-  Part part(Index component) const {
-    return on() && entries_[component].begin != 0 ? part_at(entries_[component]) : Part{};
-  }
+  bool on() const { return begin_ != nullptr; }
+  Part part(Index component) const { return on() && begin_[component] != 0 ? part_at(begin_[component]) : Part{}; }
 
-  /// The byte of an edge in the situation in hand. Only while it is on().
+  // The bytes of the situations in hand.
+  // Those of edges only while it is on().
   std::uint8_t& edge(Index e) const { return bytes_[edge_place_[e]]; }
+  /// Where the byte of the first group of a component is, behind which those of the others lie; 0: nobody looks at
+  /// them.
+  std::uint32_t groups_at(const Tables& t, Index component) const {
+    const Part own = part(component);
+    return own ? static_cast<std::uint32_t>(own.bytes() - bytes_) + t.components[component].edges.size() : 0;
+  }
+  std::uint8_t& byte(std::uint32_t place) const { return bytes_[place]; }
 
 private:
   static constexpr Word mix(Word digest, Word word) {
@@ -168,21 +196,17 @@ private:
     return digest ^ digest >> 32;
   }
 
-  /// Of one component, in words but for `rows`.
+  /// Of one component, in words but for `rows`, which are of Index, as if it had 32 bits.
   struct Size {
-    std::size_t question = 0, ties = 0, rows = 0;
+    std::size_t question = 0, ties = 0, rows = 0, effects = 0;
     constexpr std::size_t all() const {
-      return question == 0 ? 0 : fixed + ties + question * (1 + most_moves) + most_decisions * rows / 2;
+      return question == 0 ? 0 : fixed + ties + question * (1 + most_moves) + most_decisions * rows / 2 + effects;
     }
   };
-  static constexpr std::size_t fixed = 1 + move_words * most_moves + places / sizeof(Word) + most_decisions;
-  struct Entry {
-    std::uint32_t begin = 0; ///< word; 0: the component has no part
-    std::uint16_t question = 0, rows = 0;
-  };
+  static constexpr std::size_t fixed = head_words + move_words * most_moves + places / sizeof(Word) + most_decisions;
 
-  /// Entries, and the places of edges; the word behind them is for edges of what has no part.
-  static constexpr std::size_t lists(const Tables& t) { return t.components.size() + (t.edges.size() + 1) / 2 + 1; }
+  /// A word for edges and groups of what has no part; then where the parts begin, and the places of edges.
+  static constexpr std::size_t lists(const Tables& t) { return 1 + (t.components.size() + t.edges.size() + 1) / 2; }
   /// Without a question: the component has no part.
   static constexpr Size size_of(const Tables& t, const Component& row) {
     Size size;
@@ -194,18 +218,19 @@ private:
     for (const Index g : t.list(row.groups)) slots += t.groups[g].slots.size();
     const std::size_t rows = 8 * std::size_t{row.groups.size()} + 5 + 2 * std::size_t{row.edges.size()} + slots;
     if (rows > 0xfff0) return size;
-    size.question = (std::size_t{row.edges.size()} + row.groups.size() + row.conditions.size() + 7) / 8;
+    size.question = (1 + std::size_t{row.edges.size()} + row.groups.size() + row.conditions.size() + 7) / 8;
     size.ties = ties_of(size.question);
     size.rows = (rows + 3) / 4 * 4;
+    const std::size_t things = std::size_t{row.groups.size()} + row.edges.size();
+    size.effects = most_moves * (things < 8 ? 4 : things > 32 ? 16 : things / 2);
     return size;
   }
-  Part part_at(const Entry& entry) const {
-    return {bytes_ + std::size_t{entry.begin} * sizeof(Word), entry.question, entry.rows};
-  }
+  Part part_at(std::uint32_t word) const { return Part(bytes_ + std::size_t{word} * sizeof(Word)); }
   static void find_ties(const Tables& t, const Component& row, const Part& part);
 
-  std::uint8_t* bytes_ = nullptr;
-  Entry* entries_ = nullptr; ///< one for each component; null: there is no memory
+  Word nowhere_ = 0; ///< instead of a memory
+  std::uint8_t* bytes_ = reinterpret_cast<std::uint8_t*>(&nowhere_);
+  std::uint32_t* begin_ = nullptr; ///< of each component's part: word; 0: it has none; null: there is no memory
   std::uint32_t* edge_place_ = nullptr;
 };
 

@@ -15,7 +15,6 @@ void Engine::arbitrate() {
   const Index passes = c.work_count;
   bool stops = false;
   differing_ = 0;
-  note_asked(true);
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
     if (observed()) remember_queued(component);
@@ -23,7 +22,6 @@ void Engine::arbitrate() {
     s_.component[component] =
         settled_bits(component, other, depends_on_last(), depends_on_stale()) | work::listed | work::passed;
   }
-  note_asked(false);
   act(passes, stops);
   forget_work();
 }
@@ -31,8 +29,8 @@ void Engine::arbitrate() {
 /// Tells every group whether somebody has to hear when its orders are outdated.
 void Engine::watch(Index component, bool watched) {
   for (const Index g : t_.list(t_.components[component].groups)) {
-    s_.turn[g].places &= static_cast<std::uint8_t>(~place::watched);
-    if (watched) s_.turn[g].places |= place::watched;
+    s_.turn[g].concerns &= ~concern::watched;
+    if (watched) s_.turn[g].concerns |= concern::watched;
   }
 }
 

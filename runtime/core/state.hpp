@@ -123,9 +123,15 @@ struct Turn {
   Index runs_after = nil;        ///< group that is to run: the one before it in the queue; nil
   Index runs_before = nil;       ///< and the one behind it
   Index data_from = nil;         ///< edge whose slot holds its data; nil: its own slot
-  Index promised_edge = nil;     ///< pusher of the push for which promises were taken
-  Index promised_provider = nil; ///< its provider; nil: no promise
+  Index concerns = 0;            ///< to whom it matters that its orders are outdated: bits of `concern`
   Bits places{};                 ///< bits of `place`
+  std::uint32_t situation = 0;   ///< where Recall has its byte
+};
+
+/// The push for which promises were taken.
+struct Promised {
+  Index edge = nil;     ///< the pusher
+  Index provider = nil; ///< nil: no promise
 };
 
 /// One assignment: what a pass decides. The committed one is a part of the decision state; a pass writes another.
@@ -192,6 +198,7 @@ struct State {
   Index* first_root = nullptr;            ///< component: its first edge of root, in order; nil
   Index* next_root = nullptr;             ///< edge of root: the next one of its component; nil
   Turn* turn = nullptr;                   ///< group
+  Promised* promised = nullptr;           ///< group; no rows where nobody promises anything
   Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
   Bits* component = nullptr;              ///< component: bits of `work`
   Bits* enabled = nullptr;                ///< provider
@@ -253,7 +260,7 @@ struct State {
     each_of(s.last, n, visit);
     visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
     visit(s.first_root, n.components), visit(s.next_root, n.edges);
-    visit(s.turn, n.groups), visit(s.work, n.components);
+    visit(s.turn, n.groups), visit(s.promised, n.promises == 0 ? 0 : n.groups), visit(s.work, n.components);
     visit(s.component, n.components), visit(s.enabled, n.providers);
     visit(s.truth, n.conditions);
     visit(s.done, n.groups), visit(s.pending, n.groups), visit(s.fired, n.listen_slots);

@@ -35,12 +35,12 @@ void Engine::set_timer(Index index, Time due) {
 /// What is due at the time being served, which began with the earliest: states that expire, waits, promises, `every`,
 /// each in order of declaration. Each is an input of its own. What one of them cancels is not due any more when its
 /// turn comes.
-bool Engine::take_timer() {
+Engine::Taken Engine::take_timer() {
   Counters& c = *s_.counters;
   const Time when = next_due();
   if (when > c.now) {
     c.serving = false;
-    return false;
+    return Taken::nothing;
   }
   const Index index = soonest(1);
   set_timer(index, never);
@@ -49,8 +49,7 @@ bool Engine::take_timer() {
   while (timer(kind, 0) > index) kind = static_cast<Due>(static_cast<std::uint8_t>(kind) - 1);
   const auto row = static_cast<Index>(index - timer(kind, 0));
   if (observed()) report_timer(kind, row);
-  if (serve_timer(kind, row, when)) end_micro_step();
-  return true;
+  return serve_timer(kind, row, when) ? Taken::change : Taken::no_change;
 }
 
 /// True if that is an input with an effect.

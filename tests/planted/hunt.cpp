@@ -69,6 +69,8 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
     {"recall", "who starts has a handler and a period"},
     {"recall", "the order may be another where all stand as before"},
     {"recall", "who stands as before may be asked anew"},
+    {"recall", "others may have a reason than those that were asked"},
+    {"recall", "who is not granted any more does not run"},
 }};
 
 /// The number of the case that shows the fault in hand; 0: none does.

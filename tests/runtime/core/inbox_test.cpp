@@ -61,6 +61,33 @@ TEST_CASE("an input of several records goes in whole or not at all") {
   CHECK(inbox.post({}));
 }
 
+TEST_CASE("what is put first is taken before what is posted behind it, and overtakes nothing") {
+  std::vector<Inbox::Cell> cells(4);
+  Inbox inbox(cells);
+  CHECK(inbox.take_first() == nullptr);
+  CHECK(inbox.put_first(numbered(1)));
+  CHECK_FALSE(inbox.put_first(numbered(2))); // one waits already
+  CHECK(post(inbox, 2));
+  inbox.open();
+  CHECK(inbox.due());
+  const Input* const first = inbox.take_first();
+  REQUIRE(first != nullptr);
+  CHECK(first->thing == 1);
+  CHECK_FALSE(inbox.put_first(numbered(3))); // it would overtake
+  CHECK(inbox.is_open());
+  Input out;
+  CHECK(inbox.take(out));
+  CHECK(out.thing == 2);
+  CHECK(inbox.take_first() == nullptr);
+
+  CHECK(inbox.put_first(numbered(4))); // and nothing else
+  inbox.open();
+  CHECK(inbox.is_open());
+  CHECK(inbox.take_first() != nullptr);
+  CHECK_FALSE(inbox.is_open());
+  CHECK_FALSE(inbox.due());
+}
+
 TEST_CASE("what several threads post arrives whole, each one's in its order") {
   std::vector<Inbox::Cell> cells(64);
   Inbox inbox(cells);
