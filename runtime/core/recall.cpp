@@ -9,10 +9,11 @@ static_assert(sizeof(Recall::Effect) == sizeof(Recall::Word));
 
 namespace {
 #ifdef DIRECTOR_PLANTED_FAULTS // so little that random cases need more
-constexpr std::size_t room_for_decisions = 6, room_for_moves = 10;
+constexpr std::size_t room_for_decisions = 6, room_for_moves = 10, room_for_effects = 40;
 constexpr std::uint16_t least_rest = 3;
 #else
-constexpr std::size_t room_for_decisions = Recall::most_decisions, room_for_moves = Recall::most_moves;
+constexpr std::size_t room_for_decisions = Recall::most_decisions, room_for_moves = Recall::most_moves,
+                      room_for_effects = 0xffff;
 constexpr std::uint16_t least_rest = Recall::rest;
 #endif
 
@@ -113,7 +114,7 @@ void Recall::reset(const Tables& t) {
     const Part own = part_at(begin_[c]);
     own.head().words = static_cast<std::uint16_t>(size.question);
     own.head().rows = static_cast<std::uint16_t>(size.rows);
-    own.head().room = static_cast<std::uint16_t>(size.effects);
+    own.head().room = static_cast<std::uint16_t>(size.effects < room_for_effects ? size.effects : room_for_effects);
     own.forget();
     find_ties(t, row, own);
     auto place = static_cast<std::uint32_t>(own.bytes() - bytes_);
