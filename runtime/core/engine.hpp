@@ -165,7 +165,8 @@ private:
   void note_pending(Index group);
   std::uint8_t note_news(Index group, std::uint8_t bits);
   static bool needs_pass(std::uint8_t bits);
-  std::uint8_t settled_bits(Index component, bool other, bool on_last, bool on_stale);
+  static std::uint8_t left_over(bool other, bool on_last, bool on_stale);
+  std::uint8_t settled_bits(Index component, std::uint8_t left);
   void forget_work();
   void touch(Index group);
   void untouch(Index group);

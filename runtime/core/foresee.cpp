@@ -101,9 +101,8 @@ bool Engine::Foresight::write(const Engine& engine) {
   });
   add_gives(engine);
 
-  if ((move_.bits & moved::on_stale) != 0) move_.component |= work::stale_counts;
-  if (other_ != 0 && (move_.bits & (moved::on_last | moved::on_stale)) != 0)
-    move_.component |= work::unsettled | work::listed;
+  move_.component = left_over(other_ != 0, (move_.bits & moved::on_last) != 0, (move_.bits & moved::on_stale) != 0);
+  if (needs_pass(move_.component)) move_.component |= work::listed;
   move_.bits |= room_ ? moved::foreseen : moved::too_long;
   if (move_.stops != 0 || (move_.bits & moved::begins) != 0 || move_.leaves != 0 || move_.passed != 0)
     move_.bits |= moved::rare;

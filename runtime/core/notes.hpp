@@ -154,15 +154,19 @@ DIRECTOR_INLINE void Engine::forget_work() {
   c.work_count = left;
 }
 
-/// What is left to note of a component that was decided, but for `listed`. `other`: it is another decision; what it
+/// What a decision leaves to note of its component, but for `listed`. `other`: it is another one than before; what it
 /// depends on: see Pass.
-DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, bool other, bool on_last, bool on_stale) {
-  const std::uint8_t before = s_.component[component];
-  auto bits = static_cast<std::uint8_t>(before & work::reordered);
-  if (on_stale) bits |= work::stale_counts;
-  if (((bits ^ before) & work::stale_counts) != 0) watch(component, on_stale);
+inline std::uint8_t Engine::left_over(bool other, bool on_last, bool on_stale) {
+  std::uint8_t bits = on_stale ? work::stale_counts : 0;
   if (other && (on_last || on_stale)) bits |= work::unsettled;
   return bits;
+}
+
+/// With what stays noted besides. Who watches is told.
+DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, std::uint8_t left) {
+  const std::uint8_t before = s_.component[component];
+  if (((left ^ before) & work::stale_counts) != 0) watch(component, (left & work::stale_counts) != 0);
+  return static_cast<std::uint8_t>(left | (before & work::reordered));
 }
 
 // What inputs and runs ask for.

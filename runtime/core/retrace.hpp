@@ -55,10 +55,7 @@ DIRECTOR_INLINE bool Engine::retrace() {
   const Recall::Move& move = *found;
   note_recalled(known, move);
   Counters& c = *s_.counters;
-  const std::uint8_t before = s_.component[component];
-  const auto left = static_cast<std::uint8_t>(move.component | (before & work::reordered));
-  if (((left ^ before) & work::stale_counts) != 0) watch(component, (left & work::stale_counts) != 0);
-  s_.component[component] = left;
+  const std::uint8_t left = s_.component[component] = settled_bits(component, move.component);
   c.work_count = (left & work::listed) != 0 ? 1 : 0;
   if ((move.bits & moved::other_decision) != 0) c.unsettled = true;
   if (observed()) foretell(component, known.row(move.to));

@@ -20,7 +20,7 @@ void Engine::arbitrate() {
     if (observed()) remember_queued(component);
     const bool other = settle(component, stops);
     s_.component[component] =
-        settled_bits(component, other, depends_on_last(), depends_on_stale()) | work::listed | work::passed;
+        settled_bits(component, left_over(other, depends_on_last(), depends_on_stale())) | work::listed | work::passed;
   }
   act(passes, stops);
   forget_work();
