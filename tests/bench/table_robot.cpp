@@ -71,7 +71,7 @@ void TableRobot::add_acts(const compiler::Provider& provider) {
     Act& act = acts_.emplace_back();
     act.begin = static_cast<Index>(edges_.size());
     for (const compiler::Task& task : pack.tasks) edges_.push_back(static_cast<Index>(task.edge.value));
-    act.end = static_cast<Index>(edges_.size());
+    act.count = static_cast<std::uint16_t>(pack.tasks.size());
     if (play_ == Play::same) return;
   }
   if (provider.packs.empty()) acts_.emplace_back();
@@ -149,7 +149,8 @@ Outcome TableRobot::run(Run& run) {
   case Outcome::Kind::fault: return run.fault();
   case Outcome::Kind::pack: break;
   }
-  for (Index i = act.begin; i != act.end; ++i) run.request(edges_[i], tables_.edges[edges_[i]].levels.begin);
+  for (const Index edge : std::span(edges_).subspan(act.begin, act.count))
+    run.request(edge, tables_.edges[edge].levels.begin);
   return run.pack();
 }
 

@@ -24,10 +24,11 @@ Compiled compile_file(const std::string& path);
 
 /// What a provider does in one of its runs.
 struct Act {
-  director::Outcome::Kind answer = director::Outcome::Kind::pack;
   director::Index state = director::nil;
   std::int32_t value = 0;
-  director::Index begin = 0, end = 0; ///< of the robot's edges: requested, at their first level
+  director::Index begin = 0; ///< of the robot's edges: requested, at their first level,
+  std::uint16_t count = 0;   ///< so many
+  director::Outcome::Kind answer = director::Outcome::Kind::pack;
 };
 
 /// What the providers do if nobody says otherwise.
