@@ -134,7 +134,7 @@ private:
   }
   template <std::size_t count>
   bool send(const std::array<Input, count>& records) const {
-    return goes_first(records) || inbox_->post(records);
+    return engine_ != nullptr ? engine_->post(records) : inbox_->post(records);
   }
 
   template <std::size_t count>
