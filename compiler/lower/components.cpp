@@ -102,10 +102,12 @@ void lower_components(Lowered& out) {
   std::vector<std::vector<Index>> on_state(out.states.size());
   for (Index c = 0; c < out.conditions.size(); ++c) {
     sort_once(counts_in[c]);
-    out.conditions[c].components = add_list(out, counts_in[c]);
     on_state[out.conditions[c].state].push_back(c);
   }
-  for (Index s = 0; s < out.states.size(); ++s) out.states[s].conditions = add_list(out, on_state[s]);
+  for (Index s = 0; s < out.states.size(); ++s) { // what is read together lies together
+    out.states[s].conditions = add_list(out, on_state[s]);
+    for (const Index c : on_state[s]) out.conditions[c].components = add_list(out, counts_in[c]);
+  }
 }
 
 } // namespace director::compiler

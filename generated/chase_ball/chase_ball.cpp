@@ -28,13 +28,13 @@ constexpr std::array<director::Level, 2> levels{{
   {}, // ChaseBall>Wheels
 }};
 constexpr std::array<director::Condition, 1> conditions{{
-  {.accepts = {0, 1}, .components = {10, 11}}, // Ball == seen
+  {.accepts = {0, 1}, .components = {11, 12}}, // Ball == seen
 }};
 constexpr std::array<director::Interval, 1> intervals{{
   {.low = 1, .high = 1}, // Ball == seen
 }};
 constexpr std::array<director::StateVariable, 1> states{{
-  {.initial = 0, .expires = 500000, .expires_to = 0, .external = true, .conditions = {11, 12}}, // Ball
+  {.initial = 0, .expires = 500000, .expires_to = 0, .external = true, .conditions = {10, 11}}, // Ball
 }};
 constexpr std::array<director::Trigger, 1> triggers{{
   {.listeners = {2, 3}}, // Picture

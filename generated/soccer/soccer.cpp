@@ -154,18 +154,18 @@ constexpr std::array<director::Level, 39> levels{{
   {}, // RightLeg>RightAnkle
 }};
 constexpr std::array<director::Condition, 12> conditions{{
-  {.state = 3, .accepts = {0, 1}, .components = {163, 164}}, // RisingStep == lying
-  {.state = 3, .accepts = {1, 2}, .components = {164, 165}}, // RisingStep == tucked
-  {.state = 3, .accepts = {2, 3}, .components = {165, 166}}, // RisingStep == kneeling
-  {.state = 1, .accepts = {3, 4}, .components = {166, 167}}, // Stability == fallen
-  {.state = 1, .accepts = {4, 5}, .components = {167, 168}}, // Stability == falling
-  {.state = 1, .accepts = {5, 6}, .causers = {0, 1}, .components = {168, 169}}, // Stability == standing
-  {.state = 1, .accepts = {6, 8}, .causers = {1, 2}, .components = {169, 170}}, // Stability != fallen|falling
-  {.accepts = {8, 9}, .components = {170, 171}}, // Phase == playing
-  {.accepts = {9, 10}, .components = {171, 172}}, // Phase == ready
-  {.state = 2, .accepts = {10, 11}, .components = {172, 173}}, // Ball == near
-  {.state = 2, .accepts = {11, 12}, .components = {173, 174}}, // Ball >= close
-  {.state = 2, .accepts = {12, 13}, .components = {174, 175}}, // Ball != lost
+  {.state = 3, .accepts = {0, 1}, .components = {184, 185}}, // RisingStep == lying
+  {.state = 3, .accepts = {1, 2}, .components = {185, 186}}, // RisingStep == tucked
+  {.state = 3, .accepts = {2, 3}, .components = {186, 187}}, // RisingStep == kneeling
+  {.state = 1, .accepts = {3, 4}, .components = {171, 172}}, // Stability == fallen
+  {.state = 1, .accepts = {4, 5}, .components = {172, 173}}, // Stability == falling
+  {.state = 1, .accepts = {5, 6}, .causers = {0, 1}, .components = {173, 174}}, // Stability == standing
+  {.state = 1, .accepts = {6, 8}, .causers = {1, 2}, .components = {174, 175}}, // Stability != fallen|falling
+  {.accepts = {8, 9}, .components = {165, 166}}, // Phase == playing
+  {.accepts = {9, 10}, .components = {166, 167}}, // Phase == ready
+  {.state = 2, .accepts = {10, 11}, .components = {178, 179}}, // Ball == near
+  {.state = 2, .accepts = {11, 12}, .components = {179, 180}}, // Ball >= close
+  {.state = 2, .accepts = {12, 13}, .components = {180, 181}}, // Ball != lost
 }};
 constexpr std::array<director::Interval, 13> intervals{{
   {}, // RisingStep == lying
@@ -183,10 +183,10 @@ constexpr std::array<director::Interval, 13> intervals{{
   {.low = 1, .high = 3}, // Ball != lost
 }};
 constexpr std::array<director::StateVariable, 4> states{{
-  {.initial = 0, .external = true, .conditions = {175, 177}}, // Phase
-  {.initial = 0, .external = true, .conditions = {177, 181}}, // Stability
-  {.initial = 0, .expires = 1000000, .expires_to = 0, .external = true, .conditions = {181, 184}}, // Ball
-  {.initial = 0, .owner = 1, .conditions = {184, 187}}, // RisingStep
+  {.initial = 0, .external = true, .conditions = {163, 165}}, // Phase
+  {.initial = 0, .external = true, .conditions = {167, 171}}, // Stability
+  {.initial = 0, .expires = 1000000, .expires_to = 0, .external = true, .conditions = {175, 178}}, // Ball
+  {.initial = 0, .owner = 1, .conditions = {181, 184}}, // RisingStep
 }};
 constexpr std::array<director::Trigger, 1> triggers{{
   {.listeners = {45, 49}}, // Vision
@@ -200,7 +200,7 @@ constexpr std::array<director::Index, 187> lists{
     4, 8, 14, 5, 9, 15, 18, 2, 6, 12, 16, 3, 7, 13, 17, 32, 33, 34, 35, 36, 37, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
     12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18,
     19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 8,
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 8, 3, 4, 5, 6, 9, 10, 11, 0, 1, 2};
+    7, 8, 0, 0, 3, 4, 5, 6, 0, 0, 0, 0, 9, 10, 11, 0, 0, 0, 0, 1, 2, 0, 0, 0};
 constexpr std::array<director::Component, 1> components{{
   {.groups = {88, 112}, .edges = {112, 150}, .conditions = {150, 162}, .causing = {162, 163}}, // Brace, GetUp, FallRecovery, Walk, Kick, LookAt, WalkTo, KickTo, ...
 }};

@@ -99,21 +99,27 @@ std::span<const Index> Engine::with_reasons() {
   return {s_.sorted, count};
 }
 
-void Engine::stop_group(Index group) {
+/// What few groups have: states of their own, a handler, a period.
+void Engine::end_what_it_has(Index group) {
   for (const Index state : t_.list(t_.groups[group].owned)) {
     if (!planted(Fault::owned_states_stay)) set_by_handler(state, t_.states[state].initial);
   }
   handle(group, Reason::stopped);
+  disarm(Due::every, group);
+}
+
+void Engine::stop_group(Index group) {
+  const Turn& turn = s_.turn[group];
+  if ((turn.places & place::ends) != 0) end_what_it_has(group);
   s_.pending[group] = s_.done[group] = 0;
   note_pending(group);
-  disarm(Due::wait, group);
-  disarm(Due::every, group);
-  s_.turn[group].data_from = nil;
-  const Range listens = t_.groups[group].listens, edges = t_.groups[group].edges;
-  for (Index slot = listens.begin; slot != listens.end; ++slot) s_.fired[slot] = 0;
-  for (Index e = edges.begin; e != edges.end; ++e) {
+  end_wait(group);
+  live_on(group, nil);
+  if ((turn.places & place::listens) != 0) forget_triggers(group);
+  for (Index e = turn.edges.begin; e != turn.edges.end; ++e) {
     if (planted(Fault::stopped_requests_stand)) continue;
     s_.request[e] = nil;
+    note_turn(e, turn.component);
     note_level(e, nil, s_.anew[e] != 0);
   }
 }
@@ -155,7 +161,7 @@ bool Engine::takes_more(Index group, const Standing& last, const Standing& now) 
 /// The start handler is called where the group becomes live, and a period ends or begins.
 void Engine::begin(Index group, const Standing& now) {
   if (s_.last[group].active == nil) {
-    s_.turn[group].data_from = now.holder;
+    live_on(group, now.holder);
     starting_ = group;
     handle(group, Reason::started);
     starting_ = nil;
@@ -191,9 +197,9 @@ void Engine::keep_promises(Index group) {
 void Engine::settle_data(Index edge) {
   const Index group = t_.edges[edge].target;
   const bool given = granted(group) && s_.last[group].holder == edge;
-  if (!given && s_.last[group].active != nil && s_.turn[group].data_from == edge) {
+  if (!given && s_.last[group].active != nil && s_.data_from[group] == edge) {
     bodies_.data(bodies_.self, Bodies::Data::retain, edge, nil);
-    s_.turn[group].data_from = nil;
+    live_on(group, nil);
   }
   bodies_.data(bodies_.self, Bodies::Data::settle, edge, nil);
 }

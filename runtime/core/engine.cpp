@@ -48,10 +48,24 @@ void Engine::reset() {
     }
     *link = nil;
     std::uint32_t place = recall_.groups_at(t_, c);
-    for (const Index g : t_.list(t_.components[c].groups)) s_.turn[g].situation = place == 0 ? 0 : place++;
+    for (const Index g : t_.list(t_.components[c].groups)) {
+      Turn& turn = s_.turn[g];
+      turn.component = c;
+      turn.edges = t_.groups[g].edges;
+      turn.situation = place == 0 ? 0 : place++;
+      turn.places = places_of(g);
+    }
   }
-  starting_ = nil;
+  recent_ = starting_ = nil;
   inside_ = faulted_ = false;
+}
+
+/// The bits that follow from the tables.
+std::uint8_t Engine::places_of(Index group) const {
+  const Group& row = t_.groups[group];
+  bool ends = row.stop || !row.owned.empty();
+  for (Index p = row.providers.begin; p != row.providers.end; ++p) ends = ends || t_.providers[p].every != 0;
+  return static_cast<std::uint8_t>((row.listens.empty() ? 0 : place::listens) | (ends ? place::ends : 0));
 }
 
 void Engine::preset(Index state, std::int32_t value) {
@@ -74,9 +88,10 @@ View Engine::view() const {
   out.values = s_.values;
   out.request = s_.request;
   out.standing = s_.last.group;
-  out.queued = s_.queued;
+  out.left_queued = s_.queued;
   out.pending = s_.pending;
   out.enabled = s_.enabled;
+  out.recall = &recall_;
   return out;
 }
 
@@ -89,7 +104,7 @@ bool Engine::failed(Index edge) const {
 /// Where the data of the task are that the group was given last. A start handler may be called for a request of this
 /// very micro-step, whose data are settled after the act.
 DataPlace Engine::data_of(Index group) const {
-  const Index edge = s_.turn[group].data_from;
+  const Index edge = s_.data_from[group];
   if (edge == nil) return {DataPlace::Slot::group, group};
   if (starting_ == group && s_.anew[edge] != 0) return {DataPlace::Slot::staging, edge};
   return {DataPlace::Slot::edge, edge};

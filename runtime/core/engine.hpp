@@ -12,6 +12,8 @@
 
 namespace director {
 
+class Decision;
+
 /// Arbitration is its base: so all look at the tables and the memory through one pointer.
 class Engine : private Pass {
 public:
@@ -85,7 +87,7 @@ public:
   Index active(Index group) const { return s_.last[group].active; } ///< provider, or nil
   bool granted(Index group) const { return (s_.last[group].flags & flag::granted) != 0; }
   bool in_force(Index group) const { return (s_.last[group].flags & flag::in_force) != 0; }
-  Queued queued(Index edge) const { return s_.queued[edge]; }
+  Queued queued(Index edge) const { return view().queued(edge); }
   View view() const; ///< all that one may ask for; see why.hpp, snapshot.hpp
   Time now() const { return s_.counters->now; }
   std::uint64_t micro_steps() const { return s_.counters->micro_step; } ///< so far
@@ -123,11 +125,13 @@ private:
   Taken take_request(Input& record);
   Taken take_request_with_data(Input& record);
   Taken take_requests(Input& record);
+  void fetch_what_follows(Index edge);
   Taken take_states(Input& record);
   Taken take_cancel(Index edge);
   Taken take_enabled(Index provider, std::uint8_t wanted);
   Taken take_handlers_input();
   bool fire(Index trigger);
+  void forget_triggers(Index group);
   void set_by_handler(Index state, std::int32_t value);
   void look_at_conditions(Index state);
   void report_input(const Input& record) const;
@@ -145,6 +149,7 @@ private:
   Index timer(Due kind, Index row) const;
   void arm(Due kind, Index row, Time due) { set_timer(timer(kind, row), due); }
   void disarm(Due kind, Index row);
+  void end_wait(Index group);
   void set_timer(Index index, Time due);
   void clear_timers();
   Index soonest(std::size_t node) const {
@@ -162,21 +167,24 @@ private:
   void mark(Index component, std::uint8_t bits);
   void mark_stale(Index group);
   void note_level(Index edge, Index level, bool anew);
+  void note_turn(Index edge, Index component);
   void note_pending(Index group);
   std::uint8_t note_news(Index group, std::uint8_t bits);
   static bool needs_pass(std::uint8_t bits);
   static std::uint8_t left_over(bool other, bool on_last, bool on_stale);
-  std::uint8_t settled_bits(Index component, std::uint8_t left);
+  std::uint8_t settled_bits(Index component, std::uint8_t left) const;
   void forget_work();
   void touch(Index group);
   void untouch(Index group);
   bool note_reasons(Index group, std::uint8_t bits);
+  void live_on(Index group, Index edge);
   void note_given(Index group, Index holder, std::uint8_t bits);
   void add_reason(Index group, Reason reason);
   void enqueue(Index group);
   void give_again(Index group, bool anew);
   Index next_of_queue();
   void leave_queue(Index group);
+  void note_request(Index edge, Index level);
   void request(Index edge, Index level);
   void withdraw(Index edge);
   bool set_value(Index state, std::int32_t value);
@@ -194,7 +202,7 @@ private:
   // recalled.cpp: what a component decides
   bool settle(Index component, bool& stops);
   bool settle_by_pass(Index component, bool& stops);
-  bool in_order(Index component, const Recall::Part& known) const;
+  Recall::Ties find_order(Index component, const Recall::Part& known) const;
   bool told(Index component, const Recall::Part& known) const;
   void note_recalled(const Recall::Part& known, const Recall::Move& move);
   void give_and_join(const Recall::Effect* row, const Recall::Move& move);
@@ -205,12 +213,12 @@ private:
   bool foresee(Index component, const Recall::Part& known, Recall::Move& move) const;
   void write(Index component, Index* to) const;
   void read(Index component, const Index* rows);
+  void read_standings(const Component& row, const Decision& decision);
   void forget_decisions(Index component);
   void note_condition(Index condition);
 
   // settle.cpp: after every micro-step
   void arbitrate();
-  void watch(Index component, bool watched);
   bool changed(Index component, bool& stops);
   bool other_plan(Index group) const;
   void remember_queued(Index component);
@@ -222,6 +230,7 @@ private:
   void sort_by_place(std::span<Index> groups, Along along) const;
   std::span<const Index> held_before(Index passes);
   std::span<const Index> with_reasons();
+  void end_what_it_has(Index group);
   void stop_group(Index group);
   static std::uint8_t reasons(const Standing& last, const Standing& now);
   bool takes_more(Index group, const Standing& last, const Standing& now) const;
@@ -236,6 +245,7 @@ private:
   void report_queued(Index component) const;
   void handle(Index group, Reason reason);
 
+  std::uint8_t places_of(Index group) const;
   Event event(Event::Kind kind, Index group = nil) const;
   void report(Event::Kind kind, Index group = nil) const {
     if (observed()) tell(event(kind, group));
@@ -252,6 +262,7 @@ private:
   std::uint32_t budget_ = default_budget;
   std::uint32_t left_ = 0; ///< micro-steps that may still be taken
   Index differing_ = 0;    ///< rows of State::differing in use
+  Index recent_ = nil;     ///< component that was asked for something last
   Index starting_ = nil;   ///< the group whose start handler runs: its data may still be staged
   bool inside_ = false;    ///< a body or handler is running
   bool faulted_ = false;

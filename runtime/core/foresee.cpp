@@ -31,7 +31,7 @@ public:
         from_(known.row(Recall::Part::from(move)), row_),
         to_(known.row(move.to), row_),
         component_(component),
-        end_(known.head().effects) {
+        effects_(known.begin_effects(move)) {
     for (std::size_t place = 0; place < groups_.size(); ++place) {
       if (!from_.standing(place).same(to_.standing(place))) other_ |= Recall::Word{1} << place;
       bool asked = false;
@@ -45,9 +45,10 @@ public:
 private:
   Recall::Word other_plans() const;
   void add(std::uint8_t& count, std::size_t where, Index value = 0) {
-    room_ = room_ && end_ != known_.head().room && count != 0xff;
+    const Recall::Head& head = known_.head();
+    room_ = room_ && head.effects + count_ != head.room && count != 0xff;
     if (!room_) return;
-    known_.effects()[end_++] = {static_cast<std::uint32_t>(where), value};
+    effects_[count_++] = {static_cast<std::uint32_t>(where), value};
     ++count;
   }
   template <class T>
@@ -58,7 +59,6 @@ private:
     add(move_.words, static_cast<std::size_t>(at - reinterpret_cast<const std::byte*>(s_.counters)), now);
   }
   void add_standings();
-  void add_queued();
   void add_order();
   void add_plans();
   void add_gives(const Engine& engine);
@@ -71,7 +71,8 @@ private:
   Recall::Move& move_;
   Decision from_, to_;
   Index component_;
-  std::size_t end_;
+  Recall::Effect* effects_;
+  std::size_t count_ = 0;              ///< of them
   Recall::Word other_ = 0, asked_ = 0; ///< a bit for each group: it stands elsewhere; it is asked for anew
   bool room_ = true;
 };
@@ -88,14 +89,10 @@ bool Engine::Foresight::write(const Engine& engine) {
     if (to_.standing(place).stops_after(from_.standing(place))) add(move_.stops, group);
   }
   add_standings();
-  add_queued();
   if (!planted(Fault::the_order_stays)) add_order();
   add_plans();
-  const Index watched = (move_.bits & moved::on_stale) != 0 ? concern::watched : 0;
-  for (std::size_t place = 0; place < groups_.size(); ++place) {
-    const Index last = from_.counts(place) ? concern::counts : 0, now = to_.counts(place) ? concern::counts : 0;
-    add_word(s_.turn[groups_[place]].concerns, last | watched, now | watched);
-  }
+  for (std::size_t place = 0; place < groups_.size(); ++place)
+    add_word(s_.turn[groups_[place]].counts, from_.counts(place) ? 1 : 0, to_.counts(place) ? 1 : 0);
   each_bit(planted(Fault::who_leaves_stays_queued) ? 0 : other_, [&](std::size_t place) {
     if (from_.standing(place).granted() && !to_.standing(place).granted()) add(move_.leaves, groups_[place]);
   });
@@ -106,9 +103,11 @@ bool Engine::Foresight::write(const Engine& engine) {
   move_.bits |= room_ ? moved::foreseen : moved::too_long;
   if (move_.stops != 0 || (move_.bits & moved::begins) != 0 || move_.leaves != 0 || move_.passed != 0)
     move_.bits |= moved::rare;
-  move_.effect = known_.effect_at(known_.head().effects);
-  if (room_) known_.head().effects = static_cast<std::uint16_t>(end_);
-  return room_;
+  if (!room_) return false;
+  Recall::Head& head = known_.head();
+  head.effects = static_cast<std::uint16_t>(head.effects + count_);
+  head.end = static_cast<std::uint16_t>(head.end + count_);
+  return true;
 }
 
 Recall::Word Engine::Foresight::other_plans() const {
@@ -132,24 +131,6 @@ void Engine::Foresight::add_standings() {
     for (std::size_t i = 0; i < standing_rows; ++i) add_word(*rows[i], last[i], now[i]);
     if (to_.standing(place).decides_otherwise_than(from_.standing(place))) move_.bits |= moved::other_decision;
   });
-}
-
-void Engine::Foresight::add_queued() {
-  const auto word = [](Why why) { // of which it is the first byte
-    struct Word {
-      Why why;
-      std::uint8_t rest[sizeof(Index) - sizeof(Why)] = {};
-    };
-    return std::bit_cast<Index>(Word{why});
-  };
-  std::size_t place = 0;
-  for (const Index e : t_.list(row_.edges)) {
-    const Queued last = from_.queued(place), now = to_.queued(place);
-    ++place;
-    const auto& row = reinterpret_cast<const AnyWord(&)[why_rows]>(s_.queued[e]);
-    add_word(row[0], word(last.why), word(now.why));
-    add_word(row[1], last.condition, now.condition);
-  }
 }
 
 void Engine::Foresight::add_order() {

@@ -2,6 +2,7 @@
 //
 // Section 3, Inputs: what the outside asks for, sets and fires, and what handlers set.
 
+#include "runtime/core/fetch.hpp"
 #include "runtime/core/heap_sort.hpp"
 #include "runtime/core/notes.hpp"
 
@@ -59,7 +60,27 @@ Engine::Taken Engine::take_request(Input& record) {
   return Taken::no_change;
 }
 
+/// What a request for the edge leads to, if nobody asked for anything in that component lately. Groups, edges and moves
+/// of a component mostly lie together.
+DIRECTOR_INLINE void Engine::fetch_what_follows(Index edge) {
+  const Index group = t_.edges[edge].target;
+  const Turn& turn = s_.turn[group];
+  if (turn.component == recent_) return;
+  recent_ = turn.component;
+  constexpr int most_moves = 11; // lines
+  if (recall_.on()) fetch(&recall_.edge(edge), 0, most_moves);
+  fetch(&turn, 1, 1);
+  fetch(&s_.last[group], 1, 1);
+  fetch(s_.request + turn.edges.begin);
+  fetch(s_.stamp + turn.edges.begin);
+  fetch(s_.anew + turn.edges.begin);
+  fetch(t_.edges.data() + turn.edges.begin);
+  fetch(s_.order + group);
+  fetch(s_.place + group);
+}
+
 [[gnu::noinline]] Engine::Taken Engine::take_requests(Input& record) {
+  fetch_what_follows(record.thing);
   do {
     if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
     request(record.thing, record.level);
@@ -130,6 +151,12 @@ bool Engine::fire(Index trigger) {
     heard = true;
   }
   return heard;
+}
+
+/// Those that fired since its last run.
+void Engine::forget_triggers(Index group) {
+  const Range listens = t_.groups[group].listens;
+  for (Index slot = listens.begin; slot != listens.end; ++slot) s_.fired[slot] = 0;
 }
 
 namespace {

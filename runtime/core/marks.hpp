@@ -25,17 +25,14 @@ inline constexpr std::uint8_t looked_at = 64; ///< set only while a member's cho
 inline constexpr std::uint8_t wanted = 1;
 } // namespace mark
 
-/// Bits of Turn::places.
+/// Bits of Turn::places. What else there is to tell of the group stands there too.
 namespace place {
 inline constexpr std::uint8_t queue = 1;   ///< it is to run
 inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched
+inline constexpr std::uint8_t waits = 4;   ///< its wait may be on
+inline constexpr std::uint8_t listens = 8; ///< to some trigger
+inline constexpr std::uint8_t ends = 16;   ///< something of it ends when it stops: states, a handler, a period
 } // namespace place
-
-/// Bits of Turn::concerns.
-namespace concern {
-inline constexpr Index counts = 1;  ///< that its orders were outdated made a difference in the last pass
-inline constexpr Index watched = 2; ///< in the last pass of its component it counted whose orders are outdated
-} // namespace concern
 
 namespace trait {
 // Bits of State::traits.

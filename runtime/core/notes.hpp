@@ -21,9 +21,12 @@ inline void Engine::mark(Index component, std::uint8_t bits) {
 
 /// Whose orders are outdated may be another from now on. Most of the time nobody has asked.
 inline void Engine::mark_stale(Index group) {
-  const Index concerns = s_.turn[group].concerns;
-  if (concerns == 0) return;
-  mark(t_.groups[group].component, (concerns & concern::counts) != 0 ? work::changed : work::stale_changed);
+  const Turn& turn = s_.turn[group];
+  if (turn.counts != 0) {
+    mark(turn.component, work::changed);
+  } else if ((s_.component[turn.component] & work::stale_counts) != 0) {
+    mark(turn.component, work::stale_changed);
+  }
 }
 
 // To be told where it is looked up what was decided before (recalled.cpp).
@@ -34,6 +37,12 @@ DIRECTOR_INLINE void Engine::note_level(Index edge, Index level, bool anew) {
   if (planted(Fault::news_are_overlooked)) anew = false;
   const auto bits = level == nil ? 0 : level % Recall::most_levels + 1;
   recall_.edge(edge) = static_cast<std::uint8_t>(anew ? bits | Recall::anew : bits);
+}
+
+/// An edge that is requested at another level than before, or (nil) not any more.
+DIRECTOR_INLINE void Engine::note_turn(Index edge, Index component) {
+  if (!recall_.on() || !recall_.ties(edge)) return;
+  recall_.part(component).head().ties = Recall::Ties::unknown;
 }
 
 DIRECTOR_INLINE void Engine::note_pending(Index group) {
@@ -68,9 +77,14 @@ inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
   return news != 0;
 }
 
+/// The data of the request by which it holds the group, if there are any.
+inline void Engine::live_on(Index group, Index edge) {
+  if (bodies_.data != nullptr) s_.data_from[group] = edge;
+}
+
 /// To a group that is granted to the holder.
 DIRECTOR_INLINE void Engine::note_given(Index group, Index holder, std::uint8_t bits) {
-  s_.turn[group].data_from = holder;
+  live_on(group, holder);
   if (s_.anew[holder] != 0) bits |= reason::new_task;
   if (bits != 0) note_reasons(group, bits);
 }
@@ -96,7 +110,7 @@ DIRECTOR_INLINE void Engine::enqueue(Index group) {
 /// To a group that is granted as before. `anew`: to the request that holds it. Whom it concerns that its orders are
 /// outdated, request() told.
 DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
-  s_.turn[group].data_from = s_.last[group].holder;
+  live_on(group, s_.last[group].holder);
   if (anew) {
     s_.pending[group] |= reason::new_task;
     if (!planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
@@ -162,14 +176,20 @@ inline std::uint8_t Engine::left_over(bool other, bool on_last, bool on_stale) {
   return bits;
 }
 
-/// With what stays noted besides. Who watches is told.
-DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, std::uint8_t left) {
-  const std::uint8_t before = s_.component[component];
-  if (((left ^ before) & work::stale_counts) != 0) watch(component, (left & work::stale_counts) != 0);
-  return static_cast<std::uint8_t>(left | (before & work::reordered));
+/// With what stays noted besides.
+DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, std::uint8_t left) const {
+  return static_cast<std::uint8_t>(left | (s_.component[component] & work::reordered));
 }
 
 // What inputs and runs ask for.
+
+/// At another level than before; nil: not any more.
+DIRECTOR_INLINE void Engine::note_request(Index edge, Index level) {
+  s_.request[edge] = level;
+  const Index component = s_.turn[t_.edges[edge].target].component;
+  mark(component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
+  note_turn(edge, component);
+}
 
 DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   if (s_.anew[edge] == 0) {
@@ -179,8 +199,7 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   const Index group = t_.edges[edge].target;
   if (s_.request[edge] != level) {
     s_.stamp[edge] = s_.counters->micro_step;
-    s_.request[edge] = level;
-    mark(t_.groups[group].component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
+    note_request(edge, level);
   }
   mark_stale(group);
   touch(group);
@@ -189,10 +208,8 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
 
 DIRECTOR_INLINE void Engine::withdraw(Index edge) {
   if (s_.request[edge] == nil) return;
-  s_.request[edge] = nil;
+  note_request(edge, nil);
   note_level(edge, nil, s_.anew[edge] != 0);
-  mark(t_.groups[t_.edges[edge].target].component,
-       edge < t_.root_edges ? work::changed | work::reordered : work::changed);
 }
 
 /// True if the value changes. What expires counts anew, also where it does not.
@@ -237,7 +254,8 @@ inline void Engine::settle_requests() {
 DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
   const Counters& c = *s_.counters;
   if (s_.request[edge] != level || (c.work_count | c.touched_count) != 0) return false;
-  return s_.turn[t_.edges[edge].target].concerns == 0;
+  const Turn& turn = s_.turn[t_.edges[edge].target];
+  return turn.counts == 0 && (s_.component[turn.component] & work::stale_counts) == 0;
 }
 
 /// The run; data are settled besides.
@@ -261,6 +279,14 @@ inline Index Engine::timer(Due kind, Index row) const {
 inline void Engine::disarm(Due kind, Index row) {
   const Index index = timer(kind, row);
   if (s_.due[index] != never) set_timer(index, never);
+}
+
+/// Mostly it does not wait, and then its timer is not looked at.
+inline void Engine::end_wait(Index group) {
+  Bits& places = s_.turn[group].places;
+  if ((places & place::waits) == 0) return;
+  places &= static_cast<std::uint8_t>(~place::waits);
+  disarm(Due::wait, group);
 }
 
 } // namespace director

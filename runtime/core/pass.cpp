@@ -14,7 +14,7 @@ void Pass::decide(Index component) {
   pushed_ = depends_on_stale_ = limbo_ = false;
   for (const Index g : t_.list(c_.groups)) {
     s_.group_marks[g] = 0;
-    s_.turn[g].concerns &= ~concern::counts;
+    s_.turn[g].counts = 0;
     pushed_ = pushed_ || s_.last[g].push.edge != nil;
     s_.now[g] = Standing{};
   }

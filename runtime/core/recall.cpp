@@ -34,20 +34,22 @@ std::size_t Recall::Part::look_up() const {
   Word digest_of_it = 0;
   for (std::size_t i = 0; i < head().words; ++i) digest_of_it = mix(digest_of_it, question()[i]);
   std::size_t place = digest_of_it % places;
-  const std::uint8_t* const number = places_of_moves();
-  while (number[place] != unknown && !is_asked(move(number[place]))) place = (place + 1) % places;
+  const std::uint16_t* const moves = places_of_moves();
+  while (moves[place] != 0 && !is_asked(*at<Move>(moves[place]))) place = (place + 1) % places;
   return place;
 }
 
 Recall::Move& Recall::Part::add(std::uint8_t to) const {
   Head& own = head();
-  const std::uint8_t number = own.moves++;
-  places_of_moves()[look_up()] = number;
-  const std::size_t word = move_at(number);
-  at<Move>(own.taken)->next = static_cast<std::uint16_t>(word);
-  own.taken = static_cast<std::uint16_t>(word);
+  const std::uint16_t word = own.end;
+  own.end = static_cast<std::uint16_t>(word + move_words + own.words);
+  ++own.moves;
+  places_of_moves()[look_up()] = word;
+  at<Move>(own.taken)->next = word;
+  own.taken = word;
   own.guess = 0;
-  Move& out = move(number);
+  Move& out = *at<Move>(word);
+  out = {};
   for (std::size_t i = 0; i < own.words; ++i) situation<Word>(out)[i] = question()[i];
   out.to = to;
   return out;
@@ -80,10 +82,9 @@ void Recall::Part::forget() const {
   current() = unknown;
   own.decisions = own.moves = own.used = 0;
   own.effects = 0;
-  own.taken = static_cast<std::uint16_t>(move_at(0));
+  own.taken = own.end = static_cast<std::uint16_t>(first_move());
   own.guess = 0;
-  for (std::size_t i = 0; i < most_moves; ++i) move(i) = Move{};
-  for (std::size_t i = 0; i < places; ++i) places_of_moves()[i] = unknown;
+  for (std::size_t i = 0; i < places; ++i) places_of_moves()[i] = 0;
 }
 
 void Recall::Part::make_room() const {
@@ -98,6 +99,7 @@ Recall::Recall(const Tables& t, std::span<std::byte> memory) {
   bytes_ = reinterpret_cast<std::uint8_t*>(memory.data());
   begin_ = reinterpret_cast<std::uint32_t*>(bytes_ + sizeof(Word));
   edge_place_ = begin_ + t.components.size();
+  condition_place_ = edge_place_ + t.edges.size();
 }
 
 void Recall::reset(const Tables& t) {
@@ -118,7 +120,17 @@ void Recall::reset(const Tables& t) {
     own.forget();
     find_ties(t, row, own);
     auto place = static_cast<std::uint32_t>(own.bytes() - bytes_);
-    for (const Index e : t.list(row.edges)) edge_place_[e] = place++;
+    std::size_t number = 0;
+    for (const Index e : t.list(row.edges)) {
+      const bool ties = (own.ties()[number / 64] >> number % 64 & 1) != 0;
+      ++number;
+      edge_place_[e] = 2 * place++ + (ties ? 1 : 0);
+    }
+    place += row.groups.size();
+    for (const Index each : t.list(row.conditions)) {
+      condition_place_[each] = t.conditions[each].components.size() == 1 ? place : several;
+      ++place;
+    }
   }
 }
 
@@ -130,7 +142,7 @@ void Recall::find_ties(const Tables& t, const Component& row, const Part& part) 
       if (!can_tie(t, t.edges[edges[i]], t.edges[edges[j]])) continue;
       part.ties()[i / 64] |= Word{1} << i % 64;
       part.ties()[j / 64] |= Word{1} << j % 64;
-      part.head().ties = true;
+      part.head().ties = Ties::unknown;
     }
   }
 }

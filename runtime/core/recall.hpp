@@ -57,22 +57,27 @@ public:
     std::uint8_t passed = 0;  ///< are asked for anew and not granted
     std::uint8_t asked = 0;   ///< how many groups are asked for anew: no rows
     std::uint16_t next = 0;   ///< word: the move that was made behind it the last time; 0: none was
-    std::uint32_t effect = 0; ///< word: the first row
+    std::uint16_t effect = 0; ///< word: the first row
   };
+  /// Of siblings of one urgency it counts which was asked for first. Were they, in the order in which they are
+  /// declared?
+  enum class Ties : std::uint8_t { none, in_order, out_of_order, unknown };
   struct Head {
     std::uint8_t decisions = 0, moves = 0;
-    bool ties = false;         ///< which of two siblings was asked for first can matter
+    Ties ties = Ties::none;    ///< `none`: no sibling can have the urgency of another
     std::uint8_t used = 0;     ///< how often a move was, since the part began anew; 255: or more often
     std::uint16_t rest = 0;    ///< for so many decisions nothing is looked up or learnt
     std::uint16_t taken = 0;   ///< word: the last move
     std::uint16_t guess = 0;   ///< word: the one that was made behind it the last time; 0: none was
-    std::uint16_t effects = 0; ///< rows in use,
+    std::uint16_t end = 0;     ///< word: behind the moves and their effects
+    std::uint16_t effects = 0; ///< rows of them in use,
     std::uint16_t room = 0;    ///< of so many
     std::uint16_t words = 0;   ///< of a situation
     std::uint16_t rows = 0;    ///< of a decision
   };
 
   static constexpr std::size_t move_words = 2, head_words = 3;
+  static constexpr std::size_t place_words = places * sizeof(std::uint16_t) / sizeof(Word);
   /// There are no more edges than bytes in a situation.
   static constexpr std::size_t ties_of(std::size_t words) { return (words + 7) / 8; }
 
@@ -89,7 +94,6 @@ public:
     Word* question() const { return at<Word>(head_words); }
     std::uint8_t& current() const { return *at<std::uint8_t>(head_words); }
     std::uint8_t* bytes() const { return at<std::uint8_t>(head_words) + 1; }
-    Move& move(std::size_t number) const { return *at<Move>(move_at(number)); }
     /// The decision from which a move leads.
     static std::uint8_t from(const Move& move) { return *situation<std::uint8_t>(move); }
     /// A bit for each edge, as in Component::edges: a sibling can tie with it.
@@ -98,26 +102,30 @@ public:
     const Index* row(std::size_t number) const { return decisions() + number * head().rows; }
     /// Here a decision is written that may be a new one; there is room while it is not full().
     Index* spare() const { return decisions() + head().decisions * head().rows; }
-    /// Row by row, as many as Head::room.
-    Effect* effects() const { return reinterpret_cast<Effect*>(decisions() + most_decisions * head().rows); }
-    std::uint32_t effect_at(std::size_t row) const {
-      return static_cast<std::uint32_t>(reinterpret_cast<Word*>(effects() + row) - at<Word>(0));
-    }
     const Effect* effects(const Move& move) const { return at<Effect>(move.effect); }
+    /// Where a move's are written that has none yet; Head::end and Head::effects are the writer's.
+    Effect* begin_effects(Move& move) const {
+      move.effect = head().end;
+      return at<Effect>(move.effect);
+    }
 
     /// The move from the decision that stands, in the situation in hand; null: it is not known. Mostly the last move is
     /// followed by the one that followed it before.
     Move* find() const {
       Head& own = head();
       if (own.guess == 0 || !is_asked(*at<Move>(own.guess))) {
-        const std::uint8_t number = places_of_moves()[look_up()];
-        if (number == unknown) return nullptr;
-        at<Move>(own.taken)->next = own.guess = static_cast<std::uint16_t>(move_at(number));
+        const std::uint16_t word = places_of_moves()[look_up()];
+        if (word == 0) return nullptr;
+        at<Move>(own.taken)->next = own.guess = word;
       }
-      Move& move = *at<Move>(own.guess);
+      return at<Move>(own.guess);
+    }
+    /// It is made, the one that was found.
+    void take(const Move& move) const {
+      Head& own = head();
       own.taken = own.guess;
       own.guess = move.next;
-      return &move;
+      current() = move.to;
     }
     /// The same, where it is not known: a new one, to the decision that is written down in `to`.
     Move& add(std::uint8_t to) const;
@@ -133,12 +141,12 @@ public:
     T* at(std::size_t word) const {
       return reinterpret_cast<T*>(begin_ + word * sizeof(Word)); // reset() and learning write them
     }
-    std::size_t move_at(std::size_t number) const {
-      return head_words + head().words + number * (move_words + head().words);
-    }
-    std::size_t ties_at() const { return move_at(most_moves) + places / sizeof(Word); }
+    // Moves and their effects come first, in the order in which they were learnt: what is used together lies together.
+    std::size_t first_move() const { return head_words + head().words; }
+    std::size_t places_at() const { return first_move() + most_moves * (move_words + head().words) + head().room; }
+    std::size_t ties_at() const { return places_at() + place_words; }
     Index* decisions() const { return at<Index>(ties_at() + ties_of(head().words) + most_decisions); }
-    std::uint8_t* places_of_moves() const { return at<std::uint8_t>(move_at(most_moves)); }
+    std::uint16_t* places_of_moves() const { return at<std::uint16_t>(places_at()); } ///< word; 0: it is free
     /// It lies behind its move.
     template <class T>
     static T* situation(Move& move) {
@@ -180,8 +188,11 @@ public:
   Part part(Index component) const { return on() && begin_[component] != 0 ? part_at(begin_[component]) : Part{}; }
 
   // The bytes of the situations in hand.
-  // Those of edges only while it is on().
-  std::uint8_t& edge(Index e) const { return bytes_[edge_place_[e]]; }
+  // Those of edges only while it is on(), as whether a sibling can tie with one.
+  std::uint8_t& edge(Index e) const { return bytes_[edge_place_[e] / 2]; }
+  /// Its place in the component of that part.
+  std::size_t place(Index e, const Part& part) const { return static_cast<std::size_t>(&edge(e) - part.bytes()); }
+  bool ties(Index e) const { return edge_place_[e] % 2 != 0; }
   /// Where the byte of the first group of a component is, behind which those of the others lie; 0: nobody looks at
   /// them.
   std::uint32_t groups_at(const Tables& t, Index component) const {
@@ -189,6 +200,9 @@ public:
     return own ? static_cast<std::uint32_t>(own.bytes() - bytes_) + t.components[component].edges.size() : 0;
   }
   std::uint8_t& byte(std::uint32_t place) const { return bytes_[place]; }
+  /// Where the byte of a condition is, 0 as above; `several`: in several components. Only while it is on().
+  std::uint32_t condition(Index c) const { return condition_place_[c]; }
+  static constexpr std::uint32_t several = 1;
 
 private:
   static constexpr Word mix(Word digest, Word word) {
@@ -203,10 +217,13 @@ private:
       return question == 0 ? 0 : fixed + ties + question * (1 + most_moves) + most_decisions * rows / 2 + effects;
     }
   };
-  static constexpr std::size_t fixed = head_words + move_words * most_moves + places / sizeof(Word) + most_decisions;
+  static constexpr std::size_t fixed = head_words + move_words * most_moves + place_words + most_decisions;
 
-  /// A word for edges and groups of what has no part; then where the parts begin, and the places of edges.
-  static constexpr std::size_t lists(const Tables& t) { return 1 + (t.components.size() + t.edges.size() + 1) / 2; }
+  /// A word for edges and groups of what has no part; then where the parts begin, and the places of edges
+  /// and conditions.
+  static constexpr std::size_t lists(const Tables& t) {
+    return 1 + (t.components.size() + t.edges.size() + t.conditions.size() + 1) / 2;
+  }
   /// Without a question: the component has no part.
   static constexpr Size size_of(const Tables& t, const Component& row) {
     Size size;
@@ -223,7 +240,8 @@ private:
     size.rows = (rows + 3) / 4 * 4;
     const std::size_t things = std::size_t{row.groups.size()} + row.edges.size();
     size.effects = most_moves * (things < 8 ? 4 : things > 32 ? 16 : things / 2);
-    return size;
+    const std::size_t found_by_word = size.question * (1 + most_moves) + size.effects + fixed;
+    return found_by_word > 0xffff ? Size{} : size;
   }
   Part part_at(std::uint32_t word) const { return Part(bytes_ + std::size_t{word} * sizeof(Word)); }
   static void find_ties(const Tables& t, const Component& row, const Part& part);
@@ -231,7 +249,8 @@ private:
   Word nowhere_ = 0; ///< instead of a memory
   std::uint8_t* bytes_ = reinterpret_cast<std::uint8_t*>(&nowhere_);
   std::uint32_t* begin_ = nullptr; ///< of each component's part: word; 0: it has none; null: there is no memory
-  std::uint32_t* edge_place_ = nullptr;
+  std::uint32_t* condition_place_ = nullptr; ///< of its byte; 0: nobody looks at it; `several`
+  std::uint32_t* edge_place_ = nullptr;      ///< twice the place of its byte; 1 more if a sibling can tie with it
 };
 
 } // namespace director

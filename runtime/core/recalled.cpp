@@ -46,26 +46,24 @@ bool Engine::settle_by_pass(Index component, bool& any_stops) {
   return changed(component, any_stops);
 }
 
-/// Siblings of one urgency were asked for in the order in which they are declared; else the situation's bytes do not
-/// tell it.
-bool Engine::in_order(Index component, const Recall::Part& known) const {
+/// Of siblings of one urgency; where they were asked for in another order than they are declared, the situation's bytes
+/// do not tell it.
+Recall::Ties Engine::find_order(Index component, const Recall::Part& known) const {
   const std::span<const Index> edges = t_.list(t_.components[component].edges);
-  const std::uint8_t* const asked_for = known.bytes();
   const Recall::Word* ties = known.ties();
   Index requester = nil;
   std::uint64_t before = 0;
   for (std::size_t begin = 0; begin < edges.size(); begin += 64, ++ties) {
     for (Recall::Word bits = *ties; bits != 0; bits &= bits - 1) {
-      const std::size_t place = begin + static_cast<std::size_t>(std::countr_zero(bits));
-      if (asked_for[place] == 0) continue;
-      const Index e = edges[place], from = t_.edges[e].requester;
+      const Index e = edges[begin + static_cast<std::size_t>(std::countr_zero(bits))], from = t_.edges[e].requester;
+      if (s_.request[e] == nil) continue;
       if (from != requester) before = 0;
       requester = from;
-      if (s_.stamp[e] < before) return false;
+      if (s_.stamp[e] < before) return Recall::Ties::out_of_order;
       before = s_.stamp[e];
     }
   }
-  return true;
+  return Recall::Ties::in_order;
 }
 
 /// Others were touched than those that the situation tells: they have their places among these.
@@ -107,11 +105,16 @@ void Engine::foretell(Index component, const Index* rows) {
   const Component& row = t_.components[component];
   const Decision decision(rows, row);
   remember_queued(component);
+  read_standings(row, decision);
+  report_decisions(component);
+}
+
+/// Where all stand, and why edges are queued.
+void Engine::read_standings(const Component& row, const Decision& decision) {
   std::size_t place = 0;
   for (const Index g : t_.list(row.groups)) s_.now[g] = decision.standing(place++);
   place = 0;
   for (const Index e : t_.list(row.edges)) s_.queued[e] = decision.queued(place++);
-  report_decisions(component);
 }
 
 /// After a pass over a situation that the question tells, and that no move is known in.
@@ -141,7 +144,7 @@ void Engine::write(Index component, Index* to) const {
     for (const Index part :
          {now.holder, now.active, now.planned, now.flags, now.push.edge, now.push.provider, now.push.condition})
       *to++ = part;
-    counting |= Recall::Word{(s_.turn[g].concerns & concern::counts) != 0} << at++;
+    counting |= Recall::Word{s_.turn[g].counts != 0} << at++;
   }
   for (std::size_t i = 0; i < count_rows; ++i) *to++ = static_cast<Index>(counting >> 16 * i & 0xffff);
   for (const Index e : t_.list(row.edges)) {
@@ -161,15 +164,9 @@ void Engine::write(Index component, Index* to) const {
 void Engine::read(Index component, const Index* rows) {
   const Component& row = t_.components[component];
   const Decision decision(rows, row);
+  read_standings(row, decision);
   std::size_t place = 0;
-  for (const Index g : t_.list(row.groups)) {
-    s_.now[g] = decision.standing(place);
-    Index& concerns = s_.turn[g].concerns;
-    concerns &= ~concern::counts;
-    if (decision.counts(place++)) concerns |= concern::counts;
-  }
-  place = 0;
-  for (const Index e : t_.list(row.edges)) s_.queued[e] = decision.queued(place++);
+  for (const Index g : t_.list(row.groups)) s_.turn[g].counts = decision.counts(place++) ? 1 : 0;
   if (!planted(Fault::the_order_stays)) {
     const std::span<const Index> order = decision.order();
     s_.next_count[component] = static_cast<Index>(order.size());
@@ -192,13 +189,19 @@ void Engine::forget_decisions(Index component) {
 
 void Engine::note_condition(Index condition) {
   if (!recall_.on() || planted(Fault::conditions_are_overlooked)) return;
+  const std::uint8_t bit = holds(condition) ? 1 : 0;
+  const std::uint32_t place = recall_.condition(condition);
+  if (place != Recall::several) {
+    recall_.byte(place) = bit;
+    return;
+  }
   for (const Index component : t_.list(t_.conditions[condition].components)) {
     const Recall::Part known = recall_.part(component);
     if (!known) continue;
     const Component& row = t_.components[component];
     std::uint8_t* at = known.bytes() + row.edges.size() + row.groups.size();
     for (const Index each : t_.list(row.conditions)) {
-      if (each == condition) *at = holds(condition) ? 1 : 0;
+      if (each == condition) *at = bit;
       ++at;
     }
   }

@@ -20,19 +20,22 @@ DIRECTOR_INLINE void Engine::note_recalled(const Recall::Part& known, const Reca
   ++recalled_;
   Recall::Head& head = known.head();
   if (head.used != 0xff) ++head.used;
-  known.current() = move.to;
+  known.take(move);
 }
 
 /// The situation's bytes tell all of it.
 DIRECTOR_INLINE bool Engine::told(Index component, const Recall::Part& known) const {
-  return !known.head().ties || in_order(component, known);
+  Recall::Ties& ties = known.head().ties;
+  if (ties <= Recall::Ties::in_order) return true;
+  if (ties == Recall::Ties::unknown) ties = find_order(component, known);
+  return ties == Recall::Ties::in_order;
 }
 
 /// A reason to run for a group that is granted. Which are news.
 DIRECTOR_INLINE std::uint8_t Engine::note_effect(const Recall::Effect& row) {
   const auto group = static_cast<Index>(row.where);
   untouch(group);
-  s_.turn[group].data_from = s_.last[group].holder;
+  live_on(group, s_.last[group].holder);
   return note_news(group, static_cast<std::uint8_t>(row.value));
 }
 

@@ -26,14 +26,6 @@ void Engine::arbitrate() {
   forget_work();
 }
 
-/// Tells every group whether somebody has to hear when its orders are outdated.
-void Engine::watch(Index component, bool watched) {
-  for (const Index g : t_.list(t_.components[component].groups)) {
-    s_.turn[g].concerns &= ~concern::watched;
-    if (watched) s_.turn[g].concerns |= concern::watched;
-  }
-}
-
 /// Is the new assignment another one? In what the page calls a change (holders, providers, who is granted, pushes), it
 /// is arbitrated once more at rest. `stops`: a group is not live any more.
 bool Engine::changed(Index component, bool& stops) {

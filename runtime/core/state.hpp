@@ -118,14 +118,16 @@ struct Standing {
   }
 };
 
-/// Where a group stands in the run queue, and what it runs on. Behind Standing, what most micro-steps look at.
+/// Where a group stands in the run queue. Behind Standing, what most micro-steps look at; so with it lies what they
+/// have to know from the tables.
 struct Turn {
-  Index runs_after = nil;        ///< group that is to run: the one before it in the queue; nil
-  Index runs_before = nil;       ///< and the one behind it
-  Index data_from = nil;         ///< edge whose slot holds its data; nil: its own slot
-  Index concerns = 0;            ///< to whom it matters that its orders are outdated: bits of `concern`
-  Bits places{};                 ///< bits of `place`
-  std::uint32_t situation = 0;   ///< where Recall has its byte
+  Index runs_after = nil;      ///< group that is to run: the one before it in the queue; nil
+  Index runs_before = nil;     ///< and the one behind it
+  Index counts = 0;            ///< 1: that its orders were outdated made a difference in the last pass
+  Index component = 0;         ///< as Group::component
+  Range edges{};               ///< as Group::edges
+  std::uint32_t situation = 0; ///< where Recall has its byte
+  Bits places{};               ///< bits of `place`
 };
 
 /// The push for which promises were taken.
@@ -198,6 +200,7 @@ struct State {
   Index* first_root = nullptr;            ///< component: its first edge of root, in order; nil
   Index* next_root = nullptr;             ///< edge of root: the next one of its component; nil
   Turn* turn = nullptr;                   ///< group
+  Index* data_from = nullptr;             ///< group: edge whose slot holds its data; nil: its own slot
   Promised* promised = nullptr;           ///< group; no rows where nobody promises anything
   Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
   Bits* component = nullptr;              ///< component: bits of `work`
@@ -242,7 +245,7 @@ struct State {
   Staged* staged_request = nullptr;     ///< place among the running group's edges
   Index* unmet_member = nullptr;        ///< false conditions of the combination in hand: the member,
   Index* unmet = nullptr;               ///< and the condition
-  Queued* queued = nullptr;             ///< edge: why it does not run
+  Queued* queued = nullptr;             ///< edge: why it does not run, by the last pass; see View::queued
   Queued* last_queued = nullptr;        ///< edge: why it did not run before this pass, for an observer
   std::int32_t* staged_value = nullptr; ///< state: what the running body set; unset: nothing
   Bits* edge_marks = nullptr;           ///< edge: bits of `mark`
@@ -260,7 +263,8 @@ struct State {
     each_of(s.last, n, visit);
     visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
     visit(s.first_root, n.components), visit(s.next_root, n.edges);
-    visit(s.turn, n.groups), visit(s.promised, n.promises == 0 ? 0 : n.groups), visit(s.work, n.components);
+    visit(s.turn, n.groups), visit(s.data_from, n.groups);
+    visit(s.promised, n.promises == 0 ? 0 : n.groups), visit(s.work, n.components);
     visit(s.component, n.components), visit(s.enabled, n.providers);
     visit(s.truth, n.conditions);
     visit(s.done, n.groups), visit(s.pending, n.groups), visit(s.fired, n.listen_slots);

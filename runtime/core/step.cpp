@@ -43,15 +43,15 @@ DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
 
 /// Everything that a run asked for, together.
 DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
-  const Group& row = t_.groups[group];
-  for (Index slot = row.listens.begin; slot != row.listens.end; ++slot) s_.fired[slot] = 0;
+  Turn& turn = s_.turn[group];
+  if ((turn.places & place::listens) != 0) forget_triggers(group);
   if (s_.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
-    commit_pack(row.edges);
+    commit_pack(turn.edges);
     s_.done[group] = 0;
-    if (wait <= 0) disarm(Due::wait, group);
+    if (wait <= 0) end_wait(group);
   } else {
-    for (Index i = 0; i < row.edges.size(); ++i) s_.staged_request[i].level = nil;
+    for (Index i = 0; i < turn.edges.size(); ++i) s_.staged_request[i].level = nil;
     if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && s_.done[group] == 0)
       answer(group, kind == Outcome::Kind::failed);
     if (kind == Outcome::Kind::fault) {
@@ -67,6 +67,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
   if (wait <= 0) return;
   const Time due = s_.counters->now + wait;
   if (observed()) report_wait(group, due);
+  turn.places |= place::waits;
   arm(Due::wait, group, due);
 }
 
@@ -90,7 +91,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
     const Range own = t_.providers[provider].promises;
     for (Index i = own.begin; i != own.end; ++i) arm(Due::promise, i, c.now + t_.promises[i].within);
   }
-  Run run(*this, s_, t_.groups[group].edges.begin, group, provider, Reasons{reasons});
+  Run run(*this, s_, s_.turn[group].edges.begin, group, provider, Reasons{reasons});
   if (observed()) {
     Event running = event(Event::Kind::run, group);
     running.provider = provider;
@@ -151,7 +152,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   return true;
 }
 
-StepResult Engine::take_step(Time now) {
+[[gnu::aligned(64)]] StepResult Engine::take_step(Time now) {
   if (inside_) return StepResult::refused;
   Counters& c = *s_.counters;
   if (!c.begun) take_first_step(now);

@@ -6,6 +6,8 @@
 
 namespace director {
 
+class Recall;
+
 /// Who holds a group.
 struct Holding {
   enum class By : std::uint8_t {
@@ -31,15 +33,18 @@ struct View {
   const std::int32_t* values = nullptr;
   const Index* request = nullptr;
   const Standing* standing = nullptr;
-  const Queued* queued = nullptr;
+  const Queued* left_queued = nullptr; ///< by the last pass; see queued()
   const Bits* pending = nullptr;
   const Bits* enabled = nullptr;
+
+  const Recall* recall = nullptr; ///< knows more than the last pass where a decision was recalled since; null: no more
 
   bool is_limbo(Index edge) const { return edge != nil && edge >= tables->edges.size(); }
   Index holder(Index group) const { return standing[group].holder; }
   bool granted(Index group) const { return standing[group].granted(); }
   bool requested(Index edge) const { return request[edge] != nil; }
   RunState state(Index edge) const; ///< of a request: running, queued or none
+  Queued queued(Index edge) const;  ///< why it does not run
   Holding holding(Index group) const;
 
 private:
@@ -51,7 +56,7 @@ private:
   template <class Visit>
   constexpr void each(const Shape& n, Visit&& visit) {
     visit(stamp, n.edges), visit(values, n.states), visit(request, n.edges), visit(standing, n.groups);
-    visit(queued, n.edges), visit(pending, n.groups), visit(enabled, n.providers);
+    visit(left_queued, n.edges), visit(pending, n.groups), visit(enabled, n.providers);
   }
 
 public:

@@ -155,7 +155,7 @@ private:
   }
 
   void explain(Because& out) {
-    const Queued queued = v_.queued[out.edge];
+    const Queued queued = v_.queued(out.edge);
     out.kind = Kind::outdated;
     if (orders_change(requester(out.edge)) || hangs_on_limbo(requester(out.edge))) return;
     switch (queued.why) {
@@ -196,8 +196,7 @@ private:
       }
       return false;
     };
-    return any_choice(
-        member, [](const Entry&) { return true; }, has);
+    return any_choice(member, [](const Entry&) { return true; }, has);
   }
 
   void blocked(Because& out) {
