@@ -17,8 +17,8 @@ namespace {
 
 using namespace bench;
 
-// A machine can be busy with something else for seconds at a time. So the cases take turns, in random order: what else it
-// does is a part of each.
+// A machine can be busy with something else for seconds at a time. So the cases take turns, in random order: what else
+// it does is a part of each.
 constexpr int repetitions = 25;
 constexpr double seconds_each = 0.02;
 constexpr std::size_t ticks_of_an_hour = 360'000;
