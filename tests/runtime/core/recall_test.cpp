@@ -56,6 +56,29 @@ TEST_CASE("without a memory for it nothing is recalled, and the same happens") {
   CHECK(without.engine().recalled() == 0);
 }
 
+TEST_CASE("why a task is queued is read from the decision that was recalled, also by a copy of what stands") {
+  Machine machine(rivals, 64, Recalls::yes);
+  machine.request("Left", "low");
+  machine.request("Right");
+  machine.step();
+  turns(machine, 4);
+  const std::uint64_t passes = machine.engine().passes();
+  turns(machine, 1);
+  REQUIRE(machine.engine().passes() == passes);
+  const std::vector<Queued> older(machine.tables().edges.size(), Queued{Why::deferred, 0});
+  View view = machine.engine().view();
+  view.left_queued = older.data();
+  std::vector<std::uint64_t> room(View::bytes(Shape::of(machine.tables())) / sizeof(std::uint64_t));
+  const View copy = view.copy(reinterpret_cast<std::byte*>(room.data()));
+  for (const View& each : {view, copy}) {
+    CHECK(each.queued(machine.edge("Left>Shared")) == Queued{});
+    CHECK(each.queued(machine.edge("Right>Shared")).why == Why::blocked);
+  }
+  turns(machine, 2); // the other way round
+  CHECK(machine.engine().queued(machine.edge("Left>Shared")).why == Why::blocked);
+  CHECK(copy.queued(machine.edge("Right>Shared")).why == Why::blocked);
+}
+
 TEST_CASE("another value, or a provider that is disabled, is another situation") {
   Machine machine(rivals, 64, Recalls::yes);
   machine.request("Right");
