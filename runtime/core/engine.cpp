@@ -37,7 +37,7 @@ void Engine::reset() {
   for (Index p = 0; p < t_.providers.size(); ++p) s_.enabled[p] = 1;
   for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e] = nil;
   for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = nil;
-  for (Index g = 0; g < t_.groups.size(); ++g) s_.trial[g] = nil;
+  for (Index g = 0; g < t_.groups.size(); ++g) s_.trial[g] = s_.data_from[g] = nil;
   find_traits();
   for (Index c = 0; c < t_.components.size(); ++c) {
     Index* link = &s_.first_root[c];
