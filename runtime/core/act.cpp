@@ -115,12 +115,10 @@ void Engine::stop_group(Index group) {
   note_pending(group);
   end_wait(group);
   live_on(group, nil);
-  if ((turn.places & place::listens) != 0) forget_triggers(group);
+  forget_triggers(group);
   for (Index e = turn.edges.begin; e != turn.edges.end; ++e) {
     if (planted(Fault::stopped_requests_stand)) continue;
-    s_.request[e] = nil;
-    note_turn(e, turn.component);
-    note_level(e, nil, s_.anew[e] != 0);
+    drop_request(e, turn.component);
   }
 }
 

@@ -131,7 +131,6 @@ private:
   Taken take_enabled(Index provider, std::uint8_t wanted);
   Taken take_handlers_input();
   bool fire(Index trigger);
-  void forget_triggers(Index group);
   void set_by_handler(Index state, std::int32_t value);
   void look_at_conditions(Index state);
   void report_input(const Input& record) const;
@@ -184,7 +183,9 @@ private:
   void give_again(Index group, bool anew);
   Index next_of_queue();
   void leave_queue(Index group);
-  void note_request(Index edge, Index level);
+  void forget_triggers(Index group);
+  Index mark_request(Index edge);
+  void drop_request(Index edge, Index component);
   void request(Index edge, Index level);
   void withdraw(Index edge);
   bool set_value(Index state, std::int32_t value);

@@ -153,12 +153,6 @@ bool Engine::fire(Index trigger) {
   return heard;
 }
 
-/// Those that fired since its last run.
-void Engine::forget_triggers(Index group) {
-  const Range listens = t_.groups[group].listens;
-  for (Index slot = listens.begin; slot != listens.end; ++slot) s_.fired[slot] = 0;
-}
-
 namespace {
 /// Whether the condition holds at the value; the interval around the value becomes smaller, so that none of the
 /// condition's bounds cuts it.

@@ -183,12 +183,17 @@ DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, std::uint8_t 
 
 // What inputs and runs ask for.
 
-/// At another level than before; nil: not any more.
-DIRECTOR_INLINE void Engine::note_request(Index edge, Index level) {
-  s_.request[edge] = level;
+/// Of an edge that is requested at another level than before, or not any more. Its component.
+DIRECTOR_INLINE Index Engine::mark_request(Index edge) {
   const Index component = s_.turn[t_.edges[edge].target].component;
   mark(component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
+  return component;
+}
+
+DIRECTOR_INLINE void Engine::drop_request(Index edge, Index component) {
+  s_.request[edge] = nil;
   note_turn(edge, component);
+  note_level(edge, nil, s_.anew[edge] != 0);
 }
 
 DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
@@ -199,7 +204,8 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   const Index group = t_.edges[edge].target;
   if (s_.request[edge] != level) {
     s_.stamp[edge] = s_.counters->micro_step;
-    note_request(edge, level);
+    s_.request[edge] = level;
+    note_turn(edge, mark_request(edge));
   }
   mark_stale(group);
   touch(group);
@@ -208,8 +214,7 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
 
 DIRECTOR_INLINE void Engine::withdraw(Index edge) {
   if (s_.request[edge] == nil) return;
-  note_request(edge, nil);
-  note_level(edge, nil, s_.anew[edge] != 0);
+  drop_request(edge, mark_request(edge));
 }
 
 /// True if the value changes. What expires counts anew, also where it does not.
@@ -279,6 +284,13 @@ inline Index Engine::timer(Due kind, Index row) const {
 inline void Engine::disarm(Due kind, Index row) {
   const Index index = timer(kind, row);
   if (s_.due[index] != never) set_timer(index, never);
+}
+
+/// Those that fired since its last run. Mostly it listens to none.
+inline void Engine::forget_triggers(Index group) {
+  if ((s_.turn[group].places & place::listens) == 0) return;
+  const Range listens = t_.groups[group].listens;
+  for (Index slot = listens.begin; slot != listens.end; ++slot) s_.fired[slot] = 0;
 }
 
 /// Mostly it does not wait, and then its timer is not looked at.

@@ -44,7 +44,7 @@ DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
 /// Everything that a run asked for, together.
 DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
   Turn& turn = s_.turn[group];
-  if ((turn.places & place::listens) != 0) forget_triggers(group);
+  forget_triggers(group);
   if (s_.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
     commit_pack(turn.edges);

@@ -192,8 +192,9 @@ void Pass::look_ahead(Index group) {
   if (together == 1) s_.edge_marks[member] |= mark::alone;
   if (is_stale && source != nil && asked) s_.turn[source].counts = 1;
   if (in_order) return;
-  heap_sort({s_.candidate + base, static_cast<std::size_t>(ahead_ - base)},
-            [&](Index a, Index b) { return compare_siblings({b, false}, {a, false}, true) < 0; });
+  heap_sort({s_.candidate + base, static_cast<std::size_t>(ahead_ - base)}, [&](Index a, Index b) {
+    return compare_siblings({b, false}, {a, false}, true) < 0;
+  });
 }
 
 /// It comes before what stands ahead of its siblings?

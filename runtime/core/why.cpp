@@ -196,7 +196,8 @@ private:
       }
       return false;
     };
-    return any_choice(member, [](const Entry&) { return true; }, has);
+    return any_choice(
+        member, [](const Entry&) { return true; }, has);
   }
 
   void blocked(Because& out) {
