@@ -48,6 +48,7 @@ struct Entry {
   std::unique_ptr<Case> (*director)(std::size_t size) = nullptr;
   std::unique_ptr<Case> (*by_hand)(std::size_t size) = nullptr;
   std::size_t size = 0;   ///< of a case that grows
+  std::size_t round = 1;  ///< done so often, it has used all that it has
   std::string grows_from; ///< the entry that it is compared with
 };
 

@@ -172,6 +172,7 @@ void add_grown_cases(std::vector<Entry>& entries) {
       entry.director = director;
       entry.by_hand = by_hand;
       entry.size = size;
+      if (family == "trees") entry.round = size / 10;
       if (size != *sizes.begin()) entry.grows_from = family + "/" + std::to_string(*sizes.begin());
       entries.push_back(entry);
     }

@@ -70,7 +70,10 @@ void TableRobot::add_acts(const compiler::Provider& provider) {
   for (const compiler::Pack& pack : provider.packs) {
     Act& act = acts_.emplace_back();
     act.begin = static_cast<Index>(edges_.size());
-    for (const compiler::Task& task : pack.tasks) edges_.push_back(static_cast<Index>(task.edge.value));
+    for (const compiler::Task& task : pack.tasks) {
+      const auto edge = static_cast<Index>(task.edge.value);
+      edges_.push_back({edge, tables_.edges[edge].levels.begin});
+    }
     act.count = static_cast<std::uint16_t>(pack.tasks.size());
     if (play_ == Play::same) return;
   }
@@ -135,8 +138,9 @@ Bodies TableRobot::functions() {
 
 Outcome TableRobot::run(Run& run) {
   ++calls_;
-  std::size_t at = first_act_[run.provider()];
+  std::size_t at = run.provider();
   if (play_ == Play::changing) {
+    at = first_act_[run.provider()];
     const std::size_t count = first_act_[run.provider() + 1] - at;
     if (count > 1) at += runs_[run.provider()]++ / act_length % count;
   }
@@ -149,8 +153,7 @@ Outcome TableRobot::run(Run& run) {
   case Outcome::Kind::fault: return run.fault();
   case Outcome::Kind::pack: break;
   }
-  for (const Index edge : std::span(edges_).subspan(act.begin, act.count))
-    run.request(edge, tables_.edges[edge].levels.begin);
+  for (const Asked& asked : std::span(edges_).subspan(act.begin, act.count)) run.request(asked.edge, asked.level);
   return run.pack();
 }
 

@@ -71,8 +71,11 @@ private:
   const director::Tables tables_;
   const Play play_;
   std::vector<Act> acts_; ///< one provider's behind the other's: of a large robot no more is fetched than it takes
-  std::vector<director::Index> edges_;
-  std::vector<director::Index> first_act_; ///< of each provider, and the end of all
+  struct Asked {
+    director::Index edge, level;
+  };
+  std::vector<Asked> edges_;
+  std::vector<director::Index> first_act_; ///< of each provider, and the end of all; if they are the same, each has one
   std::vector<std::uint64_t> runs_;        ///< of each provider, if its acts change
   std::vector<director::Outcome (*)(void*, director::Run&)> run_table_;
   std::vector<void (*)(void*, director::Handling&)> handler_table_;
