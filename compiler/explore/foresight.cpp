@@ -17,16 +17,15 @@ Foresight::Foresight(const Ground& ground, const Engine& engine, const Printer& 
     : ground_(ground),
       engine_(engine),
       printer_(printer),
-      level_(ground.tables.edges.size()),
-      stamp_(ground.tables.edges.size()) {
+      request_(ground.tables.edges.size()) {
   const std::size_t most = ground.tables.most_edges;
   projection_.resize(most + most / 4 + 2 + Projection::stride);
 }
 
 void Foresight::look(std::span<const Deed> answers, bool inputs) {
   values_ = printer_.values();
-  const std::int32_t* const values = engine_.memory().values;
-  before_.assign(values, values + ground_.tables.states.size());
+  before_.clear();
+  for (Index v = 0; v < ground_.tables.states.size(); ++v) before_.push_back(engine_.value(v));
   if (inputs) input_rest_ = printer_.rest_before(nil);
   body_rest_.clear();
   body_values_.clear();
@@ -44,23 +43,23 @@ std::uint64_t Foresight::effect_of(const Deed& deed) {
   const bool asks = deed.answer == Deed::Answer::pack || deed.answer == Deed::Answer::kept;
   Projection all(projection_.data());
   for (Index e = own.begin; e != own.end; ++e) {
-    level_[e] = asks ? nil : s.request[e];
-    all.add(level_[e]);
+    request_[e].level = asks ? nil : s.request[e].level;
+    all.add(request_[e].level);
   }
   if (asks) {
     for (const Ask& ask : ground_.bodies[deed.provider].packs[deed.pack]) {
       const Index target = t.edges[ask.edge].target;
-      const bool has_new_task = (s.pending[target] & static_cast<std::uint8_t>(Reason::new_task)) != 0;
-      const bool stays = deed.answer == Deed::Answer::kept && s.request[ask.edge] == ask.level;
+      const bool has_new_task = (s.turn[target].pending & static_cast<std::uint8_t>(Reason::new_task)) != 0;
+      const bool stays = deed.answer == Deed::Answer::kept && s.request[ask.edge].level == ask.level;
       const bool is_news = !stays && s.last[target].holder == ask.edge && !has_new_task;
-      level_[ask.edge] = ask.level;
+      request_[ask.edge].level = ask.level;
       projection_[ask.edge - own.begin] = std::uint64_t{is_news} << 32 | ask.level;
     }
   }
   for (Index e = own.begin; e != own.end; ++e)
-    stamp_[e] = level_[e] == s.request[e] ? s.stamp[e] : s.counters->micro_step + 1;
-  printer_.add_places(all, deed.group, level_.data(), stamp_.data());
-  const bool stays_done = deed.answer == Deed::Answer::keep && s.done[deed.group] != 0;
+    request_[e].stamp = request_[e].level == s.request[e].level ? s.request[e].stamp : s.counters->micro_step + 1;
+  printer_.add_places(all, deed.group, request_.data());
+  const bool stays_done = deed.answer == Deed::Answer::keep && s.turn[deed.group].done != 0;
   all.add(deed.answer == Deed::Answer::done ? 2U : stays_done ? 1U : 0U);
   return all.sum();
 }

@@ -39,8 +39,7 @@ private:
   std::vector<std::uint64_t> body_rest_;   ///< answer
   std::vector<std::uint64_t> body_values_; ///< row of FreeBody::puts
   std::vector<std::int32_t> before_;       ///< state: its value
-  std::vector<Index> level_;               ///< edge of the body's group: at which it will be requested
-  std::vector<std::uint64_t> stamp_;       ///< edge of that group: from when on
+  std::vector<Requested> request_;         ///< edge of the body's group: as it will be
   std::vector<std::uint64_t> projection_;
 };
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace director::compiler {
 
@@ -39,6 +40,21 @@ public:
     return begin;
   }
   void add(std::uint64_t word) { *at_++ = word; }
+  /// The same of rows of which only this is to be said: part_of(row).
+  template <class Row, class Part>
+  std::uint64_t* add(const Row* rows, std::size_t count, Part&& part_of) {
+    using T = std::decay_t<decltype(part_of(*rows))>;
+    std::uint64_t* const begin = at_;
+    if (count == 0) return begin;
+    at_ += words_of(count * sizeof(T));
+    at_[-1] = 0;
+    auto* to = reinterpret_cast<unsigned char*>(begin);
+    for (const Row* row = rows; row != rows + count; ++row, to += sizeof(T)) {
+      const T part = part_of(*row);
+      std::memcpy(to, &part, sizeof(T));
+    }
+    return begin;
+  }
   std::uint64_t* end() const { return at_; }
 
   /// Four lanes, for none has to wait for another.

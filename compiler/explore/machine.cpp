@@ -66,7 +66,7 @@ Bodies Machine::table() {
 /// Else to keep it is the same as to ask for it anew.
 bool Machine::keeps(const Asks& asks) const {
   const director::State& s = engine_.memory();
-  return std::any_of(asks.begin(), asks.end(), [&](const Ask& ask) { return s.request[ask.edge] == ask.level; });
+  return std::any_of(asks.begin(), asks.end(), [&](const Ask& ask) { return s.request[ask.edge].level == ask.level; });
 }
 
 void Machine::find_answers() {
@@ -85,7 +85,7 @@ void Machine::find_answers() {
   deed.answer = Deed::Answer::keep;
   answers_.push_back(deed);
   deed.answer = Deed::Answer::done;
-  if (engine_.memory().done[deed.group] == 0) answers_.push_back(deed);
+  if (engine_.memory().turn[deed.group].done == 0) answers_.push_back(deed);
 }
 
 Outcome Machine::run(Run& run) {
@@ -121,7 +121,7 @@ void Machine::list(std::vector<Happens>& out) const {
     if (!lean || ground_.requests[i].size() == 1) out.push_back({Kind::request, i});
   }
   for (Index e = 0; e < t.root_edges; ++e) {
-    if (s.request[e] != nil) out.push_back({Kind::cancel, e});
+    if (s.request[e].level != nil) out.push_back({Kind::cancel, e});
   }
   for (Index i = 0; i < ground_.sets.size(); ++i) {
     const Puts& puts = ground_.sets[i];
@@ -161,7 +161,7 @@ bool Machine::runs_next() const {
   const Index group = s.counters->queue_first;
   if (phase_ == Phase::rest || s.counters->handlers_set || group == nil) return false;
   const auto pushed = static_cast<std::uint8_t>(Reason::pushed);
-  return engine_.in_force(group) ? s.pending[group] != 0 : (s.pending[group] & ~pushed) != 0;
+  return engine_.in_force(group) ? s.turn[group].pending != 0 : (s.turn[group].pending & ~pushed) != 0;
 }
 
 bool Machine::takes_inputs() const {

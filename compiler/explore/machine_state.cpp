@@ -59,13 +59,15 @@ void Machine::forget() {
   const auto rank = [&](Index begin, Index end) {
     scratch_.clear();
     for (Index e = begin; e != end; ++e) {
-      if (s.request[e] != nil) scratch_.push_back(e);
+      if (s.request[e].level != nil) scratch_.push_back(e);
     }
-    if (scratch_.size() > 1)
-      std::sort(scratch_.begin(), scratch_.end(),
-                [&](Index a, Index b) { return s.stamp[a] != s.stamp[b] ? s.stamp[a] < s.stamp[b] : a < b; });
-    for (Index e = begin; e != end; ++e) s.stamp[e] = 0;
-    for (std::size_t i = 0; i < scratch_.size(); ++i) s.stamp[scratch_[i]] = i + 1;
+    const auto first = [&](Index a, Index b) {
+      const std::uint64_t one = s.request[a].stamp, other = s.request[b].stamp;
+      return one != other ? one < other : a < b;
+    };
+    if (scratch_.size() > 1) std::sort(scratch_.begin(), scratch_.end(), first);
+    for (Index e = begin; e != end; ++e) s.request[e].stamp = 0;
+    for (std::size_t i = 0; i < scratch_.size(); ++i) s.request[scratch_[i]].stamp = i + 1;
   };
   rank(0, t.root_edges);
   for (const director::Group& group : t.groups) {

@@ -95,12 +95,12 @@ void Printer::find_contested() {
 
 /// Of each edge that is requested, how many others of its priority were requested before. Where there is but one, and
 /// mostly there is, nothing has to be said.
-void Printer::add_places(Projection& out, const Range& edges, const Index* request, const std::uint64_t* stamp) const {
+void Printer::add_places(Projection& out, const Range& edges, const Requested* request) const {
   const Tables& t = ground_.tables;
   Index* end = requested_.data();
   for (Index e = edges.begin; e != edges.end; ++e) { // without a branch that nobody can foresee
     *end = e;
-    end += request[e] != nil ? 1 : 0;
+    end += request[e].level != nil ? 1 : 0;
   }
   const std::span<const Index> requested(requested_.data(), end);
   if (requested.size() < 2) return;
@@ -109,8 +109,9 @@ void Printer::add_places(Projection& out, const Range& edges, const Index* reque
   for (const Index e : requested) {
     std::uint64_t place = 0;
     for (const Index other : requested) {
-      if (other == e || t.levels[request[other]].priority != t.levels[request[e]].priority) continue;
-      place += (stamp[other] != stamp[e] ? stamp[other] < stamp[e] : other < e) ? 1U : 0U;
+      if (other == e || t.levels[request[other].level].priority != t.levels[request[e].level].priority) continue;
+      const std::uint64_t its = request[other].stamp, own = request[e].stamp;
+      place += (its != own ? its < own : other < e) ? 1U : 0U;
     }
     places = places << 16 | place;
     if (++count % 4 == 0) out.add(std::exchange(places, 0));
@@ -118,10 +119,15 @@ void Printer::add_places(Projection& out, const Range& edges, const Index* reque
   if (count % 4 != 0) out.add(places);
 }
 
-void Printer::add_places(Projection& out, Index group, const Index* request, const std::uint64_t* stamp) const {
+void Printer::add_places(Projection& out, Index group, const Requested* request) const {
   for (const Contested& each : contested_) {
-    if (each.group == group) add_places(out, each.edges, request, stamp);
+    if (each.group == group) add_places(out, each.edges, request);
   }
+}
+
+std::uint64_t* Printer::add_levels(Projection& out) const {
+  return out.add(engine_.memory().request, ground_.tables.edges.size(),
+                 [](const Requested& request) { return request.level; });
 }
 
 /// Who has what. Returns where the done flags begin; behind them stand the reasons.
@@ -130,8 +136,11 @@ std::uint64_t* Printer::add_holdings(Projection& out) const {
   const director::State& s = engine_.memory();
   out.add(s.last.group, t.groups.size());
   out.add(s.last.plan, t.plan_groups.size());
-  std::uint64_t* const done = out.add(s.done, t.groups.size());
-  for (std::uint64_t* word = out.add(s.pending, t.groups.size()); word != out.end(); ++word) *word = classes_of(*word);
+  const auto done_of = [](const Turn& turn) { return turn.done; };
+  const auto pending_of = [](const Turn& turn) { return turn.pending; };
+  std::uint64_t* const done = out.add(s.turn, t.groups.size(), done_of);
+  std::uint64_t* word = out.add(s.turn, t.groups.size(), pending_of);
+  for (; word != out.end(); ++word) *word = classes_of(*word);
   return done;
 }
 
@@ -145,8 +154,8 @@ Print Printer::print(Phase phase) const {
   const director::State& s = engine_.memory();
   const director::Counters& c = *s.counters;
   Projection all(projection_.data());
-  all.add(s.request, t.edges.size());
-  for (const Contested& each : contested_) add_places(all, each.edges, s.request, s.stamp);
+  add_levels(all);
+  for (const Contested& each : contested_) add_places(all, each.edges, s.request);
   add_holdings(all);
   all.add(std::uint64_t{c.unsettled} << 8 | std::uint64_t{c.handlers_set} << 9 | static_cast<std::uint64_t>(phase));
   if (c.handlers_set) all.add(s.handler_values, t.states.size());
@@ -165,10 +174,10 @@ std::uint64_t Printer::rest_before(Index group) const {
   const director::State& s = engine_.memory();
   const bool runs = group != nil;
   Projection all(projection_.data());
-  std::uint64_t* const requests = all.add(s.request, t.edges.size());
+  std::uint64_t* const requests = add_levels(all);
   if (runs) overwrite<Index>(requests, t.groups[group].edges.begin, t.groups[group].edges.end, 0xff);
   for (const Contested& each : contested_) {
-    if (!runs || each.group != group) add_places(all, each.edges, s.request, s.stamp);
+    if (!runs || each.group != group) add_places(all, each.edges, s.request);
   }
   std::uint64_t* const done = add_holdings(all);
   if (runs) {

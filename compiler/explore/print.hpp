@@ -32,7 +32,7 @@ public:
   /// queue. Nil: a micro-step of the outside. Neither is there whether the last arbitration changed anything.
   std::uint64_t rest_before(Index group) const;
   /// The order in which a group's requests were made, where that counts. `request` and `stamp`: edge
-  void add_places(Projection& out, Index group, const Index* request, const std::uint64_t* stamp) const;
+  void add_places(Projection& out, Index group, const Requested* request) const;
   std::uint64_t mark_of(Index state, std::int32_t value) const {
     return marks_[first_mark_[state] + ground_.classes[state].of(value)];
   }
@@ -44,7 +44,8 @@ private:
   };
   void find_marks();
   void find_contested();
-  void add_places(Projection& out, const Range& edges, const Index* request, const std::uint64_t* stamp) const;
+  void add_places(Projection& out, const Range& edges, const Requested* request) const;
+  std::uint64_t* add_levels(Projection& out) const;
   std::uint64_t* add_holdings(Projection& out) const;
   void add_queue(Projection& out, Index first) const;
 

@@ -113,7 +113,7 @@ bool Watch::alone(Index edge, const Machine& machine) const {
   const Tables& t = ground_.tables;
   const director::State& s = machine.engine().memory();
   const auto joins = [&](Index e) {
-    return s.request[e] != nil && !t.levels[s.request[e]].optional && !t.levels[s.request[e]].apart;
+    return s.request[e].level != nil && !t.levels[s.request[e].level].optional && !t.levels[s.request[e].level].apart;
   };
   const Index requester = t.edges[edge].requester;
   if (requester == nil || !joins(edge)) return true;

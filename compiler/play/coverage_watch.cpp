@@ -52,6 +52,12 @@ void CoverageWatch::ran(ProviderId provider, const Case* answer) {
   if (answer != nullptr && answer->named_pack) mark({Kind::pack, provider.value, *answer->named_pack});
 }
 
+std::vector<Index> CoverageWatch::requests_of(const Engine& engine) const {
+  std::vector<Index> out;
+  for (Index e = 0; e < requests_.size(); ++e) out.push_back(engine.memory().request[e].level);
+  return out;
+}
+
 void CoverageWatch::stepped(const Engine& engine) {
   look_at_levels(engine.memory());
   look_at_conditions(engine);
@@ -61,12 +67,13 @@ void CoverageWatch::stepped(const Engine& engine) {
     active_[g] = engine.active(g);
     holders_[g] = engine.holder(g);
   }
-  std::copy_n(engine.memory().request, requests_.size(), requests_.begin());
+  requests_ = requests_of(engine);
 }
 
 void CoverageWatch::look_at_levels(const director::State& state) {
   for (Index e = 0; e < requests_.size(); ++e) {
-    if (state.request[e] != nil) mark({Kind::level, e, state.request[e] - lowered_.edges[e].levels.begin});
+    const Index level = state.request[e].level;
+    if (level != nil) mark({Kind::level, e, level - lowered_.edges[e].levels.begin});
   }
 }
 
@@ -84,7 +91,7 @@ void CoverageWatch::mark_conditions(Kind kind, ProviderId provider, const std::v
 void CoverageWatch::look_at_conditions(const Engine& engine) {
   IdSet<GroupId> wanted(model_.groups.size());
   for (const EdgeId id : model_.edges.ids()) {
-    if (engine.memory().request[id.value] == nil) continue;
+    if (engine.memory().request[id.value].level == nil) continue;
     for (const GroupId group : needed_[model_.edges[id].target]) wanted.add(group);
   }
   for (const ProviderId id : model_.providers.ids()) {
@@ -141,9 +148,9 @@ void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const std:
 
 /// A group that went from one edge to another while the loser's side was still asked for.
 void CoverageWatch::look_at_take_overs(const Engine& engine) {
-  std::vector<Index> holders(holders_.size()), requests(requests_.size());
+  std::vector<Index> holders(holders_.size());
   for (Index g = 0; g < holders.size(); ++g) holders[g] = engine.holder(g);
-  std::copy_n(engine.memory().request, requests.size(), requests.begin());
+  const std::vector<Index> requests = requests_of(engine);
   for (Index g = 0; g < holders.size(); ++g) {
     if (holders[g] == holders_[g]) continue;
     const std::optional<Chain> taker = chain(holders[g], holders), loser = chain(holders_[g], holders_);

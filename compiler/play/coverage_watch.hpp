@@ -26,6 +26,7 @@ private:
   void mark(const CoveragePoint::Key& key);
   void ran(ProviderId provider, const Case* answer);
   void stepped(const Engine& engine);
+  std::vector<Index> requests_of(const Engine& engine) const;
   void look_at_levels(const director::State& state);
   void look_at_conditions(const Engine& engine);
   void mark_conditions(CoveragePoint::Kind kind, ProviderId provider, const std::vector<ConditionUse>& uses,

@@ -78,7 +78,7 @@ private:
   }
 
   std::int32_t priority(Index edge) const {
-    if (v_.requested(edge)) return t_.levels[v_.request[edge]].priority;
+    if (v_.requested(edge)) return t_.levels[v_.request[edge].level].priority;
     const Range levels = t_.edges[edge].levels;
     return levels.empty() ? 0 : t_.levels[levels.begin].priority;
   }
@@ -87,7 +87,7 @@ private:
     const ConditionId id = lowered_.condition_ids[because.condition];
     const Condition& condition = model_.conditions[id];
     const State& state = model_.states[condition.state];
-    const std::int32_t value = v_.values[condition.state.value];
+    const std::int32_t value = v_.values[condition.state.value].value;
     Span span = state.name.span;
     if (because.provider != nil) {
       const Provider& waiting = model_.providers[ProviderId{because.provider}];

@@ -31,28 +31,27 @@ void Engine::act_on_touched() {
   c.touched_count = 0;
   const Index group = s_.touched[0];
   untouch(group);
-  if (granted(group)) give_again(group, s_.anew[s_.last[group].holder] != 0);
+  if (granted(group)) give_again(group, s_.request[s_.last[group].holder].anew != 0);
 }
 
 void Engine::act_on_all_touched() {
   Counters& c = *s_.counters;
   const Index touched = c.touched_count;
   c.touched_count = 0;
-  Index count = 0;
-  bool sorted = true; // as what one pack asks for mostly comes
+  Index count = 0, last = nil; // component
+  bool sorted = true;          // as what one pack asks for mostly comes
   for (Index i = 0; i < touched; ++i) {
     const Index group = s_.touched[i];
     untouch(group);
     if (!granted(group)) continue;
-    if (count != 0) {
-      const Index before = s_.touched[count - 1];
-      sorted =
-          sorted && t_.groups[before].component == t_.groups[group].component && s_.place[before] < s_.place[group];
-    }
+    const Index component = s_.turn[group].component;
+    if (count == 0 || component != last) bring_order(component);
+    if (count != 0) sorted = sorted && component == last && s_.place[s_.touched[count - 1]] < s_.place[group];
+    last = component;
     s_.touched[count++] = group;
   }
   if (!sorted) sort_by_place({s_.touched, count}, Along::last);
-  for (Index i = 0; i < count; ++i) give_again(s_.touched[i], s_.anew[s_.last[s_.touched[i]].holder] != 0);
+  for (Index i = 0; i < count; ++i) give_again(s_.touched[i], s_.request[s_.last[s_.touched[i]].holder].anew != 0);
 }
 
 /// In the order of all: the groups of one component know their places.
@@ -90,6 +89,7 @@ std::span<const Index> Engine::with_reasons() {
     const Index group = s_.touched[i];
     if (!decided(group)) {
       if (!granted(group)) continue;
+      bring_order(t_.groups[group].component);
     } else if ((s_.group_marks[group] & mark::differs) != 0 || !s_.now[group].granted()) {
       continue;
     }
@@ -111,7 +111,7 @@ void Engine::end_what_it_has(Index group) {
 void Engine::stop_group(Index group) {
   const Turn& turn = s_.turn[group];
   if ((turn.places & place::ends) != 0) end_what_it_has(group);
-  s_.pending[group] = s_.done[group] = 0;
+  s_.turn[group].pending = s_.turn[group].done = 0;
   note_pending(group);
   end_wait(group);
   live_on(group, nil);
@@ -218,7 +218,7 @@ inline void Engine::adopt_differing() {
   for (Index i = 0; i < differing_; ++i) adopt(s_.differing[i]);
 }
 
-inline void Engine::adopt_order(Index component) {
+void Engine::adopt_order(Index component) {
   const Component& row = t_.components[component];
   const Index count = s_.order_count[component] = s_.next_count[component];
   const Index* const next = s_.next_order + row.order;

@@ -200,7 +200,7 @@ inline void Pass::now_granted(Index edge, Index provider) {
   const Standing& last = s_.last[group];
   now.active = now.planned = provider;
   now.flags |= flag::granted;
-  if ((s_.pending[group] & reason::outdating) == 0 && s_.anew[edge] == 0 && edge == last.holder &&
+  if ((s_.turn[group].pending & reason::outdating) == 0 && s_.request[edge].anew == 0 && edge == last.holder &&
       provider == last.active)
     return;
   s_.group_marks[group] |= mark::outdated;

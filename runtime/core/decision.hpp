@@ -13,7 +13,7 @@ namespace director {
 inline constexpr std::size_t standing_rows = 7;
 inline constexpr std::size_t count_rows = 4; ///< of 16 bits
 inline constexpr std::size_t why_rows = 2;
-static_assert(sizeof(Standing) == standing_rows * sizeof(Index) && sizeof(Queued) == why_rows * sizeof(Index));
+static_assert(sizeof(Standing) == standing_rows * sizeof(Index));
 
 /// A word of the state, whichever it is.
 using AnyWord [[gnu::may_alias]] = Index;

@@ -30,12 +30,12 @@ void Engine::reset() {
       [] {});
   clear_timers();
   for (Index i = 0; i < t_.states.size(); ++i) {
-    s_.values[i] = t_.states[i].initial;
-    s_.handler_values[i] = s_.staged_value[i] = unset;
+    s_.values[i].value = t_.states[i].initial;
+    s_.handler_values[i] = unset;
     look_at_conditions(i);
   }
   for (Index p = 0; p < t_.providers.size(); ++p) s_.enabled[p] = 1;
-  for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e] = nil;
+  for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e].target = t_.edges[e].target;
   for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = nil;
   for (Index g = 0; g < t_.groups.size(); ++g) s_.trial[g] = s_.data_from[g] = nil;
   find_traits();
@@ -47,14 +47,13 @@ void Engine::reset() {
       link = &s_.next_root[e];
     }
     *link = nil;
-    std::uint32_t place = recall_.groups_at(t_, c);
     for (const Index g : t_.list(t_.components[c].groups)) {
       Turn& turn = s_.turn[g];
       turn.component = c;
       turn.edges = t_.groups[g].edges;
-      turn.situation = place == 0 ? 0 : place++;
       turn.places = places_of(g);
     }
+    note_places(c);
   }
   recent_ = starting_ = nil;
   inside_ = faulted_ = false;
@@ -69,14 +68,14 @@ std::uint8_t Engine::places_of(Index group) const {
 }
 
 void Engine::preset(Index state, std::int32_t value) {
-  s_.values[state] = value;
+  s_.values[state].value = value;
   look_at_conditions(state);
 }
 
 RunState Engine::state(Index edge) const {
   const Index group = t_.edges[edge].target;
   if (granted(group) && s_.last[group].holder == edge) return RunState::running;
-  return s_.request[edge] != nil ? RunState::queued : RunState::none;
+  return s_.request[edge].level != nil ? RunState::queued : RunState::none;
 }
 
 View Engine::view() const {
@@ -84,21 +83,22 @@ View Engine::view() const {
   out.tables = &t_;
   out.now = s_.counters->now;
   out.micro_step = s_.counters->micro_step;
-  out.stamp = s_.stamp;
   out.values = s_.values;
   out.request = s_.request;
   out.standing = s_.last.group;
   out.left_queued = s_.queued;
-  out.pending = s_.pending;
+  out.turn = s_.turn;
   out.enabled = s_.enabled;
   out.recall = &recall_;
   return out;
 }
 
-bool Engine::done(Index edge) const { return s_.done[t_.edges[edge].target] != 0 && state(edge) == RunState::running; }
+bool Engine::done(Index edge) const {
+  return s_.turn[t_.edges[edge].target].done != 0 && state(edge) == RunState::running;
+}
 
 bool Engine::failed(Index edge) const {
-  return (s_.done[t_.edges[edge].target] & result::failed) != 0 && state(edge) == RunState::running;
+  return (s_.turn[t_.edges[edge].target].done & result::failed) != 0 && state(edge) == RunState::running;
 }
 
 /// Where the data of the task are that the group was given last. A start handler may be called for a request of this
@@ -106,7 +106,7 @@ bool Engine::failed(Index edge) const {
 DataPlace Engine::data_of(Index group) const {
   const Index edge = s_.data_from[group];
   if (edge == nil) return {DataPlace::Slot::group, group};
-  if (starting_ == group && s_.anew[edge] != 0) return {DataPlace::Slot::staging, edge};
+  if (starting_ == group && s_.request[edge].anew != 0) return {DataPlace::Slot::staging, edge};
   return {DataPlace::Slot::edge, edge};
 }
 
@@ -130,8 +130,8 @@ void Run::wait(Time duration) { wait_ = duration; }
 
 void Run::set(Index state, std::int32_t value) {
   const State& s = engine_.s_;
-  if (s.staged_value[state] == unset) s.staged[s.counters->staged_count++] = state;
-  s.staged_value[state] = value;
+  if (s.values[state].staged == unset) s.staged[s.counters->staged_count++] = state;
+  s.values[state].staged = value;
 }
 
 bool Run::triggered(Index trigger) const {

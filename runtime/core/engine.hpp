@@ -19,8 +19,9 @@ class Engine : private Pass {
 public:
   static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
 
-  /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8. `recall`: Recall::bytes(tables), aligned to 8, or
-  /// none: faster where something is decided that was decided before, and else the same. Begins as after reset().
+  /// `memory`: State::bytes(Shape::of(tables)) bytes. `recall`: Recall::bytes(tables), or none: faster where something
+  /// is decided that was decided before, and else the same. Both aligned to 8, better to State::alignment. Begins as
+  /// after reset().
   Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {},
          std::span<std::byte> recall = {});
   Engine(const Engine&) = delete;
@@ -52,11 +53,11 @@ public:
   /// first, and nothing else could come of it. False: post it. For the thread that calls step().
   bool take_at_once(Index state, std::int32_t value) {
     Counters& c = *s_.counters;
-    if (c.quiet_until == first_time || observed() || inside_ || !s_.calm[state].has(value) ||
+    if (c.quiet_until == first_time || observed() || inside_ || !s_.values[state].calm.has(value) ||
         t_.states[state].expires != 0 || !inbox_.empty())
       return false;
     ++c.micro_step;
-    s_.values[state] = value;
+    s_.values[state].value = value;
     return true;
   }
 
@@ -78,7 +79,7 @@ public:
   Time next_due() const { return s_.counters->next_due; }
 
   // What holds between steps.
-  std::int32_t value(Index state) const { return s_.values[state]; }
+  std::int32_t value(Index state) const { return s_.values[state].value; }
   bool enabled(Index provider) const { return s_.enabled[provider] != 0; }
   RunState state(Index edge) const; ///< of a request: running, queued or none
   bool done(Index edge) const;      ///< the target said done or failed; only while running
@@ -163,6 +164,7 @@ private:
   bool break_promise(Index promise);
 
   // notes.hpp
+  void bring_order(Index component);
   void mark(Index component, std::uint8_t bits);
   void mark_stale(Index group);
   void note_level(Index edge, Index level, bool anew);
@@ -203,10 +205,10 @@ private:
   // recalled.cpp: what a component decides
   bool settle(Index component, bool& stops);
   bool settle_by_pass(Index component, bool& stops);
-  Recall::Ties find_order(Index component, const Recall::Part& known) const;
+  Recall::Ties find_order(Index component) const;
   bool told(Index component, const Recall::Part& known) const;
   void note_recalled(const Recall::Part& known, const Recall::Move& move);
-  void give_and_join(const Recall::Effect* row, const Recall::Move& move);
+  void give_and_join(Index component, const Recall::Effect* row, const Recall::Move& move);
   void begin_groups(Index component, const Recall::Part& known, const Recall::Move& move);
   void foretell(Index component, const Index* rows);
   void learn(Index component, const Recall::Part& known);
@@ -215,8 +217,12 @@ private:
   void write(Index component, Index* to) const;
   void read(Index component, const Index* rows);
   void read_standings(const Component& row, const Decision& decision);
+  void read_order(Index component, const Decision& decision);
+  void bring_order_that_stands(Index component);
   void forget_decisions(Index component);
   void note_condition(Index condition);
+  void note_places(Index component);
+  void note_ties(Index component, const Recall::Part& known);
 
   // settle.cpp: after every micro-step
   void arbitrate();

@@ -30,12 +30,11 @@ public:
         move_(move),
         from_(known.row(Recall::Part::from(move)), row_),
         to_(known.row(move.to), row_),
-        component_(component),
         effects_(known.begin_effects(move)) {
     for (std::size_t place = 0; place < groups_.size(); ++place) {
       if (!from_.standing(place).same(to_.standing(place))) other_ |= Recall::Word{1} << place;
       bool asked = false;
-      for (const Index e : t_.list(t_.groups[groups_[place]].requesters)) asked = asked || s_.anew[e] != 0;
+      for (const Index e : t_.list(t_.groups[groups_[place]].requesters)) asked = asked || s_.request[e].anew != 0;
       if (asked) asked_ |= Recall::Word{1} << place;
     }
     other_ |= other_plans();
@@ -59,7 +58,7 @@ private:
     add(move_.words, static_cast<std::size_t>(at - reinterpret_cast<const std::byte*>(s_.counters)), now);
   }
   void add_standings();
-  void add_order();
+  bool reorders() const;
   void add_plans();
   void add_gives(const Engine& engine);
 
@@ -70,7 +69,6 @@ private:
   const Recall::Part& known_;
   Recall::Move& move_;
   Decision from_, to_;
-  Index component_;
   Recall::Effect* effects_;
   std::size_t count_ = 0;              ///< of them
   Recall::Word other_ = 0, asked_ = 0; ///< a bit for each group: it stands elsewhere; it is asked for anew
@@ -89,7 +87,6 @@ bool Engine::Foresight::write(const Engine& engine) {
     if (to_.standing(place).stops_after(from_.standing(place))) add(move_.stops, group);
   }
   add_standings();
-  if (!planted(Fault::the_order_stays)) add_order();
   add_plans();
   for (std::size_t place = 0; place < groups_.size(); ++place)
     add_word(s_.turn[groups_[place]].counts, from_.counts(place) ? 1 : 0, to_.counts(place) ? 1 : 0);
@@ -100,6 +97,7 @@ bool Engine::Foresight::write(const Engine& engine) {
 
   move_.component = left_over(other_ != 0, (move_.bits & moved::on_last) != 0, (move_.bits & moved::on_stale) != 0);
   if (needs_pass(move_.component)) move_.component |= work::listed;
+  if (reorders()) move_.component |= work::order_behind;
   move_.bits |= room_ ? moved::foreseen : moved::too_long;
   if (move_.stops != 0 || (move_.bits & moved::begins) != 0 || move_.leaves != 0 || move_.passed != 0)
     move_.bits |= moved::rare;
@@ -133,14 +131,11 @@ void Engine::Foresight::add_standings() {
   });
 }
 
-void Engine::Foresight::add_order() {
+bool Engine::Foresight::reorders() const {
   const std::span<const Index> from = from_.order(), to = to_.order();
-  add_word(s_.order_count[component_], static_cast<Index>(from.size()), static_cast<Index>(to.size()));
-  for (Index i = 0; i < to.size(); ++i) {
-    if (i < from.size() && from[i] == to[i]) continue;
-    add_word(s_.order[row_.order + i], nil, to[i]);
-    add_word(s_.place[to[i]], nil, i);
-  }
+  bool other = from.size() != to.size();
+  for (std::size_t i = 0; !other && i < to.size(); ++i) other = from[i] != to[i];
+  return other;
 }
 
 void Engine::Foresight::add_plans() {
@@ -158,7 +153,7 @@ void Engine::Foresight::add_gives(const Engine& engine) {
     const bool other = (other_ >> place & 1) != 0;
     if (!now.granted() || ((other_ | asked_) >> place & 1) == 0) continue;
     if (!other && planted(Fault::who_stands_as_before_is_overlooked)) continue;
-    Index value = s_.anew[now.holder] != 0 ? reason::new_task : 0;
+    Index value = s_.request[now.holder].anew != 0 ? reason::new_task : 0;
     if (other) value |= reasons(last, now);
     if (other_ == 0) value |= Recall::Effect::again;
     if (other && engine.takes_more(group, last, now) && !planted(Fault::handlers_are_overlooked)) {

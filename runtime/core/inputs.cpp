@@ -63,20 +63,15 @@ Engine::Taken Engine::take_request(Input& record) {
 /// What a request for the edge leads to, if nobody asked for anything in that component lately. Groups, edges and moves
 /// of a component mostly lie together.
 DIRECTOR_INLINE void Engine::fetch_what_follows(Index edge) {
-  const Index group = t_.edges[edge].target;
-  const Turn& turn = s_.turn[group];
+  const Requested& request = s_.request[edge];
+  const Turn& turn = s_.turn[request.target];
   if (turn.component == recent_) return;
   recent_ = turn.component;
-  constexpr int most_moves = 11; // lines
-  if (recall_.on()) fetch(&recall_.edge(edge), 0, most_moves);
+  constexpr int most_moves = 7; // lines
+  fetch(&recall_.byte(request.situation), 0, most_moves);
   fetch(&turn, 1, 1);
-  fetch(&s_.last[group], 1, 1);
-  fetch(s_.request + turn.edges.begin);
-  fetch(s_.stamp + turn.edges.begin);
-  fetch(s_.anew + turn.edges.begin);
-  fetch(t_.edges.data() + turn.edges.begin);
-  fetch(s_.order + group);
-  fetch(s_.place + group);
+  fetch(&s_.last[request.target], 1, 1);
+  fetch(s_.request + turn.edges.begin, 0, 1);
 }
 
 [[gnu::noinline]] Engine::Taken Engine::take_requests(Input& record) {
@@ -96,7 +91,7 @@ DIRECTOR_INLINE void Engine::fetch_what_follows(Index edge) {
 }
 
 [[gnu::noinline]] Engine::Taken Engine::take_cancel(Index edge) {
-  if (s_.request[edge] == nil) return Taken::no_change;
+  if (s_.request[edge].level == nil) return Taken::no_change;
   withdraw(edge);
   return Taken::change;
 }
@@ -176,7 +171,7 @@ inline bool narrow(Calm& calm, std::span<const Interval> accepted, std::int32_t 
 /// The state has another value. Components in which a condition flips have to decide again, unless nothing has begun.
 /// Without a value nothing is true, and it is calm nowhere but at that number, which no value has.
 void Engine::look_at_conditions(Index state) {
-  const std::int32_t value = s_.values[state];
+  const std::int32_t value = s_.values[state].value;
   Calm calm{unset + 1, 2147483647};
   if (value == unset) calm = {unset, unset};
   for (const Index condition : t_.list(t_.states[state].conditions)) {
@@ -188,14 +183,14 @@ void Engine::look_at_conditions(Index state) {
     if (!s_.counters->begun) continue;
     for (const Index component : t_.list(row.components)) mark(component, work::changed);
   }
-  s_.calm[state] = calm;
+  s_.values[state].calm = calm;
 }
 
 void Engine::report_set(Index state) const {
   if (!observed()) return;
   Event set = event(Event::Kind::set);
   set.state = state;
-  set.value = s_.values[state];
+  set.value = s_.values[state].value;
   tell(set);
 }
 

@@ -33,21 +33,20 @@ inline void Engine::mark_stale(Index group) {
 
 /// An edge that is requested at the level, or (nil) not any more.
 DIRECTOR_INLINE void Engine::note_level(Index edge, Index level, bool anew) {
-  if (!recall_.on()) return;
   if (planted(Fault::news_are_overlooked)) anew = false;
   const auto bits = level == nil ? 0 : level % Recall::most_levels + 1;
-  recall_.edge(edge) = static_cast<std::uint8_t>(anew ? bits | Recall::anew : bits);
+  recall_.byte(s_.request[edge].situation) = static_cast<std::uint8_t>(anew ? bits | Recall::anew : bits);
 }
 
 /// An edge that is requested at another level than before, or (nil) not any more.
 DIRECTOR_INLINE void Engine::note_turn(Index edge, Index component) {
-  if (!recall_.on() || !recall_.ties(edge)) return;
+  if (s_.request[edge].ties == 0) return;
   recall_.part(component).head().ties = Recall::Ties::unknown;
 }
 
 DIRECTOR_INLINE void Engine::note_pending(Index group) {
   if (planted(Fault::reasons_are_overlooked)) return;
-  recall_.byte(s_.turn[group].situation) = s_.pending[group] & reason::outdating;
+  recall_.byte(s_.turn[group].situation) = s_.turn[group].pending & reason::outdating;
 }
 
 inline void Engine::touch(Index group) {
@@ -61,9 +60,9 @@ inline void Engine::untouch(Index group) { s_.turn[group].places &= static_cast<
 
 /// Bits of Reason. Which of them are news; of those that outdate orders the situation is still to be told.
 DIRECTOR_INLINE std::uint8_t Engine::note_news(Index group, std::uint8_t bits) {
-  if ((bits & reason::new_task) != 0 && !planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
-  const auto news = static_cast<std::uint8_t>(bits & ~s_.pending[group]);
-  s_.pending[group] |= news;
+  if ((bits & reason::new_task) != 0 && !planted(Fault::done_outlives_a_new_task)) s_.turn[group].done = 0;
+  const auto news = static_cast<std::uint8_t>(bits & ~s_.turn[group].pending);
+  s_.turn[group].pending |= news;
   return news;
 }
 
@@ -85,7 +84,7 @@ inline void Engine::live_on(Index group, Index edge) {
 /// To a group that is granted to the holder.
 DIRECTOR_INLINE void Engine::note_given(Index group, Index holder, std::uint8_t bits) {
   live_on(group, holder);
-  if (s_.anew[holder] != 0) bits |= reason::new_task;
+  if (s_.request[holder].anew != 0) bits |= reason::new_task;
   if (bits != 0) note_reasons(group, bits);
 }
 
@@ -98,7 +97,7 @@ inline void Engine::add_reason(Index group, Reason reason) {
 
 DIRECTOR_INLINE void Engine::enqueue(Index group) {
   Turn& turn = s_.turn[group];
-  if (s_.pending[group] == 0 || (turn.places & place::queue) != 0) return;
+  if (s_.turn[group].pending == 0 || (turn.places & place::queue) != 0) return;
   turn.places |= place::queue;
   Counters& c = *s_.counters;
   const Index last = c.queue_last;
@@ -112,8 +111,8 @@ DIRECTOR_INLINE void Engine::enqueue(Index group) {
 DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
   live_on(group, s_.last[group].holder);
   if (anew) {
-    s_.pending[group] |= reason::new_task;
-    if (!planted(Fault::done_outlives_a_new_task)) s_.done[group] = 0;
+    s_.turn[group].pending |= reason::new_task;
+    if (!planted(Fault::done_outlives_a_new_task)) s_.turn[group].done = 0;
   }
   enqueue(group);
   if (anew) note_pending(group);
@@ -145,6 +144,11 @@ inline void Engine::leave_queue(Index group) {
 
 // What the next arbitration has to look at.
 
+/// Who is about to look at State::order or State::place: a known move only notes that they are behind.
+inline void Engine::bring_order(Index component) {
+  if ((s_.component[component] & work::order_behind) != 0) bring_order_that_stands(component);
+}
+
 inline bool Engine::needs_pass(std::uint8_t bits) {
   constexpr std::uint8_t outdated = work::stale_counts | work::stale_changed;
   return (bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated;
@@ -162,7 +166,7 @@ DIRECTOR_INLINE void Engine::forget_work() {
     if (needs_pass(bits)) {
       s_.work[left++] = component;
     } else {
-      bits &= work::stale_counts | work::reordered;
+      bits &= work::kept;
     }
   }
   c.work_count = left;
@@ -178,33 +182,35 @@ inline std::uint8_t Engine::left_over(bool other, bool on_last, bool on_stale) {
 
 /// With what stays noted besides.
 DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, std::uint8_t left) const {
-  return static_cast<std::uint8_t>(left | (s_.component[component] & work::reordered));
+  return static_cast<std::uint8_t>(left | (s_.component[component] & (work::reordered | work::order_behind)));
 }
 
 // What inputs and runs ask for.
 
 /// Of an edge that is requested at another level than before, or not any more. Its component.
 DIRECTOR_INLINE Index Engine::mark_request(Index edge) {
-  const Index component = s_.turn[t_.edges[edge].target].component;
+  const Index component = s_.turn[s_.request[edge].target].component;
   mark(component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
   return component;
 }
 
 DIRECTOR_INLINE void Engine::drop_request(Index edge, Index component) {
-  s_.request[edge] = nil;
+  Requested& request = s_.request[edge];
+  request.level = nil;
   note_turn(edge, component);
-  note_level(edge, nil, s_.anew[edge] != 0);
+  note_level(edge, nil, request.anew != 0);
 }
 
 DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
-  if (s_.anew[edge] == 0) {
-    s_.anew[edge] = 1; // the same task requested again is a new task
+  Requested& request = s_.request[edge];
+  if (request.anew == 0) {
+    request.anew = 1; // the same task requested again is a new task
     s_.asked[s_.counters->asked_count++] = edge;
   }
-  const Index group = t_.edges[edge].target;
-  if (s_.request[edge] != level) {
-    s_.stamp[edge] = s_.counters->micro_step;
-    s_.request[edge] = level;
+  const Index group = request.target;
+  if (request.level != level) {
+    request.stamp = s_.counters->micro_step;
+    request.level = level;
     note_turn(edge, mark_request(edge));
   }
   mark_stale(group);
@@ -213,7 +219,7 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
 }
 
 DIRECTOR_INLINE void Engine::withdraw(Index edge) {
-  if (s_.request[edge] == nil) return;
+  if (s_.request[edge].level == nil) return;
   drop_request(edge, mark_request(edge));
 }
 
@@ -226,9 +232,9 @@ inline bool Engine::set_value(Index state, std::int32_t value) {
 
 /// As long as a value stays where no condition flips, nobody has to look at the conditions.
 inline bool Engine::assign(Index state, std::int32_t value) {
-  if (s_.values[state] == value) return false;
-  s_.values[state] = value;
-  if (!s_.calm[state].has(value)) look_at_conditions(state);
+  if (s_.values[state].value == value) return false;
+  s_.values[state].value = value;
+  if (!s_.values[state].calm.has(value)) look_at_conditions(state);
   return true;
 }
 
@@ -249,8 +255,9 @@ inline void Engine::settle_requests() {
   }
   const std::span<const Index> edges{s_.asked, count};
   for (const Index edge : edges) {
-    s_.anew[edge] = 0;
-    if (recall_.on()) recall_.edge(edge) &= static_cast<std::uint8_t>(~Recall::anew);
+    Requested& request = s_.request[edge];
+    request.anew = 0;
+    recall_.byte(request.situation) &= static_cast<std::uint8_t>(~Recall::anew);
   }
 }
 
@@ -258,14 +265,15 @@ inline void Engine::settle_requests() {
 /// outdated. All that can come of it is a run.
 DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
   const Counters& c = *s_.counters;
-  if (s_.request[edge] != level || (c.work_count | c.touched_count) != 0) return false;
-  const Turn& turn = s_.turn[t_.edges[edge].target];
+  const Requested& request = s_.request[edge];
+  if (request.level != level || (c.work_count | c.touched_count) != 0) return false;
+  const Turn& turn = s_.turn[request.target];
   return turn.counts == 0 && (s_.component[turn.component] & work::stale_counts) == 0;
 }
 
 /// The run; data are settled besides.
 DIRECTOR_INLINE void Engine::give_what_is_asked_again(Index edge) {
-  const Index group = t_.edges[edge].target;
+  const Index group = s_.request[edge].target;
   const Standing& last = s_.last[group];
   s_.counters->unsettled = false;
   if (last.granted()) give_again(group, last.holder == edge);

@@ -75,7 +75,7 @@ protected:
     return is_limbo(edge) ? static_cast<Index>(edge - t_.edges.size()) : t_.edges[edge].target;
   }
   Index requester(Index edge) const { return is_limbo(edge) ? nil : t_.edges[edge].requester; }
-  bool requested(Index edge) const { return !is_limbo(edge) && s_.request[edge] != nil; }
+  bool requested(Index edge) const { return !is_limbo(edge) && s_.request[edge].level != nil; }
   /// The edge that controls the requester of this one. A claim counts before a trial: a plan in hand may name a group
   /// that is claimed already, even one above it; it cannot be chosen, but it must not bend the chains.
   Index above(Place place) const {
@@ -87,10 +87,10 @@ protected:
   /// In this pass; root always is.
   bool claimed(Index group) const { return group == nil || s_.now[group].holder != nil; }
   Chain chain(Place place) const;
-  bool optional(Index edge) const { return requested(edge) && t_.levels[s_.request[edge]].optional; }
+  bool optional(Index edge) const { return requested(edge) && t_.levels[s_.request[edge].level].optional; }
   Index urgency(Index edge) const {
     if (is_limbo(edge)) return 0;
-    return s_.request[edge] == nil ? t_.edges[edge].need_urgency : t_.levels[s_.request[edge]].urgency;
+    return s_.request[edge].level == nil ? t_.edges[edge].need_urgency : t_.levels[s_.request[edge].level].urgency;
   }
 
   const Tables t_;
@@ -105,7 +105,7 @@ inline int Order::compare_siblings(Side a, Side b, bool in_order) const {
   if (urgency_a != urgency_b) // rule 4
     return (urgency_a < urgency_b) != planted(Fault::priorities_are_reversed) ? -1 : 1;
   if (!in_order) return 0;
-  const auto stamp = [&](Index edge) { return requested(edge) ? s_.stamp[edge] : ~std::uint64_t{0}; };
+  const auto stamp = [&](Index edge) { return requested(edge) ? s_.request[edge].stamp : ~std::uint64_t{0}; };
   if (stamp(a.edge) != stamp(b.edge)) // rule 5
     return (stamp(a.edge) < stamp(b.edge)) != planted(Fault::younger_goes_first) ? -1 : 1;
   return a.edge < b.edge ? -1 : 1;

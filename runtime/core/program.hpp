@@ -126,8 +126,8 @@ private:
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
   std::array<LastWords::Slot, Facts::Roots::size> words_;
-  alignas(8) std::array<std::byte, State::bytes(Facts::shape)> memory_;
-  alignas(8) std::array<std::byte, recall_bytes> recall_;
+  alignas(State::alignment) std::array<std::byte, State::bytes(Facts::shape)> memory_;
+  alignas(State::alignment) std::array<std::byte, recall_bytes> recall_;
   Inbox inbox_;
   Engine engine_;
 };

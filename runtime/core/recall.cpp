@@ -16,16 +16,6 @@ constexpr std::size_t room_for_decisions = Recall::most_decisions, room_for_move
                       room_for_effects = 0xffff;
 constexpr std::uint16_t least_rest = Recall::rest;
 #endif
-
-/// Both can have one urgency: then it counts which was asked for first.
-bool can_tie(const Tables& t, const Edge& a, const Edge& b) {
-  for (Index i = a.levels.begin; i != a.levels.end; ++i) {
-    for (Index j = b.levels.begin; j != b.levels.end; ++j) {
-      if (t.levels[i].urgency == t.levels[j].urgency) return true;
-    }
-  }
-  return false;
-}
 } // namespace
 
 /// The place of the number of the move from the decision that stands, in the situation in hand; a free one if it is not
@@ -95,11 +85,10 @@ void Recall::Part::make_room() const {
 
 Recall::Recall(const Tables& t, std::span<std::byte> memory) {
   const std::size_t needed = bytes(t);
-  if (needed == 0 || memory.size() < needed) return;
+  if (needed == 0 || needed > most_bytes || memory.size() < needed) return;
   bytes_ = reinterpret_cast<std::uint8_t*>(memory.data());
   begin_ = reinterpret_cast<std::uint32_t*>(bytes_ + sizeof(Word));
-  edge_place_ = begin_ + t.components.size();
-  condition_place_ = edge_place_ + t.edges.size();
+  condition_place_ = begin_ + t.components.size();
 }
 
 void Recall::reset(const Tables& t) {
@@ -118,15 +107,7 @@ void Recall::reset(const Tables& t) {
     own.head().rows = static_cast<std::uint16_t>(size.rows);
     own.head().room = static_cast<std::uint16_t>(size.effects < room_for_effects ? size.effects : room_for_effects);
     own.forget();
-    find_ties(t, row, own);
-    auto place = static_cast<std::uint32_t>(own.bytes() - bytes_);
-    std::size_t number = 0;
-    for (const Index e : t.list(row.edges)) {
-      const bool ties = (own.ties()[number / 64] >> number % 64 & 1) != 0;
-      ++number;
-      edge_place_[e] = 2 * place++ + (ties ? 1 : 0);
-    }
-    place += row.groups.size();
+    std::uint32_t place = std::uint32_t{edges_at(c)} + row.edges.size() + row.groups.size();
     for (const Index each : t.list(row.conditions)) {
       condition_place_[each] = t.conditions[each].components.size() == 1 ? place : several;
       ++place;
@@ -134,17 +115,13 @@ void Recall::reset(const Tables& t) {
   }
 }
 
-/// Edges of one requester stand together in the tables, and those of root come first.
-void Recall::find_ties(const Tables& t, const Component& row, const Part& part) {
-  const std::span<const Index> edges = t.list(row.edges);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    for (std::size_t j = i + 1; j < edges.size() && t.edges[edges[j]].requester == t.edges[edges[i]].requester; ++j) {
-      if (!can_tie(t, t.edges[edges[i]], t.edges[edges[j]])) continue;
-      part.ties()[i / 64] |= Word{1} << i % 64;
-      part.ties()[j / 64] |= Word{1} << j % 64;
-      part.head().ties = Ties::unknown;
+bool Recall::can_tie(const Tables& t, const Edge& a, const Edge& b) {
+  for (Index i = a.levels.begin; i != a.levels.end; ++i) {
+    for (Index j = b.levels.begin; j != b.levels.end; ++j) {
+      if (t.levels[i].urgency == t.levels[j].urgency) return true;
     }
   }
+  return false;
 }
 
 } // namespace director

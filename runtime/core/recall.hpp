@@ -6,6 +6,7 @@
 // memory, which is no part of the decision state. When a component's part is full, it begins anew; where that was of
 // little use, it rests for a while.
 
+#include "runtime/core/fetch.hpp"
 #include "runtime/core/tables.hpp"
 
 #include <cstddef>
@@ -78,8 +79,6 @@ public:
 
   static constexpr std::size_t move_words = 2, head_words = 3;
   static constexpr std::size_t place_words = places * sizeof(std::uint16_t) / sizeof(Word);
-  /// There are no more edges than bytes in a situation.
-  static constexpr std::size_t ties_of(std::size_t words) { return (words + 7) / 8; }
 
   /// One component's part: where its arrays begin.
   class Part {
@@ -96,9 +95,7 @@ public:
     std::uint8_t* bytes() const { return at<std::uint8_t>(head_words) + 1; }
     /// The decision from which a move leads.
     static std::uint8_t from(const Move& move) { return *situation<std::uint8_t>(move); }
-    /// A bit for each edge, as in Component::edges: a sibling can tie with it.
-    Word* ties() const { return at<Word>(ties_at()); }
-    Word* digest() const { return at<Word>(ties_at() + ties_of(head().words)); } ///< of each decision
+    Word* digest() const { return at<Word>(digests_at()); } ///< of each decision
     const Index* row(std::size_t number) const { return decisions() + number * head().rows; }
     /// Here a decision is written that may be a new one; there is room while it is not full().
     Index* spare() const { return decisions() + head().decisions * head().rows; }
@@ -144,8 +141,8 @@ public:
     // Moves and their effects come first, in the order in which they were learnt: what is used together lies together.
     std::size_t first_move() const { return head_words + head().words; }
     std::size_t places_at() const { return first_move() + most_moves * (move_words + head().words) + head().room; }
-    std::size_t ties_at() const { return places_at() + place_words; }
-    Index* decisions() const { return at<Index>(ties_at() + ties_of(head().words) + most_decisions); }
+    std::size_t digests_at() const { return places_at() + place_words; }
+    Index* decisions() const { return at<Index>(digests_at() + most_decisions); }
     std::uint16_t* places_of_moves() const { return at<std::uint16_t>(places_at()); } ///< word; 0: it is free
     /// It lies behind its move.
     template <class T>
@@ -176,7 +173,10 @@ public:
     return parts == 0 ? 0 : (lists(t) + parts) * sizeof(Word);
   }
 
-  /// `memory`: bytes(t) of them, aligned to 8; with less, nothing is recalled.
+  static constexpr std::size_t most_bytes = nil; ///< an Index finds each
+
+  /// `memory`: bytes(t) of them, aligned to 8; with less, and where these are more than most_bytes, nothing is
+  /// recalled.
   Recall(const Tables& t, std::span<std::byte> memory);
   Recall(const Recall&) = delete;
   Recall& operator=(const Recall&) = delete;
@@ -184,22 +184,24 @@ public:
   /// Forgets everything: nothing is requested, pending or true.
   void reset(const Tables& t);
 
+  /// Siblings that can have one urgency: then it counts which was asked for first.
+  static bool can_tie(const Tables& t, const Edge& a, const Edge& b);
+
   bool on() const { return begin_ != nullptr; }
   Part part(Index component) const { return on() && begin_[component] != 0 ? part_at(begin_[component]) : Part{}; }
 
   // The bytes of the situations in hand.
-  // Those of edges only while it is on(), as whether a sibling can tie with one.
-  std::uint8_t& edge(Index e) const { return bytes_[edge_place_[e] / 2]; }
-  /// Its place in the component of that part.
-  std::size_t place(Index e, const Part& part) const { return static_cast<std::size_t>(&edge(e) - part.bytes()); }
-  bool ties(Index e) const { return edge_place_[e] % 2 != 0; }
-  /// Where the byte of the first group of a component is, behind which those of the others lie; 0: nobody looks at
-  /// them.
-  std::uint32_t groups_at(const Tables& t, Index component) const {
-    const Part own = part(component);
-    return own ? static_cast<std::uint32_t>(own.bytes() - bytes_) + t.components[component].edges.size() : 0;
-  }
   std::uint8_t& byte(std::uint32_t place) const { return bytes_[place]; }
+  /// Where that of the first edge of a component is, behind which those of the others lie, and those of its groups; 0:
+  /// nobody looks at them.
+  Index edges_at(Index component) const {
+    const Part own = part(component);
+    return own ? static_cast<Index>(own.bytes() - bytes_) : Index{0};
+  }
+  /// Which edge of the component of that part it is.
+  std::size_t place(Index byte, const Part& part) const {
+    return static_cast<std::size_t>(bytes_ + byte - part.bytes());
+  }
   /// Where the byte of a condition is, 0 as above; `several`: in several components. Only while it is on().
   std::uint32_t condition(Index c) const { return condition_place_[c]; }
   static constexpr std::uint32_t several = 1;
@@ -210,19 +212,24 @@ private:
     return digest ^ digest >> 32;
   }
 
+  /// A part begins where a line of the cache does, if the memory does.
+  static constexpr std::size_t lines(std::size_t words) {
+    constexpr std::size_t each = line_of_cache / sizeof(Word);
+    return (words + each - 1) / each * each;
+  }
+
   /// Of one component, in words but for `rows`, which are of Index, as if it had 32 bits.
   struct Size {
-    std::size_t question = 0, ties = 0, rows = 0, effects = 0;
+    std::size_t question = 0, rows = 0, effects = 0;
     constexpr std::size_t all() const {
-      return question == 0 ? 0 : fixed + ties + question * (1 + most_moves) + most_decisions * rows / 2 + effects;
+      return question == 0 ? 0 : lines(fixed + question * (1 + most_moves) + most_decisions * rows / 2 + effects);
     }
   };
   static constexpr std::size_t fixed = head_words + move_words * most_moves + place_words + most_decisions;
 
-  /// A word for edges and groups of what has no part; then where the parts begin, and the places of edges
-  /// and conditions.
+  /// A word for edges and groups of what has no part; then where the parts begin, and the places of conditions.
   static constexpr std::size_t lists(const Tables& t) {
-    return 1 + (t.components.size() + t.edges.size() + t.conditions.size() + 1) / 2;
+    return lines(1 + (t.components.size() + t.conditions.size() + 1) / 2);
   }
   /// Without a question: the component has no part.
   static constexpr Size size_of(const Tables& t, const Component& row) {
@@ -236,7 +243,6 @@ private:
     const std::size_t rows = 8 * std::size_t{row.groups.size()} + 5 + 2 * std::size_t{row.edges.size()} + slots;
     if (rows > 0xfff0) return size;
     size.question = (1 + std::size_t{row.edges.size()} + row.groups.size() + row.conditions.size() + 7) / 8;
-    size.ties = ties_of(size.question);
     size.rows = (rows + 3) / 4 * 4;
     const std::size_t things = std::size_t{row.groups.size()} + row.edges.size();
     size.effects = most_moves * (things < 8 ? 4 : things > 32 ? 16 : things / 2);
@@ -244,13 +250,11 @@ private:
     return found_by_word > 0xffff ? Size{} : size;
   }
   Part part_at(std::uint32_t word) const { return Part(bytes_ + std::size_t{word} * sizeof(Word)); }
-  static void find_ties(const Tables& t, const Component& row, const Part& part);
 
   Word nowhere_ = 0; ///< instead of a memory
   std::uint8_t* bytes_ = reinterpret_cast<std::uint8_t*>(&nowhere_);
   std::uint32_t* begin_ = nullptr; ///< of each component's part: word; 0: it has none; null: there is no memory
   std::uint32_t* condition_place_ = nullptr; ///< of its byte; 0: nobody looks at it; `several`
-  std::uint32_t* edge_place_ = nullptr;      ///< twice the place of its byte; 1 more if a sibling can tie with it
 };
 
 } // namespace director

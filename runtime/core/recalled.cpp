@@ -10,8 +10,6 @@
 #include "runtime/core/notes.hpp"
 #include "runtime/core/retrace.hpp"
 
-#include <bit>
-
 namespace director {
 
 /// True if what is decided is another decision.
@@ -48,27 +46,25 @@ bool Engine::settle_by_pass(Index component, bool& any_stops) {
 
 /// Of siblings of one urgency; where they were asked for in another order than they are declared, the situation's bytes
 /// do not tell it.
-Recall::Ties Engine::find_order(Index component, const Recall::Part& known) const {
-  const std::span<const Index> edges = t_.list(t_.components[component].edges);
-  const Recall::Word* ties = known.ties();
+Recall::Ties Engine::find_order(Index component) const {
   Index requester = nil;
   std::uint64_t before = 0;
-  for (std::size_t begin = 0; begin < edges.size(); begin += 64, ++ties) {
-    for (Recall::Word bits = *ties; bits != 0; bits &= bits - 1) {
-      const Index e = edges[begin + static_cast<std::size_t>(std::countr_zero(bits))], from = t_.edges[e].requester;
-      if (s_.request[e] == nil) continue;
-      if (from != requester) before = 0;
-      requester = from;
-      if (s_.stamp[e] < before) return Recall::Ties::out_of_order;
-      before = s_.stamp[e];
-    }
+  for (const Index e : t_.list(t_.components[component].edges)) {
+    const Requested& request = s_.request[e];
+    if (request.ties == 0 || request.level == nil) continue;
+    const Index from = t_.edges[e].requester;
+    if (from != requester) before = 0;
+    requester = from;
+    if (request.stamp < before) return Recall::Ties::out_of_order;
+    before = request.stamp;
   }
   return Recall::Ties::in_order;
 }
 
 /// Others were touched than those that the situation tells: they have their places among these.
-void Engine::give_and_join(const Recall::Effect* row, const Recall::Move& move) {
+void Engine::give_and_join(Index component, const Recall::Effect* row, const Recall::Move& move) {
   Counters& c = *s_.counters;
+  bring_order(component);
   Index count = 0;
   row = each_row(row, move.gives, [&](const Recall::Effect& it) {
     note_outdated(it, note_effect(it));
@@ -80,6 +76,7 @@ void Engine::give_and_join(const Recall::Effect* row, const Recall::Move& move) 
     if ((s_.turn[group].places & place::touched) == 0) continue;
     untouch(group);
     if (!granted(group)) continue;
+    bring_order(s_.turn[group].component);
     note_given(group, s_.last[group].holder, 0);
     s_.sorted[count++] = group;
   }
@@ -167,14 +164,7 @@ void Engine::read(Index component, const Index* rows) {
   read_standings(row, decision);
   std::size_t place = 0;
   for (const Index g : t_.list(row.groups)) s_.turn[g].counts = decision.counts(place++) ? 1 : 0;
-  if (!planted(Fault::the_order_stays)) {
-    const std::span<const Index> order = decision.order();
-    s_.next_count[component] = static_cast<Index>(order.size());
-    for (Index i = 0; i < order.size(); ++i) {
-      s_.next_order[row.order + i] = order[i];
-      s_.place[order[i]] = i;
-    }
-  }
+  read_order(component, decision);
   const Index* plan = decision.plans();
   for (const Index g : t_.list(row.groups)) {
     const Range slots = t_.groups[g].slots;
@@ -182,9 +172,50 @@ void Engine::read(Index component, const Index* rows) {
   }
 }
 
+void Engine::read_order(Index component, const Decision& decision) {
+  if (planted(Fault::the_order_stays)) return;
+  const std::span<const Index> order = decision.order();
+  s_.next_count[component] = static_cast<Index>(order.size());
+  for (Index i = 0; i < order.size(); ++i) {
+    s_.next_order[t_.components[component].order + i] = order[i];
+    s_.place[order[i]] = i;
+  }
+}
+
+void Engine::bring_order_that_stands(Index component) {
+  s_.component[component] &= static_cast<std::uint8_t>(~work::order_behind);
+  const Recall::Part known = recall_.part(component);
+  read_order(component, Decision(known.row(known.current()), t_.components[component]));
+  adopt_order(component);
+}
+
 void Engine::forget_decisions(Index component) {
+  bring_order(component);
   const Recall::Part known = recall_.part(component);
   if (known && !planted(Fault::enabling_is_overlooked)) known.forget();
+}
+
+/// Of what the component is made of: where the situation has its bytes.
+void Engine::note_places(Index component) {
+  const Recall::Part known = recall_.part(component);
+  if (!known) return;
+  Index place = recall_.edges_at(component);
+  for (const Index e : t_.list(t_.components[component].edges)) s_.request[e].situation = place++;
+  for (const Index g : t_.list(t_.components[component].groups)) s_.turn[g].situation = place++;
+  note_ties(component, known);
+}
+
+/// Edges of one requester stand together in the tables, and those of root come first.
+void Engine::note_ties(Index component, const Recall::Part& known) {
+  const std::span<const Index> edges = t_.list(t_.components[component].edges);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Edge& one = t_.edges[edges[i]];
+    for (std::size_t j = i + 1; j < edges.size() && t_.edges[edges[j]].requester == one.requester; ++j) {
+      if (!Recall::can_tie(t_, one, t_.edges[edges[j]])) continue;
+      s_.request[edges[i]].ties = s_.request[edges[j]].ties = 1;
+      known.head().ties = Recall::Ties::unknown;
+    }
+  }
 }
 
 void Engine::note_condition(Index condition) {

@@ -27,7 +27,7 @@ DIRECTOR_INLINE void Engine::note_recalled(const Recall::Part& known, const Reca
 DIRECTOR_INLINE bool Engine::told(Index component, const Recall::Part& known) const {
   Recall::Ties& ties = known.head().ties;
   if (ties <= Recall::Ties::in_order) return true;
-  if (ties == Recall::Ties::unknown) ties = find_order(component, known);
+  if (ties == Recall::Ties::unknown) ties = find_order(component);
   return ties == Recall::Ties::in_order;
 }
 
@@ -75,7 +75,7 @@ DIRECTOR_INLINE bool Engine::retrace() {
   if (rare)
     row = each_row(row, move.leaves, [&](const Recall::Effect& it) { leave_queue(static_cast<Index>(it.where)); });
   if (c.touched_count != move.asked && !planted(Fault::others_are_overlooked)) {
-    give_and_join(row, move);
+    give_and_join(component, row, move);
   } else {
     row = each_row(row, move.gives, [&](const Recall::Effect& it) {
       const std::uint8_t news = note_effect(it);

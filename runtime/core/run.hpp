@@ -37,7 +37,7 @@ public:
   /// Asks for an edge of this group at a level (of Tables::levels). Asked twice, the last one counts. True if this is a
   /// new task for the target; false if `keep` leaves a request of that level as it is.
   bool request(Index edge, Index level, bool keep = false) {
-    const bool leave = keep && request_[edge] == level;
+    const bool leave = keep && request_[edge].level == level;
     staged_[edge - first_edge_] = {level, leave};
     return !leave;
   }
@@ -64,7 +64,7 @@ private:
         provider_(provider),
         reasons_(reasons) {}
   Engine& engine_;
-  const Index* request_;
+  const Requested* request_;
   Staged* staged_;
   Index first_edge_; ///< of its group
   Index group_, provider_;

@@ -17,6 +17,7 @@ void Engine::arbitrate() {
   differing_ = 0;
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
+    bring_order(component);
     if (observed()) remember_queued(component);
     const bool other = settle(component, stops);
     s_.component[component] =

@@ -10,7 +10,7 @@ State State::in(std::byte* memory, const Shape& shape) {
   each(
       state, shape,
       [&]<class T>(T*& array, std::size_t count) {
-        at = aligned(at, alignof(T));
+        at = begin_of<T>(at);
         array = reinterpret_cast<T*>(memory + at); // the block's bytes become these arrays; Engine::reset fills them
         at += count * sizeof(T);
       },

@@ -3,6 +3,7 @@
 // It begins with the decision state: everything that the next decision depends on, trivially copyable, so that two
 // blocks with equal decision bytes behave alike. Behind it lies what one pass needs and forgets.
 
+#include "runtime/core/fetch.hpp"
 #include "runtime/core/tables.hpp"
 #include "runtime/core/words.hpp"
 
@@ -43,13 +44,15 @@ inline constexpr Index serving = 8;  ///< and the condition that the push was ma
 
 /// Bits of State::component: what the next arbitration has to know about it.
 namespace work {
-inline constexpr std::uint8_t changed = 1;       ///< a request, value or flag that it depends on is another one
-inline constexpr std::uint8_t unsettled = 2;     ///< the last pass may decide differently on its own result
-inline constexpr std::uint8_t stale_counts = 4;  ///< whose orders are outdated made a difference in the last pass
-inline constexpr std::uint8_t stale_changed = 8; ///< and may be another since
-inline constexpr std::uint8_t listed = 16;       ///< it stands in State::work
-inline constexpr std::uint8_t passed = 32;       ///< it was decided again in this micro-step
-inline constexpr std::uint8_t reordered = 64;    ///< an edge of root may be in another place among its like
+inline constexpr std::uint8_t changed = 1;        ///< a request, value or flag that it depends on is another one
+inline constexpr std::uint8_t unsettled = 2;      ///< the last pass may decide differently on its own result
+inline constexpr std::uint8_t stale_counts = 4;   ///< whose orders are outdated made a difference in the last pass
+inline constexpr std::uint8_t stale_changed = 8;  ///< and may be another since
+inline constexpr std::uint8_t listed = 16;        ///< it stands in State::work
+inline constexpr std::uint8_t passed = 32;        ///< it was decided again in this micro-step
+inline constexpr std::uint8_t reordered = 64;     ///< an edge of root may be in another place among its like
+inline constexpr std::uint8_t order_behind = 128; ///< State::order and State::place are of an earlier decision
+inline constexpr std::uint8_t kept = stale_counts | reordered | order_behind; ///< also where nothing is to be decided
 } // namespace work
 
 /// Bits of State::pending, as Reason.
@@ -118,16 +121,28 @@ struct Standing {
   }
 };
 
-/// Where a group stands in the run queue. Behind Standing, what most micro-steps look at; so with it lies what they
-/// have to know from the tables.
+/// What is asked of an edge.
+struct Requested {
+  std::uint64_t stamp = 0; ///< micro-step in which it became requested or changed its level
+  Index level = nil;       ///< of Tables::levels, at which it is requested; nil
+  Index target = 0;        ///< as Edge::target
+  Index situation = 0;     ///< where Recall has its byte; 0: nobody looks at it
+  Bits ties{};             ///< 1: Recall looks at it, and a sibling can have its urgency
+  Bits anew{};             ///< 1: requested anew in this micro-step
+};
+
+/// Where a group stands in the run queue, and why. Behind Standing, what most micro-steps look at; so with it lies what
+/// they have to know from the tables.
 struct Turn {
-  Index runs_after = nil;      ///< group that is to run: the one before it in the queue; nil
-  Index runs_before = nil;     ///< and the one behind it
-  Index counts = 0;            ///< 1: that its orders were outdated made a difference in the last pass
-  Index component = 0;         ///< as Group::component
-  Range edges{};               ///< as Group::edges
-  std::uint32_t situation = 0; ///< where Recall has its byte
-  Bits places{};               ///< bits of `place`
+  Index runs_after = nil;  ///< group that is to run: the one before it in the queue; nil
+  Index runs_before = nil; ///< and the one behind it
+  Index counts = 0;        ///< 1: that its orders were outdated made a difference in the last pass
+  Index component = 0;     ///< as Group::component
+  Range edges{};           ///< as Group::edges
+  Index situation = 0;     ///< where Recall has its byte; 0: nobody looks at it
+  Bits places{};           ///< bits of `place`
+  Bits pending{};          ///< bits of Reason
+  Bits done{};             ///< bits of `result`
 };
 
 /// The push for which promises were taken.
@@ -147,6 +162,13 @@ struct Assignment {
 struct Calm {
   std::int32_t low = 0, high = -1;
   constexpr bool has(std::int32_t value) const { return low <= value && value <= high; }
+};
+
+/// What a state is worth.
+struct StateValue {
+  std::int32_t value = unset;
+  Calm calm{};
+  std::int32_t staged = unset; ///< what the running body set; unset: nothing
 };
 
 /// What the running body asks of an edge.
@@ -184,15 +206,13 @@ struct Counters {
 struct State {
   // The decision state.
   Counters* counters = nullptr;
-  std::uint64_t* stamp = nullptr;         ///< edge: micro-step in which it became requested or changed its level
+  Requested* request = nullptr;           ///< edge
   Time* due = nullptr;                    ///< timer (see timers.cpp): when; never
   Index* soonest = nullptr;               ///< timers, as a tree of which one is due first
-  std::int32_t* values = nullptr;         ///< state
-  Calm* calm = nullptr;                   ///< state
+  StateValue* values = nullptr;           ///< state
   Bits* truth = nullptr;                  ///< condition: it holds
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
   Index* handled = nullptr;               ///< states with such a value
-  Index* request = nullptr;               ///< edge: level (of Tables::levels) at which it is requested; nil
   Assignment last;                        ///< what the last pass decided
   Index* order = nullptr;                 ///< component after component, its groups that are held, in order
   Index* order_count = nullptr;           ///< component: how many these are
@@ -205,61 +225,56 @@ struct State {
   Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
   Bits* component = nullptr;              ///< component: bits of `work`
   Bits* enabled = nullptr;                ///< provider
-  Bits* done = nullptr;                   ///< group: bits of `result`
-  Bits* pending = nullptr;                ///< group: bits of Reason
   Bits* fired = nullptr;                  ///< listening slot (Group::listens): the trigger fired since the last run
 
   // What one pass, commit or act needs and forgets.
-  std::uint64_t* cost = nullptr;        ///< condition: length of the shortest chain of pushes that makes it true
-  Index* cost_at = nullptr;             ///< condition: first provider of that chain
-  Index* cost_plan = nullptr;           ///< condition: number of its plan
-  Index* cost_next = nullptr;           ///< condition: the first condition that it lacks; nil: nothing
-  Assignment now;                       ///< what this pass decides
-  Push* own = nullptr;                  ///< group: the pushes of the unit in hand
-  Push* first = nullptr;                ///< group: new pushes of the unit in hand
-  Index* touched = nullptr;             ///< groups that gained a reason to run since the last act
-  Index* staged = nullptr;              ///< states that the running body set
-  Index* asked = nullptr;               ///< edges that are marked in `anew`
-  Index* next_order = nullptr;          ///< as `order`
-  Index* next_count = nullptr;          ///< as `order_count`
-  Index* differing = nullptr;           ///< groups that stand elsewhere than before
-  Index* sorted = nullptr;              ///< groups of several components, brought in order
-  Lineage* lineage = nullptr;           ///< group that is claimed
-  Bits* traits = nullptr;               ///< group: bits of `trait`, which follow from the tables
-  Bits* component_traits = nullptr;     ///< component: likewise
-  Index* trial = nullptr;               ///< group: edge that would claim it in the combination in hand
-  Index* entry_group = nullptr;         ///< 2 * groups: plans of the members in hand, as stacks of entries
-  Index* entry_need = nullptr;          ///< the edge by which an entry is needed
-  Index* entry_choice = nullptr;        ///< its provider, as a place in the order of preference
-  Index* entry_provider = nullptr;      ///< its provider
-  Index* entry_parent = nullptr;        ///< entry that needs it; nil: the provider that the plan is for
-  Index* entry_place = nullptr;         ///< place of the need in its needer's list
-  Index* unit = nullptr;                ///< most_edges + 1: edges that are tried together
-  Index* member = nullptr;              ///< those of them that are in hand
-  Index* member_choice = nullptr;       ///< provider of the member's target, as a place in the order of preference
-  Index* member_provider = nullptr;     ///< that provider
-  Index* member_entries = nullptr;      ///< one past the last entry of the member's plan
-  Index* candidate = nullptr;           ///< edges that are candidates: a heap, the first in order on top
-  Index* reach = nullptr;               ///< groups: work list of a search
-  Index* denied = nullptr;              ///< groups in the order in which they were denied for their holder's sake
-  Staged* staged_request = nullptr;     ///< place among the running group's edges
-  Index* unmet_member = nullptr;        ///< false conditions of the combination in hand: the member,
-  Index* unmet = nullptr;               ///< and the condition
-  Queued* queued = nullptr;             ///< edge: why it does not run, by the last pass; see View::queued
-  Queued* last_queued = nullptr;        ///< edge: why it did not run before this pass, for an observer
-  std::int32_t* staged_value = nullptr; ///< state: what the running body set; unset: nothing
-  Bits* edge_marks = nullptr;           ///< edge: bits of `mark`
-  Bits* group_marks = nullptr;          ///< group: bits of `mark`
-  Bits* condition_marks = nullptr;      ///< condition: bits of `mark`
-  Bits* anew = nullptr;                 ///< edge: requested anew in this micro-step
+  std::uint64_t* cost = nullptr;    ///< condition: length of the shortest chain of pushes that makes it true
+  Index* cost_at = nullptr;         ///< condition: first provider of that chain
+  Index* cost_plan = nullptr;       ///< condition: number of its plan
+  Index* cost_next = nullptr;       ///< condition: the first condition that it lacks; nil: nothing
+  Assignment now;                   ///< what this pass decides
+  Push* own = nullptr;              ///< group: the pushes of the unit in hand
+  Push* first = nullptr;            ///< group: new pushes of the unit in hand
+  Index* touched = nullptr;         ///< groups that gained a reason to run since the last act
+  Index* staged = nullptr;          ///< states that the running body set
+  Index* asked = nullptr;           ///< edges that are marked as requested anew
+  Index* next_order = nullptr;      ///< as `order`
+  Index* next_count = nullptr;      ///< as `order_count`
+  Index* differing = nullptr;       ///< groups that stand elsewhere than before
+  Index* sorted = nullptr;          ///< groups of several components, brought in order
+  Lineage* lineage = nullptr;       ///< group that is claimed
+  Bits* traits = nullptr;           ///< group: bits of `trait`, which follow from the tables
+  Bits* component_traits = nullptr; ///< component: likewise
+  Index* trial = nullptr;           ///< group: edge that would claim it in the combination in hand
+  Index* entry_group = nullptr;     ///< 2 * groups: plans of the members in hand, as stacks of entries
+  Index* entry_need = nullptr;      ///< the edge by which an entry is needed
+  Index* entry_choice = nullptr;    ///< its provider, as a place in the order of preference
+  Index* entry_provider = nullptr;  ///< its provider
+  Index* entry_parent = nullptr;    ///< entry that needs it; nil: the provider that the plan is for
+  Index* entry_place = nullptr;     ///< place of the need in its needer's list
+  Index* unit = nullptr;            ///< most_edges + 1: edges that are tried together
+  Index* member = nullptr;          ///< those of them that are in hand
+  Index* member_choice = nullptr;   ///< provider of the member's target, as a place in the order of preference
+  Index* member_provider = nullptr; ///< that provider
+  Index* member_entries = nullptr;  ///< one past the last entry of the member's plan
+  Index* candidate = nullptr;       ///< edges that are candidates: a heap, the first in order on top
+  Index* reach = nullptr;           ///< groups: work list of a search
+  Index* denied = nullptr;          ///< groups in the order in which they were denied for their holder's sake
+  Staged* staged_request = nullptr; ///< place among the running group's edges
+  Index* unmet_member = nullptr;    ///< false conditions of the combination in hand: the member,
+  Index* unmet = nullptr;           ///< and the condition
+  Queued* queued = nullptr;         ///< edge: why it does not run, by the last pass; see View::queued
+  Queued* last_queued = nullptr;    ///< edge: why it did not run before this pass, for an observer
+  Bits* edge_marks = nullptr;       ///< edge: bits of `mark`
+  Bits* group_marks = nullptr;      ///< group: bits of `mark`
+  Bits* condition_marks = nullptr;  ///< condition: bits of `mark`
 
   /// Calls visit(pointer to member, count) for every array; `scratch()` between the decision state and the rest.
   template <class Self, class Visit, class Scratch>
   static constexpr void each(Self& s, const Shape& n, Visit&& visit, Scratch&& scratch) {
     visit(s.counters, 1);
-    visit(s.stamp, n.edges), visit(s.due, n.timers()), visit(s.soonest, n.timers());
-    visit(s.values, n.states), visit(s.calm, n.states), visit(s.handler_values, n.states), visit(s.handled, n.states);
-    visit(s.request, n.edges);
+    visit(s.request, n.edges), visit(s.due, n.timers()), visit(s.soonest, n.timers());
+    visit(s.values, n.states), visit(s.handler_values, n.states), visit(s.handled, n.states);
     each_of(s.last, n, visit);
     visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
     visit(s.first_root, n.components), visit(s.next_root, n.edges);
@@ -267,7 +282,7 @@ struct State {
     visit(s.promised, n.promises == 0 ? 0 : n.groups), visit(s.work, n.components);
     visit(s.component, n.components), visit(s.enabled, n.providers);
     visit(s.truth, n.conditions);
-    visit(s.done, n.groups), visit(s.pending, n.groups), visit(s.fired, n.listen_slots);
+    visit(s.fired, n.listen_slots);
     scratch();
     visit(s.cost, n.conditions), visit(s.cost_at, n.conditions), visit(s.cost_plan, n.conditions);
     visit(s.cost_next, n.conditions);
@@ -284,12 +299,15 @@ struct State {
     visit(s.member_provider, n.most_edges + 1), visit(s.member_entries, n.most_edges + 1);
     visit(s.candidate, n.edges), visit(s.reach, n.groups), visit(s.denied, n.groups);
     visit(s.staged_request, n.most_edges + 1), visit(s.unmet_member, n.lacking), visit(s.unmet, n.lacking);
-    visit(s.queued, n.edges), visit(s.last_queued, n.edges), visit(s.staged_value, n.states);
+    visit(s.queued, n.edges), visit(s.last_queued, n.edges);
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
-    visit(s.anew, n.edges);
   }
 
-  /// Bytes of the decision state, and of the whole block. The block must be aligned to 8.
+  /// What the block should be aligned to; it must be to 8. So rows do not lie on two lines of the cache that need not.
+  /// Small machines have none.
+  static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : line_of_cache;
+
+  /// Bytes of the decision state, and of the whole block.
   static constexpr std::size_t decision_bytes(const Shape& shape) { return measure(shape).decision; }
   static constexpr std::size_t bytes(const Shape& shape) { return measure(shape).all; }
 
@@ -302,6 +320,13 @@ private:
   };
   static constexpr std::size_t aligned(std::size_t at, std::size_t to) { return (at + to - 1) / to * to; }
 
+  /// Where an array may begin.
+  template <class T>
+  static constexpr std::size_t begin_of(std::size_t at) {
+    constexpr std::size_t even = sizeof(T) & (~sizeof(T) + 1); // the largest power of 2 that divides it
+    return aligned(at, even < alignment ? even : alignment);
+  }
+
   template <class Visit>
   static constexpr void each_of(auto& a, const Shape& n, Visit&& visit) {
     visit(a.group, n.groups), visit(a.plan, n.plan_slots);
@@ -310,8 +335,7 @@ private:
     Size size;
     State empty;
     each(
-        empty, shape,
-        [&]<class T>(T*&, std::size_t count) { size.all = aligned(size.all, alignof(T)) + count * sizeof(T); },
+        empty, shape, [&]<class T>(T*&, std::size_t count) { size.all = begin_of<T>(size.all) + count * sizeof(T); },
         [&] { size.decision = size.all = aligned(size.all, 8); });
     size.all = aligned(size.all, 8);
     return size;

@@ -14,7 +14,7 @@ void Engine::take_first_step(Time now) {
   s_.counters->begun = true;
   s_.counters->until = now;
   for (Index i = 0; i < t_.states.size(); ++i) {
-    if (t_.states[i].expires != 0 && s_.values[i] != unset) arm(Due::expiry, i, now + t_.states[i].expires);
+    if (t_.states[i].expires != 0 && s_.values[i].value != unset) arm(Due::expiry, i, now + t_.states[i].expires);
   }
 }
 
@@ -25,7 +25,7 @@ DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
   for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
     const Index level = staged->level;
     if (level == nil) {
-      if (observed() && s_.request[e] != nil) report_request(Event::Kind::withdraw, e);
+      if (observed() && s_.request[e].level != nil) report_request(Event::Kind::withdraw, e);
       withdraw(e);
       continue;
     }
@@ -48,11 +48,11 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
   if (s_.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
     commit_pack(turn.edges);
-    s_.done[group] = 0;
+    s_.turn[group].done = 0;
     if (wait <= 0) end_wait(group);
   } else {
     for (Index i = 0; i < turn.edges.size(); ++i) s_.staged_request[i].level = nil;
-    if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && s_.done[group] == 0)
+    if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && s_.turn[group].done == 0)
       answer(group, kind == Outcome::Kind::failed);
     if (kind == Outcome::Kind::fault) {
       if (observed()) {
@@ -77,8 +77,8 @@ DIRECTOR_INLINE Index Engine::run_next() {
   Counters& c = *s_.counters;
   ++c.micro_step;
   const Index group = next_of_queue();
-  std::uint8_t reasons = s_.pending[group];
-  s_.pending[group] = 0;
+  std::uint8_t reasons = s_.turn[group].pending;
+  s_.turn[group].pending = 0;
   mark_stale(group);
   const bool pushed = in_force(group);
   const Index provider = s_.last[group].active;
@@ -198,21 +198,21 @@ void Engine::commit_states(bool fault) {
   Counters& c = *s_.counters;
   for (Index i = 0; i < c.staged_count; ++i) {
     const Index state = s_.staged[i];
-    const std::int32_t value = s_.staged_value[state];
-    s_.staged_value[state] = unset;
+    const std::int32_t value = s_.values[state].staged;
+    s_.values[state].staged = unset;
     if (!fault && set_value(state, value)) report_set(state);
   }
   c.staged_count = 0;
 }
 
 void Engine::answer(Index group, bool failed) {
-  s_.done[group] = failed ? result::done | result::failed : result::done;
+  s_.turn[group].done = failed ? result::done | result::failed : result::done;
   report(failed ? Event::Kind::failed : Event::Kind::done, group);
-  const Index holder = s_.last[group].holder, requester = t_.edges[holder].requester;
-  if (requester == nil) {
+  const Index holder = s_.last[group].holder;
+  if (holder < t_.root_edges) {
     withdraw(holder);
   } else {
-    add_reason(requester, Reason::subtask_done);
+    add_reason(t_.edges[holder].requester, Reason::subtask_done);
   }
 }
 

@@ -17,7 +17,8 @@ Queued View::queued(Index edge) const {
   const Index component = tables->groups[tables->edges[edge].target].component;
   const Recall::Part known = recall == nullptr ? Recall::Part() : recall->part(component);
   if (!known || known.current() == Recall::unknown) return left_queued[edge];
-  return Decision(known.row(known.current()), tables->components[component]).queued(recall->place(edge, known));
+  const Decision decision(known.row(known.current()), tables->components[component]);
+  return decision.queued(recall->place(request[edge].situation, known));
 }
 
 Holding View::holding(Index group) const {

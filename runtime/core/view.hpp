@@ -29,12 +29,11 @@ struct View {
   std::uint64_t micro_step = 0; ///< how many were taken
 
   // One row for each group, edge, provider or state; see State.
-  const std::uint64_t* stamp = nullptr;
-  const std::int32_t* values = nullptr;
-  const Index* request = nullptr;
+  const Requested* request = nullptr;
+  const StateValue* values = nullptr;
   const Standing* standing = nullptr;
   const Queued* left_queued = nullptr; ///< by the last pass; see queued()
-  const Bits* pending = nullptr;
+  const Turn* turn = nullptr;
   const Bits* enabled = nullptr;
 
   const Recall* recall = nullptr; ///< knows more than the last pass where a decision was recalled since; null: no more
@@ -42,7 +41,7 @@ struct View {
   bool is_limbo(Index edge) const { return edge != nil && edge >= tables->edges.size(); }
   Index holder(Index group) const { return standing[group].holder; }
   bool granted(Index group) const { return standing[group].granted(); }
-  bool requested(Index edge) const { return request[edge] != nil; }
+  bool requested(Index edge) const { return request[edge].level != nil; }
   RunState state(Index edge) const; ///< of a request: running, queued or none
   Queued queued(Index edge) const;  ///< why it does not run
   Holding holding(Index group) const;
@@ -55,8 +54,8 @@ private:
   /// Calls visit(array, count) for every array. Stands before who needs it while compiling: clang++ asks for that.
   template <class Visit>
   constexpr void each(const Shape& n, Visit&& visit) {
-    visit(stamp, n.edges), visit(values, n.states), visit(request, n.edges), visit(standing, n.groups);
-    visit(left_queued, n.edges), visit(pending, n.groups), visit(enabled, n.providers);
+    visit(request, n.edges), visit(values, n.states), visit(standing, n.groups);
+    visit(left_queued, n.edges), visit(turn, n.groups), visit(enabled, n.providers);
   }
 
 public:

@@ -46,7 +46,7 @@ void Pass::sort_roots() {
 void Pass::sweep() {
   Index root = s_.first_root[component_];
   for (; root != nil && !optional(root); root = s_.next_root[root]) {
-    if (s_.request[root] == nil) continue;
+    if (s_.request[root].level == nil) continue;
     visit_root(root);
     walk_on();
   }
@@ -62,7 +62,7 @@ void Pass::sweep_below(Index group) {
 
 void Pass::sweep_optional(Index root) {
   for (;;) {
-    while (root != nil && s_.request[root] == nil) root = s_.next_root[root];
+    while (root != nil && s_.request[root].level == nil) root = s_.next_root[root];
     const bool waits = postponed_ != 0;
     if (root == nil && !waits) return;
     if (root != nil && (!waits || goes_first(root, heap_at(0)))) {
@@ -87,7 +87,7 @@ inline void Pass::visit_root(Index edge) { visit(edge, static_cast<std::uint8_t>
 
 inline void Pass::visit(Index edge, std::uint8_t marks) {
   const Index group = t_.edges[edge].target;
-  if ((marks & mark::tried) == 0 && s_.request[edge] != nil) {
+  if ((marks & mark::tried) == 0 && s_.request[edge].level != nil) {
     if ((marks & mark::alone) == 0) {
       try_unit(edge, (marks & mark::below_stale) != 0);
     } else if (stands(edge)) {
@@ -128,7 +128,7 @@ void Pass::try_unit(Index edge, bool outdated) {
   for (Index i = ahead_; i > 0; --i) {
     const Index e = s_.candidate[i - 1];
     if (requester(e) != from) break;
-    if (s_.request[e] == nil || (s_.edge_marks[e] & mark::alone) != 0) continue;
+    if (s_.request[e].level == nil || (s_.edge_marks[e] & mark::alone) != 0) continue;
     s_.edge_marks[e] |= mark::tried;
     s_.unit[count++] = e;
   }
@@ -165,7 +165,7 @@ void Pass::look_ahead(Index group) {
   const Range edges = t_.groups[group].edges;
   for (Index e = edges.end; e != edges.begin;) {
     --e;
-    const Index level = s_.request[e];
+    const Index level = s_.request[e].level;
     if (level == nil || !asks) {
       if (s_.now[t_.edges[e].target].holder != e) continue;
       if (level == nil) {

@@ -55,10 +55,10 @@ private:
     return group == nil ? nil : v_.holder(group);
   }
   bool optional(Index edge) const {
-    return !v_.is_limbo(edge) && v_.requested(edge) && t_.levels[v_.request[edge]].optional;
+    return !v_.is_limbo(edge) && v_.requested(edge) && t_.levels[v_.request[edge].level].optional;
   }
   std::int32_t priority(Index edge) const {
-    if (v_.requested(edge)) return t_.levels[v_.request[edge]].priority;
+    if (v_.requested(edge)) return t_.levels[v_.request[edge].level].priority;
     const Range levels = t_.edges[edge].levels;
     return levels.empty() ? 0 : t_.levels[levels.begin].priority;
   }
@@ -114,14 +114,14 @@ private:
       if (!v_.requested(edge)) continue;
       Rivalry rivalry;
       if (first == nil || !goes_first(first, edge, rivalry) ||
-          (rivalry.won_by == Precedence::equal && v_.stamp[rivalry.ours] < v_.stamp[rivalry.theirs]))
+          (rivalry.won_by == Precedence::equal && v_.request[rivalry.ours].stamp < v_.request[rivalry.theirs].stamp))
         first = edge;
     }
     return first;
   }
 
   bool alone(Index edge) const {
-    const Level& level = t_.levels[v_.request[edge]];
+    const Level& level = t_.levels[v_.request[edge].level];
     return requester(edge) == nil || level.optional || level.apart;
   }
 
@@ -141,7 +141,7 @@ private:
   bool orders_change(Index group) const {
     for (; group != nil; group = requester(v_.holder(group))) {
       if (v_.holder(group) == nil || v_.is_limbo(v_.holder(group))) return true;
-      if (v_.granted(group)) return (v_.pending[group] & reason::outdating) != 0;
+      if (v_.granted(group)) return (v_.turn[group].pending & reason::outdating) != 0;
     }
     return false;
   }

@@ -6,7 +6,6 @@
 #include "runtime/core/state.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,16 +17,21 @@ public:
   enum class Recalls : bool { no, yes };
 
   explicit EngineMemory(const Tables& tables, Recalls recalls = Recalls::yes)
-      : state_(State::bytes(Shape::of(tables)) / sizeof(std::uint64_t)),
-        recall_(recalls == Recalls::yes ? Recall::bytes(tables) / sizeof(std::uint64_t) : 0) {}
+      : state_(lines(State::bytes(Shape::of(tables)))),
+        recall_(recalls == Recalls::yes ? lines(Recall::bytes(tables)) : 0) {}
 
-  /// What an engine is built with, aligned to 8.
+  /// What an engine is built with.
   std::span<std::byte> state() { return std::as_writable_bytes(std::span(state_)); }
   std::span<const std::byte> state() const { return std::as_bytes(std::span(state_)); }
   std::span<std::byte> recall() { return std::as_writable_bytes(std::span(recall_)); }
 
 private:
-  std::vector<std::uint64_t> state_, recall_;
+  struct alignas(State::alignment) Line {
+    std::byte bytes[State::alignment] = {};
+  };
+  static std::size_t lines(std::size_t bytes) { return (bytes + sizeof(Line) - 1) / sizeof(Line); }
+
+  std::vector<Line> state_, recall_;
 };
 
 } // namespace director

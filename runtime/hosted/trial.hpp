@@ -217,7 +217,7 @@ private:
     return outcome_ == Kind::pack ? rig_->state().staged_request[place(edge)].level : nil;
   }
   std::int32_t value_of(Index state) const {
-    return handler ? rig_->state().handler_values[state] : rig_->state().staged_value[state];
+    return handler ? rig_->state().handler_values[state] : rig_->state().values[state].staged;
   }
 
   std::shared_ptr<detail::Rig<Whole>> rig_;
@@ -287,13 +287,14 @@ public:
     const Index target = tables.edges[edge].target;
     const bool granted = fares != Fares::none && fares != Fares::queued;
     const Range levels = tables.edges[edge].levels;
-    if (fares == Fares::none) state.request[edge] = nil;
-    if (fares != Fares::none && state.request[edge] == nil && !levels.empty()) state.request[edge] = levels.begin;
+    Index& level = state.request[edge].level;
+    if (fares == Fares::none) level = nil;
+    if (fares != Fares::none && level == nil && !levels.empty()) level = levels.begin;
     state.last[target].holder = granted ? edge : nil;
     state.last[target].flags = granted ? flag::granted : 0;
-    state.done[target] = fares == Fares::done     ? result::done
-                         : fares == Fares::failed ? static_cast<std::uint8_t>(result::done | result::failed)
-                                                  : std::uint8_t{0};
+    state.turn[target].done = fares == Fares::done     ? result::done
+                              : fares == Fares::failed ? static_cast<std::uint8_t>(result::done | result::failed)
+                                                       : std::uint8_t{0};
     return *this;
   }
 
@@ -306,7 +307,7 @@ public:
       if (row == nil) row = Entry::row(level);
     });
     if (row == nil) throw std::logic_error("this provider does not request the task at that level");
-    rig_->state().request[edge] = row;
+    rig_->state().request[edge].level = row;
     return *this;
   }
 
@@ -347,9 +348,9 @@ private:
     const Tables& tables = rig_->engine.tables();
     const Range edges = tables.groups[group].edges;
     for (Index e = edges.begin; e != edges.end; ++e) {
-      state.request[e] = state.staged_request[e - edges.begin].level;
+      state.request[e].level = state.staged_request[e - edges.begin].level;
       Standing& target = state.last[tables.edges[e].target];
-      if (state.request[e] == nil && target.holder == e) target = {};
+      if (state.request[e].level == nil && target.holder == e) target = {};
     }
   }
 
@@ -359,7 +360,7 @@ private:
     const Tables& tables = rig_->engine.tables();
     const Range edges = tables.groups[group].edges;
     for (Index at = 0; at < edges.size(); ++at) state.staged_request[at] = {};
-    for (Index s = 0; s < tables.states.size(); ++s) state.staged_value[s] = state.handler_values[s] = unset;
+    for (Index s = 0; s < tables.states.size(); ++s) state.values[s].staged = state.handler_values[s] = unset;
     state.counters->staged_count = state.counters->handled_count = 0;
     state.counters->handlers_set = 0;
     rig_->refused.clear();

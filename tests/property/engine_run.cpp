@@ -100,7 +100,7 @@ Snapshot EngineRun::snapshot() const {
       group.push = oracle::Push{oracle::EdgeId{push.edge}, oracle::ProviderId{push.provider},
                                 compiled_.lowered.condition_ids[push.condition]};
     }
-    const Reasons pending(s.pending[g]);
+    const Reasons pending(s.turn[g].pending);
     for (const auto& [reason, there] : {std::pair{oracle::Reason::new_task, director::Reason::new_task},
                                         std::pair{oracle::Reason::pushed, director::Reason::pushed},
                                         std::pair{oracle::Reason::subtask_done, director::Reason::subtask_done},
@@ -110,7 +110,7 @@ Snapshot EngineRun::snapshot() const {
     }
   }
   for (Index e = 0; e < tables_.edges.size(); ++e) {
-    const Index level = s.request[e];
+    const Index level = s.request[e].level;
     out.requests.push_back(level == nil ? std::nullopt
                                         : std::optional<std::uint32_t>(level - tables_.edges[e].levels.begin));
   }

@@ -79,6 +79,62 @@ TEST_CASE("why a task is queued is read from the decision that was recalled, als
   CHECK(copy.queued(machine.edge("Right>Shared")).why == Why::blocked);
 }
 
+/// One input that asks for several tasks.
+void ask_for_all(Machine& machine, const std::vector<std::pair<std::string, std::size_t>>& tasks) {
+  std::vector<Input> input;
+  for (const auto& [group, level] : tasks) {
+    const Index edge = machine.edge("root>" + group);
+    input.push_back({.kind = Input::Kind::request, .thing = edge, .level = machine.level(edge, level)});
+    input.back().more = input.size() < tasks.size();
+  }
+  REQUIRE(machine.inbox().post(input));
+}
+
+TEST_CASE("who runs first is known after moves that were recalled, whoever asks") {
+  const std::string robot = R"(
+behaviour: robot
+language: 1
+states:
+  Light: {values: [red, green], initial: red}
+roots:
+  Left: {priority: {low: 1, high: 3}}
+  Right: {priority: 2}
+  Lamp: {priority: {dim: 1, bright: 2, dark: 3}}
+groups:
+  Left: {causing: [Light == green]}
+  Right: {providers: [{name: go, when: [Light == green]}, {name: stand}]}
+  Lamp: {}
+)";
+  constexpr std::size_t low = 0, high = 1;
+  const auto play = [&](Recalls recalls) {
+    Machine machine(robot, 64, recalls);
+    Lines out;
+    const auto all = [&](const std::vector<std::pair<std::string, std::size_t>>& tasks) {
+      ask_for_all(machine, tasks);
+      for (std::string& line : machine.step()) out.push_back(std::move(line));
+      out.push_back("");
+    };
+    const auto turn = [&] {
+      all({{"Left", high}});
+      all({{"Left", high}, {"Right", 0}}); // nothing changes
+      all({{"Left", low}});
+    };
+    all({{"Left", low}, {"Right", 0}, {"Lamp", 0}});
+    for (int i = 0; i < 4; ++i) turn();
+    for (std::size_t i = 1; i < 12; ++i) {
+      turn();
+      all({{"Left", low}, {"Right", 0}}); // nor here
+      turn();
+      all({{"Left", low}, {"Right", 0}, {"Lamp", i % 3}}); // it does elsewhere
+      all({{"Left", high}, {"Right", 0}, {"Lamp", i % 3}}); // it does here
+      all({{"Left", low}, {"Right", 0}, {"Lamp", i % 3}});
+    }
+    CHECK((machine.engine().recalled() > 40) == (recalls == Recalls::yes));
+    return out;
+  };
+  CHECK(play(Recalls::yes) == play(Recalls::no));
+}
+
 TEST_CASE("another value, or a provider that is disabled, is another situation") {
   Machine machine(rivals, 64, Recalls::yes);
   machine.request("Right");

@@ -81,8 +81,8 @@ TEST_CASE("a copy of a view says what the view said when it was made") {
   CHECK(now.holding(b) == Holding{});
   CHECK(then.state(root) == RunState::running);
   CHECK(now.state(root) == RunState::none);
-  CHECK(then.values[0] == unset);
-  CHECK(now.values[0] == 1);
+  CHECK(then.values[0].value == unset);
+  CHECK(now.values[0].value == 1);
   CHECK(then.now == 0);
   CHECK(now.now == 7);
 }

@@ -88,7 +88,7 @@ private:
     for (Index e = 0; e < tables.root_edges; ++e) {
       const Index group = tables.edges[e].target;
       const bool granted = engine.granted(group) && engine.holder(group) == e;
-      if (granted && engine.memory().request[e] != nil && engine.memory().stamp[e] == now && now != last_)
+      if (granted && engine.memory().request[e].level != nil && engine.memory().request[e].stamp == now && now != last_)
         since_[e] = now;
       if (!granted) since_.erase(e);
       if (since_.contains(e) && ran_ == GroupId{group}) {
