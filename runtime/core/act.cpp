@@ -45,7 +45,7 @@ void Engine::act_on_all_touched() {
     untouch(group);
     if (!granted(group)) continue;
     const Index component = s_.turn[group].component;
-    if (count == 0 || component != last) bring_order(component);
+    if (component != last) bring_order(component);
     if (count != 0) sorted = sorted && component == last && s_.place[s_.touched[count - 1]] < s_.place[group];
     last = component;
     s_.touched[count++] = group;

@@ -85,7 +85,7 @@ void Recall::Part::make_room() const {
 
 Recall::Recall(const Tables& t, std::span<std::byte> memory) {
   const std::size_t needed = bytes(t);
-  if (needed == 0 || needed > most_bytes || memory.size() < needed) return;
+  if (needed == 0 || memory.size() < needed) return;
   bytes_ = reinterpret_cast<std::uint8_t*>(memory.data());
   begin_ = reinterpret_cast<std::uint32_t*>(bytes_ + sizeof(Word));
   condition_place_ = begin_ + t.components.size();

@@ -166,17 +166,16 @@ public:
     std::uint8_t* begin_ = nullptr;
   };
 
-  /// The memory that it needs, at most; the same for every size of Index.
+  /// The memory that it needs, at most; 0 where an Index would not find each byte, and else the same for every size of
+  /// Index.
   static constexpr std::size_t bytes(const Tables& t) {
     std::size_t parts = 0;
     for (const Component& row : t.components) parts += size_of(t, row).all();
-    return parts == 0 ? 0 : (lists(t) + parts) * sizeof(Word);
+    const std::size_t all = (lists(t) + parts) * sizeof(Word);
+    return parts == 0 || all > nil ? 0 : all;
   }
 
-  static constexpr std::size_t most_bytes = nil; ///< an Index finds each
-
-  /// `memory`: bytes(t) of them, aligned to 8; with less, and where these are more than most_bytes, nothing is
-  /// recalled.
+  /// `memory`: bytes(t) of them, aligned to 8; with less, nothing is recalled.
   Recall(const Tables& t, std::span<std::byte> memory);
   Recall(const Recall&) = delete;
   Recall& operator=(const Recall&) = delete;
