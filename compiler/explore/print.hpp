@@ -31,7 +31,7 @@ public:
   /// The rest without what a run of that group overwrites: its requests, done flag and reasons, and its place in the
   /// queue. Nil: a micro-step of the outside. Neither is there whether the last arbitration changed anything.
   std::uint64_t rest_before(Index group) const;
-  /// The order in which a group's requests were made, where that counts. `request` and `stamp`: edge
+  /// The order in which a group's requests were made, where that counts. `request`: edge
   void add_places(Projection& out, Index group, const Requested* request) const;
   std::uint64_t mark_of(Index state, std::int32_t value) const {
     return marks_[first_mark_[state] + ground_.classes[state].of(value)];

@@ -109,9 +109,9 @@ void Engine::end_what_it_has(Index group) {
 }
 
 void Engine::stop_group(Index group) {
-  const Turn& turn = s_.turn[group];
+  Turn& turn = s_.turn[group];
   if ((turn.places & place::ends) != 0) end_what_it_has(group);
-  s_.turn[group].pending = s_.turn[group].done = 0;
+  turn.pending = turn.done = 0;
   note_pending(group);
   end_wait(group);
   live_on(group, nil);

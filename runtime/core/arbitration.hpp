@@ -22,7 +22,7 @@ class Pass : public Order {
 public:
   using Order::Order;
 
-  /// Reads State's decision part and its `anew` marks; writes `now`, `next_order`, `next_count` and `queued` of the
+  /// Reads State's decision part; writes `now`, `next_order`, `next_count` and `queued` of the
   /// component.
   void decide(Index component);
 

@@ -68,7 +68,7 @@ DIRECTOR_INLINE void Engine::fetch_what_follows(Index edge) {
   if (turn.component == recent_) return;
   recent_ = turn.component;
   constexpr int most_moves = 7; // lines
-  fetch(&recall_.byte(request.situation), 0, most_moves);
+  if (recall_.on()) fetch(&recall_.byte(request.situation), 0, most_moves);
   fetch(&turn, 1, 1);
   fetch(&s_.last[request.target], 1, 1);
   fetch(s_.request + turn.edges.begin, 0, 1);

@@ -60,9 +60,10 @@ inline void Engine::untouch(Index group) { s_.turn[group].places &= static_cast<
 
 /// Bits of Reason. Which of them are news; of those that outdate orders the situation is still to be told.
 DIRECTOR_INLINE std::uint8_t Engine::note_news(Index group, std::uint8_t bits) {
-  if ((bits & reason::new_task) != 0 && !planted(Fault::done_outlives_a_new_task)) s_.turn[group].done = 0;
-  const auto news = static_cast<std::uint8_t>(bits & ~s_.turn[group].pending);
-  s_.turn[group].pending |= news;
+  Turn& turn = s_.turn[group];
+  if ((bits & reason::new_task) != 0 && !planted(Fault::done_outlives_a_new_task)) turn.done = 0;
+  const auto news = static_cast<std::uint8_t>(bits & ~turn.pending);
+  turn.pending |= news;
   return news;
 }
 
@@ -97,7 +98,7 @@ inline void Engine::add_reason(Index group, Reason reason) {
 
 DIRECTOR_INLINE void Engine::enqueue(Index group) {
   Turn& turn = s_.turn[group];
-  if (s_.turn[group].pending == 0 || (turn.places & place::queue) != 0) return;
+  if (turn.pending == 0 || (turn.places & place::queue) != 0) return;
   turn.places |= place::queue;
   Counters& c = *s_.counters;
   const Index last = c.queue_last;
@@ -110,9 +111,10 @@ DIRECTOR_INLINE void Engine::enqueue(Index group) {
 /// outdated, request() told.
 DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
   live_on(group, s_.last[group].holder);
+  Turn& turn = s_.turn[group];
   if (anew) {
-    s_.turn[group].pending |= reason::new_task;
-    if (!planted(Fault::done_outlives_a_new_task)) s_.turn[group].done = 0;
+    turn.pending |= reason::new_task;
+    if (!planted(Fault::done_outlives_a_new_task)) turn.done = 0;
   }
   enqueue(group);
   if (anew) note_pending(group);

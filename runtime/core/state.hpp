@@ -55,14 +55,14 @@ inline constexpr std::uint8_t order_behind = 128; ///< State::order and State::p
 inline constexpr std::uint8_t kept = stale_counts | reordered | order_behind; ///< also where nothing is to be decided
 } // namespace work
 
-/// Bits of State::pending, as Reason.
+/// Bits of Turn::pending, as Reason.
 namespace reason {
 inline constexpr auto new_task = static_cast<std::uint8_t>(Reason::new_task);
 inline constexpr auto pushed = static_cast<std::uint8_t>(Reason::pushed);
 inline constexpr auto outdating = static_cast<std::uint8_t>(new_task | pushed); ///< the orders that a group gave
 } // namespace reason
 
-/// Bits of State::done.
+/// Bits of Turn::done.
 namespace result {
 inline constexpr std::uint8_t done = 1;
 inline constexpr std::uint8_t failed = 2; ///< with `done`

@@ -48,11 +48,11 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
   if (s_.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
     commit_pack(turn.edges);
-    s_.turn[group].done = 0;
+    turn.done = 0;
     if (wait <= 0) end_wait(group);
   } else {
     for (Index i = 0; i < turn.edges.size(); ++i) s_.staged_request[i].level = nil;
-    if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && s_.turn[group].done == 0)
+    if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && turn.done == 0)
       answer(group, kind == Outcome::Kind::failed);
     if (kind == Outcome::Kind::fault) {
       if (observed()) {

@@ -22,12 +22,16 @@ groups:
       - {name: stand}
 )";
 
+void append(Lines& to, Lines lines) {
+  for (std::string& line : lines) to.push_back(std::move(line));
+}
+
 /// What happens while the two take turns.
 Lines turns(Machine& machine, int times) {
   Lines out;
   for (int i = 0; i < times; ++i) {
     machine.request("Left", i % 2 == 0 ? "high" : "low");
-    for (std::string& line : machine.step()) out.push_back(std::move(line));
+    append(out, machine.step());
   }
   return out;
 }
@@ -111,7 +115,7 @@ groups:
     Lines out;
     const auto all = [&](const std::vector<std::pair<std::string, std::size_t>>& tasks) {
       ask_for_all(machine, tasks);
-      for (std::string& line : machine.step()) out.push_back(std::move(line));
+      append(out, machine.step());
       out.push_back("");
     };
     const auto turn = [&] {
@@ -210,7 +214,7 @@ groups:
     Time now = 0;
     const auto step = [&] {
       out.push_back("at " + std::to_string(now));
-      for (std::string& line : machine.step(now)) out.push_back(std::move(line));
+      append(out, machine.step(now));
       now += 7'000;
     };
     for (int i = 0; i < 12; ++i) {
