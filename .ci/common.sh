@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2034
 # What the scripts at the root share: how they speak, what they install, how they configure and build. Sourced by bash, with the working directory at
 # the root of the project.
@@ -116,12 +117,15 @@ need_right() {
   { mkdir -p build && [ -w build ]; } 2>/dev/null || fail "cannot write to $PWD/build: build as the user to whom the project belongs"
 }
 
+# is_configured <preset>: there is a build tree, and it was not copied from elsewhere.
+is_configured() { [ -f "build/$1/CMakeCache.txt" ] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "build/$1/CMakeCache.txt"; }
+
 # configure <preset> <cmake argument>...: quiet unless something is wrong. A build tree that was copied from elsewhere is made anew.
 configure() {
   local preset=$1 tree=build/$1 fresh=()
   shift
   mkdir -p "$tree"
-  if [ -f "$tree/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$tree/CMakeCache.txt"; then fresh=(--fresh); fi
+  is_configured "$preset" || fresh=(--fresh)
   if ! cmake --preset "$preset" "${fresh[@]}" "$@" >"$tree/configure.log" 2>&1; then
     cat "$tree/configure.log" >&2
     return 1

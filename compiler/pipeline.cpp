@@ -1,4 +1,5 @@
 // Door: compiler/pipeline.hpp. Test: tests/compiler/pipeline_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
 
 #include "compiler/checks/analysis/facts/facts.hpp"
@@ -10,6 +11,7 @@
 #include "dsl/read_behaviour.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace director::compiler {
@@ -39,6 +41,44 @@ bool stops_lowering(const Model& model, const Diagnostics& findings) {
          std::any_of(model.edges.begin(), model.edges.end(), asks_for_itself);
 }
 
+/// Where a provider is missing the model has one that stands in for it.
+bool has_all_but_providers(const Diagnostics& findings) {
+  return std::all_of(findings.begin(), findings.end(), [](const dsl::Diagnostic& finding) {
+    return finding.level != dsl::Level::error || finding.id == "unprovided_task";
+  });
+}
+
+/// It says that nothing ever brings something about. What is missing might.
+bool says_never(const dsl::Diagnostic& finding) {
+  static constexpr std::string_view ids[] = {"causer_not_running", "shadowed_provider",  "state_without_source",
+                                             "uncovered_state",    "unpushable_causing", "unreachable_causing",
+                                             "unreachable_when",   "unused_causing"};
+  return std::find(std::begin(ids), std::end(ids), finding.id) != std::end(ids);
+}
+
+/// What is found of something that only stands in for what is missing is not true of the file.
+Diagnostics without_stand_ins(const Diagnostics& before, Diagnostics found) {
+  const auto is_missing = [&](dsl::Span span) {
+    return std::any_of(before.begin(), before.end(), [&](const dsl::Diagnostic& finding) {
+      return finding.id == "unprovided_task" && finding.span == span;
+    });
+  };
+  const bool any_missing = std::any_of(before.begin(), before.end(),
+                                       [](const dsl::Diagnostic& finding) { return finding.id == "unprovided_task"; });
+  std::erase_if(found, [&](const dsl::Diagnostic& finding) {
+    if (any_missing && says_never(finding)) return true;
+    return is_missing(finding.span) || std::any_of(finding.notes.begin(), finding.notes.end(),
+                                                   [&](const dsl::Note& note) { return is_missing(note.span); });
+  });
+  return found;
+}
+
+/// One decision of it does not try more than anybody waits for.
+bool is_quick_to_run(const Diagnostics& findings) {
+  return std::none_of(findings.begin(), findings.end(),
+                      [](const dsl::Diagnostic& finding) { return finding.id == "unbounded_choice"; });
+}
+
 } // namespace
 
 Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sources, const CheckOptions& options) {
@@ -60,22 +100,23 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   Resolved resolved = resolve(out.spec, sources, {ids_of_checks(), options.types, types ? &*types : nullptr});
   out.model = std::move(resolved.model);
   append(out.findings, without_lost_names(sources, out.findings, std::move(resolved.findings)));
-  if (!dsl::has_errors(out.findings)) {
+  if (has_all_but_providers(out.findings)) {
     out.graph = make_graph(out.model);
     append(out.findings, too_deep_needs(out.model, out.graph));
   }
   out.resolved = !dsl::has_errors(out.findings);
 
   // Whether it makes sense. Only a deployment is a closed world.
-  const bool checkable = out.resolved && out.model.deployment;
+  const bool checkable = has_all_but_providers(out.findings) && out.model.deployment;
   if (checkable) {
     const checks::Facts facts = checks::find_facts(out.model, out.graph);
-    append(out.findings, checks::run_checks(out.model, out.graph, facts, options.selection));
+    append(out.findings,
+           without_stand_ins(out.findings, checks::run_checks(out.model, out.graph, facts, options.selection)));
   }
-  out.lowerable = checkable && !stops_lowering(out.model, out.findings);
+  out.lowerable = out.resolved && checkable && !stops_lowering(out.model, out.findings);
 
-  // Whether what its author relies on is true. Not asked of what is broken anyway.
-  if (options.decide && out.lowerable && !dsl::has_errors(out.findings) && !out.model.assertions.empty()) {
+  // Whether what its author relies on is true. Errors that leave something to run say nothing about that.
+  if (options.decide && out.lowerable && is_quick_to_run(out.findings) && !out.model.assertions.empty()) {
     const std::vector<Verdict> verdicts = decide_assertions(out.model, states_of_check);
     append(out.findings, refuted_assertions(out.model, verdicts));
     out.undecided = undecided_assertions(out.model, verdicts);

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // From a path to a checked model: what every command does first.
 
 #include "compiler/checks/run_checks.hpp"

@@ -1,9 +1,10 @@
 // Door: compiler/verify.hpp. Test: tests/clang/faults_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/verify.hpp"
 
 #include "compiler/checks/code_check.hpp"
-#include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/emit.hpp"
+#include "compiler/emit/notice.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/facts/includes.hpp"
 #include "compiler/facts/scanner.hpp"
@@ -42,10 +43,12 @@ public:
         compilers_(world.programs),
         includes_(world.files),
         cache_(world.store, world.files),
-        code_files_(world.files, sources, world.shown) {}
+        code_files_(world.files, sources, world.shown),
+        is_realtime_(std::any_of(checked.model.groups.begin(), checked.model.groups.end(),
+                                 [](const Group& group) { return group.realtime; })) {}
 
-  Verified run(const std::string& build, const std::string& generated) {
-    if (!find_candidates(build, generated)) return std::move(out_);
+  Verified run(const VerifyScope& scope) {
+    if (!find_candidates(scope)) return std::move(out_);
     if (!compare_generated()) return std::move(out_);
     std::vector<Candidate*> wanted;
     for (Candidate& each : candidates_) {
@@ -55,7 +58,7 @@ public:
       if (!scan(wanted)) return std::move(out_);
       wanted = helpers(checks::look_below(checked_.model, code_));
     }
-    judge(build);
+    judge(scope.build);
     return std::move(out_);
   }
 
@@ -65,16 +68,20 @@ private:
     return false;
   }
 
-  bool find_candidates(const std::string& build, const std::string& generated) {
-    LoadedCommands loaded = load_compile_commands(build, world_.files);
+  bool find_candidates(const VerifyScope& scope) {
+    LoadedCommands loaded = load_compile_commands(scope.build, world_.files);
     if (!loaded.was_read) loaded.fault += "; CMake writes it with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON";
     if (!loaded.fault.empty()) return fail(std::move(loaded.fault));
     commands_ = std::move(loaded.commands);
     const std::string name = checked_.model.name + ".hpp";
     const std::string only =
-        generated.empty() ? std::string{} : (fs::absolute(generated) / name).lexically_normal().string();
+        scope.generated.empty() ? std::string{} : (fs::absolute(scope.generated) / name).lexically_normal().string();
+    std::vector<fs::path> excluded;
+    for (const std::string& each : scope.excluded) excluded.push_back(whole(each));
+    std::vector<bool> met(excluded.size(), false);
     bool any = false;
     for (const CompileCommand& command : commands_) {
+      if (is_excluded(command, excluded, met)) continue;
       Candidate each{&command, fit_for_clang(command.words), {}, false};
       const std::vector<std::string> folders = include_folders(each.flags.words, command.directory);
       for (const std::string& folder : folders) {
@@ -87,12 +94,46 @@ private:
       const bool is_output = fs::path(command.file).parent_path() == fs::path(each.header).parent_path();
       if (is_other || is_output) each.header.clear();
       any = any || !each.header.empty();
-      if (!each.header.empty() && !includes_.may_include(command.file, folders, each.header)) each.header.clear();
+      std::vector<std::string> begun = forced_includes(each.flags.words, command.directory);
+      begun.push_back(command.file);
+      const bool may = std::any_of(begun.begin(), begun.end(), [&](const std::string& file) {
+        return !each.header.empty() && includes_.may_include(file, folders, each.header);
+      });
+      if (!may) each.header.clear();
       candidates_.push_back(std::move(each));
     }
+    for (std::size_t i = 0; i < excluded.size(); ++i) {
+      if (met[i]) continue;
+      out_.remarks.push_back(fmt::format("`--exclude={}` leaves nothing out: no source of `{}` lies there, and none is "
+                                         "compiled into it",
+                                         scope.excluded[i], scope.build));
+    }
     if (any) return true;
-    return fail(fmt::format(
-        "no file of `{}` has the generated `{}` in its include folders: has the program been built?", build, name));
+    return fail(
+        fmt::format("no file of `{}`{} has the generated `{}` in its include folders: has the program been built?",
+                    scope.build, excluded.empty() ? "" : " that is not excluded", name));
+  }
+
+  static fs::path whole(const fs::path& path) {
+    const fs::path out = fs::absolute(path).lexically_normal();
+    return out.has_filename() ? out : out.parent_path(); // "tests/" is tests
+  }
+
+  static bool lies_in(const fs::path& path, const fs::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+  }
+
+  /// By its source or by what it is compiled to: CMake compiles a target into a folder of its own.
+  static bool is_excluded(const CompileCommand& command, const std::vector<fs::path>& excluded,
+                          std::vector<bool>& met) {
+    const fs::path output = command.output.empty() ? fs::path{} : whole(fs::path(command.directory) / command.output);
+    bool out = false;
+    for (std::size_t i = 0; i < excluded.size(); ++i) {
+      const bool here = lies_in(command.file, excluded[i]) || (!output.empty() && lies_in(output, excluded[i]));
+      met[i] = met[i] || here;
+      out = out || here;
+    }
+    return out;
   }
 
   bool is_generated(const std::string& header) {
@@ -163,7 +204,10 @@ private:
   }
 
   Json unit_of(const Candidate& candidate) {
-    return unit_question(candidate.command->file, candidate.command->directory, compilers_.complete(candidate.flags));
+    Json out =
+        unit_question(candidate.command->file, candidate.command->directory, compilers_.complete(candidate.flags));
+    if (is_realtime_) out.add("deep", Json::boolean(true));
+    return out;
   }
 
   void note_errors(const Candidate& candidate, const Json& answer) {
@@ -206,10 +250,12 @@ private:
     for (const checks::Body& body : input.bodies) {
       seen.insert(body.function->context);
       note_unseen(body);
+      if (body.is_unwritten()) out_.unwritten.push_back(checks::name_of(checked_.model, body.of));
     }
     out_.bodies = input.names.contexts.size();
     out_.seen = seen.size();
-    if (seen.empty()) {
+    // Where there are classes, the build is the right one, and what is missing is told in the findings.
+    if (seen.empty() && code_.classes.empty() && !code_.has_templates) {
       fail(fmt::format("none of the {} files of `{}` that could have a body of `{}` has one", out_.files, build,
                        checked_.model.name));
       return;
@@ -243,6 +289,7 @@ private:
   Includes includes_;
   FactCache cache_;
   CodeFiles code_files_;
+  bool is_realtime_; ///< so that it matters what blocks
   std::vector<CompileCommand> commands_;
   std::vector<Candidate> candidates_;
   std::map<std::string, std::string> headers_; ///< path -> text; empty: it is none of ours
@@ -252,9 +299,8 @@ private:
 
 } // namespace
 
-Verified verify(const Checked& checked, dsl::Sources& sources, const std::string& build, const std::string& generated,
-                VerifyWorld& world) {
-  return Verifier(checked, sources, world).run(build, generated);
+Verified verify(const Checked& checked, dsl::Sources& sources, const VerifyScope& scope, VerifyWorld& world) {
+  return Verifier(checked, sources, world).run(scope);
 }
 
 } // namespace director::compiler

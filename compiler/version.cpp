@@ -1,4 +1,5 @@
 // Door: compiler/version.hpp. Test: tests/compiler/version_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/version.hpp"
 
 namespace director::compiler {

@@ -1,4 +1,5 @@
 // Door: dsl/data.hpp. Test: tests/dsl/data_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/data.hpp"
 
 #include <fmt/format.h>

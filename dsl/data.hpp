@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Any YAML value as a scenario uses it for a task's data: comparable, and printed in flow style, `{x: 1, y: [a, b]}`.
 
 #include <string>

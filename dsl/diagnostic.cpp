@@ -1,4 +1,5 @@
 // Door: dsl/diagnostic.hpp. Test: tests/dsl/diagnostic_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/diagnostic.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What is wrong with the user's input: a value that every stage returns and only the command line prints.
 
 #include "dsl/span.hpp"

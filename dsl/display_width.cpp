@@ -1,4 +1,5 @@
 // Door: dsl/display_width.hpp. Test: tests/dsl/render_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/display_width.hpp"
 
 #include <clocale> // newlocale and uselocale too: these are POSIX

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // How many columns a character takes on a terminal: one, two (Chinese, emoji), or none (an accent on the one before).
 // As the C library says (wcwidth), in the locale C.UTF-8; without that locale every character takes one.
 // Some terminals draw several characters as one picture, or newer ones otherwise: there marks may stand beside their

@@ -1,4 +1,5 @@
 // Door: dsl/duration.hpp. Test: tests/dsl/duration_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/duration.hpp"
 
 #include <fmt/format.h>

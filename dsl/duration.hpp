@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Times as the language writes them: a whole number and a unit, `500 ms`.
 
 #include <cstdint>

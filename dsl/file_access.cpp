@@ -1,4 +1,5 @@
 // Door: dsl/file_access.hpp. Test: tests/dsl/file_access_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/file_access.hpp"
 
 #include <fcntl.h>

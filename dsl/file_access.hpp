@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // How the language reaches files: an interface, the disk behind it for the command line, a map behind it for tests.
 
 #include "dsl/result.hpp"

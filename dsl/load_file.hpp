@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Fetches the text of a file that was named on the command line or in another file.
 
 #include "dsl/diagnostic.hpp"

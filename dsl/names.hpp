@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a name may look like. Source: the language page, "Names". Which of these rules a thing must follow is decided
 // where names are resolved.
 
@@ -11,8 +12,12 @@ namespace director::dsl {
 bool is_identifier(std::string_view text);
 /// Of C++20, with its alternative spellings (`and`, `xor`); they end where a name becomes a C++ name.
 bool is_cpp_keyword(std::string_view text);
+/// What the compiler and its library keep for themselves: `__LINE__`, `_Complex`.
+bool is_reserved_in_cpp(std::string_view text);
 /// Of the standard headers, like `EOF` and `errno`.
-bool is_cpp_macro(std::string_view text);
+bool is_cpp_macro(std::string_view text); // standard_names.cpp, as the next one
+/// What the standard headers declare outside of all namespaces, like `abs` and `FILE`.
+bool is_cpp_global(std::string_view text);
 /// `start`, `stop`, `default`, `root`, `limbo`, with either case of the first letter.
 bool is_reserved(std::string_view text);
 /// What a run's context is asked for (`task`, `request`, `done` ...): no pack can be called so.

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A Spec as text: the behaviour files in normal form, every key in the order of the language page, no comments. Reading
 // it again gives an equal Spec apart from the places. This is what `directorc dump --stage=spec` prints.
 

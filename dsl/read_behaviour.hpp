@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads a behaviour file and everything that it imports, each file once. All mistakes are collected; what could be read
 // is in the Spec all the same, so that a second stage may look at it where there are no errors. Source: the language
 // page.

@@ -1,4 +1,5 @@
 // Door: dsl/read_condition.hpp. Test: tests/dsl/read_condition_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/read_condition.hpp"
 
 #include <fmt/format.h>
@@ -24,11 +25,15 @@ constexpr std::array habits{
     Habit{"=<", "write `<=`"},
     Habit{"=>", "write `>=`"},
     Habit{"<>", "write `!=`"},
+    Habit{"is", "write `==`"},
+    Habit{"in", "alternatives are values of one state: `Phase == ready|set`"},
     Habit{"&&", "each condition is an entry of its own in the list; all must hold"},
     Habit{"and", "each condition is an entry of its own in the list; all must hold"},
     Habit{"||", "alternatives are values of one state: `Phase == ready|set`"},
     Habit{"or", "alternatives are values of one state: `Phase == ready|set`"},
 };
+
+constexpr const char* negated = "write `!=` between state and value: `Phase != ready`";
 
 std::string habit_help(std::string_view token) {
   for (const Habit& habit : habits)
@@ -119,7 +124,7 @@ private:
     const Token token = peek();
     const bool number = token.end > token.begin + 1 && text_[token.begin] == '-';
     if (token.begin == token.end || !(is_word(text_[token.begin]) || number))
-      fail(token, fmt::format("expected {}, found {}", expected, found(token)));
+      fail(token, fmt::format("expected {}, found {}", expected, found(token)), text(token) == "!" ? negated : "");
     at_ = token.end;
     return {std::string(text(token)), span(token)};
   }
@@ -130,7 +135,7 @@ private:
     at_ = token.end;
     if (known != ops.end()) return {static_cast<Op>(known - ops.begin()), span(token)};
     fail(token, fmt::format("expected {} behind `{}`, found {}", known_ops, state, found(token)),
-         habit_help(text(token)));
+         state == "not" ? std::string(negated) : habit_help(text(token)));
     return {};
   }
 
@@ -185,10 +190,20 @@ std::optional<ConditionSpec> read_condition(Reader& reader, const YamlNode& node
   return std::nullopt;
 }
 
+namespace {
+
+/// For `when: {Phase: playing}`.
+std::string help_for_mapping(const YamlNode* node) {
+  if (!node || node->pairs.empty() || node->pairs.front().value.kind != YamlNode::Kind::scalar) return "";
+  return fmt::format("write `[{} == {}]`", node->pairs.front().key.value, node->pairs.front().value.text);
+}
+
+} // namespace
+
 std::vector<ConditionSpec> read_conditions(Reader& reader, const YamlNode* node, std::string_view subject,
                                            ConditionUse use) {
   std::vector<ConditionSpec> out;
-  if (!reader.is_list(node, subject)) return out;
+  if (!reader.is_list(node, subject, "a list", help_for_mapping(node))) return out;
   for (const YamlNode& item : node->items)
     if (auto condition = read_condition(reader, item, subject, use)) out.push_back(std::move(*condition));
   return out;

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads conditions, `<State> <op> <value>`. Source: the language page, "Rules". Finds bad_condition, whose place is the
 // word inside the condition that is wrong.
 

@@ -1,4 +1,5 @@
 // Door: dsl/read_data.hpp. Test: tests/dsl/read_data_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/read_data.hpp"
 
 #include <fmt/format.h>

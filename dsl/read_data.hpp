@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads any YAML value as Data: the words of YAML 1.2's core schema, as far as the language has them.
 
 #include "dsl/data.hpp"

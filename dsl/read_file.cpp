@@ -1,4 +1,5 @@
 // Door: dsl/read_file.hpp. Test: tests/dsl/read_file_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/read_file.hpp"
 
 #include "dsl/read_group.hpp"
@@ -33,7 +34,12 @@ CppSpec read_cpp(Reader& reader, const YamlNode* node) {
   if (!reader.is_mapping(node, "cpp")) return cpp;
   reader.know_keys(*node, "`cpp`", keys);
   cpp.name_space = reader.word(node->find("namespace"), "namespace", "a C++ namespace");
-  cpp.headers = reader.words(node->find("headers"), "headers", "the path of a header");
+  const YamlNode* headers = node->find("headers");
+  if (!reader.is_list(headers, "headers")) return cpp;
+  for (const YamlNode& item : headers->items) {
+    if (auto header = reader.cpp_word(&item, "headers", "the path of a header", "bad_header", header_fault))
+      cpp.headers.push_back(std::move(*header));
+  }
   return cpp;
 }
 
@@ -114,11 +120,14 @@ std::optional<AssertionSpec> read_assertion(Reader& reader, const YamlNode& node
   return out.groups.empty() ? std::nullopt : std::optional(std::move(out));
 }
 
-/// Each pair of a mapping, read by `read`.
+/// Each pair of a mapping, read by `read`. `example`: a pair.
 template <class Read>
-auto read_named(Reader& reader, const YamlNode* node, std::string_view subject, Read read) {
+auto read_named(Reader& reader, const YamlNode* node, std::string_view subject, std::string_view example, Read read) {
   std::vector<decltype(read(reader, node->pairs.front()))> out;
-  if (!reader.is_mapping(node, subject)) return out;
+  std::string help;
+  if (node && node->kind == YamlNode::Kind::list)
+    help = fmt::format("each with its name and a `:`, such as `{}`", example);
+  if (!reader.is_mapping(node, subject, "a mapping", std::move(help))) return out;
   for (const YamlPair& pair : node->pairs) out.push_back(read(reader, pair));
   return out;
 }
@@ -133,9 +142,7 @@ BehaviourSpec read_file(Reader& reader, const YamlNode& root) {
   file.span = {root.span.file, 0, static_cast<std::uint32_t>(reader.source().size())};
   if (!read_language(reader, root)) return file;
   const Span first = root.pairs.empty() ? root.span : root.pairs.front().key.span;
-  static const Elsewhere scenarios{{"scenario", "given", "script", "steps"},
-                                   "this belongs to a scenario, which `directorc test` and `directorc simulate` play"};
-  reader.know_keys(root, "a behaviour file", keys, scenarios);
+  reader.know_keys(root, "a behaviour file", keys, slips_of_file());
   reader.require(root, "language", "a behaviour file", first, fmt::format("language: {}", known_language));
   file.name = reader
                   .word(reader.require(root, "behaviour", "a behaviour file", first, "behaviour: soccer"), "behaviour",
@@ -146,14 +153,14 @@ BehaviourSpec read_file(Reader& reader, const YamlNode& root) {
     file.imports.push_back({std::move(path), {}});
   file.cpp = read_cpp(reader, root.find("cpp"));
   file.layers = reader.words(root.find("layers"), "layers", "the name of a layer");
-  file.states = read_named(reader, root.find("states"), "states", read_state);
+  file.states = read_named(reader, root.find("states"), "states", "Motion: {values: [still, moving]}", read_state);
   file.triggers = reader.words(root.find("triggers"), "triggers", "the name of a trigger");
   file.externs = reader.words(root.find("extern"), "extern", "the name of a group");
   file.roots = read_tasks(reader, root.find("roots"), "roots");
-  file.groups = read_named(reader, root.find("groups"), "groups", read_group);
-  file.extend = read_named(reader, root.find("extend"), "extend", read_extend);
+  file.groups = read_named(reader, root.find("groups"), "groups", "Legs: {}", read_group);
+  file.extend = read_named(reader, root.find("extend"), "extend", "Walk: {providers: [{name: fast}]}", read_extend);
   const YamlNode* assertions = root.find("assertions");
-  if (reader.is_list(assertions, "assertions"))
+  if (reader.is_list(assertions, "assertions", "a list", "write `- ` before each of them"))
     for (const YamlNode& item : assertions->items)
       if (auto assertion = read_assertion(reader, item)) file.assertions.push_back(std::move(*assertion));
   file.limits = read_limits(reader, root.find("limits"));

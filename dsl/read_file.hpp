@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads the top of one behaviour file: everything but what its imports say.
 
 #include "dsl/reader.hpp"

@@ -1,4 +1,5 @@
 // Door: dsl/read_group.hpp. Test: tests/dsl/read_group_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/read_group.hpp"
 
 #include "dsl/read_condition.hpp"
@@ -43,7 +44,7 @@ ProviderSpec read_provider(Reader& reader, const YamlNode& mapping) {
   const Span first = mapping.pairs.empty() ? mapping.span : mapping.pairs.front().key.span;
   const YamlNode* name = mapping.find("name");
   const bool named = name && name->kind == YamlNode::Kind::scalar;
-  reader.know_keys(mapping, named ? fmt::format("provider `{}`", name->text) : "a provider", keys);
+  reader.know_keys(mapping, named ? fmt::format("provider `{}`", name->text) : "a provider", keys, slips_of_group());
   ProviderSpec provider;
   provider.span = mapping.span;
   provider.name = reader.word(reader.require(mapping, "name", "a provider", first, "name: walking"), "name", "a name")
@@ -54,9 +55,17 @@ ProviderSpec read_provider(Reader& reader, const YamlNode& mapping) {
   return provider;
 }
 
+/// For `providers: {walking: {...}}` and for one provider without its dash.
+std::string help_for_mapping(const YamlNode* node) {
+  if (!node || node->pairs.empty()) return "";
+  if (node->find("name")) return "each is an entry of a list: write `- ` before its `name`";
+  return fmt::format("their order is that of preference: write `- name: {}`, and its other words below",
+                     node->pairs.front().key.value);
+}
+
 std::vector<ProviderSpec> read_providers(Reader& reader, const YamlNode* node) {
   std::vector<ProviderSpec> out;
-  if (!reader.is_list(node, "providers", "a list of providers")) return out;
+  if (!reader.is_list(node, "providers", "a list of providers", help_for_mapping(node))) return out;
   for (const YamlNode& item : node->items)
     if (reader.is_mapping(&item, "providers", "a mapping such as {name: walking}"))
       out.push_back(read_provider(reader, item));
@@ -104,6 +113,13 @@ std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, st
   return handler;
 }
 
+/// For `Walk: [Legs]`.
+std::string help_for_list(const YamlPair& pair) {
+  if (pair.value.kind != YamlNode::Kind::list) return "";
+  return fmt::format("what it requests stands in `tasks`, what it must control in `needs`: `{}: {{tasks: [...]}}`",
+                     pair.key.value);
+}
+
 } // namespace
 
 GroupSpec read_group(Reader& reader, const YamlPair& pair) {
@@ -115,12 +131,12 @@ GroupSpec read_group(Reader& reader, const YamlPair& pair) {
   group.name = reader.name(pair);
   group.realtime.span = pair.key.span;
   const YamlNode& mapping = pair.value;
-  if (!reader.is_mapping(&mapping, pair.key.value)) return group;
-  reader.know_keys(mapping, fmt::format("group `{}`", pair.key.value), keys);
+  if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_list(pair))) return group;
+  reader.know_keys(mapping, fmt::format("group `{}`", pair.key.value), keys, slips_of_group());
   group.doc = reader.text(mapping.find("doc"), "doc");
   group.layer = reader.word(mapping.find("layer"), "layer", "the name of a layer");
   group.module = reader.word(mapping.find("module"), "module", "the name of a module");
-  group.data = reader.word(mapping.find("data"), "data", "a C++ type");
+  group.data = reader.cpp_word(mapping.find("data"), "data", "a C++ type", "bad_type", data_fault);
   if (const auto flag = reader.flag(mapping.find("realtime"), "realtime")) group.realtime = *flag;
   group.start = read_handler(reader, mapping.find("start"), "start");
   group.stop = read_handler(reader, mapping.find("stop"), "stop");

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads groups, their providers, and `extend`.
 
 #include "dsl/reader.hpp"

@@ -1,4 +1,5 @@
 // Door: dsl/read_scenario.hpp. Test: tests/dsl/read_scenario_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/read_scenario.hpp"
 
 #include "dsl/load_file.hpp"
@@ -113,7 +114,7 @@ StepSpec read_step(Reader& reader, const YamlNode& mapping) {
   static const Keys keys = with(words, {"expect", "doc"});
   StepSpec step;
   step.span = mapping.span;
-  reader.know_keys(mapping, "a step", keys);
+  reader.know_keys(mapping, "a step", keys, slips_of_step());
   if (const auto word = only_word(reader, mapping, "a step", words, keys)) {
     if (words[*word] == "advance")
       step.advance = reader.duration(mapping.find("advance"), "advance", 0);
@@ -130,10 +131,7 @@ StepSpec read_step(Reader& reader, const YamlNode& mapping) {
 void read_top(Reader& reader, const YamlNode& root, const std::string& path, ScenarioSpec& out) {
   static const Keys keys{"scenario", "behaviour", "given", "script", "steps", "doc"};
   const Span first = root.pairs.empty() ? root.span : root.pairs.front().key.span;
-  static const Elsewhere behaviours{{"language", "imports", "cpp", "layers", "states", "triggers", "extern", "roots",
-                                     "groups", "extend", "assertions", "limits"},
-                                    "this belongs to a behaviour file, which `directorc check` reads"};
-  reader.know_keys(root, "a scenario file", keys, behaviours);
+  reader.know_keys(root, "a scenario file", keys, slips_of_scenario_file());
   out.title = reader.text(root.find("scenario"), "scenario");
   out.behaviour = reader
                       .word(reader.require(root, "behaviour", "a scenario file", first, "behaviour: walker.yaml"),
@@ -146,7 +144,7 @@ void read_top(Reader& reader, const YamlNode& root, const std::string& path, Sce
   if (reader.is_mapping(script, "script"))
     for (const YamlPair& pair : script->pairs) out.script.push_back(read_script_entry(reader, pair));
   const YamlNode* steps = root.find("steps");
-  if (!reader.is_list(steps, "steps", "a list of steps")) return;
+  if (!reader.is_list(steps, "steps", "a list of steps", "write `- ` before each step: `- request: Walk`")) return;
   for (const YamlNode& item : steps->items)
     if (reader.is_mapping(&item, "steps", "a mapping such as {request: Walk}"))
       out.steps.push_back(read_step(reader, item));

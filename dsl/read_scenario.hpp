@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads a scenario file (not the behaviour that it names). Source: the second half of the language page.
 
 #include "dsl/diagnostic.hpp"

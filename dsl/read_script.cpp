@@ -1,4 +1,5 @@
 // Door: dsl/read_script.hpp. Test: tests/dsl/read_scenario_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/read_script.hpp"
 
 #include "dsl/read_data.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads what a scenario's bodies do: the entries of `script`. The lists of requests and settings in it also stand in
 // steps.
 

@@ -1,4 +1,5 @@
 // Door: dsl/read_state.hpp. Test: tests/dsl/read_state_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/read_state.hpp"
 
 #include "dsl/read_tasks.hpp"
@@ -43,6 +44,26 @@ std::optional<ExpiresSpec> read_expires(Reader& reader, const YamlNode* node, co
   return after ? std::optional(ExpiresSpec{*after, std::move(to)}) : std::nullopt;
 }
 
+/// For `Motion: [still, moving]` and `Door: bool`.
+std::string help_for_short(const YamlPair& pair) {
+  if (pair.value.kind == YamlNode::Kind::list)
+    return fmt::format("its values stand in `values`: `{}: {{values: [...]}}`", pair.key.value);
+  const bool builtin = pair.value.kind == YamlNode::Kind::scalar && help_for_type(pair.value.text);
+  return builtin ? *help_for_type(pair.value.text) : "";
+}
+
+/// A type that C++ has itself is not taken for the name of an enum: nobody should look for its values.
+std::optional<Word> read_type(Reader& reader, const YamlNode& mapping) {
+  constexpr std::string_view expected = "a C++ enum";
+  const YamlNode* node = mapping.find("type");
+  const bool scalar = node != nullptr && node->kind == YamlNode::Kind::scalar;
+  const std::string* help = scalar ? help_for_type(node->text) : nullptr;
+  if (help == nullptr) return reader.cpp_word(node, "type", expected, "bad_type", enum_fault);
+  const bool said = mapping.find("values") || mapping.find("range");
+  reader.unexpected(*node, "type", expected, said ? "leave it out: what the state can be is said beside it" : *help);
+  return std::nullopt;
+}
+
 } // namespace
 
 StateSpec read_state(Reader& reader, const YamlPair& pair) {
@@ -53,11 +74,13 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
   state.name = reader.name(pair);
   state.external.span = pair.key.span;
   const YamlNode& mapping = pair.value;
-  if (!reader.is_mapping(&mapping, pair.key.value)) return state;
+  if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short(pair))) return state;
   const std::string thing = fmt::format("state `{}`", pair.key.value);
-  reader.know_keys(mapping, thing, keys);
+  reader.know_keys(mapping, thing, keys, slips_of_state());
   reader.exclude(mapping, "range", "values", "leave out one: `range` is for whole numbers, `values` is for words");
-  reader.exclude(mapping, "range", "type", "leave out one: `range` is for whole numbers, `type` for an enum of C++");
+  const YamlNode* type = mapping.find("type");
+  if (!type || !help_for_type(type->text)) // that is told of `type` alone
+    reader.exclude(mapping, "range", "type", "leave out one: `range` is for whole numbers, `type` for an enum of C++");
   reader.exclude(mapping, "of", "external", "leave out `of` if the outside may set it, else `external`");
   if (reader.lacks(mapping, "values") && reader.lacks(mapping, "range") && reader.lacks(mapping, "type"))
     reader.error("missing_key", pair.key.span, thing + " needs `values`, `range` or `type`",
@@ -65,7 +88,7 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
   if (mapping.find("of") && reader.lacks(mapping, "initial"))
     reader.error("missing_key", pair.key.span, thing + " belongs to a group and needs `initial`",
                  "give it the value to which it returns when the group stops");
-  state.type = reader.word(mapping.find("type"), "type", "a C++ enum");
+  state.type = read_type(reader, mapping);
   if (const YamlNode* values = mapping.find("values")) {
     state.values = reader.words(values, "values", "the name of a value");
     if (values->kind == YamlNode::Kind::list && values->items.empty())

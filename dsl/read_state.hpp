@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads states.
 
 #include "dsl/reader.hpp"

@@ -1,4 +1,5 @@
 // Door: dsl/read_tasks.hpp. Test: tests/dsl/read_tasks_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/read_tasks.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +29,18 @@ void read_flags(Reader& reader, const YamlNode& mapping, LevelSpec& level) {
   level.apart.value = false;
 }
 
+/// For `Walk: 10`, `Walk: optional` and `Walk: true`, of a task or a level.
+std::string help_for_short(const YamlPair& pair) {
+  const YamlNode& value = pair.value;
+  const std::string& name = pair.key.value;
+  if (value.kind == YamlNode::Kind::list) return "tasks that belong together stand in `packs`: `packs: {go: [Walk]}`";
+  if (value.kind != YamlNode::Kind::scalar) return "";
+  if (parse_number(value.text)) return fmt::format("write `{}: {{priority: {}}}`", name, value.text);
+  for (const std::string_view word : {"optional", "apart"})
+    if (value.text == word) return fmt::format("write `{}: {{{}: true}}`", name, word);
+  return value.text == "true" ? fmt::format("write `{}: {{}}`", name) : "";
+}
+
 bool names_a_level(Reader& reader, const YamlNode& mapping, std::string_view subject) {
   if (mapping.pairs.empty())
     reader.error("wrong_node_kind", mapping.span, fmt::format("`{}`: expected at least one level, found none", subject),
@@ -55,7 +68,7 @@ std::vector<LevelSpec> read_levels(Reader& reader, const YamlNode& mapping) {
   for (const YamlPair& pair : mapping.pairs) {
     LevelSpec level = level_at(pair.key.span);
     level.name = reader.name(pair);
-    if (reader.is_mapping(&pair.value, pair.key.value)) {
+    if (reader.is_mapping(&pair.value, pair.key.value, "a mapping", help_for_short(pair))) {
       reader.know_keys(pair.value, fmt::format("level `{}`", pair.key.value), keys);
       read_priority(reader, pair.value.find("priority"), level);
       read_flags(reader, pair.value, level);
@@ -67,7 +80,7 @@ std::vector<LevelSpec> read_levels(Reader& reader, const YamlNode& mapping) {
 
 void read_entry(Reader& reader, const YamlNode& mapping, TaskSpec& task) {
   static const Keys keys{"priority", "optional", "apart", "levels", "doc", "allow", "because"};
-  reader.know_keys(mapping, fmt::format("task `{}`", task.name.value), keys);
+  reader.know_keys(mapping, fmt::format("task `{}`", task.name.value), keys, slips_of_task());
   for (const std::string_view other : {"priority", "optional", "apart"})
     reader.exclude(mapping, "levels", other, fmt::format("say `{}` in each of the levels", other));
   LevelSpec& level = task.levels.front();
@@ -114,7 +127,8 @@ std::optional<std::vector<TaskSpec>> read_tasks(Reader& reader, const YamlNode* 
   if (node->kind == YamlNode::Kind::mapping) {
     for (const YamlPair& pair : node->pairs) {
       TaskSpec& task = add(reader.name(pair), pair.span);
-      if (reader.is_mapping(&pair.value, pair.key.value)) read_entry(reader, pair.value, task);
+      if (reader.is_mapping(&pair.value, pair.key.value, "a mapping", help_for_short(pair)))
+        read_entry(reader, pair.value, task);
     }
     return tasks;
   }
@@ -130,7 +144,10 @@ std::optional<std::vector<TaskSpec>> read_tasks(Reader& reader, const YamlNode* 
 }
 
 std::optional<std::vector<PackSpec>> read_packs(Reader& reader, const YamlNode* node) {
-  if (!reader.is_mapping(node, "packs", "a mapping of names to tasks")) return std::nullopt;
+  const bool list = node && node->kind == YamlNode::Kind::list;
+  if (!reader.is_mapping(node, "packs", "a mapping of names to tasks",
+                         list ? "give each pack a name: `packs: {attack: [Kick, Walk]}`" : ""))
+    return std::nullopt;
   std::vector<PackSpec> packs;
   for (const YamlPair& pair : node->pairs) {
     PackSpec pack{reader.name(pair), {}, pair.span};

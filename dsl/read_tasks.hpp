@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads what may be requested: the entries of `tasks`, of packs and of `roots`; and `allow`, which may stand on them.
 
 #include "dsl/reader.hpp"

@@ -1,4 +1,5 @@
 // Door: dsl/reader.hpp. Test: tests/dsl/reader_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/reader.hpp"
 
 #include "dsl/names.hpp"
@@ -15,6 +16,7 @@ namespace director::dsl {
 namespace {
 
 constexpr std::size_t longest_quote = 40;
+constexpr std::size_t most_quoted_words = 4;
 
 std::string quoted(std::string_view text) {
   const std::size_t line = text.find('\n');
@@ -56,17 +58,20 @@ void Reader::unexpected(const YamlNode& node, std::string_view subject, std::str
         std::move(help));
 }
 
-bool Reader::is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected) {
+bool Reader::is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected, std::string help) {
   if (!node) return false;
   const bool good = node->kind == YamlNode::Kind::mapping;
-  if (!good) unexpected(*node, subject, expected, node->kind == YamlNode::Kind::null ? "an empty one is `{}`" : "");
+  if (node->kind == YamlNode::Kind::null) help = "an empty one is `{}`";
+  const std::size_t blank = node->text.find(' ');
+  if (help.empty() && node->kind == YamlNode::Kind::scalar && !node->quoted() && blank != std::string::npos)
+    help = fmt::format("if `{0}` is a key, write `{0}:`", node->text.substr(0, blank));
+  if (!good) unexpected(*node, subject, expected, std::move(help));
   return good;
 }
 
-bool Reader::is_list(const YamlNode* node, std::string_view subject, std::string_view expected) {
+bool Reader::is_list(const YamlNode* node, std::string_view subject, std::string_view expected, std::string help) {
   if (!node) return false;
   const bool good = node->kind == YamlNode::Kind::list;
-  std::string help;
   if (node->kind == YamlNode::Kind::null) help = "an empty one is `[]`";
   if (node->kind == YamlNode::Kind::scalar && !node->text.empty()) help = fmt::format("write `[{}]`", node->text);
   if (!good) unexpected(*node, subject, expected, std::move(help));
@@ -80,13 +85,13 @@ bool Reader::is_scalar(const YamlNode* node, std::string_view subject, std::stri
   return good;
 }
 
-void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys, const Elsewhere& elsewhere) {
+void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys, const Slips& slips) {
   for (const YamlPair& pair : mapping.pairs) {
     const std::string& key = pair.key.value;
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
     const std::string message = fmt::format("{} has no key {}", thing, quoted(key));
-    if (std::find(elsewhere.keys.begin(), elsewhere.keys.end(), key) != elsewhere.keys.end()) {
-      error("unknown_key", pair.key.span, message, elsewhere.help);
+    if (const std::string* help = help_for(slips, key)) {
+      error("unknown_key", pair.key.span, message, *help);
       continue;
     }
     const auto near = suggest(key, keys);
@@ -112,7 +117,7 @@ const Word& Reader::key_of(const YamlNode& mapping, std::string_view key) {
 
 bool Reader::lacks(const YamlNode& mapping, std::string_view key) const {
   const auto meant = [&](const auto& entry) { return entry.first == &mapping && entry.second == key; };
-  return !mapping.find(key) && std::none_of(misspelt_.begin(), misspelt_.end(), meant);
+  return !mapping.left_out && !mapping.find(key) && std::none_of(misspelt_.begin(), misspelt_.end(), meant);
 }
 
 const YamlNode* Reader::require(const YamlNode& mapping, std::string_view key, std::string_view thing, Span place,
@@ -146,9 +151,24 @@ std::optional<Word> Reader::word(const YamlNode* node, std::string_view subject,
 
 std::vector<Word> Reader::words(const YamlNode* node, std::string_view subject, std::string_view expected) {
   std::vector<Word> out;
-  if (!is_list(node, subject)) return out;
+  std::vector<std::string_view> keys; // of a mapping that stands there instead
+  if (node)
+    for (const YamlPair& pair : node->pairs) keys.push_back(pair.key.value);
+  const bool named = !keys.empty() && keys.size() <= most_quoted_words;
+  if (!is_list(node, subject, "a list", named ? fmt::format("write `[{}]`", fmt::join(keys, ", ")) : "")) return out;
   for (const YamlNode& item : node->items)
     if (auto one = word(&item, subject, expected)) out.push_back(std::move(*one));
+  return out;
+}
+
+std::optional<Word> Reader::cpp_word(const YamlNode* node, std::string_view subject, std::string_view expected,
+                                     std::string_view id, std::optional<CppFault> (*fault)(std::string_view)) {
+  auto out = word(node, subject, expected);
+  if (!out) return out;
+  if (auto found = fault(out->value)) {
+    error(std::string(id), out->span, std::move(found->message), std::move(found->help));
+    return std::nullopt;
+  }
   return out;
 }
 

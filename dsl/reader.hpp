@@ -1,10 +1,13 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the readers of behaviour and scenario files share: each function looks at one node, reports what is wrong with
 // it, and returns what it says. A node that was reported already (`broken`) is passed over in silence. Nodes are given
 // as pointers where they may be absent; then nothing is reported either.
 
+#include "dsl/cpp_type.hpp"
 #include "dsl/diagnostic.hpp"
 #include "dsl/duration.hpp"
+#include "dsl/slips.hpp"
 #include "dsl/span.hpp"
 #include "dsl/yaml_node.hpp"
 
@@ -20,12 +23,6 @@ namespace director::dsl {
 
 /// Kinds of things and the keys that they may have.
 using Keys = std::vector<std::string>;
-
-/// Keys that belong to another kind of file, and the help that says so.
-struct Elsewhere {
-  Keys keys;
-  std::string help;
-};
 
 struct Bounds {
   std::int64_t low = std::numeric_limits<std::int64_t>::min();
@@ -43,14 +40,17 @@ public:
   /// wrong_node_kind: "`subject`: expected `expected`, found ...".
   void unexpected(const YamlNode& node, std::string_view subject, std::string_view expected, std::string help = "");
 
-  /// False, and reported, unless the node is there and has this kind.
-  bool is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected = "a mapping");
-  bool is_list(const YamlNode* node, std::string_view subject, std::string_view expected = "a list");
+  /// False, and reported, unless the node is there and has this kind. `help`: what to write instead of what stands
+  /// there; without it, what can be said of any.
+  bool is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected = "a mapping",
+                  std::string help = "");
+  bool is_list(const YamlNode* node, std::string_view subject, std::string_view expected = "a list",
+               std::string help = "");
   bool is_scalar(const YamlNode* node, std::string_view subject, std::string_view expected);
 
   /// unknown_key for every other key of the mapping. `thing`: "a group", "provider `walking`". Comes before lacks() and
-  /// require(), which are silent about a key that is only misspelt.
-  void know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys, const Elsewhere& elsewhere = {});
+  /// require(), which are silent about a key that is only misspelt, or was reported by the reader of YAML.
+  void know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys, const Slips& slips = {});
   /// exclusive_keys at the later of the two, if both are there.
   void exclude(const YamlNode& mapping, std::string_view key, std::string_view other, std::string_view help);
   bool lacks(const YamlNode& mapping, std::string_view key) const;
@@ -62,7 +62,11 @@ public:
 
   /// A name or a value: any scalar. Warns of words that YAML 1.1 takes for booleans.
   std::optional<Word> word(const YamlNode* node, std::string_view subject, std::string_view expected);
+  /// A list of them.
   std::vector<Word> words(const YamlNode* node, std::string_view subject, std::string_view expected);
+  /// A word that is C++, unless `fault` finds one in it, which is reported as `id`.
+  std::optional<Word> cpp_word(const YamlNode* node, std::string_view subject, std::string_view expected,
+                               std::string_view id, std::optional<CppFault> (*fault)(std::string_view));
   /// A key that is a name. Empty ones are reported: later stages take an empty name for one that is missing.
   Word name(const YamlPair& pair);
   /// Text for people.

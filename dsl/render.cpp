@@ -1,4 +1,5 @@
 // Door: dsl/render.hpp. Test: tests/dsl/render_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/render.hpp"
 
 #include "dsl/display_width.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Diagnostics as text for people:
 //   soccer.yaml:12:9: error: message [id]
 //      12 |   when: [Phase = playing]

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A scenario file as it is written: no name resolved. Source: the second half of the language page.
 
 #include "dsl/data.hpp"

@@ -1,4 +1,5 @@
 // Door: dsl/source_file.hpp. Test: tests/dsl/source_file_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/source_file.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The texts that a run has read, and lines and columns in them. Lines and columns count from 1, columns in UTF-8 bytes.
 
 #include "dsl/span.hpp"

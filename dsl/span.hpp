@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A place in a source text. Offsets are bytes from the beginning of the file; the end is exclusive.
 
 #include <compare>

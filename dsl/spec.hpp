@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The Spec: behaviour files as they are written, every leaf with its place, no name resolved. Source: the language
 // page. Where a thing has a `span`, it covers the whole of it, from its key (or dash) to its last character;
 // `name.span` is its name alone. Lists keep the order of the file.

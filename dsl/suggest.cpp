@@ -1,4 +1,5 @@
 // Door: dsl/suggest.hpp. Test: tests/dsl/suggest_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/suggest.hpp"
 
 #include <algorithm>

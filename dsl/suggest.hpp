@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // "Did you mean": the known word that a misspelt one is nearest to.
 
 #include <optional>

@@ -1,4 +1,5 @@
 // Door: dsl/tree_builder.hpp. Test: tests/dsl/yaml_tree_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/tree_builder.hpp"
 
 #include "dsl/yaml_scan.hpp"
@@ -181,6 +182,7 @@ void TreeBuilder::end(YamlNode node) {
     frame.pair->span.end = std::max(node.span.end, frame.pair->span.end);
     frame.pair->value = std::move(node);
     if (!frame.drop) frame.node.pairs.push_back(std::move(*frame.pair));
+    frame.node.left_out = frame.node.left_out || frame.drop;
     frame.pair.reset();
   }
 }

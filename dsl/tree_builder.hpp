@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Builds a YAML tree from a parser's events. A parser says where things begin; where they end, and what it took without
 // complaint although the language refuses it, is found here in the text. Offsets are bytes of the text.
 

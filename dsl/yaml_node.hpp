@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A piece of a YAML file with its place. Nothing is converted: a scalar is its text, and whether it was quoted.
 
 #include "dsl/span.hpp"
@@ -24,6 +25,7 @@ struct YamlNode {
 
   Kind kind = Kind::broken;
   Style style = Style::plain;  ///< of a scalar
+  bool left_out = false;       ///< of a mapping: a diagnostic has been given for some key, so none should be missed
   std::string text;            ///< of a scalar
   std::vector<YamlNode> items; ///< of a list
   std::vector<YamlPair> pairs; ///< of a mapping, in the order of the file, each key once

@@ -1,4 +1,5 @@
 // Door: dsl/yaml_scan.hpp. Test: tests/dsl/yaml_scan_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/yaml_scan.hpp"
 
 #include <fmt/format.h>
@@ -95,6 +96,78 @@ std::optional<std::size_t> unclosed_quote(std::string_view text, std::size_t fro
     }
   }
   return std::nullopt;
+}
+
+namespace {
+
+/// What a line says, without its indentation, the dashes of lists, and what is behind the text: a piece of the text.
+std::string_view content_of(std::string_view line) {
+  while (!line.empty() && (is_space(line.front()) || line.starts_with("- "))) line.remove_prefix(1);
+  for (std::size_t at = 0; at < line.size(); ++at)
+    if (line[at] == '#' && (at == 0 || is_space(line[at - 1]))) line = line.substr(0, at);
+  while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
+  return line;
+}
+
+bool has_key(std::string_view content) {
+  return content.ends_with(':') || content.find(": ") != std::string_view::npos;
+}
+
+/// It may be what is left of a key and its value: a word first, and brackets that are closed.
+bool may_be_bare_key(std::string_view content) {
+  if (content.empty() || std::string_view("[]{},\"'|>#&*!%@`?-").find(content.front()) != std::string_view::npos)
+    return false;
+  int depth = 0;
+  for (const char c : content) {
+    if (c == '[' || c == '{') ++depth;
+    if ((c == ']' || c == '}') && --depth < 0) return false;
+  }
+  return depth == 0 && !has_key(content);
+}
+
+} // namespace
+
+std::optional<BareKey> bare_key_above(std::string_view text, std::size_t at) {
+  std::size_t line = line_begin(text, std::min(at, text.size()));
+  if (has_key(text.substr(line, std::min(at, text.size()) - line))) return {}; // the second colon of its own line
+  std::optional<BareKey> out;
+  while (line > 0) {
+    const std::size_t end = line - 1;
+    line = line_begin(text, end);
+    const std::string_view whole = text.substr(line, end - line);
+    const std::string_view content = content_of(whole);
+    if (content.empty() && content_of(whole.substr(0, whole.find('#'))).empty()) continue; // blank, or a comment
+    if (!may_be_bare_key(content)) break;
+    const auto begin = static_cast<std::size_t>(content.data() - text.data());
+    const std::size_t size = std::min(content.find_first_of(" \t[{:"), content.size());
+    const bool colon = size < content.size() && content[size] == ':';
+    out = BareKey{begin, begin + size + (colon ? 1 : 0), colon};
+    if (content.data() != whole.data() + std::min(whole.find_first_not_of(" \t"), whole.size())) break; // behind a dash
+  }
+  return out;
+}
+
+std::optional<BareKey> bare_key_before(std::string_view text, std::size_t at) {
+  if (at >= text.size() || (text[at] != '[' && text[at] != '{')) return {};
+  const auto is_word = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  std::size_t end = at;
+  while (end > 0 && is_space(text[end - 1])) --end;
+  std::size_t begin = end;
+  while (begin > 0 && is_word(text[begin - 1])) --begin;
+  std::size_t before = begin;
+  while (before > 0 && is_space(text[before - 1])) --before;
+  if (begin == end || before == 0 || (text[before - 1] != '{' && text[before - 1] != ',')) return {};
+  return BareKey{begin, end, false};
+}
+
+bool begins_line_before(std::string_view text, std::size_t first, std::size_t second) {
+  const auto column = [&](std::size_t at) { return at - line_begin(text, at); };
+  const auto is_first = [&](std::size_t at) {
+    return text.substr(line_begin(text, at), column(at)).find_first_not_of(" \t") == std::string_view::npos;
+  };
+  return is_first(first) && is_first(second) && column(first) <= column(second);
 }
 
 std::size_t skip_blanks(std::string_view text, std::size_t at) {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Looks at YAML text itself for what yaml-cpp does not say: bytes that must not be there, tabs, and where things end.
 // Offsets are bytes of `text`.
 
@@ -29,6 +30,21 @@ std::optional<std::size_t> end_of_quoted(std::string_view text, std::size_t begi
 
 /// The first quote from `from` on that opens something and is never closed.
 std::optional<std::size_t> unclosed_quote(std::string_view text, std::size_t from);
+
+/// A word that was meant to be a key: `needs [Legs]`, or `needs:[Legs]`, which YAML takes for text that goes on in the
+/// next line.
+struct BareKey {
+  std::size_t begin = 0, end = 0;
+  bool blank = false; ///< the colon is there, and the blank behind it is not
+};
+/// The one above a `:` that belongs to no key. `at`: that colon.
+std::optional<BareKey> bare_key_above(std::string_view text, std::size_t at);
+
+/// The one before a bracket, in a mapping between brackets: `{needs [Legs]}`. `at`: the second bracket.
+std::optional<BareKey> bare_key_before(std::string_view text, std::size_t at);
+
+/// Both are the first in their lines, and the first one is not indented deeper.
+bool begins_line_before(std::string_view text, std::size_t first, std::size_t second);
 
 /// Behind blanks, line breaks and comments.
 std::size_t skip_blanks(std::string_view text, std::size_t at);

@@ -1,4 +1,5 @@
 // Door: dsl/yaml_text.hpp. Test: tests/dsl/yaml_text_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/yaml_text.hpp"
 
 #include "dsl/names.hpp"

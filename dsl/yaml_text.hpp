@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Writes YAML that read_yaml reads back as it was: words and texts, quoted where they must be.
 
 #include <string>

@@ -1,4 +1,5 @@
 // Door: dsl/yaml_tree.hpp. Test: tests/dsl/yaml_tree_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // yaml-cpp is asked for events, not for its own tree (a file of 64 MiB would cost it 3.5 GB), and is trusted with
 // little: it accepts much that the language refuses, and drops some of what it reads. What it is known to get wrong:
@@ -137,6 +138,15 @@ bool report_tab(TreeBuilder& builder, std::string_view text, std::size_t at) {
   return tab.has_value();
 }
 
+void report_bare_key(TreeBuilder& builder, std::string_view text, const yaml_scan::BareKey& key) {
+  builder.report(
+      "yaml_syntax", key.begin, key.end,
+      fmt::format("expected {} behind `{}`", key.blank ? "a blank" : "`:`",
+                  text.substr(key.begin, key.end - key.begin)),
+      "a key and its value are written `key: value`; a text goes on in a line of its own only with `|` or in "
+      "quotes");
+}
+
 void report_exception(TreeBuilder& builder, std::string_view text, const YAML::Exception& exception) {
   const std::size_t at = std::min(offset(exception.mark), text.size());
   // The parser may notice a tab, or a quote that does not end, only far behind it.
@@ -146,12 +156,24 @@ void report_exception(TreeBuilder& builder, std::string_view text, const YAML::E
     if (const auto quote = yaml_scan::unclosed_quote(text, builder.cursor()))
       return builder.report("yaml_syntax", *quote, *quote + 1, "this quote is never closed",
                             fmt::format("close it with `{}`", text[*quote]));
+  // A comment behind the word without a colon ends its text; the next key then stands where none may.
+  const bool next_key = exception.msg == "end of map not found";
+  if (exception.msg == "illegal map value" || next_key) {
+    const auto key = yaml_scan::bare_key_above(text, at);
+    if (key && (!next_key || yaml_scan::begins_line_before(text, key->begin, at)))
+      return report_bare_key(builder, text, *key);
+  }
   std::string message = exception.msg, help = "a text with such characters needs quotes";
   if (message.find("escape") != std::string::npos) help = "in single quotes a backslash stands for itself";
   for (const Words& words : better_words)
     if (exception.msg == words.theirs) message = words.message, help = words.help;
   std::vector<Note> notes;
   const auto bracket = builder.open_bracket();
+  if (bracket && text[*bracket] == '{')
+    if (const auto key = yaml_scan::bare_key_before(text, at)) {
+      builder.forget_last_key();
+      return report_bare_key(builder, text, *key);
+    }
   if (bracket && exception.msg.find(" flow ") != std::string::npos) { // it does not end, or `}` stands where `]` should
     builder.forget_last_key();
     message = text[*bracket] == '[' ? "expected `,` or `]` here" : "expected `,` or `}` here";

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A YAML file as a tree with places: what the readers of behaviours, scenarios and other files of ours begin with. The
 // YAML is the strict part that the language page allows: one document, no aliases, tags, merge keys or duplicate keys.
 

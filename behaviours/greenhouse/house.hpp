@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: the two modules of the greenhouse. What a real one would do with motors, this one prints.
 
 #include "greenhouse.hpp"

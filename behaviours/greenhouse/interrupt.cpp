@@ -1,4 +1,5 @@
 // Door: none, a program. Test: tests/behaviours/greenhouse/programs_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // An interrupt posts. On a computer a signal comes nearest to one: it stops the program wherever it is, here in the
 // middle of a body, and its handler may do next to nothing. To post is allowed: nothing locks and nothing allocates.
@@ -38,7 +39,7 @@ int main() {
   std::signal(SIGINT, on_signal);
 
   behaviour.request<greenhouse::Garden>();
-  behaviour.set(greenhouse::Air::hot);
+  if (!behaviour.set(greenhouse::Air::hot)) return 1;
   for (std::chrono::milliseconds now{0}; now < std::chrono::milliseconds{30}; now += std::chrono::milliseconds{10})
     behaviour.step(now);
 }

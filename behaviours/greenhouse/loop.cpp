@@ -1,4 +1,5 @@
 // Door: none, a program. Test: tests/behaviours/greenhouse/programs_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The bare loop: read the sensors, step, and again. Time is the program's own; here a second passes in each turn.
 #include "behaviours/greenhouse/house.hpp"
@@ -27,7 +28,7 @@ int main() {
   behaviour.request<greenhouse::Garden>();
   std::chrono::seconds now{0};
   for (const Reading& reading : day) {
-    behaviour.set(reading.air, greenhouse::Soil{reading.water}); // both at once
+    if (!behaviour.set(reading.air, greenhouse::Soil{reading.water})) return 1; // both at once, or none
     behaviour.step(now += std::chrono::seconds{1});
   }
 }

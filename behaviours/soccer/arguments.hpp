@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: the soccer program's command line. Errors: a text for the user, with the exit code that goes with it.
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Door: behaviours/soccer/chase_ball.yaml. Test: tests/behaviours/soccer.
+// SPDX-License-Identifier: MIT
 // A whole program around the smallest behaviour: one class with its bodies, one root task, one loop.
 #include "chase_ball.hpp"
 
@@ -6,6 +7,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <tuple>
 
 namespace {
 
@@ -55,8 +57,8 @@ int main() {
   chase_ball::Behaviour behaviour{cart};
   behaviour.request<chase_ball::ChaseBall>();
   for (auto now = 0ms; length(yard.ball - yard.cart) > 100 && now < 60s; now += 100ms) {
-    if (yard.sees_ball()) behaviour.set(chase_ball::Ball::seen);
-    behaviour.fire<chase_ball::Picture>();
+    if (yard.sees_ball()) std::ignore = behaviour.set(chase_ball::Ball::seen);
+    std::ignore = behaviour.fire<chase_ball::Picture>();
     behaviour.step(now);
     yard.pass_100_ms();
     if (now % 500ms != 0ms) continue;

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: the data that the player's tasks carry, and the referee's word. Units: millimetres, hundredths of a degree.
 
 #include "behaviours/soccer/world/geometry.hpp"

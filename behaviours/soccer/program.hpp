@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: the whole program, for a deployment whose legs are `Legs`: the world and the player step a hundred times a
 // second, and a timeline tells what the engine decides. Errors: exit codes; 2 is wrong usage.
 

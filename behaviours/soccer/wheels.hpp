@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: how fast the cart's two wheels turn. Unit: millimetres a second.
 
 namespace chase_ball {

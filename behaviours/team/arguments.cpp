@@ -1,4 +1,5 @@
 // Door: behaviours/team/arguments.hpp. Test: tests/dds/team_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "behaviours/team/arguments.hpp"
 
 #include <algorithm>

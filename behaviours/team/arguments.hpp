@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: what the command line of `team` asks for. Errors: the text to print and the exit code.
 
 #include <cstdint>

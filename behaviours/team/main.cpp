@@ -1,4 +1,5 @@
 // Door: the program `team`, built with DIRECTOR_WITH_DDS. Test: tests/dds/team_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // One of three robots. They are equal but for their number: each tells its Role, and hears that of the others as One,
 // Two or Three. The rest is said in team.yaml.
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <mutex>
 #include <thread>
+#include <tuple>
 
 namespace {
 
@@ -75,7 +77,7 @@ int play(const Arguments& arguments) {
       director::dds::plug("team", behaviour,
                           {names::group, names::provider, names::edge, names::state, names::value, names::condition}),
       outbox, settings_of(arguments)};
-  behaviour.set(static_cast<team::Number>(arguments.robot));
+  if (!behaviour.set(static_cast<team::Number>(arguments.robot))) return 2;
   behaviour.request<team::Play>();
 
   const director::Index role = state("Role");
@@ -86,7 +88,7 @@ int play(const Arguments& arguments) {
     const auto now = Clock::now();
     if (arguments.seconds != 0 && now - begin >= std::chrono::seconds(arguments.seconds)) break;
     ball.come_closer(player.cm_per_s(), std::chrono::duration<double>(period).count());
-    behaviour.set(team::Ball{ball.cm()});
+    std::ignore = behaviour.set(team::Ball{ball.cm()}); // too far away: it stays as it was
     behaviour.step(now - begin);
     bridge.stepped();
     if (const std::int32_t is = behaviour.engine().value(role); is != said) {

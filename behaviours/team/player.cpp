@@ -1,4 +1,5 @@
 // Door: behaviours/team/player.hpp. Test: tests/behaviours/team/network_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "behaviours/team/player.hpp"
 
 using director::Outcome;

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: the bodies of a robot of the team. Its legs are a number; the world is the line between it and the ball.
 
 #include "team.hpp"

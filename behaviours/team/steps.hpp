@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the legs of a robot of the team are asked for.
 
 namespace players {

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/requests/company.hpp"
 #include "compiler/checks/analysis/requests/gaps.hpp"
@@ -77,8 +78,9 @@ private:
       if (state.of && std::find(absent.begin(), absent.end(), state.of->id) != absent.end())
         here = {here.values.intersected(ValueSet::single(*state.initial)), false};
       here.values = here.values.without(condition.accepts);
-      const auto gaps = find_gaps(model_, facts_, std::move(start), ways_.of(request.task->target));
-      if (gaps && !gaps->empty()) return true;
+      if (find_covering(model_, facts_.values, start, ways_.of(request.task->target), shared_.budget()) ==
+          Covering::open)
+        return true;
     }
     return false;
   }

@@ -1,4 +1,5 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/causing_never_set.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
 
@@ -28,7 +29,7 @@ bool may_keep(const CodeInput& input, const CodeWord& word, const Condition& pro
 void causing_never_set(const CodeInput& input, Findings& findings) {
   const Model& model = input.model;
   for (const Body& body : input.bodies) {
-    if (!body.of.provider || !body.is_whole()) continue;
+    if (!body.of.provider || !body.is_whole() || body.is_unwritten()) continue;
     for (const ConditionUse& promise : model.providers[*body.of.provider].causing) {
       const Condition& condition = model.conditions[promise.id];
       if (std::any_of(body.words.begin(), body.words.end(),

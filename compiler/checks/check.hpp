@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A check looks at a whole deployment and says what is wrong with it. One rule is one `<id>.cpp` and one `<id>.md` in
 // this folder: the function is called like the file, the page's first block says the level, and nothing else has to be
 // touched.

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a check sees that reads the user's C++: the model, the facts, and for each body of a provider or handler what it
 // may come to over all that it calls. Its page says `Reads: C++`, and its function takes this instead of an Input.
 
@@ -49,10 +50,13 @@ struct Body {
   std::vector<const CodeWord*> words; ///< of its context, here and below
   std::vector<Blocked> blocks;        ///< each place once, the shortest chain to it
   std::vector<Unseen> unseen;
-  bool doubtful = false; ///< some of it stands in a file with errors
+  std::vector<const CodeFunction*> open_ends; ///< functions that owe an answer and may not give one; itself first
+  bool doubtful = false;                      ///< some of it stands in a file with errors
 
   /// All that it may ask for is known: what is not among its words is never said.
   bool is_whole() const;
+  /// It is as `directorc stubs` wrote it: what it does not do yet, everybody knows.
+  bool is_unwritten() const { return function->unwritten; }
 };
 
 struct CodeInput {
@@ -69,6 +73,9 @@ std::string name_of(const Model& model, const BodyOf& body);
 
 /// The name of the provider or handler in the YAML.
 dsl::Span span_of(const Model& model, const BodyOf& body);
+
+/// `director::Outcome provide(soccer::Walk::Halting& run) override;`: how a class declares the body.
+std::string declaration_of(const BodyOf& body, const std::string& context);
 
 /// What it may set: `causing` and `sets`.
 std::vector<ConditionUse> declared_by(const Model& model, const BodyOf& body);

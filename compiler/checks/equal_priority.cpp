@@ -1,4 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"
 #include "compiler/checks/analysis/words/told.hpp"
@@ -8,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -38,12 +39,6 @@ constexpr std::size_t most_candidates = 50;
 /// So many steps down are gone to look closely, for all pairs together. A behaviour of 10,000 groups, as people write
 /// them, takes a hundredth.
 constexpr std::size_t most_effort = 10'000'000;
-
-std::vector<GroupId> in_common(const std::vector<GroupId>& a, const std::vector<GroupId>& b) {
-  std::vector<GroupId> out;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
-  return out;
-}
 
 class ContestSearch {
 public:
@@ -84,7 +79,8 @@ public:
     if (held.empty()) return std::nullopt;
     for (Contest other : candidates) {
       if (effort_ > most_effort) return std::nullopt;
-      if (held.count(other.group) == 0 || !find_paths(meeting, other)) continue;
+      // A group has one holder: nobody waits for what both hold.
+      if (other.group == contest.group || held.count(other.group) == 0 || !find_paths(meeting, other)) continue;
       if (held_before(other.second_path).count(contest.group) != 0)
         return Deadlock{other.group, std::move(other.first_path), std::move(other.second_path)};
     }
@@ -179,9 +175,18 @@ void report(const Model& model, const Meeting& meeting, const Contest& contest, 
 /// The group that two tasks want, and the priority that both have.
 using Stake = std::pair<GroupId, std::int32_t>;
 
-/// One finding for a pair, whatever its levels. All that it may be about.
-std::vector<Stake> look_at(const Model& model, const Together& together, const Task& first, const Task& second,
-                           ContestSearch& search, Findings& findings) {
+/// Two entries of one list, by their places in it, and what they compete for.
+struct Rivalling {
+  std::size_t earlier = 0, later = 0;
+  Meeting meeting;
+  Contest contest;
+  std::optional<Deadlock> deadlock;
+  std::vector<Stake> stakes; ///< all that it may be about
+};
+
+/// One finding for a pair, whatever its levels.
+std::optional<Rivalling> look_at(const Model& model, const Together& together, const Task& first, const Task& second,
+                                 ContestSearch& search) {
   for (const Task::NamedLevel& a : first.levels) {
     for (const Task::NamedLevel& b : second.levels) {
       const Meeting meeting{&together, &first, &second, model.edges[first.edge].levels[a.level],
@@ -189,13 +194,55 @@ std::vector<Stake> look_at(const Model& model, const Together& together, const T
       const std::vector<Contest> candidates = search.find_candidates(meeting);
       const auto contest = search.find(meeting, candidates);
       if (!contest) continue;
-      report(model, meeting, *contest, search.find_deadlock(meeting, candidates, *contest), findings);
-      std::vector<Stake> out;
-      for (const Contest& one : candidates) out.emplace_back(one.group, meeting.first_level.priority);
+      Rivalling out{0, 0, meeting, *contest, search.find_deadlock(meeting, candidates, *contest), {}};
+      for (const Contest& one : candidates) out.stakes.emplace_back(one.group, meeting.first_level.priority);
       return out;
     }
   }
-  return {};
+  return std::nullopt;
+}
+
+/// So many entries of one list that compete for one group at one priority are one finding: it is one decision that
+/// nobody took, and not as many as there are pairs.
+constexpr std::size_t many = 4;
+/// Of them so many have a note.
+constexpr std::size_t most_noted = 8;
+
+void report_many(const Model& model, const std::vector<Task>& tasks, const std::set<std::size_t>& entries,
+                 const Stake& stake, Findings& findings) {
+  std::vector<std::string> names;
+  for (const std::size_t entry : entries) names.push_back(name_of(model, tasks[entry].target));
+  const std::size_t second = *std::next(entries.begin());
+  Diagnostic& finding = findings.add(
+      tasks[second].span, fmt::format("{} have equal rank and may all want {}: who asks first keeps it, and of those "
+                                      "that ask at once the one that is declared first does",
+                                      few_of(names), name_of(model, stake.first)));
+  for (const std::size_t entry : entries) {
+    if (entry == second) continue;
+    if (finding.notes.size() == most_noted) break;
+    finding.notes.push_back({tasks[entry].span, fmt::format("{} is requested here, with the same priority {}",
+                                                            name_of(model, tasks[entry].target), stake.second)});
+  }
+  finding.help = "give them priorities that tell who goes before whom";
+}
+
+/// Of one list.
+void report_all(const Model& model, const std::vector<Task>& tasks, const std::vector<Rivalling>& all,
+                Findings& findings) {
+  const auto stake_of = [](const Rivalling& pair) {
+    return Stake{pair.contest.group, pair.meeting.first_level.priority};
+  };
+  std::map<Stake, std::set<std::size_t>> crowds;
+  for (const Rivalling& pair : all) {
+    if (!pair.deadlock) crowds[stake_of(pair)].insert({pair.earlier, pair.later});
+  }
+  for (const auto& [stake, entries] : crowds) {
+    if (entries.size() >= many) report_many(model, tasks, entries, stake, findings);
+  }
+  for (const Rivalling& pair : all) {
+    if (pair.deadlock || crowds[stake_of(pair)].size() < many)
+      report(model, pair.meeting, pair.contest, pair.deadlock, findings);
+  }
 }
 
 /// For each entry those before it that have a priority in common with it and may come to hold the same group, in order.
@@ -239,20 +286,33 @@ private:
 void equal_priority(const Input& input, Findings& findings) {
   const Model& model = input.model;
   ContestSearch search(input.shared);
+  std::set<std::pair<const Task*, const Task*>> lost; // one side always loses: another finding
+  for (const StarvingTask& starving : input.conflicts.starving_tasks()) {
+    for (const Refused& place : starving.places) {
+      const Taker& taker = place.refusals.front().taker;
+      lost.insert({taker.by, taker.over});
+      lost.insert({taker.over, taker.by});
+    }
+  }
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
     const Rivalry rivalry(input, tasks);
     Told<Stake> told(tasks.size());
+    std::vector<Rivalling> all;
     for (std::size_t j = 1; j < tasks.size(); ++j) {
       for (const std::size_t i : rivalry.before(j)) {
-        if (told.covers(i, j)) continue;
+        if (told.covers(i, j) || lost.count({&tasks[i], &tasks[j]}) != 0) continue;
         // Asked at once, the edge that is declared first wins.
         const bool swapped = tasks[j].edge < tasks[i].edge;
-        for (const Stake& stake :
-             look_at(model, together, tasks[swapped ? j : i], tasks[swapped ? i : j], search, findings))
-          told.tell(i, j, stake);
+        auto found = look_at(model, together, tasks[swapped ? j : i], tasks[swapped ? i : j], search);
+        if (!found) continue;
+        for (const Stake& stake : found->stakes) told.tell(i, j, stake);
+        found->earlier = i;
+        found->later = j;
+        all.push_back(std::move(*found));
       }
     }
+    report_all(model, tasks, all, findings);
   }
 }
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/handler_without_provider.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
 #include "dsl/names.hpp"
@@ -6,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 namespace director::checks {
 
@@ -32,17 +35,38 @@ std::optional<GroupId> group_in(const Model& model, const std::string& type) {
   return {};
 }
 
+/// Functions that another one calls, or may call.
+std::set<std::string_view> called_functions(const CodeFacts& code) {
+  std::set<std::string_view> out;
+  for (const CodeFunction& function : code.functions) {
+    for (const CodeCall& call : function.calls) {
+      if (call.to != function.key) out.insert(call.to);
+    }
+  }
+  return out;
+}
+
 } // namespace
 
 void handler_without_provider(const CodeInput& input, Findings& findings) {
   const Model& model = input.model;
+  const std::set<std::string_view> called = called_functions(input.code);
   for (const CodeClass& each : input.code.classes) {
     for (const CodeClass::Stray& stray : each.stray) {
+      if (called.count(stray.key) > 0) continue;
       const auto of = input.names.contexts.find(stray.context);
       if (!stray.context.empty() && of == input.names.contexts.end()) continue; // of another behaviour
       if (!stray.context.empty()) {
         const std::string name = name_of(model, of->second);
         const Module& module = model.modules[model.groups[of->second.group].module];
+        if (!stray.unlike.empty()) {
+          dsl::Diagnostic& finding =
+              findings.add(stray.span, fmt::format("nobody calls this body for {}: {}, so it overrides nothing", name,
+                                                   stray.unlike));
+          finding.notes.push_back({span_of(model, of->second), fmt::format("{} is here", name)});
+          finding.help = fmt::format("declare it as `{}`", declaration_of(of->second, stray.context));
+          continue;
+        }
         dsl::Diagnostic& finding = findings.add(
             stray.span, fmt::format("nobody calls this body for {}: it belongs to the module `{}`, which `{}` does not "
                                     "implement here",

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/hard_hand_over.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/states/choice.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"
@@ -117,7 +118,9 @@ private:
       providers.push_back(region_of(model, model.providers[id].when));
       if (!model.providers[id].when.empty() && !condition) condition = model.providers[id].when.front();
     }
-    if (condition && may_escape(model, region, providers, input_.facts.values)) return Gap{nullptr, {}, condition};
+    if (condition &&
+        find_covering(model, region, providers, input_.facts.values, input_.shared.budget()) == Covering::open)
+      return Gap{nullptr, {}, condition};
     for (const ProviderId id : model.groups[planner].providers) {
       const Provider& provider = model.providers[id];
       if (!input_.facts.active.contains(id) || !compatible(active_region(model, provider), region)) continue;

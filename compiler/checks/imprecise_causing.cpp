@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/imprecise_causing.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/missing_handler.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
 
@@ -20,13 +21,10 @@ void missing_handler(const CodeInput& input, Findings& findings) {
       const auto of = input.names.contexts.find(context);
       if (of == input.names.contexts.end()) continue;
       const BodyOf& body = of->second;
-      const std::string word = body.provider                      ? "director::Outcome provide"
-                               : body.kind == BodyOf::Kind::start ? "void start"
-                                                                  : "void stop";
       dsl::Diagnostic& finding = findings.add(
           span_of(input.model, body), fmt::format("`{}` has no body for {}", each.name, name_of(input.model, body)));
       finding.notes.push_back({each.span, "the class is here"});
-      finding.help = fmt::format("`{}({}& run) override;`", word, context);
+      finding.help = fmt::format("`{}`", declaration_of(body, context));
     }
   }
 }

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/needs_conflict.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/needs/needs.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"
@@ -110,25 +111,33 @@ void report_crowd(const Model& model, ProviderId id, const Indispensable& indisp
   finding.help = fmt::format("need less, or give one of {} a provider that needs less", list_of(names));
 }
 
+void report_undecided(const Input& input, const std::vector<ProviderId>& undecided, Findings& findings) {
+  const Model& model = input.model;
+  std::vector<std::string> names;
+  for (const ProviderId id : undecided) names.push_back(name_of(model, id));
+  Diagnostic& finding = findings.add(model.providers[undecided.front()].needs[0].span,
+                                     fmt::format("whether {} can ever have all that {} was not decided within {} steps",
+                                                 few_of(names, "or"), names.size() == 1 ? "it needs" : "they need",
+                                                 input.shared.budget().exhausted() ? Budget::of_a_run : plan_steps));
+  finding.help = "with fewer alternatives it would be: give the groups below fewer providers, or fewer needs";
+}
+
 } // namespace
 
 void needs_conflict(const Input& input, Findings& findings) {
   const Model& model = input.model;
-  const std::vector<ProviderId> conflicts = find_need_conflicts(model, input.facts);
-  if (conflicts.empty()) return;
+  const std::vector<ProviderId> conflicts = find_need_conflicts(model, input.facts, input.shared.budget());
+  std::vector<ProviderId> undecided; // one finding: there may be as many as providers
   for (const ProviderId id : conflicts) {
     if (const auto clash = find_common_group(model, model.providers[id], input.shared.indispensable())) {
       report_common_group(model, id, *clash, findings);
     } else if (input.facts.plans[id] == PlanVerdict::none) {
       report_crowd(model, id, input.shared.indispensable(), findings);
     } else {
-      findings
-          .add(model.providers[id].needs[0].span,
-               fmt::format("whether {} can ever have all that it needs was not decided within {} steps",
-                           name_of(model, id), plan_steps))
-          .help = "with fewer alternatives it would be: give the groups below fewer providers, or fewer needs";
+      undecided.push_back(id);
     }
   }
+  if (!undecided.empty()) report_undecided(input, undecided, findings);
 }
 
 } // namespace director::checks

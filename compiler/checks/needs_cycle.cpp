@@ -1,5 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/needs_cycle.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/needs/needs.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -29,7 +31,7 @@ void report(const Model& model, const std::vector<ChainStep>& circle, Findings& 
 } // namespace
 
 void needs_cycle(const Input& input, Findings& findings) {
-  for (const std::vector<ChainStep>& circle : find_need_circles(input.model, input.facts))
+  for (const std::vector<ChainStep>& circle : find_need_circles(input.model, input.facts, input.shared.budget()))
     report(input.model, circle, findings);
 }
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/only_keeps.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/code/code_words.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
@@ -26,7 +27,7 @@ const Use<GroupId>* waiter(const Model& model, GroupId group) {
 void only_keeps(const CodeInput& input, Findings& findings) {
   const Model& model = input.model;
   for (const Body& body : input.bodies) {
-    if (!body.of.provider || !body.is_whole() || !only_keeps_going(body)) continue;
+    if (!body.of.provider || !body.is_whole() || body.is_unwritten() || !only_keeps_going(body)) continue;
     const Provider& provider = model.providers[*body.of.provider];
     const bool may_ask =
         std::any_of(provider.packs.begin(), provider.packs.end(), [](const Pack& pack) { return !pack.tasks.empty(); });

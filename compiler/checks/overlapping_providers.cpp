@@ -1,10 +1,13 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/overlapping_providers.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/states/region.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace director::checks {
 
@@ -30,6 +33,16 @@ std::string overlap_in_words(const Input& input, const Region& overlap) {
   return list_of(things);
 }
 
+/// Where the first one can run the second one can too, and not the other way round: it says more, and so it stands
+/// first.
+bool is_special_case(const Model& model, const Provider& first, const Provider& second) {
+  const Region narrow = region_of(model, first.when), wide = region_of(model, second.when);
+  return narrow.states != wide.states && std::all_of(wide.states.begin(), wide.states.end(), [&](const auto& entry) {
+           const auto at = narrow.states.find(entry.first);
+           return at != narrow.states.end() && at->second.subset_of(entry.second);
+         });
+}
+
 void look_at(const Input& input, ProviderId later, Findings& findings) {
   const Model& model = input.model;
   const Provider& row = model.providers[later];
@@ -39,7 +52,7 @@ void look_at(const Input& input, ProviderId later, Findings& findings) {
     const Provider& preferred = model.providers[earlier];
     if (preferred.when.empty() || !input.facts.active.contains(earlier)) continue;
     const auto overlap = find_overlap(input, earlier, later);
-    if (!overlap) continue;
+    if (!overlap || is_special_case(model, preferred, row)) continue;
     const std::string where = overlap_in_words(input, *overlap);
     if (finding == nullptr) {
       finding = &findings.add(row.when.front().span,

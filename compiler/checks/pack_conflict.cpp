@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/pack_conflict.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/check.hpp"

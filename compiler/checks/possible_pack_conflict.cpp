@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/possible_pack_conflict.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/needs/needs.hpp"
 #include "compiler/checks/analysis/shared.hpp"
@@ -76,7 +77,9 @@ public:
     std::vector<Region> regions;
     for (const Pair& pair : working_) regions.push_back(pair.region);
     for (const Pair& pair : clashing_) {
-      if (may_escape(input_.model, pair.region, regions, input_.facts.values)) return make(pair, false);
+      if (find_covering(input_.model, pair.region, regions, input_.facts.values, input_.shared.budget()) ==
+          Covering::open)
+        return make(pair, false);
     }
     return std::nullopt;
   }
@@ -183,15 +186,15 @@ std::set<std::pair<std::size_t, std::size_t>> find_rivals(Units& units, const st
 void look_at(const Input& input, Units& units, const Pack& pack, Findings& findings) {
   const std::vector<const Task*> members = unit_members(input.model, pack);
   if (members.size() < 2) return;
-  Told<std::pair<ProviderId, GroupId>> told(members.size());
+  std::set<std::size_t> told; // of long packs: each member once
   for (const auto& [j, i] : find_rivals(units, members)) {
-    if (told.covers(i, j)) continue;
+    if (told.count(j) != 0) continue;
     const auto first = find_ways(units, members[i]->target), second = find_ways(units, members[j]->target);
     if (!first || !second) continue;
     const auto clash = PairSearch(input, *first, *second).run();
     if (!clash) continue;
     report(input, *members[i], *members[j], *clash, findings);
-    told.tell(i, j, {clash->first->provider(), *group_in_common(*clash->first, *clash->second)});
+    if (members.size() > told_in_pairs) told.insert(j);
   }
 }
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/priority_without_effect.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/facts/pushes.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/words.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/push_in_vain.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"

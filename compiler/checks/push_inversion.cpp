@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/push_inversion.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/requests/company.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/words.hpp"

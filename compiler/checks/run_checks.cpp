@@ -1,4 +1,5 @@
 // Door: compiler/checks/run_checks.hpp. Test: tests/checks/run_checks_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/run_checks.hpp"
 
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
@@ -64,6 +65,24 @@ Diagnostic unused(const Allowance& allowance) {
   return finding;
 }
 
+/// One finding for all that the searches of a run have left open.
+Diagnostic not_decided(const Budget& budget) {
+  std::vector<OpenQuestion> open = budget.open();
+  std::stable_sort(open.begin(), open.end(),
+                   [](const OpenQuestion& a, const OpenQuestion& b) { return a.span < b.span; });
+  const std::size_t more = open.size() - 1;
+  Diagnostic finding{"not_decided", dsl::Level::warning, open.front().span, {}, {}, {}};
+  finding.message = fmt::format("{} was not decided{}", open.front().words,
+                                more == 0   ? ""
+                                : more == 1 ? ", nor one other question"
+                                            : fmt::format(", nor {} other questions", more));
+  constexpr std::size_t most_noted = 8;
+  for (std::size_t i = 1; i < open.size() && i <= most_noted; ++i)
+    finding.notes.push_back({open[i].span, fmt::format("nor {}", open[i].words)});
+  finding.help = "with fewer alternatives it would be: fewer providers of one group, or conditions on fewer states";
+  return finding;
+}
+
 /// Whether anybody would hear of what it finds.
 bool is_wanted(const Registered& check, const Selection& selection, const Model& model) {
   return level_of(check) != dsl::Level::lint || selection.every_lint || selection.lints.contains(check.id) ||
@@ -125,6 +144,7 @@ std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const
     check.run(conflicts.input(), findings);
     for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));
   }
+  if (!shared.budget().open().empty()) all.push_back(not_decided(shared.budget()));
   dsl::sort_by_place(all);
   return all;
 }

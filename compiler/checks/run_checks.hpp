@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Runs every check, and decides what of all findings is reported, and as what.
 
 #include "compiler/checks/check.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/self_defeating_handler.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/self_defeats.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"

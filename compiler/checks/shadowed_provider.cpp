@@ -1,4 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/states/choice.hpp"
@@ -7,14 +9,35 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace director::checks {
 
 namespace {
 
+/// Of many rivals the first ones have a note.
+constexpr std::size_t most_noted = 8;
+
+/// A condition of it is reported as one that never holds: that is why it never runs, and what comes before it is not.
+bool never_holds(const Facts& facts, ProviderId id) {
+  const auto faults = facts.impossible_of(id);
+  return std::any_of(faults.begin(), faults.end(), [](const Impossible& fault) { return !fault.stay; });
+}
+
+/// A state that lacks a value, as is reported, may have it: what is shadowed only for want of it is not reported again.
+IdTable<StateId, ValueSet> mended_values(const Model& model, const Facts& facts) {
+  IdTable<StateId, ValueSet> out = facts.values;
+  for (const Impossible& fault : facts.impossible) {
+    if (fault.why != Impossible::Why::contradictory) out[fault.state] = model.states[fault.state].domain();
+  }
+  return out;
+}
+
 /// The rivals without which it would come first; all of them where each one is enough alone or none is.
-std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const std::vector<ProviderId>& rivals) {
+std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const std::vector<ProviderId>& rivals,
+                                      const IdTable<StateId, ValueSet>& values) {
   for (const ProviderId rival : rivals) {
-    if (!may_come_first(input.model, id, {rival}, input.facts.values, {})) return {rival};
+    if (find_choice(input.model, id, {rival}, values, input.shared.budget()) == Covering::covered) return {rival};
   }
   return rivals;
 }
@@ -27,30 +50,46 @@ void report_never(const Input& input, ProviderId id, Findings& findings) {
   finding.help = fmt::format("request what brings that about, or leave {} out", name);
 }
 
+/// Somebody always holds what it needs while others of its group can run.
+void report_idle(const Input& input, ProviderId id, const Refused& refused, Findings& findings) {
+  const Taker& taker = refused.refusals.front().taker;
+  dsl::Diagnostic& finding = findings.add(input.model.providers[id].span,
+                                          fmt::format("{} never runs: whenever it is requested {} is held by others",
+                                                      name_of(input.model, id), name_of(input.model, taker.group)));
+  add_taker(input, refused, taker, finding.notes);
+  finding.help =
+      fmt::format("request it where that is free, give it other needs, or leave {} out", name_of(input.model, id));
+}
+
 } // namespace
 
 void shadowed_provider(const Input& input, Findings& findings) {
   const Model& model = input.model;
   const Facts& facts = input.facts;
   const Rivals& rivals = input.shared.rivals();
+  const IdTable<StateId, ValueSet> mended = mended_values(model, facts);
   IdSet<ProviderId> explained = input.shared.promises().explained;
   for (const Imprecise& fault : input.shared.imprecise()) explained.add(fault.causer);
   for (const ProviderId id : input.shared.promises().never_run) report_never(input, id, findings);
+  for (const auto& [id, refused] : input.conflicts.grants().idle()) report_idle(input, id, refused, findings);
   for (const ProviderId id : model.providers.ids()) {
     const Provider& provider = model.providers[id];
     if (!facts.requested.contains(provider.group) || !facts.capable.contains(id) || facts.active.contains(id)) continue;
-    if (explained.contains(id)) continue;
+    if (explained.contains(id) || never_holds(facts, id)) continue;
+    if (!facts.impossible.empty() &&
+        find_choice(model, id, rivals.of(id), mended, input.shared.budget()) != Covering::covered)
+      continue;
     std::vector<std::string> names;
-    const std::vector<ProviderId> culprits = find_culprits(input, id, rivals.of(id));
+    const std::vector<ProviderId> culprits = find_culprits(input, id, rivals.of(id), mended);
     for (const ProviderId rival : culprits) names.push_back(name_of(model, rival));
     dsl::Diagnostic& finding = findings.add(
         provider.span,
         names.size() == 1
             ? fmt::format("{} never runs: {} comes before it and can run whenever it can", name_of(model, id), names[0])
             : fmt::format("{} never runs: {} come before it, and one of them can run whenever it can",
-                          name_of(model, id), list_of(names)));
-    for (const ProviderId rival : culprits)
-      finding.notes.push_back({model.providers[rival].span, fmt::format("{} is preferred", name_of(model, rival))});
+                          name_of(model, id), few_of(names)));
+    for (std::size_t i = 0; i < std::min(culprits.size(), most_noted); ++i)
+      finding.notes.push_back({model.providers[culprits[i]].span, fmt::format("{} is preferred", names[i])});
     finding.help = names.size() == 1 ? fmt::format("give {} a `when` that leaves something, or put it last", names[0])
                                      : "give one of them a `when` that leaves something, or put this one first";
   }

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/starved_task.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/check.hpp"
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/task_never_requested.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/code/code_words.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
@@ -12,7 +13,7 @@ namespace director::checks {
 void task_never_requested(const CodeInput& input, Findings& findings) {
   const Model& model = input.model;
   for (const Body& body : input.bodies) {
-    if (!body.of.provider || !body.is_whole() || only_keeps_going(body)) continue;
+    if (!body.of.provider || !body.is_whole() || body.is_unwritten() || only_keeps_going(body)) continue;
     for (const Pack& pack : model.providers[*body.of.provider].packs) {
       // Of a pack that nobody asks for, that is said of the pack.
       if (!pack.name.empty() && !asks_for_pack(body, pack)) continue;

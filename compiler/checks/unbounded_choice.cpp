@@ -1,5 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unbounded_choice.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/plans/plans.hpp"
+#include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -23,7 +25,7 @@ struct WayCount {
 
 class Counter {
 public:
-  explicit Counter(const Model& model) : model_(model), ways_(model.groups.size()) {}
+  Counter(const Model& model, Budget& budget) : model_(model), budget_(budget), ways_(model.groups.size()) {}
 
   const WayCount& of(GroupId group) {
     std::optional<WayCount>& ways = ways_[group];
@@ -31,15 +33,20 @@ public:
     ways = WayCount{};
     for (const ProviderId provider : model_.groups[group].providers) {
       const std::int64_t most = std::min(model_.trials, most_counted) + 1;
-      const PlanCount plans = count_plans(model_, provider, most - std::min(ways->count, most - 1));
+      const PlanCount plans = count_plans(model_, provider, most - std::min(ways->count, most - 1), budget_);
       ways->count += plans.plans;
       ways->complete = ways->complete && plans.complete;
     }
     return *ways;
   }
 
+  PlanCount plans_of(ProviderId provider) {
+    return count_plans(model_, provider, std::min(model_.trials, most_counted) + 1, budget_);
+  }
+
 private:
   const Model& model_;
+  Budget& budget_;
   IdTable<GroupId, std::optional<WayCount>> ways_;
 };
 
@@ -98,7 +105,7 @@ void report(const Model& model, const Unit& unit, Counter& counter, std::int64_t
         {member->span, fmt::format("{}: {}", name_of(model, member->target), amount(counter.of(member->target)))});
   }
   for (const ProviderId provider : model.groups[worst->target].providers) {
-    const PlanCount plans = count_plans(model, provider, std::min(model.trials, most_counted) + 1);
+    const PlanCount plans = counter.plans_of(provider);
     if (plans.plans > 1)
       finding.notes.push_back(
           {model.providers[provider].span,
@@ -113,7 +120,8 @@ void report(const Model& model, const Unit& unit, Counter& counter, std::int64_t
 
 void unbounded_choice(const Input& input, Findings& findings) {
   const Model& model = input.model;
-  Counter counter(model);
+  Budget& budget = input.shared.budget();
+  Counter counter(model, budget);
   for (const Unit& unit : find_units(model)) {
     std::int64_t product = 1;
     bool complete = true;
@@ -124,7 +132,12 @@ void unbounded_choice(const Input& input, Findings& findings) {
                                                                             : product * factor;
       complete = complete && ways.complete;
     }
-    if (product > model.trials || !complete) report(model, unit, counter, product, complete, findings);
+    if (product > model.trials || (!complete && !budget.exhausted())) {
+      report(model, unit, counter, product, complete, findings);
+    } else if (!complete) {
+      const Task& first = *unit.members.front();
+      budget.leave_open(first.span, fmt::format("in how many ways {} can be met", name_of(model, first.target)));
+    }
   }
 }
 

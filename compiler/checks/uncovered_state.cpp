@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/self_defeats.hpp"
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/requests/gaps.hpp"
@@ -19,6 +20,8 @@ namespace {
 
 /// Combinations of values that are listed; what comes beyond is counted.
 constexpr std::size_t most_listed = 4;
+/// ... up to so many: beyond, nobody is helped by the number.
+constexpr std::size_t most_counted = 1'000;
 
 class Uncovered {
 public:
@@ -52,6 +55,7 @@ private:
   struct Uncoveredness {
     GroupId group{};
     std::vector<std::string> gaps; ///< in words
+    bool all = true;               ///< else there are more than could be listed
     std::set<StateId> states;
     const Request* where = nullptr;
   };
@@ -74,14 +78,19 @@ private:
     if (open.empty() || std::any_of(open.begin(), open.end(), [](const Region& way) { return way.states.empty(); }))
       return;
     std::vector<std::string> gaps;
+    std::set<std::string> seen;
+    bool all = true; // else there are more than could be listed
     std::set<StateId> states;
     const Request* where = nullptr;
     const auto look = [&](const Box& start, const Request& request) {
-      const std::optional<std::vector<Box>> boxes = find_gaps(model_, facts_, start, open);
-      if (!boxes) return;
-      for (const Box& box : *boxes) {
+      const Gaps found = find_gaps(model_, facts_, start, open, shared_.budget());
+      if (!found.decided)
+        shared_.budget().leave_open(model_.groups[group].name.span,
+                                    fmt::format("whether some provider of {} can always run", name_of(model_, group)));
+      all = all && found.all;
+      for (const Box& box : found.boxes) {
         const std::string words = gap_in_words(model_, facts_, box);
-        if (std::find(gaps.begin(), gaps.end(), words) != gaps.end()) continue;
+        if (!seen.insert(words).second) continue;
         gaps.push_back(words);
         if (where == nullptr) where = &request;
         for (const auto& [state, possible] : box) states.insert(state);
@@ -92,24 +101,27 @@ private:
         std::any_of(requests.begin(), requests.end(), [](const Request& request) { return !request.requester; });
     for (const Request& request : requests) {
       if (is_root && request.requester) continue;
-      for (const Region& region : shared_.requests().regions(request)) look(box_of(facts_, region), request);
+      for (const Region& region : shared_.requests().regions(request)) {
+        all = all && gaps.size() < most_counted;
+        if (all || gaps.empty()) look(box_of(facts_, region), request);
+      }
     }
     if (!gaps.empty() && !facts_.capable_groups.contains(group)) gaps = {std::string(everywhere)};
-    if (!gaps.empty()) found_.push_back({group, std::move(gaps), std::move(states), where});
+    if (!gaps.empty()) found_.push_back({group, std::move(gaps), all, std::move(states), where});
   }
 
   /// Several that wait for the same are told together, but for those that may.
   void report_all() {
-    std::map<std::vector<std::string>, std::vector<const Uncoveredness*>> alike;
+    std::map<std::pair<std::vector<std::string>, bool>, std::vector<const Uncoveredness*>> alike;
     std::vector<std::vector<const Uncoveredness*>> sets;
     for (const Uncoveredness& one : found_) {
       if (is_allowed(one.group)) {
         sets.push_back({&one});
       } else {
-        alike[one.gaps].push_back(&one);
+        alike[{one.gaps, one.all}].push_back(&one);
       }
     }
-    for (auto& [gaps, all] : alike) sets.push_back(std::move(all));
+    for (auto& [what, all] : alike) sets.push_back(std::move(all));
     for (const auto& each : sets) report(each);
   }
 
@@ -124,7 +136,11 @@ private:
     for (const Uncoveredness* one : all) names.push_back(name_of(model_, one->group));
     const std::size_t more = gaps.size() > most_listed ? gaps.size() - most_listed : 0;
     gaps.resize(gaps.size() - more);
-    if (more > 0) gaps.push_back(fmt::format("in {} more cases", more));
+    if (!all.front()->all) {
+      gaps.push_back("in many more cases");
+    } else if (more > 0) {
+      gaps.push_back(fmt::format("in {} more cases", more));
+    }
     if (std::find(gaps.begin(), gaps.end(), everywhere) != gaps.end()) return report_never(all, list_of(names, "or"));
     dsl::Diagnostic& finding =
         findings_.add(model_.groups[all.front()->group].name.span,

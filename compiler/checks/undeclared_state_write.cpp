@@ -1,4 +1,5 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/undeclared_state_write.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/undone_by_stop.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/undoing.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"

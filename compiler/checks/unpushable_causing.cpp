@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unpushable_causing.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/chains/meetings.hpp"
 #include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/shared.hpp"

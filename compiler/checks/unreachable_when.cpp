@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unreachable_when.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/states/sources.hpp"
 #include "compiler/checks/analysis/words/words.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unreserved_tasks.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/contenders.hpp"
 #include "compiler/checks/analysis/needs/needs.hpp"
 #include "compiler/checks/analysis/words/notes.hpp"

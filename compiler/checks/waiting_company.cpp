@@ -1,7 +1,11 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/waiting_company.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
+#include "compiler/checks/analysis/needs/needs.hpp"
+#include "compiler/checks/analysis/requests/gaps.hpp"
 #include "compiler/checks/analysis/shared.hpp"
 #include "compiler/checks/analysis/states/choice.hpp"
+#include "compiler/checks/analysis/words/notes.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -19,6 +23,7 @@ public:
   Company(const Input& input, Findings& findings)
       : input_(input),
         findings_(findings),
+        ways_(input.model, input.facts, false, [](ProviderId, const ConditionUse&) { return true; }),
         explained_(input.model.groups.size()) {
     for (const PackConflict& conflict : input.conflicts.pack_conflicts()) conflicts_.insert(conflict.pack);
     for (const Impossible& fault : input.facts.impossible) explain(fault.provider);
@@ -37,7 +42,7 @@ public:
     const Region region = active_region(input_.model, provider);
     std::vector<const Task*> waiting;
     for (const Task* member : members) {
-      if (!explained_.contains(member->target) && may_wait(member->target, region)) waiting.push_back(member);
+      if (!is_explained(member->target) && may_wait(member->target, region)) waiting.push_back(member);
     }
     for (const Task* member : members) {
       const auto held_by = std::find_if(waiting.begin(), waiting.end(), [&](const Task* other) {
@@ -50,12 +55,16 @@ public:
 private:
   void explain(ProviderId id) { explained_.add(input_.model.providers[id].group); }
 
-  /// All its providers can lack something while the requester runs.
-  bool may_wait(GroupId group, const Region& region) const {
-    std::vector<Region> providers;
-    for (const ProviderId id : input_.model.groups[group].providers)
-      providers.push_back(region_of(input_.model, input_.model.providers[id].when));
-    return may_escape(input_.model, region, providers, input_.facts.values);
+  /// Its own wait, or that of something it needs.
+  bool is_explained(GroupId group) const {
+    const std::vector<GroupId>& needed = input_.shared.units().needed(group);
+    return std::any_of(needed.begin(), needed.end(), [&](GroupId id) { return explained_.contains(id); });
+  }
+
+  /// Each of its providers, or of the plans of that one, can lack something while the requester runs.
+  bool may_wait(GroupId group, const Region& region) {
+    return find_covering(input_.model, region, ways_.of(group), input_.facts.values, input_.shared.budget()) ==
+           Covering::open;
   }
 
   /// They have a group in common over needs and requests, however far down.
@@ -73,11 +82,18 @@ private:
         member.span,
         fmt::format("{} is held back while {} waits for a condition, and shares nothing with it", name, other));
     finding.notes.push_back({waiting.span, fmt::format("{} is granted only together with {}", other, name)});
-    for (const ProviderId id : model.groups[waiting.target].providers) {
-      for (const ConditionUse& use : model.providers[id].when) {
-        if (!holds_in(region, use))
+    std::vector<GroupId> groups{waiting.target};
+    for (const GroupId needed : input_.shared.units().needed(waiting.target)) {
+      if (needed != waiting.target) groups.push_back(needed);
+    }
+    for (const GroupId group : groups) {
+      for (const ProviderId id : model.groups[group].providers) {
+        for (const ConditionUse& use : model.providers[id].when) {
+          if (holds_in(region, use)) continue;
+          if (group != waiting.target) add_chain(model, need_path(model, waiting.target, group), finding.notes);
           finding.notes.push_back(
               {use.span, fmt::format("{} waits for {}", name_of(model, id), name_of(model, use.id))});
+        }
       }
     }
     finding.help = fmt::format("make {} `apart`: it keeps its rank and goes on by itself", name);
@@ -91,6 +107,7 @@ private:
 
   const Input& input_;
   Findings& findings_;
+  Ways ways_;
   std::set<const Pack*> conflicts_;
   IdSet<GroupId> explained_; ///< why it waits is another finding
 };

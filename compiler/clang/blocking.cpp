@@ -1,217 +1,184 @@
 // Door: compiler/clang/blocking.hpp. Test: tests/clang.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/blocking.hpp"
 
 #include <algorithm>
-#include <array>
+#include <map>
+#include <set>
 
 namespace director::scanning {
 
 namespace {
 
-using Names = std::string_view;
+using Text = std::string_view; // names, with blanks between them
 
-constexpr std::array sleeps{Names{"std::this_thread::sleep_for"},
-                            Names{"std::this_thread::sleep_until"},
-                            Names{"sleep"},
-                            Names{"usleep"},
-                            Names{"nanosleep"},
-                            Names{"clock_nanosleep"}};
+constexpr Text sleeps = R"(
+std::this_thread::sleep_for std::this_thread::sleep_until clock_nanosleep nanosleep sleep thrd_sleep usleep
+)";
 
-constexpr std::array waits{Names{"std::condition_variable::wait"},
-                           Names{"std::condition_variable::wait_for"},
-                           Names{"std::condition_variable::wait_until"},
-                           Names{"std::condition_variable_any::wait"},
-                           Names{"std::condition_variable_any::wait_for"},
-                           Names{"std::condition_variable_any::wait_until"},
-                           Names{"std::thread::join"},
-                           Names{"std::jthread::join"},
-                           Names{"std::future::get"},
-                           Names{"std::future::wait"},
-                           Names{"std::future::wait_for"},
-                           Names{"std::future::wait_until"},
-                           Names{"std::shared_future::get"},
-                           Names{"std::shared_future::wait"},
-                           Names{"std::__basic_future::wait"},
-                           Names{"std::__basic_future::wait_for"},
-                           Names{"std::latch::wait"},
-                           Names{"std::latch::arrive_and_wait"},
-                           Names{"std::barrier::arrive_and_wait"},
-                           Names{"std::counting_semaphore::acquire"},
-                           Names{"std::__atomic_base::wait"},
-                           Names{"std::atomic::wait"},
-                           Names{"pthread_join"},
-                           Names{"pthread_cond_wait"},
-                           Names{"pthread_cond_timedwait"},
-                           Names{"sem_wait"},
-                           Names{"sem_timedwait"},
-                           Names{"poll"},
-                           Names{"ppoll"},
-                           Names{"select"},
-                           Names{"pselect"},
-                           Names{"epoll_wait"},
-                           Names{"epoll_pwait"},
-                           Names{"wait"},
-                           Names{"waitpid"},
-                           Names{"accept"},
-                           Names{"connect"},
-                           Names{"recv"},
-                           Names{"recvfrom"},
-                           Names{"recvmsg"},
-                           Names{"send"},
-                           Names{"sendto"},
-                           Names{"sendmsg"},
-                           Names{"system"},
-                           Names{"popen"},
-                           Names{"getaddrinfo"},
-                           Names{"pause"},
-                           Names{"sigwait"},
-                           Names{"sigsuspend"},
-                           Names{"flock"},
-                           Names{"lockf"},
-                           Names{"mq_receive"},
-                           Names{"msgrcv"},
-                           Names{"semop"},
-                           Names{"pthread_barrier_wait"},
-                           Names{"std::atomic_flag::wait"},
-                           Names{"std::timed_mutex::try_lock_for"},
-                           Names{"std::timed_mutex::try_lock_until"},
-                           Names{"std::counting_semaphore::try_acquire_for"},
-                           Names{"std::counting_semaphore::try_acquire_until"}};
+constexpr Text waits = R"(
+accept accept4 aio_suspend cnd_timedwait cnd_wait connect epoll_pwait epoll_pwait2 epoll_wait flock getaddrinfo
+gethostbyname getnameinfo lockf lockf64 mq_receive mq_send mq_timedreceive mq_timedsend msgrcv msgsnd mtx_timedlock
+pause pclose poll popen posix_spawn posix_spawnp ppoll pselect pthread_barrier_wait pthread_cond_clockwait
+pthread_cond_timedwait pthread_cond_wait pthread_join pthread_clockjoin_np pthread_mutex_clocklock
+pthread_mutex_timedlock pthread_rwlock_clockrdlock pthread_rwlock_clockwrlock pthread_rwlock_timedrdlock
+pthread_rwlock_timedwrlock pthread_timedjoin_np recv recvfrom recvmmsg recvmsg select sem_clockwait sem_timedwait
+sem_wait semop semtimedop send sendmmsg sendmsg sendto sigsuspend sigtimedwait sigwait sigwaitinfo
+std::__atomic_base::wait std::__atomic_futex_unsigned_base::_M_futex_wait_until
+std::__atomic_futex_unsigned_base::_M_futex_wait_until_steady std::__atomic_wait_address
+std::__atomic_wait_address_bare std::__atomic_wait_address_until std::__atomic_wait_address_v
+std::__basic_future::wait std::__basic_future::wait_for std::__basic_future::wait_until
+std::__detail::__platform_wait std::__detail::__platform_wait_until std::__detail::__waiter::_M_do_wait
+std::__detail::__waiter::_M_do_wait_v std::atomic::wait std::atomic_flag::wait std::barrier::arrive_and_wait
+std::barrier::wait std::condition_variable::__wait_until_impl std::condition_variable::wait
+std::condition_variable::wait_for std::condition_variable::wait_until std::condition_variable_any::wait
+std::condition_variable_any::wait_for std::condition_variable_any::wait_until std::counting_semaphore::acquire
+std::counting_semaphore::try_acquire_for std::counting_semaphore::try_acquire_until std::future::get
+std::jthread::join std::latch::arrive_and_wait std::latch::wait std::recursive_timed_mutex::try_lock_for
+std::recursive_timed_mutex::try_lock_until std::shared_future::get std::shared_timed_mutex::try_lock_for
+std::shared_timed_mutex::try_lock_shared_for std::shared_timed_mutex::try_lock_shared_until
+std::shared_timed_mutex::try_lock_until std::thread::join std::timed_mutex::try_lock_for
+std::timed_mutex::try_lock_until system thrd_join vfork wait wait3 wait4 waitid waitpid
+)";
 
-constexpr std::array locks{Names{"std::mutex::lock"},
-                           Names{"std::recursive_mutex::lock"},
-                           Names{"std::timed_mutex::lock"},
-                           Names{"std::recursive_timed_mutex::lock"},
-                           Names{"std::shared_mutex::lock"},
-                           Names{"std::shared_mutex::lock_shared"},
-                           Names{"std::shared_timed_mutex::lock"},
-                           Names{"std::shared_timed_mutex::lock_shared"},
-                           Names{"std::lock"},
-                           Names{"std::call_once"},
-                           Names{"std::unique_lock::lock"},
-                           Names{"std::shared_lock::lock"},
-                           Names{"pthread_mutex_lock"},
-                           Names{"pthread_rwlock_rdlock"},
-                           Names{"pthread_rwlock_wrlock"},
-                           Names{"pthread_spin_lock"}};
-constexpr std::array locking_constructors{Names{"std::lock_guard::lock_guard"}, Names{"std::scoped_lock::scoped_lock"},
-                                          Names{"std::unique_lock::unique_lock"},
-                                          Names{"std::shared_lock::shared_lock"}};
+constexpr Text locks = R"(
+mtx_lock call_once pthread_mutex_lock pthread_once pthread_rwlock_rdlock pthread_rwlock_wrlock pthread_spin_lock
+std::call_once std::lock std::mutex::lock std::recursive_mutex::lock std::recursive_timed_mutex::lock
+std::shared_mutex::lock std::shared_mutex::lock_shared std::shared_timed_mutex::lock
+std::shared_timed_mutex::lock_shared std::timed_mutex::lock
+)";
 
-constexpr std::array talks{
-    Names{"open"},         Names{"openat"},     Names{"read"},     Names{"write"},        Names{"pread"},
-    Names{"pwrite"},       Names{"fsync"},      Names{"ioctl"},    Names{"fopen"},        Names{"fclose"},
-    Names{"fread"},        Names{"fwrite"},     Names{"fflush"},   Names{"fgets"},        Names{"fputs"},
-    Names{"fgetc"},        Names{"fputc"},      Names{"getc"},     Names{"putc"},         Names{"getchar"},
-    Names{"putchar"},      Names{"gets"},       Names{"puts"},     Names{"printf"},       Names{"fprintf"},
-    Names{"vprintf"},      Names{"vfprintf"},   Names{"scanf"},    Names{"fscanf"},       Names{"perror"},
-    Names{"syslog"},       Names{"vsyslog"},    Names{"close"},    Names{"creat"},        Names{"unlink"},
-    Names{"mkdir"},        Names{"opendir"},    Names{"readdir"},  Names{"ftruncate"},    Names{"fdatasync"},
-    Names{"sync"},         Names{"mmap"},       Names{"munmap"},   Names{"msync"},        Names{"fcntl"},
-    Names{"tcdrain"},      Names{"socket"},     Names{"fork"},     Names{"std::getline"}, Names{"std::print"},
-    Names{"std::println"}, Names{"std::flush"}, Names{"std::endl"}};
-constexpr std::array streams{Names{"std::basic_ifstream::"}, Names{"std::basic_ofstream::"},
-                             Names{"std::basic_fstream::"},  Names{"std::basic_filebuf::"},
-                             Names{"std::basic_ostream::"},  Names{"std::basic_istream::"},
-                             Names{"std::filesystem::"}};
+constexpr Text talks = R"(
+access chdir chmod chown close closedir copy_file_range creat creat64 dlclose dlopen dprintf execv execve execvp
+faccessat fallocate fchmod fchmodat fchown fclose fcntl fcntl64 fdatasync fdopen fflush fgetc fgetpos fgets fgetwc
+fgetws fopen fopen64 fork fprintf fputc fputs fputwc fputws fread fread_unlocked freopen freopen64 fscanf fseek
+fseeko fsetpos fstat fstat64 fstatat fstatat64 fstatvfs fsync ftell ftruncate ftruncate64 ftw fwprintf fwrite
+fwrite_unlocked getc getchar getcwd getdelim getgrnam getline getpwnam getpwuid getrandom gets getentropy getw getwc
+glob ioctl lchown link linkat localtime localtime_r lseek lseek64 lstat lstat64 mkdir mkdirat mkdtemp mkfifo mknod
+mkstemp mktime mlock mlockall mmap mmap64 mount mq_open msync munmap nftw open open64 openat openat64 opendir
+openlog perror posix_fallocate pread pread64 preadv printf psignal putc putchar puts putw pwrite pwrite64 pwritev
+read readdir readdir_r readlink readlinkat readv realpath remove rename renameat renameat2 rewind rewinddir rmdir
+scandir scanf sendfile shm_open shm_unlink socket socketpair splice stat stat64 statfs statvfs statx symlink
+symlinkat sync sync_file_range syncfs syslog tcdrain tcflush tcgetattr tcsetattr tempnam tmpfile tmpnam truncate
+truncate64 tzset umount ungetc unlink unlinkat utime utimensat utimes vdprintf vfprintf vfscanf vprintf vscanf
+vsyslog wprintf write writev std::endl std::flush std::getline std::print std::println std::random_device::_M_getval
+std::random_device::_M_init std::random_device::operator() std::random_device::random_device std::vprint_nonunicode
+std::vprint_unicode
+)";
+/// Every function of these.
+constexpr Text streams = R"(
+std::basic_filebuf:: std::basic_fstream:: std::basic_ifstream:: std::basic_istream:: std::basic_ofstream::
+std::basic_ostream:: std::basic_iostream:: std::filesystem::
+)";
+/// Of these it depends on what it comes to.
+constexpr Text no_streams = R"(
+std::filesystem::path:: std::filesystem::file_status:: std::filesystem::operator/
+)";
 
-constexpr std::array allocates{Names{"malloc"},
-                               Names{"calloc"},
-                               Names{"realloc"},
-                               Names{"aligned_alloc"},
-                               Names{"strdup"},
-                               Names{"free"},
-                               Names{"std::make_unique"},
-                               Names{"std::make_shared"},
-                               Names{"std::to_string"},
-                               Names{"std::allocator::allocate"},
-                               Names{"std::async"},
-                               Names{"posix_memalign"},
-                               Names{"std::stable_sort"},
-                               Names{"std::stable_partition"},
-                               Names{"std::inplace_merge"},
-                               Names{"std::allocate_shared"},
-                               Names{"std::unique_ptr::reset"},
-                               Names{"std::shared_ptr::reset"},
-                               Names{"std::regex_match"},
-                               Names{"std::regex_search"},
-                               Names{"std::regex_replace"},
-                               Names{"operator new"},
-                               Names{"operator new[]"},
-                               Names{"operator delete"},
-                               Names{"operator delete[]"}};
-constexpr std::array containers{Names{"vector"},
-                                Names{"deque"},
-                                Names{"list"},
-                                Names{"forward_list"},
-                                Names{"map"},
-                                Names{"multimap"},
-                                Names{"set"},
-                                Names{"multiset"},
-                                Names{"unordered_map"},
-                                Names{"unordered_set"},
-                                Names{"basic_string"},
-                                Names{"unordered_multimap"},
-                                Names{"unordered_multiset"},
-                                Names{"queue"},
-                                Names{"stack"},
-                                Names{"priority_queue"}};
-constexpr std::array grows{Names{"push_back"},   Names{"emplace_back"}, Names{"push_front"},  Names{"emplace_front"},
-                           Names{"insert"},      Names{"emplace"},      Names{"try_emplace"}, Names{"insert_or_assign"},
-                           Names{"resize"},      Names{"reserve"},      Names{"assign"},      Names{"append"},
-                           Names{"operator+="},  Names{"operator="},    Names{"push"},        Names{"replace"},
-                           Names{"append_range"}};
-constexpr std::array with_memory{Names{"std::basic_stringstream::basic_stringstream"},
-                                 Names{"std::basic_ostringstream::basic_ostringstream"},
-                                 Names{"std::basic_istringstream::basic_istringstream"},
-                                 Names{"std::thread::thread"},
-                                 Names{"std::jthread::jthread"},
-                                 Names{"std::promise::promise"},
-                                 Names{"std::basic_regex::basic_regex"}};
-/// Only if it is given something that does not fit.
-constexpr std::array keeps_memory{Names{"std::shared_ptr::shared_ptr"}, Names{"std::function::function"}};
-constexpr std::array lock_tags{Names{"std::defer_lock_t"}, Names{"std::try_to_lock_t"}, Names{"std::adopt_lock_t"}};
+constexpr Text allocates = R"(
+__builtin_operator_new aligned_alloc asprintf calloc malloc memalign open_memstream
+posix_memalign pthread_create pvalloc realloc reallocarray regcomp regexec setenv putenv setlocale strdup strndup
+thrd_create unsetenv valloc vasprintf wcsdup std::async std::basic_istringstream::basic_istringstream
+std::basic_ostringstream::basic_ostringstream std::basic_regex::basic_regex
+std::basic_stringstream::basic_stringstream std::filesystem::path::_M_append std::filesystem::path::_M_concat
+std::filesystem::path::operator/= std::jthread::jthread std::make_exception_ptr std::promise::promise
+std::regex_match std::regex_replace std::regex_search std::thread::thread std::to_string std::to_wstring
+)";
 
-bool among(const auto& list, std::string_view name) { return std::find(list.begin(), list.end(), name) != list.end(); }
+constexpr Text frees = R"(
+__builtin_operator_delete free
+)";
 
-/// The system's functions have names of their own in C++ too.
-std::string_view plain(std::string_view name) {
-  const std::string_view rest = name.starts_with("std::") ? name.substr(5) : name;
-  return rest.find("::") == std::string_view::npos ? rest : name;
+/// Of the operating system what only wakes, and what the C++ library does while a program ends or throws.
+constexpr Text harmless = R"(
+std::__atomic_notify_address std::__atomic_notify_address_bitwise std::__detail::__platform_notify
+std::__detail::__waiter::_M_notify std::atomic_flag::notify_all std::atomic_flag::notify_one std::atomic::notify_all
+std::atomic::notify_one std::condition_variable::notify_all std::condition_variable::notify_one std::terminate
+)";
+
+constexpr Text containers = R"(
+basic_string deque forward_list list map multimap multiset priority_queue queue set stack unordered_map
+unordered_multimap unordered_multiset unordered_set vector
+)";
+constexpr Text grows = R"(
+append append_range assign emplace emplace_back emplace_front insert insert_or_assign operator+= operator= push
+push_back push_front replace reserve resize shrink_to_fit try_emplace
+)";
+
+using Names = std::set<std::string_view>;
+
+Names names_in(Text text) {
+  Names out;
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(" \n");
+    if (begin == Text::npos) return out;
+    text.remove_prefix(begin);
+    const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
+    out.insert(text.substr(0, end));
+    text.remove_prefix(end);
+  }
 }
 
-/// `std::vector::push_back`, and its constructors from something.
-bool grows_container(std::string_view name, bool with_arguments) {
-  if (!name.starts_with("std::")) return false;
-  name.remove_prefix(5);
-  const std::size_t colon = name.find("::");
-  if (colon == std::string_view::npos || !among(containers, name.substr(0, colon))) return false;
-  const std::string_view method = name.substr(colon + 2);
-  const bool is_map = name.find("map") < colon;
-  if (method == "operator=" && !with_arguments) return false;
-  return among(grows, method) || (is_map && method == "operator[]") ||
-         (with_arguments && method == name.substr(0, colon));
+bool begins(std::string_view name, const Names& list) {
+  return std::any_of(list.begin(), list.end(), [&](std::string_view each) { return name.starts_with(each); });
+}
+
+using Whys = std::map<std::string_view, std::string_view>;
+
+Whys all_names() {
+  Whys out;
+  const auto add = [&](Text names, std::string_view why) {
+    for (const std::string_view name : names_in(names)) out.emplace(name, why);
+  };
+  add(sleeps, "sleeps");
+  add(waits, "waits");
+  add(locks, "locks");
+  add(talks, "does input or output");
+  add(allocates, "uses the heap");
+  add(frees, "frees");
+  for (const std::string_view name : {"operator new", "operator new[]"}) out.emplace(name, "uses the heap");
+  for (const std::string_view name : {"operator delete", "operator delete[]"}) out.emplace(name, "frees");
+  return out;
 }
 
 } // namespace
 
-bool is_container(std::string_view name) { return name.starts_with("std::") && among(containers, name.substr(5)); }
+bool is_container(std::string_view name) {
+  static const Names known = names_in(containers);
+  return name.starts_with("std::") && known.count(name.substr(5)) > 0;
+}
 
-bool only_takes_lock(std::string_view name) { return among(lock_tags, name); }
+bool is_known_harmless(std::string_view name) {
+  static const Names known = names_in(harmless);
+  return known.count(name) > 0;
+}
 
-std::string_view why_it_blocks(std::string_view name, bool with_arguments) {
-  if (among(sleeps, name)) return "sleeps";
-  if (among(locks, name) || (with_arguments && among(locking_constructors, name))) return "locks";
-  if (among(waits, name)) return "waits";
-  if (among(talks, name) || among(talks, plain(name)) || name == "std::operator<<" || name == "std::operator>>")
-    return "does input or output";
-  for (const std::string_view stream : streams) {
-    if (name.starts_with(stream)) return "does input or output";
+std::string_view worst_of(std::string_view one, std::string_view other) {
+  for (const std::string_view each : {"sleeps", "waits", "locks", "does input or output", "uses the heap", "frees"}) {
+    if (one == each || other == each) return each;
   }
-  if (among(allocates, name) || among(allocates, plain(name)) || grows_container(name, with_arguments))
-    return "uses the heap";
-  if (among(with_memory, name) || (with_arguments && among(keeps_memory, name))) return "uses the heap";
   return {};
+}
+
+std::string_view why_it_blocks(std::string_view name) {
+  static const Whys known = all_names();
+  static const Names all_of = names_in(streams), but = names_in(no_streams);
+  const auto at = known.find(name);
+  if (at != known.end()) return at->second;
+  if (begins(name, all_of) && !begins(name, but)) return "does input or output";
+  return {};
+}
+
+bool grows_container(std::string_view name, bool with_arguments) {
+  static const Names growing = names_in(grows);
+  if (!name.starts_with("std::")) return false;
+  const std::size_t colon = name.find("::", 5);
+  if (colon == std::string_view::npos || !is_container(name.substr(0, colon))) return false;
+  name.remove_prefix(5);
+  const std::string_view container = name.substr(0, colon - 5), method = name.substr(colon - 3);
+  const bool is_map = container.find("map") != std::string_view::npos;
+  if (method == "operator=" && !with_arguments) return false;
+  return growing.count(method) > 0 || (is_map && method == "operator[]") || (with_arguments && method == container);
 }
 
 } // namespace director::scanning

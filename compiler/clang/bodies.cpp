@@ -1,10 +1,14 @@
 // Door: compiler/clang/book.hpp. Test: tests/clang/pages_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/blocking.hpp"
 #include "compiler/clang/book.hpp"
 #include "compiler/clang/contexts.hpp"
+#include "compiler/clang/live.hpp"
 #include "compiler/clang/values.hpp"
+#include "compiler/stubs/layout.hpp"
 
 #include <clang/AST/RecursiveASTVisitor.h>
+#include <clang/Lex/Lexer.h>
 
 namespace director::scanning {
 
@@ -16,7 +20,9 @@ constexpr int most_parts = 8; ///< objects in objects whose parts are looked at
 
 class BodyReader : public RecursiveASTVisitor<BodyReader> {
 public:
-  explicit BodyReader(Book& book) : book_(book), values_(book.context()) {}
+  BodyReader(Book& book, const FunctionDecl& function) : book_(book), values_(book.context()), live_(function) {}
+
+  bool reaches_end() const { return live_.reaches_end(); }
 
   Json does = Json::list({}), calls = Json::list({}), blocks = Json::list({}), hidden = Json::list({});
 
@@ -26,14 +32,9 @@ public:
   bool TraverseCXXNoexceptExpr(CXXNoexceptExpr*) { return true; }
   bool TraverseCXXRecordDecl(CXXRecordDecl*) { return true; }
 
-  bool TraverseIfStmt(IfStmt* branch) {
-    bool holds = false;
-    const Expr* condition = branch->getCond();
-    if (condition == nullptr || condition->isValueDependent() ||
-        !condition->EvaluateAsBooleanCondition(holds, book_.context()))
-      return RecursiveASTVisitor::TraverseIfStmt(branch);
-    TraverseStmt(branch->getInit());
-    return TraverseStmt(holds ? branch->getThen() : branch->getElse());
+  bool dataTraverseStmtPre(Stmt* stmt) { return live_.runs(stmt); }
+  bool TraverseVarDecl(VarDecl* variable) {
+    return variable->isConstexpr() || RecursiveASTVisitor::TraverseVarDecl(variable);
   }
 
   bool TraverseLambdaExpr(LambdaExpr* lambda) {
@@ -64,7 +65,11 @@ public:
         hide("a call through a pointer", expr->getBeginLoc(), expr->getEndLoc(), carries);
       return true;
     }
-    if (callee->getLocation().isInvalid()) return true; // built in
+    if (callee->getLocation().isInvalid()) { // built in
+      if (const std::string_view why = known_effect(*callee); !why.empty())
+        tell_block(name_of(*callee), why, expr->getBeginLoc());
+      return true;
+    }
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(callee);
     if (method != nullptr && object != nullptr && say_word(*expr, *method, *object)) return true;
     const SourceLocation at = name_place(*expr);
@@ -85,28 +90,27 @@ public:
   }
 
   bool VisitCXXConstructExpr(CXXConstructExpr* expr) {
-    const CXXConstructorDecl* callee = expr->getConstructor();
-    if (is_directors(*callee)) return true;
-    if (is_system(*callee)) {
-      block(name_of(*callee), uses_what_it_gets(*expr), expr->getBeginLoc());
-      return true;
-    }
-    if (callee->isImplicit() || callee->isDefaulted()) {
-      for (const CXXCtorInitializer* part : callee->inits()) go_into(part->getInit(), expr->getBeginLoc());
-      return true;
-    }
+    const CXXConstructorDecl& callee = *expr->getConstructor();
     bool carries = false;
     for (const Expr* argument : expr->arguments()) carries = carries || carries_context(argument->getType());
-    call(*callee, expr->getBeginLoc(), expr->getBeginLoc(), carries, false, false);
+    const bool is_given = expr->getNumArgs() > 0 && !callee.isDefaultConstructor() && !callee.isMoveConstructor();
+    construct(callee, expr->getBeginLoc(), is_given, carries);
+    return true;
+  }
+  bool VisitCXXInheritedCtorInitExpr(CXXInheritedCtorInitExpr* expr) {
+    const CXXConstructorDecl& callee = *expr->getConstructor();
+    bool carries = false;
+    for (const ParmVarDecl* each : callee.parameters()) carries = carries || carries_context(each->getType());
+    construct(callee, expr->getBeginLoc(), callee.getNumParams() > 0, carries);
     return true;
   }
 
   bool VisitCXXNewExpr(CXXNewExpr* expr) {
-    if (expr->getNumPlacementArgs() == 0) block("operator new", true, expr->getBeginLoc());
+    if (const FunctionDecl* made_by = expr->getOperatorNew()) manage_memory(*made_by, expr->getBeginLoc());
     return true;
   }
   bool VisitCXXDeleteExpr(CXXDeleteExpr* expr) {
-    block("operator delete", true, expr->getBeginLoc());
+    if (const FunctionDecl* freed_by = expr->getOperatorDelete()) manage_memory(*freed_by, expr->getBeginLoc());
     if (!expr->getDestroyedType().isNull()) destroy(expr->getDestroyedType(), expr->getBeginLoc());
     return true;
   }
@@ -114,6 +118,7 @@ public:
   // What nobody writes and yet is run: destructors, and parts of loops and of objects.
   bool VisitVarDecl(VarDecl* variable) {
     if (!variable->hasLocalStorage() || llvm::isa<ParmVarDecl>(variable)) return true;
+    if (variable->getInit() != nullptr && !live_.runs(variable->getInit())) return true;
     if (variable->isCXXForRangeDecl() && variable->getInit() != nullptr)
       go_into(variable->getInit(), variable->getLocation());
     destroy(variable->getType(), variable->getLocation());
@@ -159,6 +164,13 @@ private:
     return expr.getBeginLoc();
   }
 
+  void construct(const CXXConstructorDecl& callee, SourceLocation at, bool is_given, bool carries) {
+    if (is_directors(callee)) return;
+    if (is_system(callee)) return reach(callee, at, is_given);
+    if (!callee.isImplicit() && !callee.isDefaulted()) return call(callee, at, at, carries, false, false);
+    for (const CXXCtorInitializer* part : callee.inits()) go_into(part->getInit(), at);
+  }
+
   /// Something that stands elsewhere and is run here: this is its place.
   void go_into(const Stmt* part, SourceLocation here) {
     if (part == nullptr || inside_ == most_parts) return;
@@ -177,8 +189,12 @@ private:
   }
   void destroy(const CXXRecordDecl* record, bool carries, SourceLocation at) {
     if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
-    if (is_system(*record) || is_directors(*record)) return;
+    if (is_directors(*record)) return;
     const CXXDestructorDecl* own = record->getDestructor();
+    if (is_system(*record)) {
+      if (own != nullptr) reach(*own, at, false, true);
+      return;
+    }
     if (own != nullptr && own->isUserProvided()) call(*own, at, at, carries, false, false);
     for (const FieldDecl* field : record->fields())
       destroy(book_.context().getBaseElementType(field->getType())->getAsCXXRecordDecl(), carries, at);
@@ -233,8 +249,8 @@ private:
   void system_call(const CallExpr& expr, const FunctionDecl& callee, SourceLocation at, bool carries) {
     const std::string name = name_of(callee);
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
-    const bool moves = method != nullptr && method->isMoveAssignmentOperator();
-    if (!block(name, !moves, at) && !returns_memory(callee, at) && carries) {
+    reach(callee, at, method == nullptr || !method->isMoveAssignmentOperator());
+    if (carries) {
       static const std::set<std::string> passes_on{"std::forward",   "std::move",     "std::ref", "std::cref",
                                                    "std::addressof", "std::as_const", "std::tie", "std::get"};
       bool only_lambdas = true; // what they do is known
@@ -252,40 +268,42 @@ private:
     }
   }
 
-  /// A function of the standard library that makes a string, or another container, of its own.
-  bool returns_memory(const FunctionDecl& callee, SourceLocation at) {
-    const CXXRecordDecl* record = callee.getReturnType()->getAsCXXRecordDecl();
+  /// What a function of a system header comes to, as if all of it happened where it is called. `is_given`: something
+  /// that a container may have to hold.
+  void reach(const FunctionDecl& callee, SourceLocation at, bool is_given, bool destroys = false) {
+    if (!book_.is_deep()) return;
+    const Reached& all = book_.reach().of(callee, destroys);
     const std::string name = name_of(callee);
-    if (record == nullptr || !is_container(name_of(*record)) || name == "std::exchange") return false;
-    return tell_block(name, "uses the heap", at);
-  }
-
-  /// Whether a constructor of the standard library takes, or copies, what it is given.
-  bool uses_what_it_gets(const CXXConstructExpr& expr) const {
-    const CXXConstructorDecl& callee = *expr.getConstructor();
-    if (expr.getNumArgs() == 0 || callee.isDefaultConstructor() || callee.isMoveConstructor()) return false;
-    const std::string name = name_of(callee);
-    const auto type = [&](unsigned i) { return bare(expr.getArg(i)->getType()); };
-    if (name == "std::shared_ptr::shared_ptr") return expr.getArg(0)->getType()->isPointerType();
-    if (name == "std::function::function") {
-      constexpr std::int64_t small = 16; // of the standard library: it lies within the function
-      const CXXRecordDecl* object = type(0)->getAsCXXRecordDecl();
-      return object != nullptr && object->isLambda() &&
-             book_.context().getTypeSizeInChars(type(0)).getQuantity() > small;
+    if (!all.why.empty()) {
+      tell_block(name, all.why, at);
+    } else if (!all.has_definition && !destroys && (grows_container(name, is_given) || returns_container(callee))) {
+      tell_block(name, "uses the heap", at);
     }
-    const TagDecl* last = type(expr.getNumArgs() - 1)->getAsTagDecl();
-    return last == nullptr || !only_takes_lock(name_of(*last));
+    for (const FunctionDecl* user : all.users) {
+      const auto* method = llvm::dyn_cast<CXXMethodDecl>(user);
+      call(*user, at, at, false, false, method != nullptr && method->isVirtual());
+    }
+    for (const FunctionDecl* unknown : all.unknown)
+      hide(unknown == &callee ? "`" + name + "`" : "`" + name_of(*unknown) + "`, which `" + name + "` calls", at, at,
+           false);
   }
 
-  bool block(const std::string& name, bool with_arguments, SourceLocation at) {
-    const std::string_view why = why_it_blocks(name, with_arguments);
-    return !why.empty() && tell_block(name, why, at);
+  static bool returns_container(const FunctionDecl& callee) {
+    const CXXRecordDecl* record = callee.getReturnType()->getAsCXXRecordDecl();
+    return record != nullptr && is_container(name_of(*record)) && name_of(callee) != "std::exchange";
   }
 
-  bool tell_block(const std::string& name, std::string_view why, SourceLocation at) {
+  /// `new` and `delete`, which a class may have of its own.
+  void manage_memory(const FunctionDecl& function, SourceLocation at) {
+    if (function.isReservedGlobalPlacementOperator()) return;
+    if (function.getLocation().isValid() && !is_system(function)) return call(function, at, at, false, false, false);
+    tell_block(name_of(function), "uses the heap", at);
+  }
+
+  void tell_block(const std::string& name, std::string_view why, SourceLocation at) {
     if (here_.isValid()) at = here_;
+    if (why == "frees") why = "uses the heap";
     blocks.add(Json::object({{"name", Json::text(name)}, {"why", Json::text(why)}, {"at", book_.places().of(at, at)}}));
-    return true;
   }
 
   void call(const FunctionDecl& callee, SourceLocation begin, SourceLocation end, bool carries, bool maybe,
@@ -314,16 +332,32 @@ private:
 
   Book& book_;
   Values values_;
+  Live live_;
   std::set<const Expr*> callees_;
   std::set<const LambdaExpr*> given_to_std_;
   SourceLocation here_; ///< while something is read that stands elsewhere: where it is run
   int inside_ = 0;
 };
 
+/// As `directorc stubs` wrote it: its comment is there, and nothing but its one statement.
+bool is_unwritten(const ASTContext& context, const FunctionDecl& function) {
+  const auto* body = llvm::dyn_cast_or_null<CompoundStmt>(function.getBody());
+  if (body == nullptr || body->size() != 1) return false;
+  const CharSourceRange range = CharSourceRange::getTokenRange(body->getSourceRange());
+  return Lexer::getSourceText(range, context.getSourceManager(), context.getLangOpts())
+      .contains(compiler::stubs::unwritten);
+}
+
+/// It answers for a body.
+bool returns_outcome(const FunctionDecl& function) {
+  const CXXRecordDecl* record = function.getReturnType()->getAsCXXRecordDecl();
+  return record != nullptr && name_of(*record) == "director::Outcome";
+}
+
 } // namespace
 
 void read_function(Book& book, const FunctionDecl& function) {
-  BodyReader reader(book);
+  BodyReader reader(book, function);
   if (const auto* maker = llvm::dyn_cast<CXXConstructorDecl>(&function)) {
     for (const CXXCtorInitializer* initial : maker->inits()) {
       if (initial->getInit() != nullptr) reader.TraverseStmt(initial->getInit());
@@ -341,7 +375,12 @@ void read_function(Book& book, const FunctionDecl& function) {
     if (promised_by(*method) != nullptr) {
       out.add("context", Json::text(parameter_context(*method)));
       out.add("class", Json::text(name_of(*method->getParent())));
+      if (is_unwritten(book.context(), function)) out.add("unwritten", Json::boolean(true));
     }
+  }
+  if (returns_outcome(function) && reader.reaches_end()) {
+    const SourceLocation brace = function.getBody()->getEndLoc();
+    out.add("open_end", book.places().of(brace, brace));
   }
   const auto add = [&](const char* name, Json& list) {
     if (!list.items().empty()) out.add(name, std::move(list));

@@ -1,10 +1,13 @@
 // Door: compiler/clang/book.hpp. Test: tests/clang/pages_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/book.hpp"
 #include "compiler/clang/contexts.hpp"
 
 #include <clang/AST/CXXInheritance.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 #include <clang/Lex/Lexer.h>
+
+#include <algorithm>
 
 namespace director::scanning {
 
@@ -17,7 +20,6 @@ class Finder : public RecursiveASTVisitor<Finder> {
 public:
   explicit Finder(Book& book) : book_(book) {}
   bool shouldVisitTemplateInstantiations() const { return true; }
-  bool TraverseStmt(Stmt*) { return true; } // bodies are looked at when their turn comes
 
   bool VisitFunctionDecl(FunctionDecl* function) {
     if (!function->isThisDeclarationADefinition() || function->isDependentContext()) return true;
@@ -29,6 +31,8 @@ public:
   }
 
   bool VisitCXXRecordDecl(CXXRecordDecl* record) {
+    if (record->isThisDeclarationADefinition() && record->isDependentContext() && !is_directors(*record))
+      book_.has_templates = book_.has_templates || interface_of(*record) != nullptr || has_body(*record);
     if (!record->isThisDeclarationADefinition() || record->isDependentContext() || record->getNumBases() == 0)
       return true;
     const CXXRecordDecl* module = interface_of(*record);
@@ -52,11 +56,14 @@ public:
       const bool is_lost = context.empty() && method->getNumParams() == 1 &&
                            (method->isInvalidDecl() || method->getParamDecl(0)->isInvalidDecl());
       if (context.empty() && !is_lost) continue;
-      Json each = Json::object({{"at", book_.places().of(method->getLocation(), method->getLocation())}});
+      Json each = Json::object({{"key", Json::text(key_of(*method))},
+                                {"at", book_.places().of(method->getLocation(), method->getLocation())}});
       if (is_lost) {
         each.add("wrote", Json::text(written(*method->getParamDecl(0))));
       } else {
         each.add("context", Json::text(context));
+        if (const CXXMethodDecl* promise = declared_for(*record, method->getName(), context))
+          each.add("unlike", Json::text(difference(*method, *promise)));
       }
       stray.add(std::move(each));
     }
@@ -71,6 +78,25 @@ public:
   }
 
 private:
+  static bool has_body(const CXXRecordDecl& record) {
+    return std::any_of(record.method_begin(), record.method_end(), [](const CXXMethodDecl* method) {
+      return is_called_like_body(*method) && !parameter_context(*method).empty();
+    });
+  }
+
+  /// Why a function does not override what is called the same and takes the same context.
+  static std::string difference(const CXXMethodDecl& method, const CXXMethodDecl& promise) {
+    if (method.isConst()) return "it is `const`";
+    if (method.isVolatile()) return "it is `volatile`";
+    if (method.getRefQualifier() != RQ_None) return "it has a `&` behind its parameters";
+    const QualType own = method.getParamDecl(0)->getType(), wanted = promise.getParamDecl(0)->getType();
+    if (own.getCanonicalType() == wanted.getCanonicalType()) return "it has another result";
+    if (own->isPointerType()) return "it takes a pointer";
+    if (own->isRValueReferenceType()) return "it takes a `&&`";
+    if (!own->isReferenceType()) return "it takes its context by value";
+    return own->getPointeeType().isConstQualified() ? "it takes a `const` context" : "it takes another context";
+  }
+
   std::string written(const ParmVarDecl& parameter) const {
     const CharSourceRange range = CharSourceRange::getTokenRange(parameter.getSourceRange());
     return Lexer::getSourceText(range, book_.context().getSourceManager(), book_.context().getLangOpts()).str();

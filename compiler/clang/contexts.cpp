@@ -1,4 +1,5 @@
 // Door: compiler/clang/contexts.hpp. Test: tests/clang/pages_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/contexts.hpp"
 
 #include "compiler/clang/places.hpp"
@@ -119,6 +120,23 @@ const CXXRecordDecl* interface_of(const CXXRecordDecl& record) {
     if (above == nullptr) continue;
     if (is_interface(*above)) return above;
     if (const CXXRecordDecl* found = interface_of(*above)) return found;
+  }
+  return nullptr;
+}
+
+const CXXMethodDecl* declared_for(const CXXRecordDecl& record, llvm::StringRef name, const std::string& context) {
+  if (!record.hasDefinition()) return nullptr;
+  for (const CXXBaseSpecifier& base : record.bases()) {
+    const CXXRecordDecl* above = base.getType()->getAsCXXRecordDecl();
+    if (above == nullptr || !above->hasDefinition()) continue;
+    above = above->getDefinition();
+    if (is_interface(*above)) {
+      for (const CXXMethodDecl* method : above->methods()) {
+        if (is_called_like_body(*method) && method->getName() == name && parameter_context(*method) == context)
+          return method;
+      }
+    }
+    if (const CXXMethodDecl* found = declared_for(*above, name, context)) return found;
   }
   return nullptr;
 }

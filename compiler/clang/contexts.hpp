@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What of a program is Director's: contexts, which bodies get, and the generated interfaces that modules implement.
 //
 // A context, such as soccer::Walk::Halting, is known by its base director::Context<Facts<soccer::Walk::Halting>, ...>,
@@ -28,8 +29,11 @@ bool is_called_like_body(const clang::NamedDecl& decl);
 
 /// A generated module: pure virtual functions that take contexts.
 bool is_interface(const clang::CXXRecordDecl& record);
-/// The one that a class implements, through whatever bases; null: none.
+/// The first one that a class implements, through whatever bases; null: none.
 const clang::CXXRecordDecl* interface_of(const clang::CXXRecordDecl& record);
+/// What an interface that the class implements declares for this context, under this name; null: nothing.
+const clang::CXXMethodDecl* declared_for(const clang::CXXRecordDecl& record, llvm::StringRef name,
+                                         const std::string& context);
 /// The function of an interface that this one overrides; null: none.
 const clang::CXXMethodDecl* promised_by(const clang::CXXMethodDecl& method);
 

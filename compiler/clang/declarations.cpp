@@ -1,4 +1,5 @@
 // Door: compiler/clang/subcommands.hpp. Test: tests/clang/stubs/orders_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Which classes of a program implement the modules of a behaviour, and where. Function bodies are skipped: they are the
 // user's affair, and what is wrong in them is not asked. The generated header may be newer than the program, so errors

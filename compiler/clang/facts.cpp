@@ -1,4 +1,5 @@
 // Door: compiler/clang/subcommands.hpp. Test: tests/clang/pages_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What the functions of some translation units do that a behaviour is about, and whom they call. No rule is here: what
 // of it is right or wrong, directorc decides (compiler/facts/code.hpp says what each fact means).
@@ -43,15 +44,19 @@ Json aliases_of(const ASTContext& context, const std::string& space) {
 
 Json read_unit(const Unit& unit, const std::string& space) {
   Json out = Json::object({});
-  const Reading reading = parse(unit, [&](ASTContext& context) {
-    Book book(context, unit.directory);
-    find_classes(book);
-    while (const FunctionDecl* function = book.next()) read_function(book, *function);
-    out.add("functions", Json::list(std::move(book.functions)));
-    out.add("classes", Json::list(std::move(book.classes)));
-    out.add("aliases", aliases_of(context, space));
-    out.add("paths", book.places().files());
-  });
+  const Reading reading = parse(
+      unit,
+      [&](ASTContext& context) {
+        Book book(context, unit.directory, unit.is_deep);
+        find_classes(book);
+        while (const FunctionDecl* function = book.next()) read_function(book, *function);
+        out.add("functions", Json::list(std::move(book.functions)));
+        out.add("classes", Json::list(std::move(book.classes)));
+        if (book.has_templates) out.add("templates", Json::boolean(true));
+        out.add("aliases", aliases_of(context, space));
+        out.add("paths", book.places().files());
+      },
+      instantiate_bodies);
   tell_reading(out, reading);
   return out;
 }

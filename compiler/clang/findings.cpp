@@ -1,4 +1,5 @@
 // Door: compiler/clang/findings.hpp. Test: tests/clang/stubs/command_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/findings.hpp"
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What is known of a program after some units, for `declarations`: rows of JSON by place. A place that several units
 // see counts once.
 

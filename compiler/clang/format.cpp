@@ -1,4 +1,5 @@
 // Door: compiler/clang/subcommands.hpp. Test: tests/clang/stubs/command_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What was inserted into a file, laid out as the .clang-format above it says. Where there is none, nothing changes.
 #include "compiler/clang/subcommands.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/clang/implementers.hpp. Test: tests/clang/stubs/command_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/implementers.hpp"
 
 #include "compiler/clang/contexts.hpp"
@@ -145,6 +146,8 @@ private:
     row.add("overrides", Json::boolean(says_override(type.getRParenLoc())));
     row.add("macro", Json::boolean(begin.isMacroID() || at.isMacroID() || end.in_macro));
     row.add("inline", Json::boolean(!within && function.isInlineSpecified()));
+    row.add("for_any",
+            Json::boolean(function.getParent()->hasDefinition() && function.getParent()->hasAnyDependentBases()));
     row.add("result", Json::text(result_of(function)));
     row.add("qualifier",
             Json::text(within ? std::string{} : one_line(text(function.getQualifierLoc().getBeginLoc(), at))));

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Which classes of the user implement the modules of a behaviour, and which functions of theirs are, or might be meant
 // as, its bodies: names, places, and what has to be known to put another function beside them.
 

@@ -1,4 +1,5 @@
 // Door: compiler/clang/invoke.hpp. Test: tests/clang/faults_test.cpp, tests/clang/stubs/command_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/invoke.hpp"
 
 #include <clang/Frontend/CompilerInstance.h>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Clang's frontend over one file, as the compiler of this version would be called for it.
 
 #include <llvm/ADT/IntrusiveRefCntPtr.h>

@@ -1,4 +1,5 @@
 // Door: the command line of director-clang. Test: tests/clang.
+// SPDX-License-Identifier: MIT
 //
 // Reads C++ for directorc, which calls it; nobody else has to. A word says what is asked, the rest is JSON on standard
 // input and output.

@@ -1,4 +1,5 @@
 // Door: compiler/clang/parse.hpp. Test: tests/clang.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/parse.hpp"
 
 #include "compiler/clang/invoke.hpp"
@@ -6,6 +7,8 @@
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/FrontendAction.h>
+#include <clang/Sema/Sema.h>
+#include <clang/Sema/SemaConsumer.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
 #include <map>
@@ -44,12 +47,20 @@ private:
   std::vector<Fault>& faults_;
 };
 
-class Consumer final : public clang::ASTConsumer {
+struct Callbacks {
+  const std::function<void(clang::ASTContext&)>& look;
+  const std::function<void(clang::Sema&)>& complete;
+};
+
+class Consumer final : public clang::SemaConsumer {
 public:
-  Consumer(const Unit& unit, Reading& reading, const std::function<void(clang::ASTContext&)>& look)
+  Consumer(const Unit& unit, Reading& reading, const Callbacks& callbacks)
       : unit_(unit),
         reading_(reading),
-        look_(look) {}
+        callbacks_(callbacks) {}
+
+  void InitializeSema(clang::Sema& sema) override { sema_ = &sema; }
+  void ForgetSema() override { sema_ = nullptr; }
 
   void HandleTranslationUnit(clang::ASTContext& context) override {
     const clang::SourceManager& sources = context.getSourceManager();
@@ -58,12 +69,13 @@ public:
       if (!sources.isInSystemHeader(decl->getLocation())) own.push_back(decl);
     }
     context.setTraversalScope(own);
-    look_(context);
+    if (callbacks_.complete && sema_ != nullptr) callbacks_.complete(*sema_);
+    callbacks_.look(context);
     note_files(sources);
   }
 
   bool shouldSkipFunctionBody(clang::Decl* decl) override {
-    return decl->getASTContext().getSourceManager().isInSystemHeader(decl->getLocation());
+    return !unit_.is_deep && decl->getASTContext().getSourceManager().isInSystemHeader(decl->getLocation());
   }
 
 private:
@@ -82,32 +94,32 @@ private:
 
   const Unit& unit_;
   Reading& reading_;
-  const std::function<void(clang::ASTContext&)>& look_;
+  const Callbacks& callbacks_;
+  clang::Sema* sema_ = nullptr;
 };
 
 class Action final : public clang::ASTFrontendAction {
 public:
-  Action(const Unit& unit, Reading& reading, const std::function<void(clang::ASTContext&)>& look)
+  Action(const Unit& unit, Reading& reading, const Callbacks& callbacks)
       : unit_(unit),
         reading_(reading),
-        look_(look) {}
+        callbacks_(callbacks) {}
 
   bool BeginInvocation(clang::CompilerInstance& compiler) override {
     compiler.getFrontendOpts().SkipFunctionBodies = true;
     return true;
   }
   std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance&, llvm::StringRef) override {
-    return std::make_unique<Consumer>(unit_, reading_, look_);
+    return std::make_unique<Consumer>(unit_, reading_, callbacks_);
   }
 
 private:
   const Unit& unit_;
   Reading& reading_;
-  const std::function<void(clang::ASTContext&)>& look_;
+  const Callbacks& callbacks_;
 };
 
-Reading parse_once(const Unit& unit, const std::vector<std::string>& arguments,
-                   const std::function<void(clang::ASTContext&)>& look) {
+Reading parse_once(const Unit& unit, const std::vector<std::string>& arguments, const Callbacks& callbacks) {
   Reading reading;
   llvm::IntrusiveRefCntPtr<llvm::vfs::OverlayFileSystem> disk(
       new llvm::vfs::OverlayFileSystem(llvm::vfs::createPhysicalFileSystem()));
@@ -117,17 +129,19 @@ Reading parse_once(const Unit& unit, const std::vector<std::string>& arguments,
     disk->pushOverlay(memory);
   }
   Errors errors(unit, reading.errors);
-  Action action(unit, reading, look);
+  Action action(unit, reading, callbacks);
   Frontend().run({unit.file, unit.directory, arguments}, disk, action, errors);
   return reading;
 }
 
 } // namespace
 
-Reading parse(const Unit& unit, const std::function<void(clang::ASTContext&)>& look) {
+Reading parse(const Unit& unit, const std::function<void(clang::ASTContext&)>& look,
+              const std::function<void(clang::Sema&)>& complete) {
+  const Callbacks callbacks{look, complete};
   std::vector<std::string> arguments = unit.arguments;
   for (;;) {
-    Reading reading = parse_once(unit, arguments, look);
+    Reading reading = parse_once(unit, arguments, callbacks);
     std::vector<std::string> of_command_line;
     for (const Fault& fault : reading.errors) {
       if (fault.file.empty()) of_command_line.push_back(fault.message);

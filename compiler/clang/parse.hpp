@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // One translation unit as Clang understands it, read quickly: bodies of functions in system headers are passed over,
 // and what looks at the tree begins at what no system header declares.
 
@@ -8,6 +9,7 @@
 
 namespace clang {
 class ASTContext;
+class Sema;
 } // namespace clang
 
 namespace director::scanning {
@@ -17,6 +19,7 @@ struct Unit {
   std::string directory;              ///< absolute; relative paths in the arguments begin here
   std::vector<std::string> arguments; ///< fit for Clang, without the compiler and the file
   std::string text;                   ///< if not empty: what the file holds, whatever lies on the disk
+  bool is_deep = false;               ///< bodies of functions in system headers are read too
 };
 
 struct Included {
@@ -35,7 +38,9 @@ struct Reading {
   std::vector<Fault> errors;
 };
 
-/// Calls `look` with the tree, also where there were errors; not where there is no tree at all.
-Reading parse(const Unit& unit, const std::function<void(clang::ASTContext&)>& look);
+/// Calls `look` with the tree, also where there were errors; not where there is no tree at all. `complete`, before it,
+/// may have templates instantiated that nothing uses.
+Reading parse(const Unit& unit, const std::function<void(clang::ASTContext&)>& look,
+              const std::function<void(clang::Sema&)>& complete = {});
 
 } // namespace director::scanning

@@ -1,4 +1,5 @@
 // Door: compiler/clang/places.hpp. Test: tests/clang.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/places.hpp"
 
 #include <clang/AST/ASTContext.h>

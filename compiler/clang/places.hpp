@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What is said of a unit: names and places in it, in JSON. A place is [file, begin, end]: the file's row in a table of
 // absolute paths, and offsets in bytes, the end exclusive.
 

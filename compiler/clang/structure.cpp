@@ -1,4 +1,5 @@
 // Door: compiler/clang/structure.hpp. Test: tests/clang/stubs/command_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/structure.hpp"
 
 #include <clang/Lex/PPCallbacks.h>

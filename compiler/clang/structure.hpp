@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the tokens of a unit say that its tree does not, because bodies are skipped: where braces and conditionals begin
 // and end.
 

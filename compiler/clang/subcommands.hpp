@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What director-clang can be asked. Each takes the JSON that stands on the standard input and gives what goes to the
 // standard output: an object, with the key `error` alone where it cannot be answered. One file each.
 
@@ -24,9 +25,10 @@ Json format_parts(const Json& request);
 /// such type. The unit's file is not read: its name only says where the headers are looked for.
 Json tell_types(const Json& request);
 
-/// {"units": [{"file", "directory", "arguments"}], "namespace": "soccer"} -> {"units": [...]}, in the same order. Of
-/// each {"functions", "classes", "aliases", "paths", "files", "errors"}; compiler/facts/code.cpp reads them. Places are
-/// [row of `paths`, begin, end] in bytes; `files` are [path, is a system header].
+/// {"units": [{"file", "directory", "arguments", "deep"}], "namespace": "soccer"} -> {"units": [...]}, in the same
+/// order. `deep`: also what the standard library comes to, to tell what blocks; that takes longer. Of each
+/// {"functions", "classes", "aliases", "paths", "files", "errors"}; compiler/facts/code.cpp reads them. Places are [row
+/// of `paths`, begin, end] in bytes; `files` are [path, is a system header].
 Json tell_facts(const Json& request);
 
 } // namespace director::scanning

@@ -1,4 +1,5 @@
 // Door: compiler/clang/subcommands.hpp. Test: tests/clang.
+// SPDX-License-Identifier: MIT
 //
 // Names of types are looked up by writing them into a file of C++ behind the headers, one alias a line: Clang then says
 // what each is, or, in the line of the alias, why there is no such type.

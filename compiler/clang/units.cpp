@@ -1,4 +1,5 @@
 // Door: compiler/clang/units.hpp. Test: tests/clang/faults_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/units.hpp"
 
 namespace director::scanning {
@@ -6,7 +7,8 @@ namespace director::scanning {
 using compiler::Json;
 
 Unit unit_of(const Json& json) {
-  return {json["file"].as_text(), json["directory"].as_text(), json["arguments"].as_texts(), {}};
+  return {
+      json["file"].as_text(), json["directory"].as_text(), json["arguments"].as_texts(), {}, json["deep"].as_boolean()};
 }
 
 void tell_reading(Json& answer, const Reading& reading) {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Units in JSON: as requests name them, and what is told of how one was read.
 
 #include "compiler/clang/parse.hpp"
@@ -6,7 +7,7 @@
 
 namespace director::scanning {
 
-/// From {"file", "directory", "arguments": [...]}.
+/// From {"file", "directory", "arguments": [...], "deep"}.
 Unit unit_of(const compiler::Json& json);
 
 /// Adds `files` as [path, is a system header], and `errors` as {"message", "file", "line"}.

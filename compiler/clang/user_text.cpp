@@ -1,4 +1,5 @@
 // Door: compiler/clang/user_text.hpp. Test: tests/clang/stubs/command_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/user_text.hpp"
 
 #include <fstream>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Files of the user with something put into them, which is not on the disk.
 
 #include "compiler/emit/json.hpp"

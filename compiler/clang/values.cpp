@@ -1,4 +1,5 @@
 // Door: compiler/clang/values.hpp. Test: tests/clang/pages_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/clang/values.hpp"
 
 #include "compiler/clang/contexts.hpp"
@@ -55,6 +56,9 @@ std::optional<std::set<std::string>> Values::of(const Expr* expr, int depth) con
   if (expr == nullptr || depth == 0 || expr->isValueDependent()) return {};
   expr = stripped(expr);
   if (const auto* choice = llvm::dyn_cast<ConditionalOperator>(expr)) {
+    bool holds = false;
+    if (!choice->getCond()->isValueDependent() && choice->getCond()->EvaluateAsBooleanCondition(holds, context_))
+      return of(holds ? choice->getTrueExpr() : choice->getFalseExpr(), depth - 1);
     auto left = of(choice->getTrueExpr(), depth - 1);
     const auto right = of(choice->getFalseExpr(), depth - 1);
     if (!left || !right) return {};

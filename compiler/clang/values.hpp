@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Which values an expression may have, as far as they stand in the text: what a body sets a state to.
 
 #include <clang/AST/Expr.h>

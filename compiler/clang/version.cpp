@@ -1,4 +1,5 @@
 // Door: compiler/clang/subcommands.hpp. Test: tests/clang/faults_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/version.hpp"
 
 #include "compiler/clang/subcommands.hpp"

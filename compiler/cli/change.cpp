@@ -1,4 +1,5 @@
-// Door: compiler/cli/change.hpp. Test: tests/stubs/change_test.cpp.
+// Door: compiler/cli/change.hpp. Test: tests/stubs/change_test.cpp, tests/cli/write_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/change.hpp"
 
 #include <fcntl.h>
@@ -6,11 +7,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace director::compiler::cli {
@@ -28,24 +31,36 @@ std::optional<std::string> text_of(const fs::path& path) {
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 
+/// A change, and what it is to: the user's file, which nobody else must have changed, or what is generated.
+struct Step {
+  Change change;
+  bool generated = false;
+};
+
 /// A file that is written already, beside the place that it is for. Removed unless it gets there.
 struct Written {
-  const Change* change;
+  const Step* step;
   fs::path target; ///< behind symbolic links
   std::string temporary;
   mode_t mode = 0;
   bool placed = false;
 };
 
+const char* fault_of_kind(mode_t mode) {
+  if (S_ISREG(mode)) return nullptr;
+  return S_ISDIR(mode) ? "a folder is in the way" : "it is no ordinary file";
+}
+
 /// May this file be changed, and is it still as it was?
-Fault refusal(const Change& change, const fs::path& target, struct stat& status) {
+Fault refusal(const Step& step, const fs::path& target, struct stat& status) {
+  const Change& change = step.change;
   const bool exists = ::lstat(target.c_str(), &status) == 0;
-  if (!change.before) return exists ? Fault{"it exists already"} : Fault{};
+  if (!change.before) return exists && !step.generated ? Fault{"it exists already"} : Fault{};
   if (!exists) return std::strerror(errno);
-  if (!S_ISREG(status.st_mode)) return "it is no ordinary file";
+  if (const char* const fault = fault_of_kind(status.st_mode)) return fault;
   if ((status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0 || ::access(target.c_str(), W_OK) != 0)
     return "it is read-only";
-  if (text_of(target) != change.before) return "it has changed meanwhile; run this again";
+  if (!step.generated && text_of(target) != change.before) return "it has changed meanwhile; run this again";
   return {};
 }
 
@@ -56,7 +71,12 @@ bool write_all(int file, std::string_view text) {
     if (count <= 0) return false;
     text.remove_prefix(static_cast<std::size_t>(count));
   }
-  return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS; // not every file system can be told to
+  return true;
+}
+
+/// What the user wrote is on the disk before it takes the place of what was there; what is generated can be again.
+bool keep(int file, const Step& step) {
+  return step.generated || ::fsync(file) == 0 || errno == EINVAL || errno == EROFS; // not every file system can be told
 }
 
 Fault write_beside(Written& out, std::string_view text) {
@@ -64,7 +84,7 @@ Fault write_beside(Written& out, std::string_view text) {
   const int file = ::mkstemp(name.data());
   if (file < 0) return std::strerror(errno);
   out.temporary = name;
-  int fault = write_all(file, text) ? 0 : errno;
+  int fault = write_all(file, text) && keep(file, *out.step) ? 0 : errno;
   if (fault == 0 && ::fchmod(file, out.mode) != 0) fault = errno;
   if (::close(file) != 0 && fault == 0) fault = errno;
   return fault == 0 ? Fault{} : std::strerror(fault);
@@ -72,7 +92,7 @@ Fault write_beside(Written& out, std::string_view text) {
 
 /// Who made this file anew keeps its owner, if that is allowed.
 void keep_owner(const Written& out, const struct stat& status) {
-  if (out.change->before) std::ignore = ::lchown(out.temporary.c_str(), status.st_uid, status.st_gid);
+  if (out.step->change.before) std::ignore = ::lchown(out.temporary.c_str(), status.st_uid, status.st_gid);
 }
 
 mode_t mode_of_new_files() {
@@ -81,16 +101,17 @@ mode_t mode_of_new_files() {
   return 0666 & ~mask;
 }
 
-Fault prepare(const Change& change, std::vector<Written>& all) {
+Fault prepare(const Step& step, std::vector<Written>& all) {
+  const Change& change = step.change;
   std::error_code error;
   fs::path target = change.path;
   if (change.before) target = fs::canonical(target, error);
   if (error) return error.message();
   struct stat status {};
-  if (Fault fault = refusal(change, target, status)) return fault;
+  if (Fault fault = refusal(step, target, status)) return fault;
   if (!change.before && target.has_parent_path()) fs::create_directories(target.parent_path(), error);
   if (error) return error.message();
-  all.push_back({&change, target, {}, change.before ? status.st_mode & 07777U : mode_of_new_files(), false});
+  all.push_back({&step, target, {}, change.before ? status.st_mode & 07777U : mode_of_new_files(), false});
   Fault fault = write_beside(all.back(), change.after);
   if (!fault) keep_owner(all.back(), status);
   return fault;
@@ -99,8 +120,9 @@ Fault prepare(const Change& change, std::vector<Written>& all) {
 /// A new file never takes the place of one.
 Fault place(Written& each) {
   struct stat status {};
-  if (Fault fault = refusal(*each.change, each.target, status)) return fault;
-  const unsigned only_new = each.change->before ? 0 : RENAME_NOREPLACE;
+  if (Fault fault = refusal(*each.step, each.target, status)) return fault;
+  // Somebody else may be generating the same.
+  const unsigned only_new = each.step->change.before || each.step->generated ? 0 : RENAME_NOREPLACE;
   if (::renameat2(AT_FDCWD, each.temporary.c_str(), AT_FDCWD, each.target.c_str(), only_new) != 0) {
     // Not every file system knows that word; a link never takes the place of a file either.
     if (only_new == 0 || (errno != EINVAL && errno != ENOSYS)) return std::strerror(errno);
@@ -115,32 +137,99 @@ void take_back(std::vector<Written>& all) {
   for (Written& each : all) {
     if (!each.placed) {
       if (!each.temporary.empty()) ::unlink(each.temporary.c_str());
-    } else if (!each.change->before) {
+    } else if (!each.step->change.before) {
       ::unlink(each.target.c_str());
-    } else if (!write_beside(each, *each.change->before)) {
+    } else if (!write_beside(each, *each.step->change.before)) {
       ::rename(each.temporary.c_str(), each.target.c_str());
     }
   }
 }
 
-} // namespace
+/// While it lives, what asks the program to end waits.
+class Undisturbed {
+public:
+  Undisturbed() {
+    sigset_t polite;
+    ::sigemptyset(&polite);
+    for (const int each : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE}) ::sigaddset(&polite, each);
+    ::sigprocmask(SIG_BLOCK, &polite, &before_);
+  }
+  ~Undisturbed() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  Undisturbed(const Undisturbed&) = delete;
+  Undisturbed& operator=(const Undisturbed&) = delete;
 
-std::optional<std::string> apply_on_disk(const std::vector<Change>& changes) {
+private:
+  sigset_t before_{};
+};
+
+Fault carry_out(const std::vector<Step>& steps, const Watch& watch) {
+  const Undisturbed undisturbed;
   std::vector<Written> all;
-  all.reserve(changes.size());
+  all.reserve(steps.size());
   Fault fault;
-  const Change* last = nullptr;
-  for (const Change& change : changes) {
-    last = &change;
-    if (fault = prepare(change, all); fault) break;
+  const Step* last = nullptr;
+  for (const Step& step : steps) {
+    last = &step;
+    if (fault = prepare(step, all); fault) break;
+    if (watch) watch();
   }
   for (std::size_t i = 0; !fault && i < all.size(); ++i) {
-    last = all[i].change;
+    last = all[i].step;
     fault = place(all[i]);
+    if (!fault && watch) watch();
   }
   if (!fault) return {};
   take_back(all);
-  return at(last->path, *fault);
+  return at(last->change.path, *fault);
+}
+
+/// The step that writes this output, if there is anything to do.
+Fault plan(const Output& output, std::vector<Step>& steps) {
+  struct stat status {};
+  if (::stat(output.path.c_str(), &status) != 0) {
+    if (::lstat(output.path.c_str(), &status) == 0) return "it is a link that leads nowhere";
+    if (errno != ENOENT) return std::strerror(errno);
+    steps.push_back({{output.path, {}, output.text}, true});
+    return {};
+  }
+  // Only what is a file is looked into: to open a pipe would wait for who reads from it.
+  if (const char* const fault = fault_of_kind(status.st_mode)) return fault;
+  const std::optional<std::string> text = text_of(output.path);
+  if (!text) return std::strerror(errno);
+  if (*text == output.text && !output.newest) return {};
+  if (output.is_own != nullptr && !text->empty() && !output.is_own(*text)) return foreign;
+  steps.push_back({{output.path, text, output.text}, true});
+  return {};
+}
+
+} // namespace
+
+const char* const foreign = "what is there was not written by directorc; move it away, or name another place with -o";
+
+bool is_depfile(std::string_view text) {
+  const std::size_t targets = text.find(": ");
+  if (targets == text.npos || !text.substr(targets).starts_with(": \\\n") || !text.ends_with('\n')) return false;
+  for (std::size_t at = text.find('\n'); at + 1 < text.size(); at = text.find('\n', at + 1))
+    if (text[at - 1] != '\\' || !text.substr(at + 1).starts_with("  ")) return false;
+  return true;
+}
+
+std::optional<std::string> apply_on_disk(const std::vector<Change>& changes, const Watch& watch) {
+  std::vector<Step> steps;
+  for (const Change& change : changes) steps.push_back({change});
+  return carry_out(steps, watch);
+}
+
+std::optional<std::string> write_on_disk(const std::vector<Output>& outputs, const Watch& watch) {
+  std::vector<Step> steps;
+  std::map<fs::path, std::string_view> texts;
+  for (const Output& output : outputs) {
+    const auto [same, is_new] = texts.try_emplace(fs::path(output.path).lexically_normal(), output.text);
+    if (!is_new && same->second != output.text) return at(output.path, "two different texts would go there");
+    if (!is_new) continue;
+    if (const Fault fault = plan(output, steps)) return at(output.path, *fault);
+  }
+  return carry_out(steps, watch);
 }
 
 } // namespace director::compiler::cli

@@ -1,4 +1,5 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/check_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/promises.hpp"
 #include "compiler/checks/analysis/states/sources.hpp"
 #include "compiler/cli/goal.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/commands.hpp"
 
 #include <fmt/format.h>

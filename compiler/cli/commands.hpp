@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The subcommands: what each is asked for, and what it does. One file each; compiler/cli/parse.cpp makes the requests
 // from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or too
 // little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written; 3 an
@@ -44,7 +45,7 @@ struct DrawGraph {
 };
 
 struct Explain {
-  std::string id;
+  std::string id; ///< of a check, or a key of the language
 };
 
 struct ListChecks {};
@@ -53,6 +54,7 @@ struct Simulate {
   std::string file;
   Format format = Format::text;
   bool decisions = false;
+  bool times = false;
 };
 
 /// Why a group runs or does not, at some moment of a scenario.
@@ -64,10 +66,11 @@ struct Why {
 };
 
 struct Test {
-  std::vector<std::string> files;
+  std::vector<std::string> files; ///< or folders, with all scenarios below them
   Format format = Format::text;
   bool coverage = false;
-  int min = 0; ///< percent of each behaviour's points; less is a failure
+  int min = 0;         ///< percent of each behaviour's points; less is a failure
+  bool update = false; ///< write what happens into the files
 };
 
 struct Dump {
@@ -98,6 +101,7 @@ struct Verify {
   std::string file;
   std::string build;     ///< folder with compile_commands.json
   std::string generated; ///< folder of the generated header; empty: any
+  std::vector<std::string> excluded;
   Format format = Format::text;
   checks::Selection selection;
 };

@@ -1,45 +1,16 @@
 // Door: compiler/cli/console.hpp. Test: tests/cli/disk_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/console.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace director::compiler::cli {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::optional<std::string> text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return {};
-  return std::string{std::istreambuf_iterator<char>(file), {}};
-}
-
-} // namespace
-
-std::optional<std::string> DiskOutputs::write(const std::string& path, const std::string& text) {
-  if (text_of(path) == text) return {};
-  return renew(path, text);
-}
-
-std::optional<std::string> DiskOutputs::renew(const std::string& path, const std::string& text) {
-  std::error_code error;
-  const fs::path folder = fs::path(path).parent_path();
-  if (!folder.empty()) fs::create_directories(folder, error);
-  if (error) return error.message();
-  errno = 0;
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file) return errno != 0 ? std::strerror(errno) : "it cannot be written";
-  return {};
-}
+std::optional<std::string> DiskOutputs::write(const std::vector<Output>& outputs) { return write_on_disk(outputs); }
 
 std::optional<std::string> DiskOutputs::change(const std::vector<Change>& changes) { return apply_on_disk(changes); }
 
@@ -60,16 +31,22 @@ std::vector<std::string> DiskOutputs::list(const std::string& folder) {
   return out;
 }
 
-std::optional<std::string> MemoryOutputs::write(const std::string& path, const std::string& text) {
-  const auto at = files.find(path);
-  if (at != files.end() && at->second == text) return {};
-  return renew(path, text);
+std::optional<std::string> MemoryOutputs::write(const std::vector<Output>& outputs) {
+  for (const Output& each : outputs) {
+    const auto at = files.find(each.path);
+    if (at == files.end() || at->second == each.text || each.is_own == nullptr || each.is_own(at->second)) continue;
+    return "`" + each.path + "`: " + foreign;
+  }
+  for (const Output& each : outputs) {
+    const auto at = files.find(each.path);
+    if (at == files.end() || at->second != each.text || each.newest) put(each.path, each.text);
+  }
+  return {};
 }
 
-std::optional<std::string> MemoryOutputs::renew(const std::string& path, const std::string& text) {
+void MemoryOutputs::put(const std::string& path, const std::string& text) {
   files[path] = text;
   written.push_back(path);
-  return {};
 }
 
 std::optional<std::string> MemoryOutputs::change(const std::vector<Change>& changes) {
@@ -78,7 +55,7 @@ std::optional<std::string> MemoryOutputs::change(const std::vector<Change>& chan
     const std::optional<std::string> now = at == files.end() ? std::nullopt : std::optional(at->second);
     if (now != each.before) return "`" + each.path + "`: it has changed meanwhile; run this again";
   }
-  for (const Change& each : changes) renew(each.path, each.after);
+  for (const Change& each : changes) put(each.path, each.after);
   return {};
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The world as a subcommand sees it: two streams, files to read, files to write. Behind it the terminal and the disk
 // for main, strings and maps for tests.
 
@@ -16,11 +17,9 @@ namespace director::compiler::cli {
 
 class Outputs {
 public:
-  /// Makes the folders that are missing. A file that has this text already is not touched. What the system says where
-  /// it cannot be written.
-  virtual std::optional<std::string> write(const std::string& path, const std::string& text) = 0;
-  /// Likewise, and the file is newer than everything afterwards, whatever text it had.
-  virtual std::optional<std::string> renew(const std::string& path, const std::string& text) = 0;
+  /// What is generated: all of it, or nothing and what is wrong. Makes the folders that are missing; a file that has
+  /// its text already is not touched.
+  virtual std::optional<std::string> write(const std::vector<Output>& outputs) = 0;
   /// Files of the user: all of the changes, or none and what is wrong.
   virtual std::optional<std::string> change(const std::vector<Change>& changes) = 0;
   /// The files below a folder, by their whole paths, sorted; without hidden ones and what lies in build trees.
@@ -44,20 +43,21 @@ struct Console {
 
 class DiskOutputs final : public Outputs {
 public:
-  std::optional<std::string> write(const std::string& path, const std::string& text) override;
-  std::optional<std::string> renew(const std::string& path, const std::string& text) override;
+  std::optional<std::string> write(const std::vector<Output>& outputs) override;
   std::optional<std::string> change(const std::vector<Change>& changes) override;
   std::vector<std::string> list(const std::string& folder) override;
 };
 
 class MemoryOutputs final : public Outputs {
 public:
-  std::optional<std::string> write(const std::string& path, const std::string& text) override;
-  std::optional<std::string> renew(const std::string& path, const std::string& text) override;
+  std::optional<std::string> write(const std::vector<Output>& outputs) override;
   std::optional<std::string> change(const std::vector<Change>& changes) override;
   std::vector<std::string> list(const std::string& folder) override;
   std::map<std::string, std::string> files;
   std::vector<std::string> written; ///< paths in order, each time that a file changed
+
+private:
+  void put(const std::string& path, const std::string& text);
 };
 
 class ChildPrograms final : public Programs {

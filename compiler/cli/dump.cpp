@@ -1,4 +1,5 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/print_tables.hpp"

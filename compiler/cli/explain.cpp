@@ -1,5 +1,7 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/commands.hpp"
+#include "compiler/reference/explain_key.hpp"
 #include "dsl/suggest.hpp"
 
 #include <fmt/format.h>
@@ -11,12 +13,17 @@ int run(const Explain& request, Console& console) {
     console.out << check->page;
     return clean;
   }
-  std::vector<std::string> known;
+  const std::string_view page = language_page();
+  if (const std::optional<std::string> text = explain_key(page, request.id)) {
+    console.out << *text;
+    return clean;
+  }
+  std::vector<std::string> known = keys_of(page);
   for (const checks::Registered& check : checks::registered()) known.emplace_back(check.id);
   const std::optional<std::string> near = dsl::suggest(request.id, known);
-  console.err << fmt::format("directorc: there is no check `{}`{}\n", request.id,
+  console.err << fmt::format("directorc: there is no check and no key `{}`{}\n", request.id,
                              near ? fmt::format("; did you mean `{}`?", *near)
-                                  : std::string("; `directorc checks` lists all"));
+                                  : std::string("; `directorc checks` lists all checks, docs/language.md all keys"));
   return misused;
 }
 

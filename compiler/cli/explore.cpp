@@ -1,5 +1,7 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/explore_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
+#include "compiler/emit/notice.hpp"
 #include "compiler/explore/report.hpp"
 
 #include <fmt/format.h>
@@ -47,6 +49,21 @@ private:
   bool shown_ = false;
 };
 
+/// False, and says why, where they cannot be written.
+bool write_scenarios(const Explore& request, const std::vector<std::pair<std::string, std::string>>& scenarios,
+                     Console& console) {
+  const std::string behaviour = fs::path(request.file).filename().string();
+  std::vector<Output> outputs;
+  for (const auto& [name, text] : scenarios)
+    outputs.push_back({(fs::path(request.output) / name).string(), with_notice(behaviour, "# ", text), has_notice});
+  if (const std::optional<std::string> fault = console.outputs.write(outputs)) {
+    console.err << fmt::format("directorc: no scenario is written; cannot write {}\n", *fault);
+    return false;
+  }
+  for (const Output& output : outputs) console.out << fmt::format("wrote {}\n", output.path);
+  return true;
+}
+
 bool any(const Exploration& exploration, Verdict::Kind kind) {
   return std::any_of(exploration.verdicts.begin(), exploration.verdicts.end(),
                      [&](const Verdict& verdict) { return verdict.kind == kind; });
@@ -76,15 +93,7 @@ int run(const Explore& request, Console& console) {
   const Exploration exploration = explore(ground, options);
   progress.end();
   console.out << to_text(exploration, ground);
-  for (const auto& [name, text] : scenarios_of(exploration, ground)) {
-    if (request.output.empty()) break;
-    const std::string path = (fs::path(request.output) / name).string();
-    if (const std::optional<std::string> fault = console.outputs.write(path, text)) {
-      console.err << fmt::format("directorc: cannot write `{}`: {}\n", path, *fault);
-      return misused;
-    }
-    console.out << fmt::format("wrote {}\n", path);
-  }
+  if (!request.output.empty() && !write_scenarios(request, scenarios_of(exploration, ground), console)) return misused;
   if (any(exploration, Verdict::Kind::refuted)) return found;
   return any(exploration, Verdict::Kind::undecided) || !exploration.searched.complete ? undecided : clean;
 }

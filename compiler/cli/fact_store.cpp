@@ -1,12 +1,14 @@
 // Door: compiler/cli/fact_store.hpp. Test: tests/cli/disk_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/fact_store.hpp"
 
-#include <unistd.h>
+#include "compiler/cli/change.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <tuple>
 
 namespace director::compiler::cli {
 
@@ -20,20 +22,8 @@ std::optional<std::string> DiskFacts::load(const std::string& name) {
 
 /// Another run at the same time sees the old entry or the new one, never half of one.
 void DiskFacts::save(const std::string& name, const std::string& text) {
-  std::error_code fault;
-  fs::create_directories(folder_, fault);
-  const fs::path whole = fs::path(folder_) / name;
-  const fs::path part = whole.string() + "." + std::to_string(::getpid());
-  {
-    std::ofstream file(part, std::ios::binary | std::ios::trunc);
-    file << text;
-    if (!file.flush()) {
-      file.close();
-      fs::remove(part, fault);
-      return;
-    }
-  }
-  fs::rename(part, whole, fault);
+  // What cannot be kept is found out again the next time.
+  std::ignore = write_on_disk({{(fs::path(folder_) / name).string(), text}});
 }
 
 std::string DiskFacts::stamp(const std::string& path) {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The cache of facts on the disk.
 
 #include "compiler/facts/cache.hpp"

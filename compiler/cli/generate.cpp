@@ -1,7 +1,9 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/generate_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 #include "compiler/emit/depfile.hpp"
 #include "compiler/emit/emit.hpp"
+#include "compiler/emit/notice.hpp"
 #include "compiler/lower/lower.hpp"
 
 #include <fmt/format.h>
@@ -9,16 +11,6 @@
 #include <filesystem>
 
 namespace director::compiler::cli {
-
-namespace {
-
-/// False, and says why, where a file cannot be written.
-bool wrote(const std::string& path, const std::optional<std::string>& fault, Console& console) {
-  if (fault) console.err << fmt::format("directorc: cannot write `{}`: {}\n", path, *fault);
-  return !fault;
-}
-
-} // namespace
 
 int run(const Generate& request, Console& console) {
   dsl::Sources sources;
@@ -39,15 +31,19 @@ int run(const Generate& request, Console& console) {
   }
 
   const Lowered lowered = lower(checked->model);
+  std::vector<Output> outputs;
   std::vector<std::string> paths;
-  for (const Artefact& artefact : emit({sources, checked->model, lowered})) {
+  for (Artefact& artefact : emit({sources, checked->model, lowered})) {
     paths.push_back((std::filesystem::path(request.folder) / artefact.path).string());
-    if (!wrote(paths.back(), console.outputs.write(paths.back(), artefact.text), console)) return misused;
+    outputs.push_back({paths.back(), std::move(artefact.text), has_notice});
   }
-  if (request.depfile.empty()) return clean;
-  const std::vector<std::string> targets = request.target.empty() ? paths : std::vector{request.target};
-  const std::string text = depfile(targets, sources, checked->headers);
-  return wrote(request.depfile, console.outputs.renew(request.depfile, text), console) ? clean : misused;
+  if (!request.depfile.empty()) {
+    const std::vector<std::string> targets = request.target.empty() ? paths : std::vector{request.target};
+    outputs.push_back({request.depfile, depfile(targets, sources, checked->headers), is_depfile, true});
+  }
+  const std::optional<std::string> fault = console.outputs.write(outputs);
+  if (fault) console.err << fmt::format("directorc: nothing is written; cannot write {}\n", *fault);
+  return fault ? misused : clean;
 }
 
 } // namespace director::compiler::cli

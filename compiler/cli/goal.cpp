@@ -1,4 +1,5 @@
 // Door: compiler/cli/goal.hpp. Test: tests/cli/reachable_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/goal.hpp"
 
 #include "compiler/play/names.hpp"

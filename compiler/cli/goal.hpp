@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What `--explain-reachable` is asked about: `Kick`, `Walk.halting`, `Pose == standing`.
 
 #include "compiler/checks/analysis/facts/witness.hpp"

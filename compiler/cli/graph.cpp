@@ -1,8 +1,12 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/graph_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 #include "compiler/emit/graph/formats.hpp"
+#include "compiler/emit/notice.hpp"
 
 #include <fmt/format.h>
+
+#include <filesystem>
 
 namespace director::compiler::cli {
 
@@ -23,17 +27,21 @@ std::optional<std::string> svg(const Picture& picture, Console& console) {
   return answer.output;
 }
 
-std::optional<std::string> drawn(const Checked& checked, Format format, Console& console) {
+std::optional<std::string> drawn(const Checked& checked, const std::string& file, Format format, Console& console) {
   const Picture picture = make_picture(checked.model, checked.graph);
+  const std::string name = std::filesystem::path(file).filename().string();
   switch (format) {
   case Format::json: return to_lines(graph_json(checked.model, checked.graph));
-  case Format::svg: return svg(picture, console);
-  case Format::mermaid: return mermaid(picture);
+  case Format::svg: {
+    const std::optional<std::string> text = svg(picture, console);
+    return text ? std::optional(svg_with_notice(name, *text)) : text;
+  }
+  case Format::mermaid: return with_notice(name, "%% ", mermaid(picture));
   case Format::dot:
   case Format::sarif:
   case Format::text: break;
   }
-  return dot(picture);
+  return with_notice(name, "// ", dot(picture));
 }
 
 } // namespace
@@ -46,12 +54,12 @@ int run(const DrawGraph& request, Console& console) {
     print_findings(errors_of(checked->findings), sources, console.err, console.err_colours);
     return found;
   }
-  const std::optional<std::string> text = drawn(*checked, request.format, console);
+  const std::optional<std::string> text = drawn(*checked, request.file, request.format, console);
   if (!text) return misused;
   if (request.output.empty()) {
     console.out << *text;
-  } else if (const std::optional<std::string> fault = console.outputs.write(request.output, *text)) {
-    console.err << fmt::format("directorc: cannot write `{}`: {}\n", request.output, *fault);
+  } else if (const std::optional<std::string> fault = console.outputs.write({{request.output, *text, has_notice}})) {
+    console.err << fmt::format("directorc: cannot write {}\n", *fault);
     return misused;
   }
   return clean;

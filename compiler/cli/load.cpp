@@ -1,4 +1,5 @@
 // Door: compiler/cli/load.hpp. Test: tests/cli/check_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 
 #include "compiler/cli/fact_store.hpp"
@@ -81,7 +82,7 @@ public:
         scanner_(console.scanner, console.programs),
         store_(facts_folder(home_of(cpp))) {}
 
-  bool thorough() const override { return !cpp_.build.empty(); }
+  bool thorough() const override { return !cpp_.build.empty() || !cpp_.flags.empty(); }
   Types read(const Question& question) override {
     TypeFlags flags = !cpp_.flags.empty()   ? flags_of_file(cpp_.flags, console_)
                       : !cpp_.build.empty() ? flags_of_build(load_compile_commands(cpp_.build, console_.files))

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What several subcommands do first: check the behaviour that the command line names, and show what was found.
 
 #include "compiler/cli/commands.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/cli/load_scenario.hpp. Test: tests/cli/scenario_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/load_scenario.hpp"
 
 #include "compiler/lower/lower.hpp"
@@ -55,6 +56,7 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   Checked checked = check_file(read.scenario.behaviour_path, {}, sources, console);
   if (const Findings why = obstacles(checked, read.scenario.behaviour); !why.empty()) return stop(found, why), out;
 
+  out.file = read.scenario.file;
   out.behaviour = read.scenario.behaviour_path;
   out.model = std::move(checked.model);
   out.graph = std::move(checked.graph);

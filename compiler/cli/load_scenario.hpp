@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A scenario and the behaviour that it is about, ready to be played.
 
 #include "compiler/cli/load.hpp"
@@ -11,7 +12,8 @@ namespace director::compiler::cli {
 struct LoadedScenario {
   int status = clean;                    ///< not clean: it has been said why, and nothing else is good
   std::vector<dsl::Diagnostic> findings; ///< that have been shown
-  std::string behaviour;                 ///< the path of its file
+  dsl::FileId file{};                    ///< its own
+  std::string behaviour;                 ///< the path of the behaviour's file
   Model model;
   Graph graph;
   Lowered lowered;

@@ -1,7 +1,9 @@
 // Door: the command line. Test: tests/cli/parse_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/parse.hpp"
 #include "compiler/facts/scanner.hpp"
 
+#include <fcntl.h>
 #include <sys/auxv.h>
 #include <unistd.h>
 
@@ -11,6 +13,7 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -50,23 +53,30 @@ int act(const Command& command, Console& console) {
   return run(command, console);
 }
 
+/// A file that is opened must not become the output of a program that was started without one: what is printed then
+/// cannot be written, as it should be.
+void fill_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) == -1) std::ignore = ::open("/dev/null", O_RDONLY);
+}
+
 } // namespace
 
 int main(int count, char** words) {
+  fill_streams();
   try {
     dsl::DiskFiles files;
     DiskOutputs outputs;
     ChildPrograms programs;
     Console console{std::cout, std::cerr, wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO), files, outputs,
                     programs,  scanner(), find_headers(own_path())};
-    const Request request = parse({words + (count > 0 ? 1 : 0), words + count});
+    const Request request = parse({words + (count > 0 ? 1 : 0), words + count}, find_schemas(own_path()));
     const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
     std::cout.flush();
-    if (!std::cout) {
-      std::cerr << "directorc: the output cannot be written\n";
-      return misused;
-    }
-    return status;
+    if (!std::cout) std::cerr << "directorc: the output cannot be written\n";
+    std::cerr.flush();
+    // What nobody could be told counts as not done.
+    return std::cout && std::cerr ? status : misused;
   } catch (const std::exception& error) {
     std::cerr << "directorc: internal error: " << error.what() << "\n";
     return 70;

@@ -1,4 +1,5 @@
 // Door: compiler/cli/parse.hpp. Test: tests/cli/parse_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The only place with CLI11. A row of the table is a subcommand: its name, its line in the help, and a function that
 // adds its options and says how they become a request.
@@ -123,7 +124,10 @@ Make generate_options(CLI::App& app) {
   auto request = std::make_shared<Generate>();
   auto words = std::make_shared<SelectionWords>();
   app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
-  app.add_option("-o,--output", request->folder, "folder for what is generated")->type_name("FOLDER")->required();
+  app.add_option("-o,--output", request->folder,
+                 "folder for what is generated; files there that directorc has not written stay as they are")
+      ->type_name("FOLDER")
+      ->required();
   CLI::Option* depfile = app.add_option("--depfile", request->depfile, "also write what was read, for Make and Ninja");
   depfile->type_name("FILE");
   app.add_option("--depfile-target", request->target,
@@ -146,13 +150,16 @@ Make graph_options(CLI::App& app) {
   auto request = std::make_shared<DrawGraph>();
   app.add_option("FILE", request->file, "the behaviour")->required();
   add_format(app, request->format, {"dot", "svg", "json", "mermaid"});
-  app.add_option("-o,--output", request->output, "file to write; without it, to the terminal")->type_name("FILE");
+  app.add_option("-o,--output", request->output,
+                 "file to write, unless somebody else has written it; without it, to the terminal")
+      ->type_name("FILE");
   return [=]() -> Request { return *request; };
 }
 
 Make explain_options(CLI::App& app) {
   auto request = std::make_shared<Explain>();
-  app.add_option("ID", request->id, "what stands in brackets behind a finding")->required();
+  app.add_option("ID", request->id, "what stands in brackets behind a finding, or a key of the language: needs")
+      ->required();
   return [=]() -> Request { return *request; };
 }
 
@@ -165,6 +172,7 @@ Make simulate_options(CLI::App& app) {
   app.add_option("FILE", request->file, "the scenario")->required();
   add_format(app, request->format, {"text", "json"});
   app.add_flag("--decisions", request->decisions, "also print what is queued, pushed, released and set");
+  app.add_flag("--times", request->times, "also print when, in seconds; in JSON, in microseconds");
   return [=]() -> Request { return *request; };
 }
 
@@ -194,13 +202,15 @@ Make why_options(CLI::App& app) {
 
 Make test_options(CLI::App& app) {
   auto request = std::make_shared<Test>();
-  app.add_option("FILE", request->files, "scenarios")->required();
+  app.add_option("FILE", request->files, "scenarios, or folders: then all *.scenario.yaml below them")->required();
   add_format(app, request->format, {"text", "json"});
   CLI::Option* coverage = app.add_flag("--coverage", request->coverage, "also print what no scenario exercises");
   app.add_option("--min", request->min, "fail where less of a behaviour is exercised")
       ->type_name("PERCENT")
       ->check(CLI::Range(0, 100))
       ->needs(coverage);
+  app.add_flag("--update", request->update,
+               "write what happens into the files: where it is not as expected, and in scenarios that expect nothing");
   return [=]() -> Request { return *request; };
 }
 
@@ -225,6 +235,9 @@ Make verify_options(CLI::App& app) {
   app.add_option("--generated", request->generated,
                  "only files that are compiled with the generated header of this folder")
       ->type_name("FOLDER");
+  app.add_option("--exclude", request->excluded,
+                 "leave out sources below this folder, or compiled into it; or one file. May be given several times")
+      ->type_name("PATH");
   add_format(app, request->format, {"text", "json", "sarif"});
   add_selection(app, *words);
   return [=]() -> Request {
@@ -275,7 +288,7 @@ const std::array<Subcommand, 12> subcommands{{
     {"check", "Look for mistakes in a behaviour", check_options},
     {"generate", "Write the C++ of a behaviour", generate_options},
     {"graph", "Draw a behaviour", graph_options},
-    {"explain", "Print the page of a check", explain_options},
+    {"explain", "Print the page of a check, or what a key of the language says", explain_options},
     {"checks", "List all checks", checks_options},
     {"simulate", "Play a scenario and print what happens", simulate_options},
     {"why", "Say why a group runs, or does not, in a scenario", why_options},
@@ -300,19 +313,31 @@ std::optional<Say> unknown_subcommand(const std::vector<std::string>& arguments)
              true};
 }
 
+/// What stands below the list of subcommands.
+std::string last_words(const std::string& schemas) {
+  std::string out =
+      "Exit status: 0 clean; 1 errors were found, a scenario does not hold, an assertion is refuted, or too little is\n"
+      "covered; 2 wrong usage, or a file named on the command line cannot be read or written; 3 not decided.\n"
+      "`directorc SUBCOMMAND --help` tells more.";
+  if (!schemas.empty())
+    out += fmt::format("\n\nAn editor with the YAML language server knows the keys where the first line is\n"
+                       "# yaml-language-server: $schema={0}/behaviour.schema.json\n"
+                       "or, in a scenario,\n"
+                       "# yaml-language-server: $schema={0}/scenario.schema.json",
+                       schemas);
+  return out;
+}
+
 } // namespace
 
-Request parse(const std::vector<std::string>& arguments) {
+Request parse(const std::vector<std::string>& arguments, const std::string& schemas) {
   if (const std::optional<Say> wrong = unknown_subcommand(arguments)) return *wrong;
   CLI::App app{"directorc checks behaviours of robots and writes their C++.", "directorc"};
   app.set_version_flag("--version", fmt::format("directorc {}", version()), "Print the version");
   app.set_help_flag("--help,-h", "Print this help");
   app.require_subcommand(1);
   app.formatter(std::make_shared<Help>());
-  app.footer(
-      "Exit status: 0 clean; 1 errors were found, a scenario does not hold, an assertion is refuted, or too little is\n"
-      "covered; 2 wrong usage, or a file named on the command line cannot be read or written; 3 not decided.\n"
-      "`directorc SUBCOMMAND --help` tells more.");
+  app.footer(last_words(schemas));
   std::array<Make, subcommands.size()> make;
   std::array<CLI::App*, subcommands.size()> apps{};
   for (std::size_t i = 0; i < subcommands.size(); ++i) {

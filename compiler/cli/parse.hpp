@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The command line as a request.
 
 #include "compiler/cli/commands.hpp"
@@ -18,7 +19,8 @@ struct Say {
 using Request = std::variant<Say, Check, Generate, DrawGraph, Explain, ListChecks, Simulate, Why, Test, Dump, Explore,
                              Stubs, Verify>;
 
-/// `arguments`: without the program's name.
-Request parse(const std::vector<std::string>& arguments);
+/// `arguments`: without the program's name. `schemas`: the folder of the JSON schemas, which the help names; empty:
+/// unknown.
+Request parse(const std::vector<std::string>& arguments, const std::string& schemas = {});
 
 } // namespace director::compiler::cli

@@ -1,4 +1,5 @@
 // Door: compiler/cli/print_bounds.hpp. Test: tests/cli/bounds_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/print_bounds.hpp"
 
 #include "runtime/core/engine.hpp"

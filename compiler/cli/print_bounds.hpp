@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What `directorc check --verbose` says of memory and of what the engine may cost at most.
 
 #include "compiler/checks/analysis/plans/bounds.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/cli/sarif_rules.hpp. Test: tests/cli/check_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/sarif_rules.hpp"
 
 #include "compiler/checks/check.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The checks as SARIF lists them.
 
 #include "compiler/emit/findings_sarif.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/play/play.hpp"
 
@@ -8,10 +9,11 @@ int run(const Simulate& request, Console& console) {
   dsl::Sources sources;
   const LoadedScenario loaded = load_scenario(request.file, sources, console);
   if (loaded.status != clean) return loaded.status;
+  const ShowTimes times = request.times ? ShowTimes::yes : ShowTimes::no;
   const Sink sink = [&](const Happening& happening) {
-    console.out << (request.format == Format::json ? to_json(happening) : to_text(happening)) << '\n';
+    console.out << (request.format == Format::json ? to_json(happening, times) : to_text(happening, times)) << '\n';
   };
-  const Played played = play(loaded.scenario, loaded.model, loaded.lowered, {request.decisions}, sink);
+  const Played played = play(loaded.scenario, loaded.model, loaded.lowered, {.decisions = request.decisions}, sink);
   if (played.refused) {
     console.out.flush();
     print_findings({*played.refused}, sources, console.err, console.err_colours);

@@ -1,7 +1,8 @@
 // Door: compiler/cli/stub_program.hpp. Test: tests/clang/stubs/command_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/stub_program.hpp"
 
-#include "compiler/emit/cpp/cpp.hpp"
+#include "compiler/emit/notice.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/stubs/merge.hpp"
 #include "dsl/load_file.hpp"
@@ -78,6 +79,23 @@ Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console&
     }
   }
   return out;
+}
+
+bool add_heirs(Program& program, const std::vector<stubs::FoundClass>& classes) {
+  stubs::Words names;
+  for (const stubs::FoundClass& type : classes) names.insert(type.name.substr(type.name.rfind(':') + 1));
+  std::vector<stubs::Unit> heirs;
+  for (const auto& [path, text] : program.texts) {
+    const auto same = [&wanted = path](const stubs::Unit& unit) { return unit.path == wanted; };
+    const bool is_known = has_notice(text) || std::any_of(program.units.begin(), program.units.end(), same);
+    if (!is_known && stubs::derives(text, names))
+      heirs.push_back(unit_for(program, path));
+  }
+  // A source may include the header that is meant.
+  std::stable_partition(heirs.begin(), heirs.end(),
+                        [](const stubs::Unit& unit) { return !stubs::is_header(unit.path); });
+  program.units.insert(program.units.end(), heirs.begin(), heirs.end());
+  return !heirs.empty();
 }
 
 } // namespace director::compiler::cli

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The C++ that `directorc stubs` finds: the texts below a folder, and how to read those that may concern the behaviour.
 
 #include "compiler/cli/commands.hpp"
@@ -28,6 +29,9 @@ struct Program {
 };
 
 Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console& console);
+
+/// Adds files that may have classes below these, by their text, and are not read yet. False: there are none.
+bool add_heirs(Program& program, const std::vector<stubs::FoundClass>& classes);
 
 /// How a file is read: as it is compiled, or else as the nearest one is that is.
 stubs::Unit unit_for(const Program& program, const std::string& path);

@@ -1,4 +1,5 @@
 // Door: compiler/cli/commands.hpp. Test: tests/clang/stubs/command_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Everything is planned before anything is written, and what is put into files of the user is read once more as it will
 // be: only if then nothing is missing do all files change, together.
@@ -10,6 +11,7 @@
 #include "compiler/stubs/layout.hpp"
 #include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/scan.hpp"
+#include "compiler/stubs/stale.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +29,7 @@ using namespace director::compiler::stubs;
 struct Plan {
   std::vector<Artefact> fresh; ///< whole paths
   std::vector<Insertion> insertions;
-  std::vector<Remark> leftovers, obstacles;
+  std::vector<Remark> leftovers, obstacles, stale;
   bool is_empty() const { return fresh.empty() && insertions.empty(); }
 };
 
@@ -94,10 +96,13 @@ private:
       throw refused(misused, fmt::format("what is missing in `{}` can only be told by reading its C++: {}",
                                          request_.folder, version.error().message));
     }
-    const Found first = found_with({});
+    Found first = found_with({});
+    // What one class leaves open, another may have that is made of it, in a file that names nothing of the behaviour.
+    while (first.problems.empty() && add_heirs(program_, first.classes)) first = found_with({});
     if (!first.problems.empty()) throw not_understood(first.problems, "this C++ cannot be read, so nothing is written");
     Merge out = merge(wanted_, first, program_.texts);
     classes_ = first.classes;
+    if (request_.check) stale_ = stale_comments(wanted_, first, program_.texts);
     if (out.insertions.empty() && out.sources.empty()) return out;
 
     const Found then = found_with(out);
@@ -153,7 +158,7 @@ private:
   Plan planned() {
     Merge merge = merged();
     Plan out{std::move(merge.sources), std::move(merge.insertions), std::move(merge.leftovers),
-             std::move(merge.obstacles)};
+             std::move(merge.obstacles), std::move(stale_)};
     for (const std::size_t module : merge.fresh) add_first_files(wanted_.modules[module], out);
     add_main(out);
     return out;
@@ -184,6 +189,8 @@ private:
     for (const Remark& each : plan.obstacles)
       console_.err << fmt::format("{}: error: {}\n", shown(each.place), each.message);
     for (const Remark& each : plan.leftovers)
+      console_.err << fmt::format("{}: warning: {}\n", shown(each.place), each.message);
+    for (const Remark& each : plan.stale)
       console_.err << fmt::format("{}: warning: {}\n", shown(each.place), each.message);
   }
 
@@ -229,6 +236,7 @@ private:
   Scanner scanner_;
   Program program_;
   std::vector<FoundClass> classes_;
+  std::vector<Remark> stale_;
 };
 
 } // namespace

@@ -1,9 +1,10 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp, tests/cli/coverage_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/play/coverage_watch.hpp"
 #include "compiler/play/print_coverage.hpp"
-#include "compiler/play/test_scenario.hpp"
+#include "compiler/play/write_expect.hpp"
 
 #include <fmt/format.h>
 
@@ -17,10 +18,18 @@ public:
 
   int run() {
     int status = clean;
-    for (const std::string& file : request_.files) {
-      const int one = test(file);
-      status = std::max(status, one);
-      if (one == clean) ++holding_;
+    for (const std::string& named : request_.files) {
+      const std::vector<std::string> files = scenarios(named);
+      if (files.empty()) {
+        console_.err << fmt::format("directorc: there is no *.scenario.yaml in `{}` or below it\n", named);
+        status = std::max(status, misused);
+      }
+      for (const std::string& file : files) {
+        const int one = test(file);
+        status = std::max(status, one);
+        ++played_;
+        if (one == clean) ++holding_;
+      }
     }
     for (CoverageReport& report : reports_) finish(report);
     if (request_.format == Format::json) {
@@ -39,6 +48,16 @@ public:
   }
 
 private:
+  /// A file, or those below a folder.
+  std::vector<std::string> scenarios(std::string named) {
+    if (named.ends_with(".yaml") || named.ends_with(".yml")) return {named};
+    while (named.size() > 1 && named.ends_with('/')) named.pop_back();
+    std::vector<std::string> below = console_.outputs.list(named);
+    if (below.empty()) return {named}; // whatever it is: who reads it says so
+    std::erase_if(below, [](const std::string& path) { return !path.ends_with(".scenario.yaml"); });
+    return below;
+  }
+
   bool text() const { return request_.format == Format::text; }
 
   static Json with(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, Json row) {
@@ -58,10 +77,24 @@ private:
     }
     const ScenarioResult result = play(loaded, sources);
     const std::string& title = loaded.scenario.title;
+    if (request_.update) {
+      const std::string& before = sources[loaded.file].text();
+      const Updated updated = write_expect(before, loaded.scenario, result);
+      if (!updated.steps.empty()) return write(file, title, before, updated);
+    }
     if (text()) {
       console_.out << fmt::format("{:<5} {}{}\n", result.holds() ? "holds" : "fails", shown_path(file),
                                   title.empty() ? "" : ": " + title);
       console_.out << render(result, sources);
+    }
+    if (text() && result.compared == 0 && result.holds() && !request_.coverage) {
+      console_.out.flush();
+      console_.err << (result.happened.empty()
+                           ? fmt::format("directorc: `{}` has no steps, so nothing is tested\n", shown_path(file))
+                           : fmt::format(
+                                 "directorc: `{0}` expects nothing, so nothing is compared; `directorc test --update "
+                                 "{0}` writes what happens\n",
+                                 shown_path(file)));
     }
     std::vector<dsl::Diagnostic> findings = loaded.findings;
     if (result.played.refused) {
@@ -71,6 +104,22 @@ private:
     }
     rows_.push_back(with(findings, sources, to_json(result, shown_path(file), title, sources)));
     return result.holds() ? clean : found;
+  }
+
+  int write(const std::string& file, const std::string& title, const std::string& before, const Updated& updated) {
+    const std::string path = shown_path(file);
+    if (const auto failed = console_.outputs.change({{file, before, updated.text}})) {
+      console_.err << fmt::format("directorc: {}\n", *failed);
+      return misused;
+    }
+    std::vector<Json> steps;
+    for (const std::uint32_t step : updated.steps) steps.push_back(Json::number(step));
+    rows_.push_back(Json::object(
+        {{"file", Json::text(path)}, {"holds", Json::boolean(true)}, {"updated", Json::list(std::move(steps))}}));
+    if (text())
+      console_.out << fmt::format("wrote {}{}\n    what happens in step {}\n", path, title.empty() ? "" : ": " + title,
+                                  fmt::join(updated.steps, ", "));
+    return clean;
   }
 
   ScenarioResult play(const LoadedScenario& loaded, const dsl::Sources& sources) {
@@ -103,7 +152,7 @@ private:
   bool is_low(const CoverageReport& report) const { return report.coverage.percent() < request_.min; }
 
   void print_text() const {
-    if (request_.files.size() > 1) console_.out << fmt::format("{} of {} hold\n", holding_, request_.files.size());
+    if (played_ > 1) console_.out << fmt::format("{} of {} hold\n", holding_, played_);
     for (const CoverageReport& report : reports_) console_.out << to_text(report);
   }
 
@@ -117,7 +166,7 @@ private:
 
   const Test& request_;
   Console& console_;
-  std::size_t holding_ = 0;
+  std::size_t played_ = 0, holding_ = 0;
   std::vector<Json> rows_;
   std::vector<CoverageReport>
       reports_; ///< a behaviour each, in the order of the files; texts of all points until the end

@@ -1,4 +1,5 @@
 // Door: compiler/cli/commands.hpp. Test: tests/clang/faults_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/verify.hpp"
 
 #include "compiler/cli/fact_store.hpp"
@@ -17,6 +18,7 @@ void print(const Verify& request, const Verified& verified, const dsl::Sources& 
   if (request.format == Format::json) {
     Json out = findings_json(verified.findings, sources);
     out.add("not_decided", Json::texts(verified.not_decided));
+    out.add("unwritten", Json::texts(verified.unwritten));
     out.add("bodies", Json::count(verified.bodies));
     out.add("seen", Json::count(verified.seen));
     console.out << to_lines(out);
@@ -28,6 +30,13 @@ void print(const Verify& request, const Verified& verified, const dsl::Sources& 
     print_findings(verified.findings, sources, console.out, console.out_colours);
   }
   print_undecided(verified.not_decided, console);
+  for (const std::string& each : verified.remarks) console.err << fmt::format("directorc: {}\n", each);
+  if (!verified.unwritten.empty()) {
+    const std::size_t count = verified.unwritten.size();
+    console.err << fmt::format("directorc: {} {} as `stubs` wrote {}: {}\n", count,
+                               count == 1 ? "body is" : "bodies are", count == 1 ? "it" : "them",
+                               fmt::join(verified.unwritten, ", "));
+  }
 }
 
 } // namespace
@@ -37,7 +46,14 @@ int run(const Verify& request, Console& console) {
   const std::optional<Checked> checked = load(request.file, {}, sources, console, {request.build, {}});
   if (!checked) return misused;
   if (dsl::has_errors(checked->findings)) {
-    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours);
+    // Of a behaviour that is wrong nothing can be said of its C++. Whoever wants a report gets one with these.
+    Verified nothing;
+    nothing.findings = errors_of(checked->findings);
+    if (request.format == Format::text) {
+      print_findings(nothing.findings, sources, console.err, console.err_colours);
+    } else {
+      print(request, nothing, sources, console);
+    }
     return found;
   }
   if (!checked->model.deployment) {
@@ -47,7 +63,7 @@ int run(const Verify& request, Console& console) {
   }
   DiskFacts store(facts_folder(request.build));
   VerifyWorld world{console.programs, console.scanner, console.files, store, shown_path};
-  Verified verified = verify(*checked, sources, request.build, request.generated, world);
+  Verified verified = verify(*checked, sources, {request.build, request.generated, request.excluded}, world);
   if (!verified.fault.empty()) {
     console.err << fmt::format("directorc: {}\n", verified.fault);
     return misused;

@@ -1,4 +1,5 @@
 // Door: compiler/cli/commands.hpp. Test: tests/cli/why_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
 #include "compiler/cli/load_scenario.hpp"

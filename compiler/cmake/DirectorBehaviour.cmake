@@ -1,13 +1,16 @@
-# director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY] [STUBS <folder>])
+# SPDX-License-Identifier: MIT
+# director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>])
 #
 # Checks the behaviour with directorc, generates its C++ into the build tree and makes it part of <target>: its sources, its include path (so that
 # `#include "<behaviour>.hpp"` finds the header) and the runtime. The headers that the behaviour names are found on the target's include path, and
-# beside the file. Findings of level error stop the build. The C++ is generated again when the file,
+# beside the file; where director-clang is, the types of C++ that the behaviour names are looked up in them. Findings of level error stop the build. The C++ is generated again when the file,
 # anything it imports, or directorc itself changes, and only then; what is the same afterwards is not compiled again. A target may have several
 # behaviours, and a behaviour may be part of several targets.
 #
 #   WERROR          warnings stop the build as errors do
 #   VERIFY          after <target> is compiled, its bodies are held against the behaviour (directorc verify); errors stop the build
+#   EXCLUDE ...     what VERIFY does not look at, such as test doubles in the same build: targets that are there before this call, files, and folders with
+#                   all below them
 #   STUBS <folder>  the target <target>_stubs, to be built when wanted, writes into <folder> what bodies are missing (directorc stubs). A build does
 #                   not: it writes nothing outside of its tree
 #
@@ -20,8 +23,8 @@ cmake_policy(PUSH)
 cmake_policy(VERSION 3.20...3.25)
 
 function(director_add_behaviour)
-  set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY] [STUBS <folder>])")
-  cmake_parse_arguments(PARSE_ARGV 0 arg "WERROR;VERIFY" "STUBS" "")
+  set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>])")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "WERROR;VERIFY" "STUBS" "EXCLUDE")
   list(LENGTH arg_UNPARSED_ARGUMENTS count)
   if(count LESS 2)
     message(FATAL_ERROR "director_add_behaviour: the target and the behaviour's file are needed: ${usage}")
@@ -33,6 +36,12 @@ function(director_add_behaviour)
   endif()
   if("STUBS" IN_LIST arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "director_add_behaviour: STUBS needs the folder that the stubs go to: ${usage}")
+  endif()
+  if("EXCLUDE" IN_LIST arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "director_add_behaviour: EXCLUDE needs targets, files or folders: ${usage}")
+  endif()
+  if(arg_EXCLUDE AND NOT arg_VERIFY)
+    message(FATAL_ERROR "director_add_behaviour: EXCLUDE says what VERIFY does not look at, and there is no VERIFY: ${usage}")
   endif()
   list(GET arg_UNPARSED_ARGUMENTS 0 target)
   list(GET arg_UNPARSED_ARGUMENTS 1 given)
@@ -114,6 +123,9 @@ function(director_add_behaviour)
   cmake_path(GET file PARENT_PATH beside)
   target_compile_options(${target} PUBLIC $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:C,CXX>:-iquote${beside}>>)
   target_link_libraries(${target} PUBLIC Director::core)
+  # The generated header makes a missing answer an error; g++ forgets that where the header is a precompiled one.
+  set(precompiled "$<OR:$<BOOL:$<TARGET_PROPERTY:${target},PRECOMPILE_HEADERS>>,$<BOOL:$<TARGET_PROPERTY:${target},PRECOMPILE_HEADERS_REUSE_FROM>>>")
+  target_compile_options(${target} PRIVATE $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,${precompiled}>:-Werror=return-type>)
 
   if(arg_VERIFY OR arg_STUBS)
     director_need_clang_(${target})
@@ -121,9 +133,14 @@ function(director_add_behaviour)
   if(arg_VERIFY)
     # Objects are compiled again whenever a body, or what it includes, changes; so is this done again.
     set(verified ${folder}/verified)
+    set(excluded "")
+    foreach(each IN LISTS arg_EXCLUDE)
+      director_excluded_(${each} path)
+      list(APPEND excluded --exclude ${path})
+    endforeach()
     add_custom_command(
       OUTPUT ${verified}
-      COMMAND Director::directorc verify ${file} -p ${CMAKE_BINARY_DIR} --generated ${folder} ${werror}
+      COMMAND Director::directorc verify ${file} -p ${CMAKE_BINARY_DIR} --generated ${folder} ${excluded} ${werror}
       COMMAND ${CMAKE_COMMAND} -E touch ${verified}
       DEPENDS ${file} ${stamp} $<TARGET_OBJECTS:${target}> $<TARGET_FILE:Director::directorc> $<TARGET_FILE:Director::director-clang>
       COMMENT "Verifying the bodies of the behaviour ${behaviour}"
@@ -169,11 +186,29 @@ function(director_write_flags_ target file)
   file(GENERATE OUTPUT "${file}.$<COMPILE_LANGUAGE>" CONTENT "${content}" TARGET ${target})
 endfunction()
 
+# Where the objects of a target lie, or a file or folder as it is.
+function(director_excluded_ what out)
+  if(TARGET ${what})
+    get_target_property(real ${what} ALIASED_TARGET)
+    if(NOT real)
+      set(real ${what})
+    endif()
+    get_target_property(home ${real} BINARY_DIR)
+    set(${out} ${home}/CMakeFiles/${real}.dir PARENT_SCOPE)
+    return()
+  endif()
+  cmake_path(ABSOLUTE_PATH what BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE OUTPUT_VARIABLE path)
+  if(NOT EXISTS ${path})
+    message(FATAL_ERROR "director_add_behaviour: EXCLUDE ${what}: there is no such target yet, nor a file or folder ${path}")
+  endif()
+  set(${out} ${path} PARENT_SCOPE)
+endfunction()
+
 # What reads C++ needs director-clang, and to know how the target's files are compiled.
 function(director_need_clang_ target)
   if(NOT TARGET Director::director-clang)
-    message(FATAL_ERROR "director_add_behaviour: VERIFY and STUBS read C++, which director-clang does; install it (the package director-clang, or Director "
-                        "built where Clang 19 is)")
+    message(FATAL_ERROR "director_add_behaviour: VERIFY and STUBS read C++, which director-clang does; install it: the package director-clang, or "
+                        "Director built again where the packages clang-19 libclang-19-dev llvm-19-dev are installed")
   endif()
   if(NOT CMAKE_GENERATOR MATCHES "Ninja|Makefiles")
     message(FATAL_ERROR "director_add_behaviour: VERIFY and STUBS need compile_commands.json, which CMake writes for Ninja and Makefiles only, not for ${CMAKE_GENERATOR}")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What another CMake project finds with find_package(Director): directorc, the runtime, director_add_behaviour. It works from an installed tree
 # (CMAKE_PREFIX_PATH), wherever that is moved to, and from a build tree (Director_DIR=<build>/cmake) alike. A component is an export of its own, so that
 # each can be installed alone.
@@ -25,12 +26,22 @@ if(TARGET directorc)
   director_install(compiler DirectorCompilerTargets directorc)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/DirectorBehaviour.cmake DESTINATION ${package_folder} COMPONENT compiler)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/DirectorBehaviour.cmake ${build_folder}/DirectorBehaviour.cmake COPYONLY)
+  # For editors. In a build tree they lie as they do where Director is installed: directorc finds them from its own place.
+  file(GLOB schemas CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/schemas/*.schema.json)
+  install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/director/schemas COMPONENT compiler)
+  foreach(schema IN LISTS schemas)
+    cmake_path(GET schema FILENAME name)
+    configure_file(${schema} ${PROJECT_BINARY_DIR}/share/director/schemas/${name} COPYONLY)
+  endforeach()
 endif()
 if(TARGET director-clang)
   install(TARGETS director-clang EXPORT DirectorClangTargets RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/director COMPONENT clang)
   install(EXPORT DirectorClangTargets NAMESPACE Director:: DESTINATION ${package_folder} COMPONENT clang)
   export(EXPORT DirectorClangTargets NAMESPACE Director:: FILE ${build_folder}/DirectorClangTargets.cmake)
 endif()
+
+# The licence asks for its text beside each copy. The Debian packages have it in a file of their own, so this is no component of theirs.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/director COMPONENT licence)
 
 set(DIRECTOR_SOURCES ${CMAKE_INSTALL_DATADIR}/director)
 set(DIRECTOR_INCLUDES ${CMAKE_INSTALL_INCLUDEDIR}/director)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What the rooms' CMakeLists.txt share. A room is a folder of sources that becomes one static library; its files are globbed, so that adding a file
 # touches no CMake file.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D LIST=<file> -D OUT=<file> -P checks_registry.cmake
 # Writes the C++ table of all checks. A line of LIST is `runs <page>` or `explains <page>`; a check that runs is a function named like its page;
 # where the page says that it reads C++, it takes what there is of that.

@@ -1,4 +1,5 @@
 // Door: compiler/emit/code.hpp. Test: tests/compiler/emit/code_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/code.hpp"
 
 #include <algorithm>
@@ -6,25 +7,6 @@
 namespace director::compiler {
 
 namespace {
-
-/// What a comment may not hold: control characters and marks that turn the direction of text (their UTF-8 begins with
-/// E2 80 AA..AE or E2 81 A6..A9). A backslash at the end of a line would join it with the next.
-std::string harmless(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
-    const bool turns = byte(i) == 0xE2 && ((byte(i + 1) == 0x80 && byte(i + 2) >= 0xAA && byte(i + 2) <= 0xAE) ||
-                                           (byte(i + 1) == 0x81 && byte(i + 2) >= 0xA6 && byte(i + 2) <= 0xA9));
-    if (turns) {
-      i += 2;
-    } else if (text[i] == '\n') {
-      out += '\n';
-    } else {
-      out += byte(i) < 0x20 || byte(i) == 0x7F ? ' ' : text[i];
-    }
-  }
-  return out;
-}
 
 std::vector<std::string_view> split(std::string_view text, char at) {
   std::vector<std::string_view> parts;
@@ -40,6 +22,24 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 bool is_opening(std::string_view text) { return text.ends_with('{') && !text.starts_with("namespace"); }
 
 } // namespace
+
+/// The UTF-8 of marks that turn the direction of text begins with E2 80 AA..AE or E2 81 A6..A9.
+std::string as_comment(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
+    const bool turns = byte(i) == 0xE2 && ((byte(i + 1) == 0x80 && byte(i + 2) >= 0xAA && byte(i + 2) <= 0xAE) ||
+                                           (byte(i + 1) == 0x81 && byte(i + 2) >= 0xA6 && byte(i + 2) <= 0xA9));
+    if (turns) {
+      i += 2;
+    } else if (text[i] == '\n') {
+      out += '\n';
+    } else {
+      out += byte(i) < 0x20 || byte(i) == 0x7F ? ' ' : text[i];
+    }
+  }
+  return out;
+}
 
 void Code::line(std::string_view text) {
   const bool outside = text.empty() || text.starts_with('#'); // the preprocessor knows no blocks
@@ -75,11 +75,11 @@ void Code::outdented(std::string_view text) {
 }
 
 void Code::comment(std::string_view text, std::string_view mark) {
-  const std::string clean = harmless(text);
+  const std::string clean = as_comment(text);
   for (const std::string_view paragraph : split(clean, '\n')) {
     std::string current{mark};
     const auto finish = [&] {
-      if (current.ends_with('\\')) current += '.';
+      if (current.ends_with('\\')) current += '.'; // else it would join the line with the next
       line(current);
       current = mark;
     };

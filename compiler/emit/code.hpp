@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Code to be written, as a value: lines with their indent, wrapped to the width of a page as they come in. Nobody glues
 // line breaks into strings. A line may say which place of the specification it comes from; the manifest lists these.
 
@@ -55,5 +56,8 @@ private:
   std::vector<Line> lines_;
   std::uint32_t indent_ = 0;
 };
+
+/// What may stand in a comment: without control characters and marks that turn the direction of text.
+std::string as_comment(std::string_view text);
 
 } // namespace director::compiler

@@ -1,4 +1,5 @@
 // Door: compiler/emit/depfile.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/depfile.hpp"
 
 namespace director::compiler {

@@ -1,4 +1,5 @@
 // Door: compiler/emit/deployment.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/deployment.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What every output is made from, and what several of them ask of it.
 
 #include "compiler/lower/lowered.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/emit/emit.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/emit.hpp"
 
 #include "compiler/emit/cpp/cpp.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 
 #include "compiler/emit/artefact.hpp"
 #include "compiler/emit/deployment.hpp"

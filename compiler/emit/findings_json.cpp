@@ -1,4 +1,5 @@
 // Door: compiler/emit/findings_json.hpp. Test: tests/cli/check_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_json.hpp"
 
 namespace director::compiler {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Findings as other programs read them: lines and columns from 1, columns in UTF-8 bytes, ends exclusive.
 
 #include "compiler/emit/json.hpp"

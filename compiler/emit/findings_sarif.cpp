@@ -1,4 +1,5 @@
 // Door: compiler/emit/findings_sarif.hpp. Test: tests/compiler/emit/findings_sarif_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_sarif.hpp"
 
 #include "compiler/emit/sha256.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Findings as SARIF 2.1.0, for services that show them beside a change. Source: the OASIS standard of that name.
 
 #include "compiler/emit/json.hpp"

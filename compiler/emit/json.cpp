@@ -1,4 +1,5 @@
 // Door: compiler/emit/json.hpp. Test: tests/compiler/emit/json_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/json.hpp"
 
 #include <nlohmann/json.hpp>

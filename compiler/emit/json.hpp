@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // JSON as a value: what is built comes out in the order in which it was built. The library behind it stays in json.cpp.
 
 #include <cstdint>

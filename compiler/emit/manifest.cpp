@@ -1,8 +1,10 @@
 // Door: compiler/emit/manifest.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/manifest.hpp"
 
 #include "compiler/checks/analysis/plans/bounds.hpp"
 #include "compiler/emit/json.hpp"
+#include "compiler/emit/notice.hpp"
 #include "compiler/emit/sha256.hpp"
 #include "compiler/version.hpp"
 #include "runtime/core/recall.hpp"
@@ -67,6 +69,7 @@ std::string manifest(const Deployment& deployment, const std::vector<Written>& w
   Json outputs = Json::list({});
   for (const Written& file : written) outputs.add(file_row(file.path, file.code.text()));
   Json out = Json::object({});
+  out.add("generated_by", generated_by());
   out.add("behaviour", Json::text(deployment.model.name));
   out.add("namespace", Json::text(deployment.model.name_space));
   out.add("language", Json::number(1));

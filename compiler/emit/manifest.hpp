@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What was made from what: for tools that need to know whether the generated code is up to date, where a line of it
 // comes from, and what memory a behaviour takes.
 

@@ -1,4 +1,5 @@
 // Door: compiler/emit/sha256.hpp. Test: tests/compiler/emit/sha256_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/sha256.hpp"
 
 #include <fmt/format.h>

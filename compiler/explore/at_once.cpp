@@ -1,4 +1,5 @@
 // Door: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Proofs that need no exploration. Each says what it rests on; where none applies, the states decide.
 //
@@ -20,8 +21,12 @@
 // of all its other providers exclude. Then from the moment in which the causing provider set it the condition holds at
 // most for as long as `from` lives, and it is that provider which is active: a stop of `from` takes the value back
 // before anything else is decided.
+//
+// can_run: the facts of the checks say of every provider whether it may ever run, and err on that side only.
+#include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/plans/plans.hpp"
 #include "compiler/explore/verdict.hpp"
+#include "compiler/graph/graph.hpp"
 #include "compiler/lower/plans.hpp"
 
 #include <fmt/format.h>
@@ -217,6 +222,20 @@ std::optional<Verdict> latch(const Model& model, GroupId from, GroupId to) {
                             model.full_name(*by)));
 }
 
+/// What may ever happen tells what never does; that something may is no proof that it does.
+std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
+  const GroupId group = assertion.groups.front().id;
+  const checks::Facts facts = checks::find_facts(model, make_graph(model));
+  const std::vector<ProviderId>& providers = model.groups[group].providers;
+  if (std::any_of(providers.begin(), providers.end(), [&](ProviderId id) { return facts.active.contains(id); }))
+    return {};
+  Verdict out;
+  out.kind = Verdict::Kind::refuted;
+  out.why = facts.requested.contains(group) ? fmt::format("no provider of {} can ever run", quoted(model, group))
+                                            : fmt::format("nothing that runs requests {}", quoted(model, group));
+  return out;
+}
+
 std::optional<Verdict> soft(const Assertion& assertion, const Model& model) {
   const GroupId from = assertion.groups.front().id, to = assertion.groups.back().id;
   std::vector<GroupId> takes = needed_by(model, to);
@@ -235,7 +254,7 @@ std::optional<Verdict> prove_at_once(const Assertion& assertion, const Model& mo
   case Assertion::Kind::never_together: return never_together(assertion, model);
   case Assertion::Kind::beats: return beats(assertion, model);
   case Assertion::Kind::soft: return soft(assertion, model);
-  case Assertion::Kind::can_run: break;
+  case Assertion::Kind::can_run: return can_run(assertion, model);
   }
   return {};
 }

@@ -1,4 +1,5 @@
 // Door: compiler/explore/focus.hpp. Test: tests/compiler/explore/focus_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The plan is one of a world where nothing that was reached is ever lost again: the cheapest way to have a provider run
 // is the cheapest request of its group and, for each of its conditions, the cheapest thing that makes it true. Costs

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A part of what may happen, in which a group or provider is likely to run soon. Less than everything: what happens
 // there can happen, and what does not happen there tells nothing.
 

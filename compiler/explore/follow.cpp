@@ -1,4 +1,5 @@
 // Door: compiler/explore/search.hpp. Test: tests/compiler/explore/search_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/search.hpp"
 #include "compiler/explore/tape.hpp"
 #include "compiler/explore/watch.hpp"
@@ -50,8 +51,8 @@ std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth)
   return out;
 }
 
-bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion, bool strict) {
-  Watch watch(ground, {assertion}, strict);
+bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion) {
+  Watch watch(ground, {assertion});
   std::uint64_t remembered = 0;
   std::vector<std::size_t> seen;
   replay(

@@ -1,4 +1,5 @@
 // Door: compiler/explore/foresight.hpp. Test: tests/compiler/explore/foresight_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What a micro-step ends in follows from requests and which of them are new, values, reasons to run and the last
 // assignment, as they are when it arbitrates (semantics.md, the formula at its begin, and 3), and from the queue. An

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Which micro-steps end alike, told before they are taken: those that come to the same before anybody arbitrates.
 
 #include "compiler/explore/happens.hpp"

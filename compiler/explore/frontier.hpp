@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The states whose turn has not come, in the order in which they were found: one behind another, as bytes.
 
 #include "compiler/explore/packing.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What is explored: the tables of a behaviour without time, and everything that the program and the bodies may do in
 // it. Made once, then only read.
 //

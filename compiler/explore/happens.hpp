@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The words for what may happen to an engine that is explored, and for what its bodies did.
 
 #include "compiler/explore/ground.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Numbers for rows of words: two that differ get the same one with a chance of 2^-64.
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a search has found, by key. A key is never 0.
 //
 // Who looks up a key that is not there waits for the memory longer than for a micro-step's arithmetic: so where it is

@@ -1,4 +1,5 @@
 // Door: compiler/explore/machine.hpp. Test: tests/compiler/explore/search_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Which choices are left out because others do as well, so that nothing is lost:
 // - a body that answers `failed` instead of `done`: only other bodies can see the difference, and these do anything;

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The real engine, one micro-step at a time, with bodies that pick from a tape what they do. Its state can be taken
 // out, put back and told apart from others.
 

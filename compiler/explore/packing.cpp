@@ -1,4 +1,5 @@
 // Door: compiler/explore/packing.hpp. Test: tests/compiler/explore/packing_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Words stand in blocks of eight, and blocks in rows of eight. First comes a byte for each row: which of its blocks
 // differ. Then for each of these a byte: which of its words do; and for each of them a byte, which of its bytes do, and

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Writes rows of words shortly, all of which are like a first one: only the bytes that differ, and where they stand.
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Tells states of the engine apart, as numbers. What makes two states the same: see print.cpp.
 
 #include "compiler/explore/happens.hpp"

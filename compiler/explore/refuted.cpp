@@ -1,4 +1,5 @@
 // Door: compiler/explore/refuted.hpp. Test: compiler/checks/assertion_failed.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/refuted.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a check says about assertions that are not true. Its page: compiler/checks/assertion_failed.md.
 
 #include "compiler/explore/verdict.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/explore/report.hpp. Test: tests/compiler/explore/search_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/report.hpp"
 
 #include "compiler/explore/focus.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What an exploration comes to, as text for people and scenarios to keep.
 
 #include "compiler/explore/verdict.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/explore/retelling.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/retelling.hpp"
 
 #include <fmt/format.h>

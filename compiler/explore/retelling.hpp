@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A way through the exploration told in steps and a script: what the bodies did becomes the script, timers become time
 // that passes.
 

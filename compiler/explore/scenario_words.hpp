@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the program and the bodies do, in the words of a scenario file: one entry of a step or of the script each.
 
 #include "compiler/explore/search.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/explore/search.hpp. Test: tests/compiler/explore/search_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // A state that was found is kept as its key, the state that it was found from, and which of the things that can happen
 // there led to it. Only states whose turn has not come are kept whole, packed. The frontier is taken slice by slice:
@@ -56,7 +57,10 @@ public:
     while (!frontier_.empty() && !cut_) take_slice();
     out_.complete = !cut_;
     out_.states = origins_.size();
-    for (const auto& worker : workers_) out_.happened.add(worker->watch.happened);
+    for (const auto& worker : workers_) {
+      out_.happened.add(worker->watch.happened);
+      unite(out_.doubted, worker->watch.doubted);
+    }
     find_cycles();
     find_root_sets();
     return std::move(out_);

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Breadth first through all states, on all cores. Result and order depend on nothing but the behaviour and the bound.
 
 #include "compiler/explore/watch.hpp"
@@ -23,6 +24,7 @@ struct SearchOptions {
   bool only_assertions = false; ///< ends as soon as there is nothing left to see of them
   bool foresees = true; ///< takes no micro-step of which it knows that it ends as one that was taken. Changes nothing
   std::function<void(const SearchProgress& so_far)> progress; ///< now and then
+  std::function<void(const Machine& machine)> look; ///< after each micro-step that is taken, on the core that takes it
 };
 
 /// A way from the start: from each state the so-manieth of all that can happen in it.
@@ -40,6 +42,7 @@ struct Searched {
   bool complete = false;                ///< with this breadth
   std::vector<std::optional<Way>> seen; ///< assertion: the shortest way to what Watch looks for
   Happened happened;
+  std::vector<bool> doubted; ///< assertion: of some state nobody can tell; empty: of none
   /// Micro-steps without an input that come back to where they began, where every body does what is usual: the way to
   /// that state, and how many they are. At most a few.
   struct Cycle {
@@ -64,6 +67,6 @@ struct Taken {
 };
 std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth);
 /// Whether the last micro-step of a way shows what Watch looks for, seen without any state that was put away between.
-bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion, bool strict = true);
+bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion);
 
 } // namespace director::compiler

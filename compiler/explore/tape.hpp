@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The choices of one micro-step, as they come: a body picks one of so many. Played again and again, each time with the
 // next picks, until all were taken: no body has to know what the others may choose.
 

@@ -1,4 +1,5 @@
 // Door: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/verdict.hpp"
 
 #include "compiler/explore/focus.hpp"
@@ -34,6 +35,12 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
     if (!searched.complete) {
       out.why = fmt::format("not found in {} states, and there are more", searched.states);
     } else {
+      if (at < searched.doubted.size() && searched.doubted[at]) {
+        out.why = fmt::format("in some of its {} states a task of its side is blocked while the other side holds what "
+                              "it may take, but others are in its way as well",
+                              searched.states);
+        return out;
+      }
       out.kind = wanted ? Verdict::Kind::refuted : Verdict::Kind::proven;
       out.why = wanted ? fmt::format("it runs in none of its {} states", searched.states)
                        : fmt::format("it holds in all {} states", searched.states);
@@ -46,9 +53,7 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   telling.doc = wanted ? "How it comes to run." : "In the last step " + refuted_by(assertion, ground.model) + ".";
   telling.behaviour = behaviour;
   if (!shows(ground, *searched.seen[at], searched.breadth, at)) {
-    out.why = fmt::format("after {}, a task of its side is blocked while the other side holds what it may take, but "
-                          "that may not be what blocks it",
-                          in_words(ground, out.way));
+    out.why = fmt::format("after {}, it was seen only in a state that had been put away", in_words(ground, out.way));
     out.way.clear();
     return out;
   }

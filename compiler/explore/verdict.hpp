@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Whether what an author relies on is true: proven, refuted, or not decided. Never a guess: a refutation is a scenario
 // that was played, a proof by exploration has seen every state, and a static proof says what it rests on.
 

@@ -1,25 +1,27 @@
 // Door: compiler/explore/watch.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/watch.hpp"
+
+#include "compiler/explore/blame.hpp"
 
 #include <algorithm>
 
 namespace director::compiler {
 
-namespace {
-
 void unite(std::vector<bool>& all, const std::vector<bool>& more) {
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || more[i];
+  all.resize(std::max(all.size(), more.size()), false);
+  for (std::size_t i = 0; i < more.size(); ++i) all[i] = all[i] || more[i];
 }
-
-} // namespace
 
 Happened::Happened(const Tables& tables)
     : ran(tables.providers.size()),
+      requested(tables.edges.size()),
       granted(tables.edges.size()),
       asked(tables.edges.size()) {}
 
 void Happened::add(const Happened& other) {
   unite(ran, other.ran);
+  unite(requested, other.requested);
   unite(granted, other.granted);
   unite(asked, other.asked);
 }
@@ -35,10 +37,10 @@ bool under(const Engine& engine, Index edge, Index group) {
   return false;
 }
 
-Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions, bool strict)
+Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
     : happened(ground.tables),
+      doubted(ground.model.assertions.size(), false),
       ground_(ground),
-      strict_(strict),
       before_(ground.tables.groups.size()) {
   for (Index e = 0; e < ground.tables.edges.size(); ++e) waiting_.push_back(e);
   std::uint64_t bit = 1;
@@ -96,54 +98,19 @@ bool Watch::together(const One& one, const Machine& machine) const {
 }
 
 /// At rest: a task of the first one's side is blocked by a group that the second one's side holds.
-bool Watch::blocked(const One& one, const Machine& machine) const {
+bool Watch::blocked(const One& one, const Machine& machine) {
   const Engine& engine = machine.engine();
   const Tables& t = ground_.tables;
   for (Index edge = 0; edge < t.edges.size(); ++edge) {
     if (engine.queued(edge).why != Why::blocked || engine.state(edge) != RunState::queued) continue;
     if (t.edges[edge].target != one.groups.front() && !under(engine, edge, one.groups.front())) continue;
-    if (strict_ && !alone(edge, machine)) continue;
-    if (blocks(edge, one.groups.back(), machine)) return true;
-  }
-  return false;
-}
-
-/// No other request is granted or refused together with it.
-bool Watch::alone(Index edge, const Machine& machine) const {
-  const Tables& t = ground_.tables;
-  const director::State& s = machine.engine().memory();
-  const auto joins = [&](Index e) {
-    return s.request[e].level != nil && !t.levels[s.request[e].level].optional && !t.levels[s.request[e].level].apart;
-  };
-  const Index requester = t.edges[edge].requester;
-  if (requester == nil || !joins(edge)) return true;
-  const Range edges = t.groups[requester].edges;
-  for (Index e = edges.begin; e != edges.end; ++e) {
-    if (e != edge && joins(e)) return false;
-  }
-  return true;
-}
-
-/// Of what the edge's target or anything that it may need, transitively, is made of, the loser's side holds something.
-bool Watch::blocks(Index edge, Index loser, const Machine& machine) const {
-  const Engine& engine = machine.engine();
-  const Tables& t = ground_.tables;
-  std::vector<Index> groups{t.edges[edge].target};
-  bool theirs = false, others = false;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const Index holder = engine.holder(groups[i]);
-    const bool held = holder != nil && holder != edge;
-    const bool is_theirs = held && (groups[i] == loser || under(engine, holder, loser));
-    theirs = theirs || is_theirs;
-    others = others || (held && !is_theirs);
-    for (Index p = t.groups[groups[i]].providers.begin; p != t.groups[groups[i]].providers.end; ++p) {
-      for (const Index need : t.list(t.providers[p].needs)) {
-        const Index target = t.edges[need].target;
-        if (std::find(groups.begin(), groups.end(), target) == groups.end()) groups.push_back(target);
-      }
+    switch (find_blame(engine, edge, one.groups.front(), one.groups.back())) {
+    case Blame::loser: return true;
+    case Blame::shared: doubted[one.assertion] = true; break;
+    case Blame::others: break;
     }
   }
-  return theirs && !(strict_ && others);
+  return false;
 }
 
 bool Watch::requested(Index group, const Machine& machine) const {
@@ -210,6 +177,7 @@ void Watch::note(const Machine& machine) {
   for (std::size_t i = 0; i < waiting_.size();) {
     const Index e = waiting_[i];
     const RunState state = engine.state(e);
+    if (state != RunState::none) happened.requested[e] = true;
     if (state == RunState::running) {
       happened.granted[e] = true;
       waiting_[i] = waiting_.back();

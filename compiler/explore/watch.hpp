@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a search looks for beside new states: whether an assertion is refuted (can_run: whether it comes true), and what
 // never happens. Definitions: the language page, assertions.
 
@@ -11,13 +12,17 @@ namespace director::compiler {
 
 /// What happened at least once.
 struct Happened {
-  std::vector<bool> ran;     ///< provider
-  std::vector<bool> granted; ///< edge: its target, while it was requested
-  std::vector<bool> asked;   ///< edge: requested, and a provider of its target met its conditions
+  std::vector<bool> ran;       ///< provider
+  std::vector<bool> requested; ///< edge
+  std::vector<bool> granted;   ///< edge: its target, while it was requested
+  std::vector<bool> asked;     ///< edge: requested, and a provider of its target met its conditions
 
   explicit Happened(const Tables& tables);
   void add(const Happened& other);
 };
+
+/// What is true in one of them.
+void unite(std::vector<bool>& all, const std::vector<bool>& more);
 
 /// More assertions of the kind `soft` are not watched at once: each takes two bits of a state.
 inline constexpr std::size_t most_soft = 32;
@@ -25,10 +30,7 @@ inline constexpr std::size_t most_soft = 32;
 class Watch {
 public:
   /// `assertions`: of the Model, those to look at.
-  /// `strict`: of what may stand in a blocked task's way, nobody but the loser's side holds anything; and it
-  /// is a unit of its own, so it is surely that side which blocks it. Otherwise others may stand in its way as well, or
-  /// the members of its unit in each other's.
-  Watch(const Ground& ground, const std::vector<std::size_t>& assertions, bool strict = false);
+  Watch(const Ground& ground, const std::vector<std::size_t>& assertions);
 
   /// Before the micro-steps that all begin in this state.
   void before(const Machine& machine, std::uint64_t bits);
@@ -40,6 +42,9 @@ public:
   bool minds_puts() const { return minds_puts_; }
 
   Happened happened;
+  /// Of the Model's assertions: a task of the winner's side was blocked while the loser's side held what it may take,
+  /// but others were in its way as well.
+  std::vector<bool> doubted;
 
 private:
   struct One {
@@ -53,9 +58,7 @@ private:
     bool granted = false;
   };
   bool together(const One& one, const Machine& machine) const;
-  bool blocked(const One& one, const Machine& machine) const;
-  bool alone(Index edge, const Machine& machine) const;
-  bool blocks(Index edge, Index loser, const Machine& machine) const;
+  bool blocked(const One& one, const Machine& machine);
   bool hard_cut(const One& one, const Machine& machine) const;
   std::uint64_t remember(const One& one, const Machine& machine, std::uint64_t bits) const;
   bool requested(Index group, const Machine& machine) const;
@@ -64,7 +67,7 @@ private:
   void note(const Machine& machine);
 
   const Ground& ground_;
-  bool strict_, minds_puts_ = false;
+  bool minds_puts_ = false;
   std::vector<One> watched_;
   std::vector<Held> before_;
   std::vector<Index> waiting_; ///< edges whose target was never granted for them yet

@@ -1,4 +1,5 @@
 // Door: compiler/explore/worker.hpp. Test: tests/compiler/explore/search_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/worker.hpp"
 
 #include <algorithm>
@@ -87,6 +88,7 @@ std::uint32_t Worker::take_all(const Happens& happens, const Known& known, Expan
     if (moved_) machine.again();
     moved_ = true;
     machine.take(happens, tape_);
+    if (look_) look_(machine);
     const Print print = machine.print();
     known.fetch(key_of(print, watched_)); // which it will be, mostly
     seen_.clear();

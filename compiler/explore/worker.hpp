@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Finds what leads out of a state: everything that can happen there, with everything that bodies can do. Each core has
 // a worker of its own; what all of them know is only read.
 
@@ -46,7 +47,8 @@ public:
   Worker(const Ground& ground, const SearchOptions& options)
       : machine(ground, options.breadth),
         watch(ground, options.assertions),
-        foresees_(options.foresees) {}
+        foresees_(options.foresees),
+        look_(options.look) {}
 
   void begin_slice() { mine_.clear(); }
 
@@ -63,6 +65,7 @@ private:
   void foresee(const PlayedTable& played);
 
   bool foresees_;
+  std::function<void(const Machine& machine)> look_;
   std::vector<Happens> happens_;
   std::vector<std::uint64_t> foreseen_; ///< numbers of micro-steps, in their order: of an input, or of what a body does
   std::vector<std::size_t> seen_;

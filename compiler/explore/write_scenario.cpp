@@ -1,4 +1,5 @@
 // Door: compiler/explore/write_scenario.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/write_scenario.hpp"
 
 #include "compiler/explore/retelling.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A way through the exploration as a scenario file: what the bodies did becomes the script, timers become time that
 // passes. The file is played before anybody gets it: it is good only if the same happens with the tables and the time
 // of the robot.

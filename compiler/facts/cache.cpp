@@ -1,4 +1,5 @@
 // Door: compiler/facts/cache.hpp. Test: tests/compiler/facts/cache_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/cache.hpp"
 
 #include "compiler/emit/sha256.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Answers of director-clang that are still good. An answer is found by its question, which has all flags and the
 // versions of both programs in it, and counts only if every file that was read for it is as it was: the user's by
 // content, those of the system by size and time. What cannot be read, or says something odd, is only not found. An

@@ -1,4 +1,5 @@
 // Door: compiler/facts/code.hpp. Test: tests/checks/code_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/code.hpp"
 
 #include "dsl/load_file.hpp"
@@ -23,6 +24,8 @@ public:
     out.overrides = from["overrides"].as_texts();
     out.context = from["context"].as_text();
     out.class_name = from["class"].as_text();
+    if (!from["open_end"].is_null()) out.open_end = span(from["open_end"]);
+    out.unwritten = from["unwritten"].as_boolean();
     out.doubtful = !unit_["errors"].items().empty();
     for (const Json& each : from["does"].items()) out.words.push_back(word(each));
     for (const Json& each : from["calls"].items()) {
@@ -46,7 +49,8 @@ public:
                   from["missing"].as_texts(),
                   {}};
     for (const Json& each : from["stray"].items())
-      out.stray.push_back({each["context"].as_text(), each["wrote"].as_text(), span(each["at"])});
+      out.stray.push_back({each["key"].as_text(), each["context"].as_text(), each["unlike"].as_text(),
+                           each["wrote"].as_text(), span(each["at"])});
     return out;
   }
 
@@ -110,6 +114,7 @@ void add_unit(CodeFacts& code, const Json& unit, CodeFiles& files) {
     const auto known = [&](const CodeClass& other) { return other.key == record.key; };
     if (std::none_of(code.classes.begin(), code.classes.end(), known)) code.classes.push_back(std::move(record));
   }
+  code.has_templates = code.has_templates || unit["templates"].as_boolean();
   const Json& aliases = unit["aliases"];
   for (std::size_t i = 0; i < aliases.keys().size(); ++i)
     code.aliases.emplace(aliases.keys()[i], aliases.items()[i].as_text());

@@ -1,8 +1,9 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Facts from the user's C++: what its functions do that a behaviour is about, and whom they call. director-clang
 // collects them (compiler/clang/facts.cpp), the rules of compiler/checks that read C++ judge them. A function's facts
-// are what may happen in it, in no order and under no condition; a branch whose condition is a constant that is false
-// is not counted.
+// are what may happen in it, in no order and under no condition; what the text of the function rules out, as a constant
+// condition or a `return` before it does, is not counted.
 
 #include "compiler/emit/json.hpp"
 #include "dsl/file_access.hpp"
@@ -62,7 +63,9 @@ struct CodeFunction {
   std::vector<CodeCall> calls;
   std::vector<CodeBlock> blocks;
   std::vector<CodeHidden> hidden;
-  bool doubtful = false; ///< Clang found errors in its file: something may be missing
+  std::optional<dsl::Span> open_end; ///< it owes an answer, and its end can be reached without one: its brace
+  bool unwritten = false;            ///< it is as `directorc stubs` wrote it
+  bool doubtful = false;             ///< Clang found errors in its file: something may be missing
 };
 
 /// A class that implements a module.
@@ -73,7 +76,9 @@ struct CodeClass {
   std::vector<std::string> bases;   ///< keys
   std::vector<std::string> missing; ///< contexts of functions that it leaves without a body
   struct Stray {
-    std::string context; ///< of a function called like a body that overrides nothing
+    std::string key;     ///< of a function called like a body that overrides nothing
+    std::string context; ///< what it takes
+    std::string unlike;  ///< its class implements the module of that: why it overrides nothing; else empty
     std::string wrote;   ///< what stands there, where it is no context
     dsl::Span span{};
   };
@@ -92,6 +97,7 @@ struct CodeFacts {
   std::vector<CodeClass> classes;
   std::map<std::string, std::string, std::less<>> aliases; ///< `soccer::Phase` -> `soccer::GamePhase`
   std::vector<GeneratedHeader> headers;
+  bool has_templates = false; ///< a class template implements a module, whoever makes a class of it
 
   const CodeFunction* find(std::string_view key) const;
 };

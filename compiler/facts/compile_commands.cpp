@@ -1,4 +1,5 @@
 // Door: compiler/facts/compile_commands.hpp. Test: tests/compiler/facts/flags_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/compile_commands.hpp"
 
 #include "compiler/emit/json.hpp"
@@ -18,7 +19,7 @@ std::vector<std::string> split_command(std::string_view line) {
   char quote = '\0';
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char letter = line[i];
-    const bool is_blank = letter == ' ' || letter == '\t' || letter == '\n';
+    const bool is_blank = letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r';
     if (quote == '\0' && is_blank) {
       in_word = false;
       continue;
@@ -40,6 +41,36 @@ std::vector<std::string> split_command(std::string_view line) {
   return words;
 }
 
+namespace {
+
+constexpr int deepest_response = 10; ///< a response file may name others, or itself
+
+void add_words(const std::vector<std::string>& words, const std::string& directory, dsl::FileAccess& files, int depth,
+               std::vector<std::string>& out) {
+  for (const std::string& word : words) {
+    if (word.size() < 2 || word[0] != '@' || depth == deepest_response) {
+      out.push_back(word);
+      continue;
+    }
+    const fs::path path = word.substr(1);
+    const auto text = files.read((path.is_absolute() ? path : fs::path(directory) / path).string(), dsl::largest_file);
+    if (text) {
+      add_words(split_command(text.value()), directory, files, depth + 1, out);
+    } else {
+      out.push_back(word);
+    }
+  }
+}
+
+} // namespace
+
+std::vector<std::string> with_response_files(const std::vector<std::string>& words, const std::string& directory,
+                                             dsl::FileAccess& files) {
+  std::vector<std::string> out;
+  add_words(words, directory, files, 0, out);
+  return out;
+}
+
 dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std::string_view text) {
   const std::optional<Json> json = parse_json(text);
   if (!json || !json->is_list()) return std::string("it is no JSON list");
@@ -51,6 +82,10 @@ dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std:
     command.file = (file.is_absolute() ? file : fs::path(command.directory) / file).lexically_normal().string();
     command.words = split_command(entry["command"].as_text());
     for (std::string& word : entry["arguments"].as_texts()) command.words.push_back(std::move(word));
+    command.output = entry["output"].as_text();
+    for (std::size_t i = 1; i < command.words.size() && command.output.empty(); ++i) {
+      if (command.words[i - 1] == "-o") command.output = command.words[i];
+    }
     if (file.empty() || command.directory.empty() || command.words.empty())
       return std::string("an entry needs `directory`, `file`, and `command` or `arguments`");
     out.push_back(std::move(command));
@@ -70,6 +105,7 @@ LoadedCommands load_compile_commands(const std::string& build, dsl::FileAccess& 
   auto commands = read_compile_commands(text.value());
   if (commands) {
     out.commands = std::move(commands.value());
+    for (CompileCommand& each : out.commands) each.words = with_response_files(each.words, each.directory, files);
   } else {
     out.fault = fmt::format("`{}` is wrong: {}", out.path, commands.error());
   }

@@ -1,4 +1,5 @@
 // Door: compiler/facts/flags.hpp. Test: tests/compiler/facts/flags_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/flags.hpp"
 
 #include <algorithm>
@@ -14,8 +15,9 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// With the word behind them: what is written, and what the linker is told.
-constexpr std::array<std::string_view, 12> dropped_pairs{
-    "-o", "-MF", "-MT", "-MQ", "-MJ", "-Xlinker", "-Xassembler", "--param", "-aux-info", "-dumpbase", "-u", "-z"};
+constexpr std::array<std::string_view, 13> dropped_pairs{
+    "-include-pch", "-o",      "-MF",       "-MT",       "-MQ", "-MJ", "-Xlinker",
+    "-Xassembler",  "--param", "-aux-info", "-dumpbase", "-u",  "-z"};
 /// Alone. What produces something else than a tree, and files that only g++ can read.
 constexpr std::array<std::string_view, 13> dropped{"-c",
                                                    "-S",
@@ -112,6 +114,11 @@ Flags fit_for_clang(const Words& command) {
     } else if (among(word, kept_pairs)) {
       out.words.push_back(word);
       if (has_next) out.words.push_back(command[++i]);
+    } else if (word == "-Xclang" && i + 3 < command.size() && command[i + 1] == "-include" &&
+               command[i + 2] == "-Xclang") {
+      // CMake's way to have Clang take a precompiled header: the text of it is beside.
+      out.words.insert(out.words.end(), {"-include", command[i + 3]});
+      i += 3;
     } else if (word == "-Xclang" || word == "-Xpreprocessor") {
       ++i;
     } else if (word.starts_with("-Wp,")) {
@@ -194,6 +201,27 @@ Words include_folders(const Words& words, const std::string& directory) {
       if (words[i] == option && i + 1 < words.size()) {
         add(words[++i]);
       } else if (words[i].starts_with(option) && words[i].size() > option.size()) {
+        add(words[i].substr(option.size()));
+      }
+    }
+  }
+  return out;
+}
+
+Words forced_includes(const Words& words, const std::string& directory) {
+  // As for `#include "..."` in a file that lies in the folder in which the compiler runs.
+  std::vector<std::string> folders = include_folders(words, directory);
+  folders.insert(folders.begin(), directory);
+  Words out;
+  const auto add = [&](const fs::path& file) {
+    if (file.is_absolute()) return out.push_back(file.lexically_normal().string());
+    for (const std::string& folder : folders) out.push_back((fs::path(folder) / file).lexically_normal().string());
+  };
+  for (const std::string_view option : {"-imacros", "-include"}) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words[i] == option && i + 1 < words.size()) {
+        add(words[++i]);
+      } else if (words[i].starts_with(option) && words[i].size() > option.size() && words[i] != "-include-pch") {
         add(words[i].substr(option.size()));
       }
     }

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The flags of a user's compiler, made fit for Clang: what only g++ knows is left out, what is written (objects, lists
 // of dependencies) too; macros, include paths, the standard, the sysroot and the target stay. A g++, also one for
 // another machine, is asked once for its target and for the folders that it looks into unasked.
@@ -42,5 +43,9 @@ private:
 
 /// Where `#include "..."` looks, in order: absolute folders.
 std::vector<std::string> include_folders(const std::vector<std::string>& words, const std::string& directory);
+
+/// Files that are read before the source, as `-include` says: absolute, in order. Those that no folder has are left out
+/// by whoever reads them.
+std::vector<std::string> forced_includes(const std::vector<std::string>& words, const std::string& directory);
 
 } // namespace director::compiler

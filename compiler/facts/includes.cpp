@@ -1,4 +1,5 @@
 // Door: compiler/facts/includes.hpp. Test: tests/compiler/facts/flags_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/includes.hpp"
 
 #include "dsl/load_file.hpp"

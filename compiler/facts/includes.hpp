@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Whether a file may include another, by the text alone: much faster than to ask Clang, who takes a second for a file
 // that has nothing to do with the behaviour. What stands under conditions counts, and a file that includes a macro may
 // include anything.

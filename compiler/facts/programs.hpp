@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Other programs as directorc calls them. Behind it child processes for the command line, answers of their own for
 // tests.
 

@@ -1,4 +1,5 @@
 // Door: compiler/facts/scanned_types.hpp. Test: tests/compiler/facts/types_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/scanned_types.hpp"
 
 #include "compiler/version.hpp"
@@ -27,6 +28,12 @@ CppType type_of(const Json& from, const Json& paths) {
   return out;
 }
 
+/// Clang found a fault that is not in the names which were asked for: in a header.
+bool fails_elsewhere(const Json& answer, const std::string& file) {
+  const std::vector<Json>& errors = answer["errors"].items();
+  return std::any_of(errors.begin(), errors.end(), [&](const Json& error) { return error["file"].as_text() != file; });
+}
+
 } // namespace
 
 const CppType* Types::find(std::string_view name) const {
@@ -34,18 +41,40 @@ const CppType* Types::find(std::string_view name) const {
   return at == by_name.end() ? nullptr : &at->second;
 }
 
-const CompileCommand* ScannedTypes::choose(const std::vector<std::string>& headers, std::string& missing) {
-  for (const CompileCommand& command : flags_.commands) {
-    const std::vector<std::string> folders = include_folders(fit_for_clang(command.words).words, command.directory);
-    const auto is_found = [&](const std::string& header) {
-      return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+std::vector<std::string> ScannedTypes::missing_in(const CompileCommand& command,
+                                                  const std::vector<std::string>& headers) {
+  const auto without = [&](const std::vector<std::string>& words, const std::vector<std::string>& wanted) {
+    const std::vector<std::string> folders = include_folders(words, command.directory);
+    std::vector<std::string> out;
+    for (const std::string& header : wanted) {
+      const bool found = std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
         return static_cast<bool>(files_.read((fs::path(folder) / header).string(), dsl::largest_file));
       });
-    };
-    const auto lost = std::find_if_not(headers.begin(), headers.end(), is_found);
-    if (lost == headers.end()) return &command;
-    missing = *lost;
+      if (!found) out.push_back(header);
+    }
+    return out;
+  };
+  const Flags flags = fit_for_clang(command.words);
+  const std::vector<std::string> missing = without(flags.words, headers);
+  // The compiler is asked only for a header that may be one of the system's.
+  return missing.empty() ? missing : without(compilers_.complete(flags), missing);
+}
+
+const CompileCommand* ScannedTypes::choose(const std::vector<std::string>& headers, std::vector<std::string>& missing) {
+  std::optional<std::vector<std::string>> nowhere;
+  for (const CompileCommand& command : flags_.commands) {
+    std::vector<std::string> here = missing_in(command, headers);
+    if (here.empty()) return &command;
+    missing = here;
+    if (!nowhere) {
+      nowhere = std::move(here);
+    } else {
+      std::erase_if(*nowhere, [&](const std::string& header) {
+        return std::find(here.begin(), here.end(), header) == here.end();
+      });
+    }
   }
+  if (nowhere) missing_everywhere_ = *nowhere;
   return nullptr;
 }
 
@@ -57,10 +86,15 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
   };
   if (!flags_.fault.empty()) return fail(flags_.fault);
   if (question.headers.empty()) return fail("no header is named under `cpp: headers`");
-  std::string missing;
+  std::vector<std::string> missing;
   const CompileCommand* command = choose(question.headers, missing);
-  if (command == nullptr)
-    return fail(fmt::format("no include folder of {} has the header `{}`", flags_.source, missing));
+  if (command == nullptr) {
+    out.missing = missing_everywhere_;
+    return fail(missing.empty() ? fmt::format("{} compiles no C++", flags_.source)
+                                : fmt::format("no include folder of {} has the header `{}`", flags_.source,
+                                              (out.missing.empty() ? missing : out.missing).front()));
+  }
+  if (question.names.empty()) return out;
   const Scan version = scanner_.version();
   if (!version) return fail(version.error().message);
   const std::string file = (fs::path(command->directory) / "director_types.cpp").string();
@@ -75,13 +109,17 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
   if (!answer) {
     const Scan scan = scanner_.ask("types", request);
     if (!scan) return fail(scan.error().message);
-    cache_.keep(to_line(asked), scan.value());
     answer = scan.value();
+    // A header that the build has yet to write leaves no trace among the files that were read.
+    if (!fails_elsewhere(*answer, file)) cache_.keep(to_line(asked), *answer);
   }
+  const bool uncertain = fails_elsewhere(*answer, file);
   const std::vector<Json>& types = (*answer)["types"].items();
   bool any = false;
   for (std::size_t i = 0; i < types.size() && i < question.names.size(); ++i) {
     if (!types[i].is_object()) continue;
+    // Where a header does not compile, what is not there may only not have been read.
+    if (uncertain && !types[i]["wrong"].as_text().empty()) continue;
     any = true;
     out.by_name.emplace(question.names[i], type_of(types[i], (*answer)["paths"]));
   }

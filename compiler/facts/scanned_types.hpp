@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Types as director-clang reads them.
 
 #include "compiler/facts/cache.hpp"
@@ -28,13 +29,17 @@ public:
   Types read(const TypeReader::Question& question);
 
 private:
-  const CompileCommand* choose(const std::vector<std::string>& headers, std::string& missing);
+  /// The first command that finds all headers; nothing, and what is missing: a header that none finds, else one that
+  /// some do not.
+  const CompileCommand* choose(const std::vector<std::string>& headers, std::vector<std::string>& missing);
+  std::vector<std::string> missing_in(const CompileCommand& command, const std::vector<std::string>& headers);
 
   TypeFlags flags_;
   Scanner& scanner_;
   Compilers compilers_;
   dsl::FileAccess& files_;
   FactCache cache_;
+  std::vector<std::string> missing_everywhere_;
 };
 
 } // namespace director::compiler

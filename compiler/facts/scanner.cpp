@@ -1,4 +1,5 @@
 // Door: compiler/facts/scanner.hpp. Test: tests/compiler/facts/scanner_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/scanner.hpp"
 
 #include "compiler/version.hpp"
@@ -20,7 +21,8 @@ constexpr const char* name = "director-clang";
 ScanFault absent() {
   return {true,
           "director-clang is not installed, and without it nothing can be read in C++: no `verify`, no `stubs`, and a "
-          "state with a `type` needs its `values`; it is the package director-clang"};
+          "state with a `type` needs its `values`; it is the package director-clang, and who builds Director installs "
+          "clang-19 libclang-19-dev llvm-19-dev and builds it again"};
 }
 
 } // namespace
@@ -50,6 +52,12 @@ std::string find_headers(const std::string& directorc) {
   const fs::path folder = fs::path(directorc).parent_path().parent_path() / "include/director";
   std::error_code fault;
   return fs::is_directory(folder / "runtime", fault) ? folder.string() : std::string{};
+}
+
+std::string find_schemas(const std::string& directorc) {
+  const fs::path folder = fs::path(directorc).parent_path().parent_path() / "share/director/schemas";
+  std::error_code fault;
+  return fs::is_directory(folder, fault) ? folder.string() : std::string{};
 }
 
 Scan Scanner::ask(const std::string& subcommand, const Json& request) {

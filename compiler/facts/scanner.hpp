@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // director-clang, the program that reads C++. It is asked with a word and JSON on its standard input, and answers with
 // JSON on its standard output: compiler/clang has the other end. It is a program and a package of its own, since what
 // it links is a hundred times larger than directorc, and most runs need nothing of it.
@@ -28,6 +29,9 @@ Json unit_question(const std::string& file, const std::string& directory, const 
 
 /// Where the headers of the runtime are installed that came with directorc; empty where there are none.
 std::string find_headers(const std::string& directorc);
+
+/// Likewise where the JSON schemas are, for editors.
+std::string find_schemas(const std::string& directorc);
 
 class Scanner {
 public:

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The user's types that a behaviour names: enums that states have, data of tasks. Read from the headers that it names,
 // with the flags of the program.
 
@@ -27,7 +28,8 @@ struct Types {
   std::string fault; ///< why nothing is known of any; else empty
   std::map<std::string, CppType, std::less<>>
       by_name;                    ///< as the behaviour writes it; those of which nothing is known are missing
-  std::vector<std::string> files; ///< the user's headers that were read
+  std::vector<std::string> files;   ///< the user's headers that were read
+  std::vector<std::string> missing; ///< headers that no file of the program could include
   const CppType* find(std::string_view name) const;
 };
 

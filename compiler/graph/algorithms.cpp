@@ -1,4 +1,5 @@
 // Door: compiler/graph/algorithms.hpp. Test: tests/compiler/graph/algorithms_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/graph/algorithms.hpp"
 
 #include <boost/graph/adjacency_list.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What is asked of graphs, on bare adjacency lists: node i has an arrow to each of arrows[i]. All of it linear or
 // nearly so, and safe on chains of any length. algorithms.cpp is the one place that knows Boost.Graph.
 

@@ -1,4 +1,5 @@
 // Door: compiler/graph/deep_needs.hpp. Test: tests/compiler/graph/deep_needs_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/graph/deep_needs.hpp"
 
 #include <fmt/format.h>

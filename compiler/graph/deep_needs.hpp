@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Needs of needs of needs: a plan holds all of them at once, and whoever looks for one goes down as deep, on the stack.
 
 #include "compiler/graph/graph.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The Graph: who leads to whom, derived from a Model. Nodes are groups, by the number of their id.
 
 #include "compiler/graph/algorithms.hpp"

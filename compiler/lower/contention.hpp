@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Who decides between two edges to one group, over all chains of requesters that lead to them. Source:
 // semantics.md 4.1. Only people ask this: the engine compares the two chains that there are at the moment.
 

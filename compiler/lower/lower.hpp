@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // From a Model to the tables that the engine runs on. The Model must be whole: no error of "Reading" or "Names and
 // domains", every provider has a valid plan for its needs, and no group requests itself.
 

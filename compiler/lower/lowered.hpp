@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The tables of runtime/core/tables.hpp as values that own their rows, and what leads from a row back to the Model.
 // Rows of groups, providers, edges, states and triggers have the numbers that the Model's ids have.
 

@@ -1,4 +1,5 @@
 // Door: compiler/lower/plans.hpp. Test: tests/compiler/lower/plans_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Whether a provider occurs in a valid plan is as hard as whether there is one (choosing disjoint providers is
 // NP-complete), so plans are tried in order, and the search ends early: as soon as every provider that could occur has

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a group or provider may need, over the Model. Source: semantics.md, section 1 (need plans).
 
 #include "compiler/model/model.hpp"

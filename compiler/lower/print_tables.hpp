@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The tables as text for people: every row, with the names that its numbers stand for, and the static priority table.
 
 #include "compiler/lower/lowered.hpp"

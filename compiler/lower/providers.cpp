@@ -1,4 +1,5 @@
 // Door: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/lower/steps.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The steps of lowering, each of which fills some of the tables. They run in this order: conditions get their rows
 // before anything refers to them.
 

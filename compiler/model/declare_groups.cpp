@@ -1,4 +1,5 @@
 // Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
 #include "dsl/suggest.hpp"
 

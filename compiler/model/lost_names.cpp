@@ -1,4 +1,5 @@
 // Door: compiler/model/lost_names.hpp. Test: tests/compiler/model/lost_names_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/lost_names.hpp"
 
 #include <algorithm>
@@ -20,6 +21,8 @@ bool loses_files(const Diagnostic& error) {
 
 /// Behind these, what the error points to was read all the same.
 bool loses_nothing(const Diagnostic& error) { return error.id == "exclusive_keys"; }
+
+constexpr std::string_view within = "within";
 
 std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
@@ -59,13 +62,17 @@ void add_lost_words(const dsl::SourceFile& file, const Diagnostic& error, std::s
   const std::size_t indent = indent_of(file.line_text(file.place(error.span.begin).line));
   const std::size_t end = std::max<std::size_t>(end_of_lost(text, error.span.begin, indent), error.span.end);
   add_words(text.substr(error.span.begin, end - error.span.begin), words);
+  // A promise whose duration is at fault is lost with it.
+  const std::string_view before = text.substr(0, error.span.begin);
+  if (before.substr(0, before.find_last_not_of(" \"'") + 1).ends_with(within)) words.emplace(within);
 }
 
 /// The word that a finding is about, where it may be one that was lost.
 bool is_about_lost(const Diagnostic& finding, std::string_view word, const std::set<std::string, std::less<>>& lost) {
   if (finding.id == "unprovided_task") return true; // a provider may be among what was lost
   if (finding.id != "undefined_name" && finding.id != "value_outside_domain") return false;
-  return lost.count(word) != 0;
+  // `Group.provider.broken` is the name of a promise with a `within`.
+  return lost.count(word) != 0 || (word.ends_with(".broken") && lost.count(within) != 0);
 }
 
 } // namespace

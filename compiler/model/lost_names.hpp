@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What could not be read is not in the Spec, and a name that is declared there seems to be undefined.
 
 #include "dsl/diagnostic.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The Model: a whole deployment with every name resolved. Built once by resolve(), never changed afterwards; everything
 // behind it (graph, checks, lowering, generation) reads it. Ids are places in declaration order: what an imported file
 // declares comes before what its importer declares; providers stand in order of preference, group after group.

@@ -1,4 +1,5 @@
 // Door: compiler/model/named_types.hpp. Test: tests/compiler/model/types_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/named_types.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ std::optional<TypeReader::Question> named_types(const dsl::Spec& spec, bool thor
       if (group.data) add_once(out.names, group.data->value);
     }
   }
-  if (!needed || out.names.empty()) return {};
+  if (!needed || (out.names.empty() && (!thorough || out.headers.empty()))) return {};
   return out;
 }
 

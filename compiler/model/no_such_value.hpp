@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What is said of a value that a state cannot have.
 
 #include "compiler/model/model.hpp"

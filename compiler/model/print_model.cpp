@@ -1,4 +1,5 @@
 // Door: compiler/model/print_model.hpp. Test: tests/compiler/model/print_model_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/print_model.hpp"
 
 #include <fmt/format.h>

@@ -1,15 +1,35 @@
 // Door: compiler/model/resolve.hpp. Test: tests/compiler/model/resolve_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/resolve.hpp"
 
 #include "compiler/model/resolver.hpp"
 #include "dsl/names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace director::compiler {
 
 namespace {
+
+/// What is generated includes the headers, and `#include` looks beside it first.
+void check_header(Resolver& r, const Word& header) {
+  const std::string name = r.main.name.value + ".hpp";
+  if (std::filesystem::path(header.value).lexically_normal() == name)
+    r.error("reserved_name", header.span,
+            fmt::format("a header cannot be called `{}`: the generated one of `{}` is, and would include itself", name,
+                        r.main.name.value),
+            "give it another name, or name it with a folder in front");
+  if (r.options.types == nullptr) return;
+  const std::vector<std::string>& missing = r.options.types->missing;
+  if (std::find(missing.begin(), missing.end(), header.value) == missing.end()) return;
+  r.find("missing_header", dsl::Level::warning, header.span,
+         fmt::format("no include folder of the program has `{}`", header.value),
+         "name it as an `#include` of the program would; if the build writes it, it has to do so first");
+}
 
 void name_the_whole(Resolver& r) {
   Model& model = r.model;
@@ -17,8 +37,8 @@ void name_the_whole(Resolver& r) {
   model.name_span = r.main.name.span;
   model.name_space = r.main.cpp.name_space ? r.main.cpp.name_space->value : model.name;
   if (r.main.cpp.name_space) check_namespace(r, *r.main.cpp.name_space);
-  const bool says_so_itself =
-      !dsl::is_identifier(model.name) || dsl::is_cpp_keyword(model.name) || dsl::is_cpp_macro(model.name);
+  const bool says_so_itself = !dsl::is_identifier(model.name) || dsl::is_cpp_keyword(model.name) ||
+                              dsl::is_cpp_macro(model.name) || dsl::is_reserved_in_cpp(model.name);
   if (!r.main.cpp.name_space && !says_so_itself) check_namespace(r, r.main.name);
   model.deployment = r.main.roots.has_value();
   if (r.main.doc) model.doc = r.main.doc->value;
@@ -29,6 +49,7 @@ void name_the_whole(Resolver& r) {
   for (const dsl::BehaviourSpec& file : r.spec.files) {
     if (!file.name.value.empty()) check_name(r, "behaviour", file.name); // else it is missing, and reported as such
     for (const Word& header : file.cpp.headers) {
+      check_header(r, header);
       if (std::find(model.headers.begin(), model.headers.end(), header.value) == model.headers.end())
         model.headers.push_back(header.value);
     }

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Spec -> Model: every name is looked up, every value numbered, every edge declared. Findings are those of "Names and
 // domains"; all of a run, sorted by place, none that is only the consequence of another one. With an error among them
 // the Model is complete as far as it goes, and good for nothing but naming things. Source: semantics.md, section 1, and

@@ -1,4 +1,5 @@
 // Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
 
 #include <fmt/format.h>
@@ -145,6 +146,24 @@ void resolve_words(Resolver& r, Group& group, const dsl::GroupSpec& spec) {
   report_undefined(r, "layer", *spec.layer, known);
 }
 
+/// Nothing provides the group, and that is reported: the checks look at all the rest as if something did. Of what that
+/// would be nobody knows anything, so it may set whatever it likes.
+Provider stand_in(Resolver& r, GroupId id) {
+  Provider out;
+  out.group = id;
+  out.name = "default";
+  out.span = r.model.groups[id].name.span;
+  out.direct = true;
+  for (const StateId state : r.model.states.ids()) {
+    const State& row = r.model.states[state];
+    const auto [at, is_new] =
+        r.conditions.try_emplace(row.name.value, ConditionId{static_cast<std::uint32_t>(r.model.conditions.size())});
+    if (is_new) r.model.conditions.add({state, Condition::Op::any, {}, row.domain(), row.name.value});
+    if (!row.of || row.of->id == id) out.sets.push_back({at->second, out.span, std::nullopt});
+  }
+  return out;
+}
+
 void resolve_group(Resolver& r, GroupId id, const GroupSource& source) {
   if (source.spec) resolve_words(r, r.model.groups[id], *source.spec);
   const ForAll for_all = resolve_for_all(r, source.spec);
@@ -152,6 +171,8 @@ void resolve_group(Resolver& r, GroupId id, const GroupSource& source) {
     const ProviderId provider = r.model.providers.add(resolve_provider(r, id, *spec, for_all));
     r.model.groups[id].providers.push_back(provider);
   }
+  if (r.model.groups[id].providers.empty() && r.model.deployment)
+    r.model.groups[id].providers.push_back(r.model.providers.add(stand_in(r, id)));
   for (const ProviderId provider : r.model.groups[id].providers) {
     for (const Use<GroupId>& need : r.model.providers[provider].needs) declare_need(r, id, need);
   }

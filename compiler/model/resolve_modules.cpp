@@ -1,4 +1,5 @@
 // Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_modules_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
 
 #include <fmt/format.h>
@@ -9,14 +10,17 @@ namespace director::compiler {
 
 namespace {
 
-/// The stem of a file's name, with `_` for every character that no name may have.
+/// The stem of a file's name, with `_` for what no name may have; not two of them, nor one before a capital letter.
 std::string stem_as_name(std::string_view path) {
   const std::string stem = std::filesystem::path(path).stem().string();
   std::string out;
   for (const char c : stem) {
     if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) continue; // a later byte of a character
     const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    out += fits ? c : '_';
+    const char next = fits ? c : '_';
+    if (next == '_' && out.ends_with('_')) continue;
+    if (out == "_" && next >= 'A' && next <= 'Z') out.clear();
+    out += next;
   }
   if (out.empty() || (out[0] >= '0' && out[0] <= '9')) out.insert(out.begin(), '_');
   return out;
@@ -41,9 +45,9 @@ struct ModuleNames {
 
   std::string default_for(const dsl::BehaviourSpec& file) {
     std::string name = stem_as_name(r.sources[file.file].path());
-    while (dsl::is_reserved(name) || dsl::is_cpp_keyword(name) || dsl::is_cpp_macro(name) ||
+    while (dsl::is_reserved(name) || dsl::is_cpp_keyword(name) || dsl::is_cpp_macro(capitalised(name)) ||
            capitalised(name) == "Behaviour" || !is_free(name))
-      name += "_module";
+      name += name.ends_with('_') ? "module" : "_module";
     by_cpp_name.emplace(capitalised(name), name);
     return name;
   }

@@ -1,5 +1,7 @@
 // Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_names_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
+#include "dsl/cpp_type.hpp"
 #include "dsl/names.hpp"
 #include "dsl/suggest.hpp"
 
@@ -14,6 +16,39 @@ namespace {
 /// Kinds of which the generated class `Behaviour` leaves no room for another one of its name.
 bool lives_beside_the_behaviour(std::string_view kind) {
   return kind == "group" || kind == "state" || kind == "trigger" || kind == "module";
+}
+
+/// Kinds that become a type, with a capital letter; what is left of them stands in C++ as it is written.
+bool becomes_a_type(std::string_view kind) { return lives_beside_the_behaviour(kind) || kind == "provider"; }
+
+/// A name that nothing else is in the way of: `LINE_group` for `__LINE__`.
+std::string other_name(std::string_view text, std::string_view kind) {
+  std::string out;
+  for (const char c : text) {
+    if (c != '_' || (!out.empty() && out.back() != '_')) out += c;
+  }
+  while (!out.empty() && out.back() == '_') out.pop_back();
+  return fmt::format("{}_{}", out.empty() ? "my" : out, kind);
+}
+
+/// Why a name space cannot be called so; empty: it can.
+std::string taken(const std::string& part, bool outermost) {
+  if (dsl::is_cpp_keyword(part)) return "that is a keyword of C++";
+  if (dsl::is_reserved_in_cpp(part))
+    return "C++ keeps names with two underscores, or that begin with one and a capital letter, for itself";
+  if (dsl::is_cpp_macro(part)) return "that is a macro of the standard headers of C++";
+  if (outermost && dsl::is_cpp_global(part)) return "the standard headers of C++ and C declare something of that name";
+  return {};
+}
+
+/// Whether the generated code stands in a name space of that name; from the outside only the outermost one is found.
+bool is_part_of(std::string_view name_space, const dsl::FirstWord& name) {
+  for (bool outermost = true;; outermost = false) {
+    const std::size_t end = name_space.find("::");
+    if (name_space.substr(0, end) == name.word && (outermost || !name.from_outside)) return true;
+    if (end == std::string_view::npos) return false;
+    name_space.remove_prefix(end + 2);
+  }
 }
 
 /// Names that are compared with a misspelt one in a run, about. Where so much is undefined it is no slip of the pen.
@@ -39,10 +74,15 @@ bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole
     return false;
   }
   std::string why;
+  const bool is_type = becomes_a_type(kind), in_cpp = kind != "layer";
+  const std::string cpp_name = is_type ? capitalised(text) : text;
   if (dsl::is_cpp_keyword(text)) {
     why = "that is a keyword of C++";
-  } else if (kind != "layer" && dsl::is_cpp_macro(text)) {
-    why = "that is a macro of the standard headers of C++";
+  } else if (in_cpp && dsl::is_reserved_in_cpp(text)) {
+    why = "C++ keeps names with two underscores, or that begin with one and a capital letter, for itself";
+  } else if (in_cpp && dsl::is_cpp_macro(cpp_name)) {
+    why = cpp_name == text ? "that is a macro of the standard headers of C++"
+                           : fmt::format("in C++ it becomes `{}`, a macro of the standard headers", cpp_name);
   } else if (whole_rule && dsl::is_reserved(text)) {
     why = "that is a word of Director's own";
   } else if (lives_beside_the_behaviour(kind) && capitalised(text) == "Behaviour") {
@@ -53,7 +93,7 @@ bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole
     return true;
   }
   r.error("reserved_name", name.span, fmt::format("a {} cannot be called `{}`: {}", kind, text, why),
-          fmt::format("choose another name, such as `{}_{}`", text, kind));
+          fmt::format("choose another name, such as `{}`", other_name(text, kind)));
   return false;
 }
 
@@ -85,7 +125,8 @@ void check_namespace(Resolver& r, const Word& name) {
             another);
     return;
   }
-  for (bool more = true; more;) {
+  bool outermost = true;
+  for (bool more = true; more; outermost = false) {
     const std::size_t end = rest.find("::");
     const std::string part(rest.substr(0, end));
     more = end != std::string_view::npos;
@@ -94,14 +135,8 @@ void check_namespace(Resolver& r, const Word& name) {
       r.error("reserved_name", name.span, fmt::format("`{}` is no name for a C++ namespace", name.value),
               "one name, or several with `::` between them; each has letters, digits and `_`, and does not begin with "
               "a digit");
-    } else if (dsl::is_cpp_keyword(part)) {
-      r.error("reserved_name", name.span,
-              fmt::format("a C++ namespace cannot be called `{}`: that is a keyword of C++", part), another);
-    } else if (dsl::is_cpp_macro(part)) {
-      r.error(
-          "reserved_name", name.span,
-          fmt::format("a C++ namespace cannot be called `{}`: that is a macro of the standard headers of C++", part),
-          another);
+    } else if (const std::string why = taken(part, outermost); !why.empty()) {
+      r.error("reserved_name", name.span, fmt::format("a C++ namespace cannot be called `{}`: {}", part, why), another);
     } else if (part == "std" || part == "director") {
       r.error("reserved_name", name.span, fmt::format("the C++ of a behaviour cannot stand in a namespace `{}`", part),
               another);
@@ -112,20 +147,40 @@ void check_namespace(Resolver& r, const Word& name) {
   }
 }
 
-void check_foreign_type(Resolver& r, const Word& type) {
+void check_foreign_type(Resolver& r, const Word& type, std::string_view own) {
   std::string text = type.value;
   text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
   if (text.starts_with("::")) text.erase(0, 2);
   const std::string before = r.model.name_space + "::";
-  if (!text.starts_with(before)) return;
-  const auto at = r.cpp_names.find(text.substr(before.size()));
-  if (at == r.cpp_names.end() || at->second.kind == "state") return;
-  const Word& other = at->second.name;
-  r.error("redefined_name", type.span,
-          fmt::format("`{}` is what the {} `{}` becomes in C++, so it cannot be a type of yours", type.value,
-                      at->second.kind, other.value),
-          "name your own type, or choose another `cpp: {namespace: ...}`")
-      .notes.push_back({other.span, fmt::format("the {} is declared here", at->second.kind)});
+  if (text.starts_with(before)) {
+    const auto at = r.cpp_names.find(text.substr(before.size()));
+    if (at == r.cpp_names.end() || at->second.kind == "state") return;
+    const Word& other = at->second.name;
+    r.error("redefined_name", type.span,
+            fmt::format("`{}` is what the {} `{}` becomes in C++, so it cannot be a type of yours", type.value,
+                        at->second.kind, other.value),
+            "name your own type, or choose another `cpp: {namespace: ...}`")
+        .notes.push_back({other.span, fmt::format("the {} is declared here", at->second.kind)});
+    return;
+  }
+  for (const dsl::FirstWord& first : dsl::first_words(type.value)) {
+    if (first.whole && is_part_of(r.model.name_space, first)) {
+      r.error("redefined_name", type.span,
+              fmt::format("`{}` is a namespace of the generated C++, `{}`, so a type of yours is not found by it",
+                          first.word, r.model.name_space),
+              "name your own type, or choose another `cpp: {namespace: ...}`");
+      return;
+    }
+    const auto at = r.cpp_names.find(first.word);
+    if (first.from_outside || at == r.cpp_names.end() || first.word == own) continue;
+    const Word& other = at->second.name;
+    r.error("redefined_name", type.span,
+            fmt::format("`{}` in `{}` is what the {} `{}` becomes in C++, so a type of yours is not found by it",
+                        first.word, type.value, at->second.kind, other.value),
+            fmt::format("write `::{}` if yours stands outside of all namespaces, else its whole name", first.word))
+        .notes.push_back({other.span, fmt::format("the {} is declared here", at->second.kind)});
+    return;
+  }
 }
 
 void report_undefined(Resolver& r, std::string_view kind, const Word& name, const std::vector<std::string>& known) {

@@ -1,4 +1,5 @@
 // Door: compiler/model/resolver.hpp. Test: compiler/checks/value_outside_domain.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/no_such_value.hpp"
 #include "compiler/model/resolver.hpp"
 
@@ -98,7 +99,7 @@ void resolve_states(Resolver& r) {
   for (const StateId id : r.model.states.ids()) {
     State& state = r.model.states[id];
     const dsl::StateSpec& spec = *r.state_sources[id];
-    if (spec.type) check_foreign_type(r, *spec.type);
+    if (spec.type) check_foreign_type(r, *spec.type, capitalised(state.name.value));
     for (const Word& word : spec.unordered) {
       const auto value = find_value(r, state, word);
       if (value && state.is_range) {

@@ -1,4 +1,5 @@
 // Door: compiler/model/resolver.hpp. Test: tests/compiler/model/types_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
 #include "dsl/suggest.hpp"
 
@@ -32,17 +33,22 @@ bool is_usable(Resolver& r, const Word& name, const CppType& type) {
   return false;
 }
 
+/// Two enumerators that are one value.
+void tell_same(Resolver& r, const State& state, const Word& name, const CppType::Enumerator& first,
+               const CppType::Enumerator& second, const dsl::Span& span) {
+  Diagnostic& finding = r.error("redefined_name", span,
+                                fmt::format("`{}` and `{}` of `{}` are one value, so they cannot be two values of `{}`",
+                                            first.name, second.name, name.value, state.name.value),
+                                "list under `values` which of them count, or give each a value of its own");
+  note_place(r, finding, second.place, "the second one is here");
+}
+
 /// The values of an enum, unless two are one.
 void take_values(Resolver& r, State& state, const Word& name, const CppType& type) {
   for (std::size_t i = 0; i < type.enumerators.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (type.enumerators[i].value != type.enumerators[j].value) continue;
-      Diagnostic& finding =
-          r.error("redefined_name", name.span,
-                  fmt::format("`{}` and `{}` of `{}` are one value, so they cannot be two values of `{}`",
-                              type.enumerators[j].name, type.enumerators[i].name, name.value, state.name.value),
-                  "list under `values` which of them count, or give each a value of its own");
-      note_place(r, finding, type.enumerators[i].place, "the second one is here");
+      if (type.enumerators[i].value == type.enumerators[j].value)
+        tell_same(r, state, name, type.enumerators[j], type.enumerators[i], name.span);
     }
   }
   for (const CppType::Enumerator& each : type.enumerators) {
@@ -54,9 +60,24 @@ void take_values(Resolver& r, State& state, const Word& name, const CppType& typ
 
 void compare_values(Resolver& r, const State& state, const Word& name, const CppType& type) {
   std::vector<std::string> names;
+  std::vector<std::pair<const CppType::Enumerator*, std::size_t>> listed; // with its place among the values
+  for (std::size_t i = 0; i < state.values.size(); ++i) {
+    for (const CppType::Enumerator& each : type.enumerators) {
+      if (each.name == state.values[i]) listed.emplace_back(&each, i);
+    }
+  }
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (listed[i].first->value == listed[j].first->value && listed[i].first != listed[j].first)
+        tell_same(r, state, name, *listed[j].first, *listed[i].first, state.value_spans[listed[i].second]);
+    }
+  }
   for (const CppType::Enumerator& each : type.enumerators) {
     names.push_back(each.name);
-    if (std::find(state.values.begin(), state.values.end(), each.name) != state.values.end()) continue;
+    // `last = halt` is another name of a value, and no other value.
+    const bool is_known =
+        std::any_of(listed.begin(), listed.end(), [&](const auto& one) { return one.first->value == each.value; });
+    if (is_known) continue;
     note_place(
         r,
         r.error("enum_drift", name.span,

@@ -1,4 +1,5 @@
 // Door: compiler/model/resolver.hpp. Test: compiler/checks/unused_declaration.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@ namespace director::compiler {
 namespace {
 
 void report(Resolver& r, Span span, std::string message, std::string help) {
+  if (span.file != r.main.file) return; // a shared module has other importers, who may use it
   r.find("unused_declaration", dsl::Level::lint, span, std::move(message), std::move(help));
 }
 

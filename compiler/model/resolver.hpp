@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the steps of resolve() share while they work: the model as far as it is made, the names, the findings. Only the
 // files resolve*.cpp include this.
 
@@ -66,8 +67,9 @@ bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole
 bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name);
 /// A reserved_name if the generated code cannot stand in it.
 void check_namespace(Resolver& r, const Word& name);
-/// A redefined_name if this C++ type of the user's is one that is generated. Behind claim_cpp_name of all things.
-void check_foreign_type(Resolver& r, const Word& type);
+/// A redefined_name if this C++ type of the user's is one that is generated, or would be taken for one; but for `own`,
+/// what the state is called whose type it is. Behind claim_cpp_name of all things.
+void check_foreign_type(Resolver& r, const Word& type, std::string_view own = {});
 /// undefined_name, with the nearest of `known` as its help, and a note where it is the name of something else.
 void report_undefined(Resolver& r, std::string_view kind, const Word& name, const std::vector<std::string>& known);
 /// Nothing, and a finding, where there is none.

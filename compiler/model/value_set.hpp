@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A set of values of one state: closed intervals of value numbers, sorted, disjoint and never touching, so that two
 // equal sets are equal values. Source: semantics.md, section 1 (a condition is the set of values that satisfies it).
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D DIRECTORC=<program> -D VERSION=<version> -D PAGE=<directorc.1.in> -D OUT=<directorc.1> -P manual.cmake
 # The manual page, from what directorc says with --help: of itself, and of each subcommand.
 

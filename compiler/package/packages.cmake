@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The manual page, and the Debian packages that `cpack` makes in the build tree: director, and director-clang where that is built. Libraries that
 # a program needs become dependencies by dpkg-shlibdeps.
 if(NOT TARGET directorc OR CMAKE_CROSSCOMPILING OR NOT PROJECT_IS_TOP_LEVEL)

@@ -1,4 +1,5 @@
 // Door: compiler/play/coverage.hpp. Test: tests/compiler/play/coverage_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/coverage.hpp"
 
 #include "compiler/checks/analysis/chains/claims.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What scenarios can exercise in a behaviour, point by point, and what they did exercise. A point that the checks prove
 // impossible does not count. Source: the scenario page of docs/language.md, "Coverage".
 

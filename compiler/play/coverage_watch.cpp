@@ -1,4 +1,5 @@
 // Door: compiler/play/coverage_watch.hpp. Test: tests/compiler/play/coverage_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/coverage_watch.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Marks what a scenario exercises while it is played.
 
 #include "compiler/lower/lowered.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Where the data of tasks are while a scenario is played: what a generated behaviour keeps in typed slots are values
 // that can be printed and compared here. The engine says when they move. Source: runtime/core/run.hpp (Bodies::Data).
 

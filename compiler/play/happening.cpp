@@ -1,10 +1,14 @@
 // Door: compiler/play/happening.hpp. Test: tests/compiler/play/happening_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/happening.hpp"
 
 #include "compiler/emit/json.hpp"
+#include "runtime/hosted/decision_printer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <array>
 
 namespace director::compiler {
 
@@ -40,9 +44,7 @@ Json value_of(const Happening& happening) {
   return happening.is_number ? Json::number(std::stoll(*happening.value)) : text(*happening.value);
 }
 
-} // namespace
-
-std::string to_text(const Happening& happening) {
+std::string line_of(const Happening& happening) {
   switch (happening.kind) {
   case Happening::Kind::input: return "> " + happening.words;
   case Happening::Kind::run: return fmt::format("run {} {}", short_name(happening), fmt::join(happening.reasons, "+"));
@@ -62,8 +64,18 @@ std::string to_text(const Happening& happening) {
   return fmt::format("{} {}", name_of(happening.kind), happening.group);
 }
 
-std::string to_json(const Happening& happening) {
-  Json json = Json::object({{"step", Json::number(happening.step)}, {"event", text(name_of(happening.kind))}});
+} // namespace
+
+std::string to_text(const Happening& happening, ShowTimes times) {
+  if (times == ShowTimes::no) return line_of(happening);
+  std::array<char, 40> room{};
+  return time_text(happening.time, room) + line_of(happening);
+}
+
+std::string to_json(const Happening& happening, ShowTimes times) {
+  Json json = Json::object({{"step", Json::number(happening.step)}});
+  if (times == ShowTimes::yes) json.add("time_us", Json::number(happening.time));
+  json.add("event", text(name_of(happening.kind)));
   switch (happening.kind) {
   case Happening::Kind::input: json.add("input", text(happening.words)); break;
   case Happening::Kind::run: {

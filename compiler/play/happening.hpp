@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What happens in a scenario, as values that need no Model to be printed. Source: the language page, its second half.
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct Happening {
   };
   Kind kind = Kind::input;
   std::uint32_t step = 1; ///< counts from 1
+  std::int64_t time = 0;  ///< in microseconds, since the scenario began
   std::string group;
   std::string provider;             ///< also where it is called `default`
   std::vector<std::string> reasons; ///< of a run, in the order of the page
@@ -38,10 +40,13 @@ struct Happening {
   bool operator==(const Happening&) const = default;
 };
 
-/// One line, as `expect` has it; an input behind `> `.
-std::string to_text(const Happening& happening);
+/// Whether times are printed too. Scenarios do not expect any.
+enum class ShowTimes : bool { no, yes };
+
+/// One line, as `expect` has it; an input behind `> `. With times, these stand before it.
+std::string to_text(const Happening& happening, ShowTimes times = ShowTimes::no);
 
 /// One JSON object on one line.
-std::string to_json(const Happening& happening);
+std::string to_json(const Happening& happening, ShowTimes times = ShowTimes::no);
 
 } // namespace director::compiler

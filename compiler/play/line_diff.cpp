@@ -1,4 +1,5 @@
 // Door: compiler/play/line_diff.hpp. Test: tests/compiler/play/line_diff_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/line_diff.hpp"
 
 #include <fmt/format.h>

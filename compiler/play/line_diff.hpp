@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The difference of two lists of lines, as a unified diff: what their longest common subsequence leaves out. By the
 // plain table of all pairs, because a step has few lines.
 

@@ -1,4 +1,5 @@
 // Door: compiler/play/names.hpp. Test: tests/compiler/play/resolve_scenario_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/names.hpp"
 
 #include "compiler/model/no_such_value.hpp"

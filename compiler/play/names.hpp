@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Looks up what a scenario names. Where there is no such thing, a finding goes to the list that the names were made
 // with.
 

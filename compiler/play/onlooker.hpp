@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Who looks on while a scenario is played: told of every run of a body, and shown the engine after every micro-step.
 
 #include "compiler/play/scenario.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/play/play.hpp. Test: tests/compiler/play/play_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/play.hpp"
 
 #include "compiler/play/scripted_bodies.hpp"
@@ -47,6 +48,7 @@ public:
         inbox_(cells_),
         memory_(tables_),
         engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, recorder_.observer(), memory_.recall()) {
+    recorder_.share(options.events);
     engine_.set_budget(onlooker_ == nullptr ? play_budget : 1);
   }
 
@@ -58,6 +60,7 @@ public:
     for (const ScenarioStep& step : scenario_.steps) {
       if (options_.steps != 0 && step_ == options_.steps) break;
       recorder_.begin_step(++step_);
+      recorder_.now(now_);
       for (const std::string& shown : step.shown) recorder_.input(shown);
       if (!(step.advance ? advance(*step.advance) : take(step.inputs))) break;
       if (options_.until && now_ >= *options_.until && step.advance) break;
@@ -80,6 +83,7 @@ private:
 
   bool exhaust() {
     exhausted_ = true;
+    recorder_.now(now_);
     recorder_.budget_exhausted();
     return false;
   }

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Coverage for people and for programs.
 
 #include "compiler/emit/json.hpp"

@@ -1,23 +1,10 @@
 // Door: compiler/play/recorder.hpp. Test: tests/compiler/play/play_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/recorder.hpp"
 
-#include <array>
+#include "runtime/core/event_names.hpp"
 
 namespace director::compiler {
-
-namespace {
-
-struct NamedReason {
-  Reason reason;
-  const char* name;
-};
-
-/// In the order in which a run lists them.
-constexpr std::array named_reasons{NamedReason{Reason::new_task, "new_task"}, NamedReason{Reason::pushed, "pushed"},
-                                   NamedReason{Reason::subtask_done, "subtask_done"}, NamedReason{Reason::wait, "wait"},
-                                   NamedReason{Reason::trigger, "trigger"}};
-
-} // namespace
 
 Observer Recorder::observer() {
   return {[](void* self, const Event& event) { static_cast<Recorder*>(self)->tell(event); }, this};
@@ -27,6 +14,7 @@ Happening Recorder::happening(Happening::Kind kind) const {
   Happening out;
   out.kind = kind;
   out.step = step_;
+  out.time = time_;
   return out;
 }
 
@@ -44,27 +32,22 @@ std::string Recorder::requester(Index edge) const {
 }
 
 std::string Recorder::why(const Event& event) const {
-  switch (event.why) {
-  case Why::waiting:
-    return event.condition == nil ? "waiting"
-                                  : "waiting for " + model_.conditions[lowered_.condition_ids[event.condition]].text;
-  case Why::blocked: return "blocked";
-  case Why::outdated: return "outdated";
-  case Why::deferred: return "deferred";
-  case Why::none: break;
-  }
-  return "none";
+  if (event.why == Why::waiting && event.condition != nil)
+    return "waiting for " + model_.conditions[lowered_.condition_ids[event.condition]].text;
+  return name_of(event.why);
 }
 
 void Recorder::tell(const Event& event) {
   using Kind = Happening::Kind;
+  if (shared_.tell != nullptr) shared_.tell(shared_.self, event);
   Happening out = happening(Kind::run);
+  out.time = event.time;
   if (event.group != nil) out.group = group(event.group);
   if (event.provider != nil) out.provider = model_.providers[ProviderId{event.provider}].name;
   switch (event.kind) {
   case Event::Kind::run:
-    for (const NamedReason& each : named_reasons) {
-      if (event.reasons.has(each.reason)) out.reasons.emplace_back(each.name);
+    for (const Reason each : all_reasons) {
+      if (event.reasons.has(each)) out.reasons.emplace_back(name_of(each));
     }
     break;
   case Event::Kind::start: out.kind = Kind::start; break;
@@ -88,7 +71,8 @@ void Recorder::tell(const Event& event) {
   case Event::Kind::ask:
   case Event::Kind::keep:
   case Event::Kind::withdraw:
-  case Event::Kind::wait: return; // the page's format has no such event, or the player tells it itself
+  case Event::Kind::wait:
+  case Event::Kind::lost: return; // the page's format has no such event, or the player tells it itself
   }
   sink_(out);
 }

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The engine's events as happenings of a scenario.
 
 #include "compiler/lower/lowered.hpp"
@@ -25,6 +26,8 @@ public:
 
   Observer observer(); ///< for as long as this object lives
   void begin_step(std::uint32_t step) { step_ = step; }
+  void share(const Observer& events) { shared_ = events; } ///< told of every event first
+  void now(Time time) { time_ = time; }                    ///< of what is told by the player, not by the engine
   void input(std::string words);
   void budget_exhausted();
 
@@ -41,6 +44,8 @@ private:
   bool decisions_;
   const Sink& sink_;
   std::uint32_t step_ = 0;
+  Time time_ = 0;
+  Observer shared_{};
 };
 
 } // namespace director::compiler

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // One case of a script, as one provider or handler would act on it. Findings go to where `names` writes them.
 
 #include "compiler/play/names.hpp"

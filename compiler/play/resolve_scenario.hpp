@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // ScenarioSpec -> Scenario: names are looked up, values numbered, scripts laid out per provider. What a script must not
 // do is found here as far as it can be: before anything runs.
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A scenario with every name looked up in the Model that it is about: what the player of scenarios works on.
 
 #include "compiler/model/model.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/play/scripted_bodies.hpp. Test: tests/compiler/play/play_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/scripted_bodies.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Providers and handlers that behave as a scenario's script says: what stands where a robot has its C++.
 
 #include "compiler/lower/lowered.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/play/test_scenario.hpp. Test: tests/compiler/play/test_scenario_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/test_scenario.hpp"
 
 #include "compiler/play/line_diff.hpp"
@@ -19,6 +20,7 @@ ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const
   const std::size_t last = result.played.last_step;
   for (std::size_t i = 0; i < last; ++i) {
     const ScenarioStep& step = scenario.steps[i];
+    if (step.expect) ++result.compared;
     if (i + 1 == last && result.played.refused) break; // it ended in the middle of this one
     const bool exhausted = i + 1 == last && result.played.budget_exhausted;
     if (!step.expect && !exhausted) continue;
@@ -30,8 +32,10 @@ ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const
     const Span span = step.expect ? step.expect->span : step.span;
     result.mismatches.push_back({static_cast<std::uint32_t>(i + 1), exhausted,
                                  exhausted && result.played.too_many_stops, step.shown, span, std::move(expected),
-                                 std::move(happened[i])});
+                                 happened[i]});
   }
+  happened.resize(last);
+  result.happened = std::move(happened);
   return result;
 }
 
@@ -63,7 +67,7 @@ Json to_json(const ScenarioResult& result, const std::string& file, const std::s
   };
   Json out = Json::object({{"file", Json::text(file)}});
   if (!title.empty()) out.add("scenario", Json::text(title));
-  out.add("holds", Json::boolean(result.holds()));
+  out.add("holds", Json::boolean(result.holds())).add("compared", Json::number(result.compared));
   Json list = Json::list({});
   for (const Mismatch& mismatch : result.mismatches) {
     const dsl::Place place = sources[mismatch.span.file].place(mismatch.span.begin);

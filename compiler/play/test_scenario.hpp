@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Does a scenario happen as it expects? What is compared are the lines of `expect`, step by step.
 
 #include "compiler/emit/json.hpp"
@@ -23,6 +24,8 @@ struct Mismatch {
 struct ScenarioResult {
   std::vector<Mismatch> mismatches;
   Played played;
+  std::vector<std::vector<std::string>> happened; ///< in each step that was played
+  std::uint32_t compared = 0;                     ///< steps that expect something
   bool holds() const { return mismatches.empty() && !played.refused; }
 };
 

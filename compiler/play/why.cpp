@@ -1,4 +1,5 @@
 // Door: compiler/play/why.hpp. Test: tests/cli/why_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
 #include "runtime/core/why_text.hpp"

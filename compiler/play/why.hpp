@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Why a group runs, or does not: what the engine finds (runtime/core/why.hpp), in the words of the specification and
 // with its places.
 

@@ -1,4 +1,5 @@
 // Door: compiler/stubs/insertion.hpp. Test: tests/stubs/diff_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What is inserted is known, so no lines need to be compared: a line that something is put into is gone and comes back
 // in several; one that something is put behind stays.

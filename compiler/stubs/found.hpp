@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a program has already, as Clang saw it: the classes that implement a behaviour's modules, and their functions
 // with the places where they stand. Offsets are bytes from the beginning of the file.
 
@@ -49,6 +50,7 @@ struct FoundFunction {
   bool is_inline = false;             ///< it says so
   std::string result;                 ///< `Outcome`, as it is written before the name; empty: not to be copied
   std::string qualifier;              ///< `player::Locomotion::`, as it is written outside of the class
+  bool for_any = false;               ///< a base of its class is a parameter: it may implement any module
   bool operator==(const FoundFunction&) const = default;
 };
 

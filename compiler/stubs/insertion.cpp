@@ -1,4 +1,5 @@
 // Door: compiler/stubs/insertion.hpp. Test: tests/stubs/insertion_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/stubs/insertion.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Text that is put into a file of the user. Nothing else can be said of such a file: no part of it can be replaced or
 // removed.
 

@@ -1,4 +1,5 @@
 // Door: compiler/stubs/layout.hpp. Test: tests/stubs/layout_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The answer of a stub is keep(): done() would let a requester go on to its next step although nothing has happened,
 // fail() would let it give up, and a request would move a robot. A task that only keeps waits, holds what it was given,
@@ -38,8 +39,8 @@ std::string and_list(const std::vector<std::string>& words) {
 
 std::string head(const WantedFunction& function, std::string_view result, std::string_view qualifier) {
   const bool provides = function.kind == Kind::provide;
-  return fmt::format("{} {}{}({}& run)", provides ? result : "void", qualifier, name_of(function.kind),
-                     function.context);
+  return fmt::format("{} {}{}({}{}& run)", provides ? result : "void", qualifier, name_of(function.kind),
+                     function.from_outside ? "::" : "", function.context);
 }
 
 Code definition(const WantedFunction& function, std::string_view head) {
@@ -47,11 +48,11 @@ Code definition(const WantedFunction& function, std::string_view head) {
   for (const std::string& line : function.words) code.comment(line);
   if (function.kind == Kind::provide) {
     code.open(fmt::format("{} {{", head));
-    code.line("return run.keep(); // does nothing yet");
+    code.line(fmt::format("return run.keep(); // {}", unwritten));
     code.close("}");
   } else {
     code.open(fmt::format("{} {{", head));
-    code.line("static_cast<void>(run); // does nothing yet");
+    code.line(fmt::format("static_cast<void>(run); // {}", unwritten));
     code.close("}");
   }
   return code;
@@ -81,6 +82,13 @@ std::vector<Artefact> first_files(const Wanted& wanted, const WantedModule& modu
 
   Code source;
   source.line(fmt::format("#include \"{}.hpp\"", module.stem));
+  const bool answers = std::any_of(module.functions.begin(), module.functions.end(),
+                                   [](const WantedFunction& each) { return each.kind == Kind::provide; });
+  if (answers) {
+    source.blank();
+    source.comment("Each body ends with an answer: g++ wants one also behind a switch over all values of an enum.",
+                   "//");
+  }
   for (const WantedFunction& function : module.functions) {
     source.blank();
     source.append(definition(function, head(function, "director::Outcome", module.class_name + "::")));
@@ -96,9 +104,19 @@ Artefact main_file(const Wanted& wanted, const std::vector<ModuleClass>& classes
   for (const std::string& include : includes) code.line(fmt::format("#include \"{}\"", include));
   code.blank();
   code.line("#include <chrono>");
+  code.line("#include <csignal>");
   code.line("#include <thread>");
   code.blank();
   code.open("int main() {");
+  code.comment("Ctrl-C, or SIGTERM, ends the loop below; a second one ends the program at once.", "//");
+  code.line("static volatile std::sig_atomic_t stopping = 0;");
+  code.open("const auto stop = [](int signal) {");
+  code.line("stopping = 1;");
+  code.line("std::signal(signal, SIG_DFL);");
+  code.close("};");
+  code.line("std::signal(SIGINT, stop);");
+  code.line("std::signal(SIGTERM, stop);");
+  code.blank();
   std::vector<std::string> names;
   std::set<std::string> made; // one class may implement several modules
   for (std::size_t i = 0; i < classes.size(); ++i) {
@@ -116,10 +134,15 @@ Artefact main_file(const Wanted& wanted, const std::vector<ModuleClass>& classes
   }
   if (!with_data.empty()) code.comment(fmt::format("With data of their own: {}.", and_list(with_data)), "//");
   code.line("const auto start = std::chrono::steady_clock::now();");
-  code.open("while (true) {");
-  code.line("behaviour.step(std::chrono::steady_clock::now() - start);");
+  code.line("const auto step = [&] { return behaviour.step(std::chrono::steady_clock::now() - start); };");
+  code.open("while (stopping == 0) {");
+  code.line("step();");
   code.line("std::this_thread::sleep_for(std::chrono::milliseconds(10));");
   code.close("}");
+  code.blank();
+  code.comment("What runs is stopped: the end of the behaviour calls no stop handler.", "//");
+  code.line("behaviour.cancel_all();");
+  code.line("while (step() != director::StepResult::quiescent) {}");
   code.close("}");
   return {"main.cpp", code.text()};
 }

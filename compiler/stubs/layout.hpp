@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // How a stub is written, before anybody's .clang-format has been at it.
 
 #include "compiler/emit/artefact.hpp"
@@ -13,6 +14,9 @@ namespace director::compiler::stubs {
 
 /// `director::Outcome provide(soccer::Walk::Halting& run)`. The result of a handler is always void.
 std::string head(const WantedFunction& function, std::string_view result, std::string_view qualifier);
+
+/// What stands in a body that is as it was written here. `directorc verify` knows it by that.
+inline constexpr std::string_view unwritten = "does nothing yet";
 
 /// What the specification says of it, and a definition that does no harm: it leaves everything as it is.
 Code definition(const WantedFunction& function, std::string_view head);

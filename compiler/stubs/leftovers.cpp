@@ -1,4 +1,5 @@
 // Door: compiler/stubs/leftovers.hpp. Test: tests/stubs/leftovers_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/stubs/leftovers.hpp"
 
 #include <fmt/format.h>
@@ -35,6 +36,7 @@ std::vector<Remark> leftovers(const Wanted& wanted, const Found& found) {
     const bool ours = !interfaces.empty() || (concerns && (row.overrides || !row.within));
     if (!ours || (row.known && !concerns)) continue;
     const WantedModule* const module = row.known ? module_of(wanted, row) : nullptr;
+    if (module != nullptr && row.for_any) continue;
     const bool served = module != nullptr && std::count(interfaces.begin(), interfaces.end(), module->interface) > 0;
     if (served) continue;
     const std::string why = module != nullptr

@@ -1,4 +1,5 @@
 // Door: compiler/stubs/merge.hpp. Test: tests/stubs/merge_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/stubs/merge.hpp"
 
 #include "compiler/stubs/layout.hpp"

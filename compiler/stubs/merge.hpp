@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a behaviour wants, put beside what its program has: where to insert what is missing, and what is left over.
 // Declared places only: behind another function of the module, at the end of its class, at the end of a source file.
 

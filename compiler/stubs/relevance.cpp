@@ -1,9 +1,12 @@
 // Door: compiler/stubs/relevance.hpp. Test: tests/stubs/relevance_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/stubs/relevance.hpp"
 
 #include "compiler/stubs/merge.hpp"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace director::compiler::stubs {
 
@@ -52,6 +55,31 @@ bool mentions(std::string_view text, const Words& words) {
   bool found = false;
   each_word(text, [&](std::string_view word) { return found = words.find(word) != words.end(); });
   return found;
+}
+
+bool derives(std::string_view text, const Words& names) {
+  std::vector<std::string_view> words;
+  each_word(text, [&](std::string_view word) { return words.push_back(word), false; });
+  /// What stands before a word, back to the one before it, without blanks.
+  const auto before = [&](std::size_t i) {
+    const char* const begin = i == 0 ? text.data() : words[i - 1].data() + words[i - 1].size();
+    std::string out;
+    for (const char* at = begin; at != words[i].data(); ++at)
+      if (*at != ' ' && *at != '\t' && *at != '\n' && *at != '\r') out += *at;
+    return out;
+  };
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (names.find(words[i]) == names.end()) continue;
+    std::size_t first = i; // `robot::legs::Legs`
+    while (first > 1 && before(first) == "::") --first;
+    const std::string mark = before(first);
+    const std::string_view word = words[first - 1];
+    const bool is_listed = mark == ":" || mark == ",";
+    const bool is_said =
+        mark.empty() && (word == "public" || word == "protected" || word == "private" || word == "virtual");
+    if (is_listed || is_said) return true;
+  }
+  return false;
 }
 
 bool is_cpp(const std::string& path) {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Which files of a program may have to do with a behaviour, by their words alone: those that name its header, its
 // namespace, a module or a group. Reading a file with Clang takes a thousand times longer.
 
@@ -20,6 +21,9 @@ Words telling_words(const Wanted& wanted);
 Words interface_words(const Wanted& wanted);
 
 bool mentions(std::string_view text, const Words& words);
+
+/// A class of this name, `Legs`, seems to be a base of another one there: the word stands where bases do.
+bool derives(std::string_view text, const Words& names);
 
 /// A file in C++, by its name.
 bool is_cpp(const std::string& path);

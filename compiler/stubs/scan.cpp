@@ -1,4 +1,5 @@
 // Door: compiler/stubs/scan.hpp. Test: tests/stubs/scan_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/stubs/scan.hpp"
 
 namespace director::compiler::stubs {
@@ -56,6 +57,7 @@ FoundFunction function_in(const Json& row) {
   out.overrides = row["overrides"].as_boolean();
   out.in_macro = row["macro"].as_boolean();
   out.is_inline = row["inline"].as_boolean();
+  out.for_any = row["for_any"].as_boolean();
   out.result = row["result"].as_text();
   out.qualifier = row["qualifier"].as_text();
   return out;

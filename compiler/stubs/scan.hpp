@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What director-clang is asked about a program, and what it answers: `declarations` and `format`. The other end is in
 // compiler/clang. Texts of the user do not travel: they may be in any encoding, and both ends count their bytes.
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Where in a text something can be put so that it stands on lines of its own. Looks at one line of it only; what its
 // words mean, Clang has said.
 

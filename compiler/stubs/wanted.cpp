@@ -1,9 +1,13 @@
 // Door: compiler/stubs/wanted.hpp. Test: tests/stubs/wanted_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/stubs/wanted.hpp"
 
 #include "compiler/emit/cpp/parts.hpp"
+#include "dsl/names.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace director::compiler::stubs {
 
@@ -51,11 +55,12 @@ std::string stem_of(const Model& model, const Module& module) {
   return taken ? module.name + "_module" : module.name;
 }
 
-/// A class outside of all namespaces must not be called like one.
+std::string outermost(const Model& model) { return model.name_space.substr(0, model.name_space.find(':')); }
+
+/// A class outside of all namespaces must not be called like one, or like what the standard headers have there.
 std::string class_of(const Model& model, ModuleId module) {
   const std::string name = module_type(model, module);
-  const std::string outermost = model.name_space.substr(0, model.name_space.find(':'));
-  return name == outermost ? name + "Module" : name;
+  return name == outermost(model) || dsl::is_cpp_global(name) ? name + "Module" : name;
 }
 
 } // namespace
@@ -82,6 +87,11 @@ Wanted wanted(const Deployment& deployment) {
     }
     out.modules.push_back(std::move(row));
   }
+  const auto modules = model.modules.ids();
+  const bool hidden = std::any_of(modules.begin(), modules.end(),
+                                  [&](ModuleId id) { return module_type(model, id) == outermost(model); });
+  for (WantedModule& module : out.modules)
+    for (WantedFunction& function : module.functions) function.from_outside = hidden;
   for (const Task& root : model.roots)
     out.roots.push_back({fmt::format("{}::{}", model.name_space, group_name(model, root.target)),
                          !model.groups[root.target].data.empty()});

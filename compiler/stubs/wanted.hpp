@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a behaviour wants its program to implement: for each module a class, for each provider and handler a function of
 // it. A value made of the Model alone, whatever the program has already.
 
@@ -15,6 +16,7 @@ struct WantedFunction {
   Kind kind = Kind::provide;
   std::string context;            ///< `soccer::Walk::Halting`: what it is given
   std::vector<std::string> words; ///< what the specification says of it, paragraphs for a comment
+  bool from_outside = false;      ///< written with `::` in front: an interface is called like the outermost name space
   bool operator==(const WantedFunction&) const = default;
 };
 

@@ -1,4 +1,5 @@
 // Door: runtime/core/engine.hpp. Test: tests/runtime/core/engine_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 5: acting on the difference between the last assignment and the new one. First stops, in the old order, so
 // that a group is cleaned up before others begin; then, in the new order, starts and reasons to run.
@@ -166,7 +167,7 @@ void Engine::begin(Index group, const Standing& now) {
   }
   const Time every = t_.providers[now.active].every; // the period begins when the provider becomes active
   disarm(Due::every, group);
-  if (every != 0) arm(Due::every, group, s_.counters->now + every);
+  if (every != 0) arm(Due::every, group, later(s_.counters->now, every));
 }
 
 /// To a group that is granted and stands elsewhere than before, or was touched.

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Arbitration: from requests, state values, enabled flags, pending reasons and the last assignment to a new assignment.
 // This is the pass from nothing, as semantics.md 4 words it, over one component of the tables: what is decided in one
 // never depends on another.

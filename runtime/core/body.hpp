@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The typed contexts of provider bodies and of start and stop handlers: thin layers over Run and Handling. `Facts` is a
 // generated struct that says what the specification allows this provider or handler; what it does not allow does not
 // compile. Members of Facts:
@@ -9,6 +10,7 @@
 //   Tasks, flat             of providers: Pack of the flat `tasks`; whether there are no named packs
 //   Packs, pack_names       of providers: the named packs, and what they are called
 
+#include "runtime/core/duration.hpp"
 #include "runtime/core/pack.hpp"
 
 namespace director {
@@ -42,39 +44,6 @@ struct NothingDeclared {
   using Packs = director::Packs<>;
   static constexpr std::array<const char*, 0> pack_names{};
 };
-
-/// A duration of <chrono>, without the header.
-template <class T>
-concept Duration = requires(const T& duration) {
-  duration.count();
-  T::period::num;
-  T::period::den;
-};
-
-/// Whole microseconds in a duration; what begins another one is left out.
-template <Duration T>
-constexpr Time microseconds_begun(const T& duration) {
-  using Count = decltype(duration.count());
-  if constexpr (1'000'000 % T::period::den == 0) {
-    return static_cast<Time>(duration.count() * static_cast<Count>(T::period::num * (1'000'000 / T::period::den)));
-  } else {
-    static_assert(T::period::den % 1'000'000 == 0 && T::period::num == 1, "a unit that microseconds cannot be made of");
-    return static_cast<Time>(duration.count() / static_cast<Count>(T::period::den / 1'000'000));
-  }
-}
-
-/// The same, what begins another one counting as a whole: no wait is shorter than it was asked for.
-template <Duration T>
-constexpr Time microseconds(const T& duration) {
-  const Time begun = microseconds_begun(duration);
-  if constexpr (T::period::den <= 1'000'000) {
-    return begun;
-  } else {
-    using Count = decltype(duration.count());
-    return static_cast<Count>(begun) * static_cast<Count>(T::period::den / 1'000'000) < duration.count() ? begun + 1
-                                                                                                         : begun;
-  }
-}
 
 /// The trigger that fires when a promise of this provider is broken:
 /// `run.triggered<director::Broken<soccer::Walk::Halting>>()`.
@@ -206,7 +175,8 @@ public:
     return this->core_.triggered(Facts::Triggers::template row<Trigger>);
   }
 
-  /// Run again after this time, `run.wait(50ms)`; at most one wait is pending, the last one asked for.
+  /// Run again after this time, `run.wait(50ms)`; at most one wait is pending, the last one asked for. The longest
+  /// duration never ends.
   template <Duration T>
   void wait(T duration) {
     const Time time = microseconds(duration);

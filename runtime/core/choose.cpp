@@ -1,4 +1,5 @@
 // Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Sections 4.2 and 4.3: what is available, and how a group can be granted to an edge. A plan is searched, not
 // enumerated: it is a stack of entries (group, provider, who needs it), extended depth first; the next plan changes the

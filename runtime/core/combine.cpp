@@ -1,4 +1,5 @@
 // Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 4.4, Grant: the first combination of choices of a unit's members in which all claims are compatible.
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A decision of a component, as it is written down: rows of Index.
 
 #include "runtime/core/state.hpp"

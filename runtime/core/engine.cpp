@@ -1,4 +1,5 @@
 // Door: runtime/core/engine.hpp, run.hpp. Test: tests/runtime/core/engine_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What the engine is asked from outside a micro-step, and what bodies and handlers ask of it.
 
@@ -90,6 +91,7 @@ View Engine::view() const {
   out.turn = s_.turn;
   out.enabled = s_.enabled;
   out.recall = &recall_;
+  out.lost = lost();
   return out;
 }
 
@@ -108,6 +110,13 @@ DataPlace Engine::data_of(Index group) const {
   if (edge == nil) return {DataPlace::Slot::group, group};
   if (starting_ == group && s_.request[edge].anew != 0) return {DataPlace::Slot::staging, edge};
   return {DataPlace::Slot::edge, edge};
+}
+
+void Engine::tell(const Event& event) const {
+  const bool inside = inside_;
+  inside_ = true;
+  observer_.tell(observer_.self, event);
+  inside_ = inside;
 }
 
 Event Engine::event(Event::Kind kind, Index group) const {

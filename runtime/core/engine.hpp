@@ -1,8 +1,10 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration.hpp) and
 // acts on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
 
 #include "runtime/core/arbitration.hpp"
+#include "runtime/core/duration.hpp"
 #include "runtime/core/inbox.hpp"
 #include "runtime/core/observer.hpp"
 #include "runtime/core/recall.hpp"
@@ -35,8 +37,11 @@ public:
 
   void set_budget(std::uint32_t micro_steps) { budget_ = micro_steps; }
 
+  /// The step that runs ends with this micro-step, with StepResult::fault. For who calls an observer that throws.
+  void end_with_fault();
+
   /// Micro-steps until quiescence: the inputs that are in the inbox now (at time `now`), then what is due, each due
-  /// time to quiescence before the next. An earlier `now` counts as the last one.
+  /// time to quiescence before the next. An earlier `now` counts as the last one, `never` as last_time.
   StepResult step(Time now) {
     Counters& c = *s_.counters;
     if (now >= c.quiet_until || !inbox_.empty()) return take_step(now);
@@ -94,7 +99,8 @@ public:
   std::uint64_t micro_steps() const { return s_.counters->micro_step; } ///< so far
   std::uint64_t passes() const { return passes_; }     ///< of arbitration over a component, from nothing, so far
   std::uint64_t recalled() const { return recalled_; } ///< decisions that needed no pass, so far
-  bool inside() const { return inside_; } ///< a body or handler is running; for the thread that calls step()
+  bool inside() const { return inside_; } ///< a body, handler or observer is running; for the thread that calls step()
+  std::uint32_t lost() const { return inbox_.lost(); } ///< inputs so far; from any thread
   const Tables& tables() const { return t_; }
   const State& memory() const { return s_; }
 
@@ -113,7 +119,6 @@ private:
   void take_first_step(Time now);
   bool micro_step();
   Taken take_next(Index& ran);
-  void end_with_fault();
   StepResult come_to_rest();
   bool work_left() const;
 
@@ -129,12 +134,15 @@ private:
   void fetch_what_follows(Index edge);
   Taken take_states(Input& record);
   Taken take_cancel(Index edge);
+  Taken take_cancel_of_all();
   Taken take_enabled(Index provider, std::uint8_t wanted);
   Taken take_handlers_input();
   bool fire(Index trigger);
   void set_by_handler(Index state, std::int32_t value);
   void look_at_conditions(Index state);
   void report_input(const Input& record) const;
+  void report_cancel(Index edge) const;
+  void report_lost();
   void report_set(Index state) const;
 
   Index run_next();
@@ -257,7 +265,7 @@ private:
   void report(Event::Kind kind, Index group = nil) const {
     if (observed()) tell(event(kind, group));
   }
-  void tell(const Event& event) const { observer_.tell(observer_.self, event); } ///< only if observed()
+  void tell(const Event& event) const; ///< only if observed()
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 
@@ -267,11 +275,12 @@ private:
   Recall recall_;
   std::uint64_t passes_ = 0, recalled_ = 0;
   std::uint32_t budget_ = default_budget;
-  std::uint32_t left_ = 0; ///< micro-steps that may still be taken
-  Index differing_ = 0;    ///< rows of State::differing in use
-  Index recent_ = nil;     ///< component that was asked for something last
-  Index starting_ = nil;   ///< the group whose start handler runs: its data may still be staged
-  bool inside_ = false;    ///< a body or handler is running
+  std::uint32_t left_ = 0;      ///< micro-steps that may still be taken
+  Index differing_ = 0;         ///< rows of State::differing in use
+  Index recent_ = nil;          ///< component that was asked for something last
+  Index starting_ = nil;        ///< the group whose start handler runs: its data may still be staged
+  std::uint32_t told_lost_ = 0; ///< inputs that were lost, as far as the observer knows
+  mutable bool inside_ = false; ///< a body, handler or observer is running
   bool faulted_ = false;
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Hints for the processor: what is about to be looked at. In a behaviour with thousands of groups it lies far away in
 // memory; what is asked for at once arrives side by side, and not one thing after the other. Nothing depends on it.
 

@@ -1,4 +1,5 @@
 // Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 4.4, Hand-over, when no candidate is left; and what follows from the claims when the pass ends.
 

@@ -1,4 +1,5 @@
 // Door: runtime/core/engine.hpp. Test: tests/runtime/core/recall_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What acting on a move between two decisions comes to, written down row by row, so that retrace.hpp need not look for
 // what differs.

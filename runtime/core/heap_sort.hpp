@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Sorting in place without memory, library or recursion. What comes nearly sorted, as most does here, costs little more
 // than one comparison a row: rows are put into those before them, and only where that moves many it is a heap's turn.
 

@@ -1,4 +1,5 @@
 // Door: runtime/core/inbox.hpp. Test: tests/runtime/core/inbox_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // A cell's turn says whose turn it is: equal to a writer's position, it is free for that writer; one more, it is full
 // for the reader of that position. The reader frees cells in order, so the last cell of a claim being free means that
@@ -14,6 +15,13 @@ Inbox::Inbox(std::span<Cell> cells, std::span<LastWords::Slot> words) : cells_(c
 }
 
 bool Inbox::post(std::span<const Input> records) {
+  const bool room = claim(records);
+  if (!room) words_.count_lost();
+  return room;
+}
+
+/// False: there is no room.
+bool Inbox::claim(std::span<const Input> records) {
   const auto count = static_cast<std::uint32_t>(records.size());
   const auto mask = static_cast<std::uint32_t>(cells_.size() - 1);
   if (count == 0 || count > cells_.size()) return count == 0;
@@ -40,7 +48,7 @@ bool Inbox::post_in_turn(std::span<const Input> records) {
   for (const Input& record : records) {
     if (words_.wait(record.thing)) return false;
   }
-  return post(records);
+  return claim(records);
 }
 
 bool Inbox::reserve(std::span<Input> records) {
@@ -56,8 +64,20 @@ void Inbox::publish(std::span<const Input> records) { words_.publish(records, ta
 
 bool Inbox::insist(std::span<Input> records) {
   if (post_in_turn(records)) return true;
-  if (!reserve(records)) return false;
-  publish(records);
+  if (reserve(records)) {
+    publish(records);
+    return true;
+  }
+  words_.count_lost();
+  return false;
+}
+
+bool Inbox::put(const Input& record, Index slot) {
+  if (!words_.has(slot)) return post({&record, 1});
+  if (!words_.wait(slot) && claim({&record, 1})) return true;
+  Input word = record;
+  word.handle = words_.reserve(slot);
+  if (word.handle != nil) words_.publish(slot, word, tail_.load(std::memory_order_relaxed));
   return true;
 }
 

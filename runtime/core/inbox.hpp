@@ -1,11 +1,12 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The way in: a bounded queue of inputs with many writers and one reader, without locks and without memory of its own.
 // An input may take several records (several states set at once, several root tasks): it goes in whole or not at all.
-// What requests or cancels root tasks is never refused: where the queue is full it goes by LastWords, and is taken
-// after all that was in the queue then.
-// Needs 32-bit compare-and-swap and nothing more; on a core without it the program supplies what the compiler calls for
-// it (GCC: __atomic_compare_exchange_4), as a critical section. Source: D. Vyukov's bounded queue, with several cells
-// claimed at once.
+// What requests or cancels root tasks, or sets one state, is never refused: where the queue is full it goes by
+// LastWords, and is taken after all that was in the queue then. What is refused, or replaced there before it was taken,
+// is counted. Needs 32-bit compare-and-swap and nothing more; on a core without it the program supplies what the
+// compiler calls for it (GCC: __atomic_compare_exchange_4), as a critical section. Source: D. Vyukov's bounded queue,
+// with several cells claimed at once.
 
 #include "runtime/core/input.hpp"
 #include "runtime/core/last_words.hpp"
@@ -23,18 +24,20 @@ public:
     Input input;
   };
 
-  /// `cells`: a power of two of them, at least 2. `words`: one for each root edge; without them a full inbox refuses
-  /// everything. Both are owned by the caller, who must keep them.
+  /// `cells`: a power of two of them, at least 2. `words`: one for each root edge, then one for each whom `put` names;
+  /// without them a full inbox refuses everything. Both are owned by the caller, who must keep them.
   explicit Inbox(std::span<Cell> cells, std::span<LastWords::Slot> words = {});
   Inbox(const Inbox&) = delete;
   Inbox& operator=(const Inbox&) = delete;
 
   // For writers: any thread.
 
-  /// The records of one input, `more` set on all but the last. False: full, and nothing went in.
+  /// The records of one input, `more` set on all but the last. False: full, nothing went in, and the input is lost.
   bool post(std::span<const Input> records);
   /// Requests or cancels of root tasks without data: these are not refused.
   bool insist(std::span<Input> records);
+  /// An input of one record that has a slot of LastWords: it is not refused either.
+  bool put(const Input& record, Index slot);
 
   // The two halves of insist, for requests with data.
   /// False: a request or cancel of one of these root tasks waits outside the queue, and this one must wait behind it.
@@ -44,12 +47,16 @@ public:
   bool reserve(std::span<Input> records);
   void publish(std::span<const Input> records);
 
+  // For any thread.
+
+  std::uint32_t lost() const { return words_.lost(); } ///< inputs that were refused or replaced so far
+
   // For the reader's thread.
 
   /// An input of one record that is taken before all that is posted from now on. False: something waits already, and it
   /// would overtake that.
   bool put_first(const Input& record) {
-    if (first_waits_ || !empty()) return false;
+    if (first_waits_ || !empty() || words_.any_in_hand()) return false;
     first_.kind = record.kind; // one by one: a copy of it all would wait until it was written
     first_.thing = record.thing;
     first_.level = record.level;
@@ -78,11 +85,12 @@ public:
 
   /// Records claimed by writers and not taken yet, as seen by the reader.
   std::uint32_t waiting() const { return tail_.load(std::memory_order_acquire) - head_; }
-  /// But for what was put first. A last word in hand needs no look: it stays there only behind a record that is claimed
-  /// and was not taken.
+  /// But for what was put first, and for last words in hand: these stay there behind a record that is claimed and was
+  /// not taken, or where a step ended before they were taken, and then the next one looks for them anyway.
   bool empty() const { return waiting() == 0 && words_.none_spoken(); }
 
 private:
+  bool claim(std::span<const Input> records);
   bool take_cell(Input& out);
 
   std::span<Cell> cells_;

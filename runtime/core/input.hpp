@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // One record of what the outside says to a behaviour; an input takes one or more of them.
 
 #include "runtime/core/tables.hpp"
@@ -12,7 +13,7 @@ struct Input {
   enum class Kind : std::uint8_t { request, cancel, set, fire, enable, disable };
   Kind kind = Kind::set;
   bool more = false;  ///< the next record belongs to the same input (request and set)
-  Index thing = 0;    ///< root edge, state, trigger or provider
+  Index thing = 0;    ///< root edge, state, trigger or provider; nil: cancel of all root edges
   Index level = 0;    ///< request: of Tables::levels
   Index handle = nil; ///< request: where its data wait: up to waiting_requests in the inbox, from there on in a place
                       ///< of LastWords; nil: it has none

@@ -1,4 +1,5 @@
 // Door: runtime/core/engine.hpp. Test: tests/runtime/core/engine_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 3, Inputs: what the outside asks for, sets and fires, and what handlers set.
 
@@ -30,7 +31,7 @@ Engine::Taken Engine::take_rarer(Input& record) {
   switch (record.kind) {
   case Input::Kind::request: return take_request(record);
   case Input::Kind::set: return take_states(record);
-  case Input::Kind::cancel: return take_cancel(record.thing);
+  case Input::Kind::cancel: return record.thing == nil ? take_cancel_of_all() : take_cancel(record.thing);
   case Input::Kind::fire: return fire(record.thing) ? Taken::change : Taken::no_change;
   case Input::Kind::enable: return take_enabled(record.thing, 1);
   case Input::Kind::disable: return take_enabled(record.thing, 0);
@@ -94,6 +95,14 @@ DIRECTOR_INLINE void Engine::fetch_what_follows(Index edge) {
   if (s_.request[edge].level == nil) return Taken::no_change;
   withdraw(edge);
   return Taken::change;
+}
+
+[[gnu::noinline]] Engine::Taken Engine::take_cancel_of_all() {
+  Taken taken = Taken::no_change;
+  for (Index edge = 0; edge < t_.root_edges; ++edge) {
+    if (take_cancel(edge) == Taken::change) taken = Taken::change;
+  }
+  return taken;
 }
 
 [[gnu::noinline]] Engine::Taken Engine::take_enabled(Index provider, std::uint8_t wanted) {
@@ -194,15 +203,39 @@ void Engine::report_set(Index state) const {
   tell(set);
 }
 
+/// Since the step before.
+void Engine::report_lost() {
+  if (!observed()) return;
+  Event lost = event(Event::Kind::lost);
+  const std::uint32_t so_far = inbox_.lost();
+  lost.count = so_far - told_lost_;
+  told_lost_ = so_far;
+  tell(lost);
+}
+
+void Engine::report_cancel(Index edge) const {
+  if (!observed()) return;
+  Event cancel = event(Event::Kind::input, t_.edges[edge].target);
+  cancel.input = Event::Input::cancel;
+  cancel.edge = edge;
+  tell(cancel);
+}
+
 void Engine::report_input(const Input& record) const {
   if (!observed()) return;
+  if (record.kind == Input::Kind::cancel && record.thing == nil) {
+    for (Index edge = 0; edge < t_.root_edges; ++edge) {
+      if (s_.request[edge].level != nil) report_cancel(edge);
+    }
+    return;
+  }
   Event input = event(Event::Kind::input);
   constexpr Event::Input kinds[] = {Event::Input::request, Event::Input::cancel, Event::Input::set,
                                     Event::Input::fire,    Event::Input::enable, Event::Input::disable};
   input.input = kinds[static_cast<std::size_t>(record.kind)];
   switch (record.kind) {
+  case Input::Kind::cancel: return report_cancel(record.thing);
   case Input::Kind::request:
-  case Input::Kind::cancel:
     input.edge = record.thing;
     input.group = t_.edges[record.thing].target;
     break;

@@ -1,4 +1,5 @@
 // Door: runtime/core/last_words.hpp. Test: tests/runtime/core/last_words_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // A place is free, then being filled by one writer, then published (at most one in a slot, the last word), then in the
 // reader's hands, then free again. Each step is a compare-and-swap of the slot's one word of states. To publish frees
@@ -49,17 +50,18 @@ std::uint32_t change(std::atomic<std::uint32_t>& states, Next next) {
 
 } // namespace
 
-bool LastWords::wait(Index edge) const {
-  return edge < slots_.size() && any_published(slots_[edge].states.load(std::memory_order_acquire));
+bool LastWords::wait(Index slot) const {
+  return has(slot) && any_published(slots_[slot].states.load(std::memory_order_acquire));
 }
 
-Index LastWords::reserve(Index edge) {
+Index LastWords::reserve(Index slot) {
   Index place = nil;
-  change(slots_[edge].states, [&](std::uint32_t now) {
+  const std::uint32_t before = change(slots_[slot].states, [&](std::uint32_t now) {
     place = find(now, PlaceState::free);
     if (place == nil) place = find(now, PlaceState::published); // it is about to be replaced anyway
     return place == nil ? now : with(now, place, PlaceState::filling);
   });
+  if (place == nil || state_of(before, place) == PlaceState::published) count_lost();
   return place == nil ? nil : static_cast<Index>(waiting_requests + place);
 }
 
@@ -69,18 +71,36 @@ void LastWords::publish(std::span<const Input> records, std::uint32_t position) 
     if (record.handle != nil && leader == nil) leader = record.thing;
   }
   if (leader == nil) return;
-  const std::uint32_t ticket = change(tickets_, [](std::uint32_t now) { return now + 1; });
+  const std::uint32_t ticket = next_ticket();
   for (std::size_t i = records.size(); i-- > 0;) {
-    if (records[i].handle == nil) continue;
-    Slot& slot = slots_[records[i].thing];
-    const auto place = static_cast<Index>(records[i].handle - waiting_requests);
-    slot.notes[place] = {records[i], position, ticket, leader};
-    change(slot.states, [&](std::uint32_t now) {
-      const Index before = find(now, PlaceState::published);
-      if (before != nil) now = with(now, before, PlaceState::free);
-      return with(now, place, PlaceState::published);
-    });
+    if (records[i].handle != nil) put(records[i].thing, {records[i], position, ticket, leader});
   }
+  spoken_.store(1, std::memory_order_release);
+}
+
+void LastWords::publish(Index slot, const Input& record, std::uint32_t position) {
+  put(slot, {record, position, next_ticket(), slot});
+  spoken_.store(1, std::memory_order_release);
+}
+
+std::uint32_t LastWords::next_ticket() {
+  return change(tickets_, [](std::uint32_t now) { return now + 1; });
+}
+
+/// Into the place that was reserved, which is the last word from then on.
+void LastWords::put(Index slot, const Note& note) {
+  const auto place = static_cast<Index>(note.input.handle - waiting_requests);
+  slots_[slot].notes[place] = note;
+  const std::uint32_t before = change(slots_[slot].states, [&](std::uint32_t now) {
+    const Index last = find(now, PlaceState::published);
+    if (last != nil) now = with(now, last, PlaceState::free);
+    return with(now, place, PlaceState::published);
+  });
+  if (any_published(before)) count_lost();
+}
+
+void LastWords::count_lost() {
+  change(lost_, [](std::uint32_t now) { return now + 1; });
   spoken_.store(1, std::memory_order_release);
 }
 
@@ -112,7 +132,11 @@ void LastWords::sweep(bool& found) {
       return with(now, place, PlaceState::held);
     });
     if (place == nil) continue;
-    if (slot.held == nil) ++in_hand_;
+    if (slot.held == nil) {
+      ++in_hand_;
+    } else {
+      count_lost();
+    }
     slot.held = place;
     found = true;
   }
@@ -128,10 +152,10 @@ bool LastWords::leader_comes(const Note& note) const {
 
 /// A later word may have come meanwhile; then this one is forgotten.
 void LastWords::put_back(Slot& slot) {
-  change(slot.states, [&](std::uint32_t now) {
-    const bool later = find(now, PlaceState::published) != nil;
-    return with(now, slot.held, later ? PlaceState::free : PlaceState::published);
+  const std::uint32_t before = change(slot.states, [&](std::uint32_t now) {
+    return with(now, slot.held, any_published(now) ? PlaceState::free : PlaceState::published);
   });
+  if (any_published(before)) count_lost();
   slot.held = nil;
   --in_hand_;
   spoken_.store(1, std::memory_order_relaxed);

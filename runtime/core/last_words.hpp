@@ -1,7 +1,10 @@
 #pragma once
-// Where requests and cancels of root tasks go that find no room in the inbox, so that these are never refused: one slot
-// for each root task, in which the last one counts. Many writers, one reader, without locks. A writer prepares its
-// note in a place of the slot that only it has, and makes it the slot's last word by one compare-and-swap.
+// SPDX-License-Identifier: MIT
+// Where requests and cancels of root tasks, and values of external states, go that find no room in the inbox, so that
+// these are never refused: one slot for each root task, and one for each such state, in which the last one counts. Many
+// writers, one reader, without locks. A writer prepares its note in a place of the slot that only it has, and makes it
+// the slot's last word by one compare-and-swap. What a slot held before, and the reader did not take, is counted as
+// lost.
 
 #include "runtime/core/input.hpp"
 
@@ -21,7 +24,7 @@ public:
     Input input;
     std::uint32_t position = 0; ///< in the inbox: what was there before is taken before
     std::uint32_t ticket = 0;   ///< later inputs have higher ones; records of one input have the same
-    Index leader = 0;           ///< the root edge of that input which is published last
+    Index leader = 0;           ///< the slot of that record of the input which is published last
   };
   struct Slot {
     std::atomic<std::uint32_t> states{0}; ///< two bits a place
@@ -29,7 +32,7 @@ public:
     Index held = nil; ///< the reader's: the place that it has in hand
   };
 
-  /// One slot for each root edge; owned by the caller, who must keep them.
+  /// The first ones are those of the root edges; owned by the caller, who must keep them.
   explicit LastWords(std::span<Slot> slots) : slots_(slots) {}
   LastWords(const LastWords&) = delete;
   LastWords& operator=(const LastWords&) = delete;
@@ -37,13 +40,23 @@ public:
   // For writers: any thread.
 
   bool exist() const { return !slots_.empty(); }
-  /// The last word about this root task was not seen by the reader yet.
-  bool wait(Index edge) const;
-  /// A handle for a word about this root task and its data, which only the caller has until it publishes. Nil: so many
-  /// others are at it right now that no place is left; theirs count as the later words, and there is nothing to do.
-  Index reserve(Index edge);
-  /// The records of one input; each with the handle that was reserved for it, or nil.
+  bool has(Index slot) const { return slot < slots_.size(); }
+  /// The last word in this slot was not seen by the reader yet.
+  bool wait(Index slot) const;
+  /// A handle for a word in this slot and its data, which only the caller has until it publishes. Nil: so many others
+  /// are at it right now that no place is left; theirs count as the later words, and there is nothing to do.
+  Index reserve(Index slot);
+  /// The records of one input about root tasks, whose edges are their slots; each with the handle that was reserved for
+  /// it, or nil.
   void publish(std::span<const Input> records, std::uint32_t position);
+  /// An input of one record, with its handle.
+  void publish(Index slot, const Input& record, std::uint32_t position);
+  /// An input more was lost; from here on the reader has something to see.
+  void count_lost();
+
+  // For anybody.
+
+  std::uint32_t lost() const { return lost_.load(std::memory_order_acquire); }
 
   // For the reader.
 
@@ -59,6 +72,8 @@ public:
   bool none_spoken() const { return spoken_.load(std::memory_order_relaxed) == 0; }
 
 private:
+  std::uint32_t next_ticket();
+  void put(Index slot, const Note& note);
   void sweep(bool& found);
   bool leader_comes(const Note& note) const;
   void let_go(Slot& slot);
@@ -68,7 +83,8 @@ private:
 
   std::span<Slot> slots_;
   std::atomic<std::uint32_t> tickets_{0};
-  std::atomic<std::uint32_t> spoken_{0}; ///< not 0: a word may wait that the reader has not seen
+  std::atomic<std::uint32_t> spoken_{0}; ///< not 0: a word, or a loss, may wait that the reader has not seen
+  std::atomic<std::uint32_t> lost_{0};   ///< inputs so far
   Index in_hand_ = 0;                    ///< slots with a place held that was not taken
   std::uint32_t taken_ = 0;              ///< ticket of the input that was taken last
   Slot* given_ = nullptr;                ///< the slot whose place was given out, until the next one is asked for

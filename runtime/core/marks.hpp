@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Marks that one pass makes on edges, groups and conditions, and the one test that everybody needs.
 
 #include "runtime/core/state.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a micro-step notes on its way: components to be decided again, groups with a new reason, the run queue, timers
 // that are off. Small, and called from everywhere in it: so it is inline, and only the engine's own files include it.
 
@@ -228,7 +229,7 @@ DIRECTOR_INLINE void Engine::withdraw(Index edge) {
 /// True if the value changes. What expires counts anew, also where it does not.
 inline bool Engine::set_value(Index state, std::int32_t value) {
   const Time expires = t_.states[state].expires;
-  if (expires != 0) arm(Due::expiry, state, s_.counters->now + expires);
+  if (expires != 0) arm(Due::expiry, state, later(s_.counters->now, expires));
   return assign(state, value);
 }
 

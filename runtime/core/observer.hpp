@@ -1,7 +1,9 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the engine tells about each of its decisions. An observer is a function and a pointer; it is called in the
-// middle of a micro-step and must not call the engine. A program without one may define DIRECTOR_NO_OBSERVER, in every
-// file: then the engine is compiled without what it would tell.
+// middle of a micro-step, and may call the behaviour as little as a body may. What it throws is kept by generated code
+// until the micro-step is over, like what a body throws; it never passes through the engine. A program without an
+// observer may define DIRECTOR_NO_OBSERVER, in every file: then the engine is compiled without what it would tell.
 
 #include "runtime/core/tables.hpp"
 #include "runtime/core/words.hpp"
@@ -35,7 +37,8 @@ struct Event {
     ask,       ///< the run asked for `edge`, which leads to `group`, at `level`: a new task
     keep,      ///< likewise, and a request of that level stays as it is
     withdraw,  ///< the run did not ask for `edge` any more, which leads to `group`
-    wait,      ///< the run asked for another one of `group` at the time `due`
+    wait,      ///< the run asked for another one of `group` at the time `due`; `never`: it asked for none
+    lost,      ///< `count` inputs were lost since the step before: refused, as the inbox was full, or replaced
   };
   enum class Input : std::uint8_t { none, request, cancel, set, fire, enable, disable, expire, wait, within, every };
 
@@ -52,11 +55,13 @@ struct Event {
   Index trigger = nil;
   Index level = nil; ///< of Tables::levels
   std::int32_t value = unset;
+  std::uint32_t count = 0;
   Time time = 0; ///< the engine's time
   Time due = never;
   std::uint64_t micro_step = 0; ///< counts from 1
 };
 
+/// Given to an Engine as it is, it must not throw; given to a generated Behaviour it may.
 struct Observer {
   void (*tell)(void* self, const Event& event) = nullptr; ///< null: nobody listens, and nothing is prepared for it
   void* self = nullptr;

@@ -1,4 +1,5 @@
 // Door: runtime/core/order.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 4.1: the order between two edges. Along both chains from the bottom up at equal height, the pair of different
 // edges nearest to root is where they part: all below it belongs to one side only. One walk finds that pair and whether

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Section 4.1: the order between two edges, each with the chain of its holders up to root. It is keyed by chains that
 // move while the static ranks do not: the priority table of each requester (Level::urgency, Level::optional).
 

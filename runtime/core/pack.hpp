@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Which tasks a body, or the program, may ask for, as types: generated code lists them, and what does not fit the list
 // does not compile. Nothing here is kept at run time but the numbers of edges and levels.
 

@@ -1,4 +1,5 @@
 // Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 4.4: the pass, and whose orders are outdated in it.
 #include "runtime/core/arbitration.hpp"

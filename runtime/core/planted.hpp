@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Faults that can be planted in the engine, to see that the random tests of tests/property find every one of them. In a
 // product planted() is false while compiling, and nothing of it is left. tests/planted builds the engine with
 // DIRECTOR_PLANTED_FAULTS and chooses one at a time.

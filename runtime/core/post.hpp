@@ -1,10 +1,12 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The way into a behaviour from outside, typed: what programs, other threads and bodies may ask of it. `Facts`: see
 // program.hpp.
 
 #include "runtime/core/body.hpp"
 #include "runtime/core/engine.hpp"
 #include "runtime/core/inbox.hpp"
+#include "runtime/core/word_slots.hpp"
 
 #include <array>
 #include <utility>
@@ -13,8 +15,9 @@ namespace director {
 
 /// The way in. Any thread and any interrupt may use one, at any time, from anywhere. Each call is one input, taken by
 /// the next step(). False: nothing was posted, since the inbox is full or a value is outside its state's domain. Root
-/// tasks are requested and cancelled even so: for those that find no room each has a slot of its own, where the last
-/// call counts, and which is taken after what the inbox held then.
+/// tasks are requested and cancelled, and single states set, even so: for what finds no room each has a slot of its
+/// own, where the last call counts, and which is taken after what the inbox held then. What the inbox refuses, and what
+/// a slot held when a later call took it over, is counted (Seen::lost), and the observer is told at the next step.
 template <class Facts>
 class Post {
   using States = typename Facts::States;
@@ -65,6 +68,12 @@ public:
     return goes_first(input) || inbox_->insist(input);
   }
 
+  /// All root tasks are cancelled together: nothing starts between one and the next. Never refused.
+  bool cancel_all() const {
+    const std::array input{Input{.kind = Input::Kind::cancel, .thing = nil}};
+    return goes_first(input) || inbox_->put(input[0], WordSlots<Facts>::of_all);
+  }
+
   /// A state of this type is set from outside.
   template <class Value>
   static consteval bool external() {
@@ -72,20 +81,27 @@ public:
     return false;
   }
 
-  /// Values of external states, all at once. `set(soccer::Stability::fallen, soccer::Charge{80})`
+  /// Values of external states, all at once. `set(soccer::Stability::fallen, soccer::Charge{80})` Of one state it is
+  /// never refused, but for a value outside of its domain. Several are never split: they are refused if the inbox has
+  /// no room for all.
   template <class Value, class... More>
-  bool set(Value value, More... more) const {
+  [[nodiscard]] bool set(Value value, More... more) const {
     static_assert((external<Value>() && ... && external<More>()),
                   "only states that are `external` can be set from outside");
     std::array records{record(States::setting(value)), record(States::setting(more))...};
     bool inside = true;
     for (const Input& input : records) inside = inside && States::domains[input.thing].has(input.value);
     link(records);
-    return inside && send(records);
+    if constexpr (sizeof...(More) > 0) {
+      return inside && send(records);
+    } else {
+      constexpr Index slot = WordSlots<Facts>::of_state(States::template row<Value>);
+      return inside && (goes_first(records) || inbox_->put(records[0], slot));
+    }
   }
 
   template <class Trigger>
-  bool fire() const {
+  [[nodiscard]] bool fire() const {
     static_assert(Facts::Triggers::template has<Trigger>, "this is not a trigger of the behaviour");
     const std::array input{Input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>}};
     return send(input);
@@ -93,7 +109,7 @@ public:
 
   /// A provider that is not enabled does not run. `enable<soccer::Walk::Halting>(false)`
   template <class Provider>
-  bool enable(bool enabled) const {
+  [[nodiscard]] bool enable(bool enabled) const {
     static_assert(Facts::Providers::template has<Provider>, "this is not a provider of the behaviour");
     const std::array input{Input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
                                  .thing = Facts::Providers::template row<Provider>}};
@@ -104,7 +120,7 @@ public:
 
   /// Root tasks that carry no data. False: there is no such edge, the task carries data, or the level is not the
   /// edge's.
-  bool request_row(Index edge, Index level) const {
+  [[nodiscard]] bool request_row(Index edge, Index level) const {
     if (!Roots::bare_at(edge) || !has_level(edge, level)) return false;
     Input input{.kind = Input::Kind::request, .thing = edge, .level = level};
     return inbox_->insist({&input, 1});
@@ -115,10 +131,10 @@ public:
     return inbox_->insist({&input, 1});
   }
   /// False also for a state that is not external.
-  bool set_row(Index state, std::int32_t value) const {
+  [[nodiscard]] bool set_row(Index state, std::int32_t value) const {
     if (state >= States::domains.size() || !States::domains[state].external) return false;
     const Input input{.kind = Input::Kind::set, .thing = state, .value = value};
-    return States::domains[state].has(value) && inbox_->post({&input, 1});
+    return States::domains[state].has(value) && inbox_->put(input, WordSlots<Facts>::of_state(state));
   }
 
 private:

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a program sees of a behaviour from outside: the base of every generated Behaviour, which holds all its memory,
 // and the words by which the outside acts on it. `Facts` is the generated struct that says what the specification
 // declares:
@@ -11,7 +12,8 @@
 //   Triggers          Table of the declared triggers
 //   Providers         Table of the contexts of all providers
 //   Groups            Table of the task types of all groups
-//   called_from_inside()  fails an assertion, where assertions count: a body or handler called what only `post` may do
+//   called_from_inside()  fails an assertion, where assertions count: a body, handler or observer called what only
+//                     `post` may do
 
 #include "runtime/core/engine.hpp"
 #include "runtime/core/post.hpp"
@@ -33,8 +35,8 @@ public:
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  // The words of Post, for the thread that calls step(). From inside a body or handler an assertion fails; without
-  // assertions they are refused (false).
+  // The words of Post, for the thread that calls step(). From inside a body, handler or observer an assertion fails;
+  // without assertions they are refused (false).
   template <class Task, class... More>
   bool request(Task task, More... more) {
     return outside() && words().request(std::move(task), std::move(more)...);
@@ -47,8 +49,9 @@ public:
   bool cancel() {
     return outside() && words().template cancel<Task>();
   }
+  bool cancel_all() { return outside() && words().cancel_all(); }
   template <class Value, class... More>
-  bool set(Value value, More... more) {
+  [[nodiscard]] bool set(Value value, More... more) {
     if constexpr (sizeof...(More) == 0 && Post::template external<Value>()) {
       const Setting setting = Facts::States::setting(value);
       if (Facts::States::domains[setting.state].has(setting.value) &&
@@ -58,11 +61,11 @@ public:
     return outside() && words().set(value, more...);
   }
   template <class Trigger>
-  bool fire() {
+  [[nodiscard]] bool fire() {
     return outside() && words().template fire<Trigger>();
   }
   template <class Provider>
-  bool enable(bool enabled) {
+  [[nodiscard]] bool enable(bool enabled) {
     return outside() && words().template enable<Provider>(enabled);
   }
 
@@ -83,6 +86,7 @@ public:
   Because why() const {
     return seen().template why<Task>();
   }
+  std::uint32_t lost() const { return engine_.lost(); }
   Seen<Facts> seen() const { return Seen<Facts>(engine_.view()); }
 
   /// Lets other threads see what holds now. Between steps; false: somebody is still looking at the moment before the
@@ -105,6 +109,8 @@ protected:
   StepResult step_to(Time now) { return checked(engine_.step(now)); }
   StepResult step_on() { return checked(engine_.step()); }
   typename Facts::Data& data() { return data_; }
+  /// What an observer threw was kept: the step ends.
+  void observer_threw() { engine_.end_with_fault(); }
 
 private:
   Post words() { return {inbox_, data_, &engine_}; }
@@ -125,7 +131,7 @@ private:
 
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
-  std::array<LastWords::Slot, Facts::Roots::size> words_;
+  std::array<LastWords::Slot, WordSlots<Facts>::count> words_;
   alignas(State::alignment) std::array<std::byte, State::bytes(Facts::shape)> memory_;
   alignas(State::alignment) std::array<std::byte, recall_bytes> recall_;
   Inbox inbox_;

@@ -1,4 +1,5 @@
 // Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 4.4, Refuse: the pushes of a unit that waits for conditions. For each condition the shortest chain of causing
 // providers is searched: the length of a chain is 1 for its last provider plus the lengths for all that this one lacks,

@@ -1,4 +1,5 @@
 // Door: runtime/core/recall.hpp. Test: tests/runtime/core/recall_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/core/recall.hpp"
 
 namespace director {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What was decided before. A pass is a function of how the groups of a component stand and of what was asked for, came
 // true or waits to run since: the situation. A robot is in few situations, again and again. So a component that is not
 // large keeps its last decisions, numbered, and the moves between them: after decision 3, in this situation,

@@ -1,4 +1,5 @@
 // Door: runtime/core/engine.hpp. Test: tests/runtime/core/recall_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What a component decides: recalled from what it decided before, or found by a pass. Of the situation everything
 // counts that a pass reads and that is not a part of how things stand: levels, what is asked for anew, reasons that

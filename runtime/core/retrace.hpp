@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A known move (recalled.cpp) is made in the loop of micro-steps, without a call: what is written down of it
 // (foresee.cpp) is written where the groups stand. Only the engine's own files include it.
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a provider body, and a start or stop handler, gets from the engine: typed contexts of generated code are thin
 // layers over these. Everything that a body asks for is staged and takes effect together when it returns.
 

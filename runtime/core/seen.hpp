@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a program sees of a behaviour, typed: between steps, and from other threads. `Facts`: see program.hpp.
 
 #include "runtime/core/snapshot.hpp"
@@ -33,6 +34,10 @@ public:
   Because why() const {
     return director::why(view_, row<Task>);
   }
+
+  /// How many inputs were lost so far: refused, as the inbox was full, or replaced by a later one before the engine
+  /// took them. Counts on from 0 behind 2^32 - 1.
+  std::uint32_t lost() const { return view_.lost; }
 
   /// By number.
   const View& view() const { return view_; }

@@ -1,4 +1,5 @@
 // Door: runtime/core/engine.hpp. Test: tests/runtime/core/engine_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // After every micro-step: arbitrate, and act. Arbitration is a pass from nothing, but only over the components whose
 // result can be another one than the last: those with a changed input, those whose last pass may decide differently on

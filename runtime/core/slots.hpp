@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Where the data of tasks lie: in slots inside the Behaviour, without heap. Each way of requesting a task has a slot
 // and a staging slot, its group one more for the data of a request that has been replaced while the group lives on it.
 // Root requests wait in slots of their own until the engine takes them.

@@ -1,4 +1,5 @@
 // Door: runtime/core/snapshot.hpp. Test: tests/runtime/core/snapshot_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Readers only ever enter the room that was finished last, so the other one becomes empty by itself.
 

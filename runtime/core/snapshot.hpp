@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Two rooms between one writer and any number of readers, in any threads: the writer fills one while readers may be in
 // the other. Nobody waits for anybody. Needs what the inbox needs.
 

@@ -1,4 +1,5 @@
 // Door: runtime/core/state.hpp. Test: tests/runtime/core/state_test.cpp.
+// SPDX-License-Identifier: MIT
 
 #include "runtime/core/state.hpp"
 

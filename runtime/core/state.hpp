@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // All memory of the engine that changes: one block of bytes, owned by the caller, whose size follows from the tables.
 // It begins with the decision state: everything that the next decision depends on, trivially copyable, so that two
 // blocks with equal decision bytes behave alike. Behind it lies what one pass needs and forgets.

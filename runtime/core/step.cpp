@@ -1,4 +1,5 @@
 // Door: runtime/core/engine.hpp. Test: tests/runtime/core/engine_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 3: micro-steps. One loop takes them in the order of choice: what handlers set, the oldest input, what is due
 // at the time being served, the oldest run, one more arbitration; then the next due time. What most micro-steps are
@@ -14,7 +15,7 @@ void Engine::take_first_step(Time now) {
   s_.counters->begun = true;
   s_.counters->until = now;
   for (Index i = 0; i < t_.states.size(); ++i) {
-    if (t_.states[i].expires != 0 && s_.values[i].value != unset) arm(Due::expiry, i, now + t_.states[i].expires);
+    if (t_.states[i].expires != 0 && s_.values[i].value != unset) arm(Due::expiry, i, later(now, t_.states[i].expires));
   }
 }
 
@@ -65,7 +66,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
     }
   }
   if (wait <= 0) return;
-  const Time due = s_.counters->now + wait;
+  const Time due = later(s_.counters->now, wait);
   if (observed()) report_wait(group, due);
   turn.places |= place::waits;
   arm(Due::wait, group, due);
@@ -89,7 +90,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
   if (pushed && !t_.promises.empty() && s_.promised[group].provider == nil) { // section 7: its first run on that push
     s_.promised[group] = {s_.last[group].push.edge, provider};
     const Range own = t_.providers[provider].promises;
-    for (Index i = own.begin; i != own.end; ++i) arm(Due::promise, i, c.now + t_.promises[i].within);
+    for (Index i = own.begin; i != own.end; ++i) arm(Due::promise, i, later(c.now, t_.promises[i].within));
   }
   Run run(*this, s_, s_.turn[group].edges.begin, group, provider, Reasons{reasons});
   if (observed()) {
@@ -154,28 +155,33 @@ DIRECTOR_INLINE bool Engine::micro_step() {
 
 [[gnu::aligned(64)]] StepResult Engine::take_step(Time now) {
   if (inside_) return StepResult::refused;
+  if (now > last_time) now = last_time;
   Counters& c = *s_.counters;
   if (!c.begun) take_first_step(now);
   c.quiet_until = first_time;
   // Called again for the same time because the budget ran out: what was begun goes on at its own time.
-  const bool later = now > c.until;
-  if (later) c.until = now;
-  if (c.now != c.until && !c.serving && (later || !(c.handlers_set || c.queue_first != nil || c.unsettled)))
+  const bool further = now > c.until;
+  if (further) c.until = now;
+  if (c.now != c.until && !c.serving && (further || !(c.handlers_set || c.queue_first != nil || c.unsettled)))
     c.now = c.until;
   inbox_.open();
+  if (observed() && inbox_.lost() != told_lost_) {
+    report_lost();
+    if (faulted_) { // the observer threw
+      faulted_ = false;
+      return StepResult::fault;
+    }
+  }
   for (left_ = budget_; left_ != 0; --left_) {
     if (!micro_step()) return come_to_rest();
   }
-  if (faulted_) {
-    faulted_ = false;
-    return StepResult::fault;
-  }
-  if (!work_left()) return come_to_rest(); // the budget may end together with what is due
-  report(Event::Kind::exhausted);
-  return StepResult::budget_exhausted;
+  if (!faulted_ && !work_left()) return come_to_rest(); // the budget may end together with what is due
+  if (!faulted_) report(Event::Kind::exhausted);
+  if (!faulted_) return StepResult::budget_exhausted;
+  faulted_ = false;
+  return StepResult::fault;
 }
 
-/// With this micro-step the step is over.
 void Engine::end_with_fault() {
   faulted_ = true;
   left_ = 1;

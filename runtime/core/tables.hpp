@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The tables that a specification is compiled to. They never change while a behaviour runs and may lie in read-only
 // memory; all of what changes is in State (state.hpp). Written by compiler/lower, printed by compiler/emit, read by the
 // engine. Terms: semantics.md, section 1.
@@ -22,8 +23,9 @@ inline constexpr std::int32_t unset = -2147483647 - 1;
 
 /// Microseconds since any start that the caller chose.
 using Time = std::int64_t;
-inline constexpr Time never = 9223372036854775807;
-inline constexpr Time first_time = -never;
+inline constexpr Time never = 9223372036854775807; ///< no step goes so far
+inline constexpr Time last_time = never - 1;       ///< what a step to a later time stands for
+inline constexpr Time first_time = -never - 1;
 
 /// Rows [begin, end) of another table, mostly of Tables::lists.
 struct Range {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a request is in C++: a task type that generated code derives from Task, with its data and its level. Generated
 // types may be called what the specification calls them, so everything here is found through Task itself, never by name
 // in the derived type.

@@ -1,4 +1,5 @@
 // Door: runtime/core/engine.hpp. Test: tests/runtime/core/engine_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 3, Time. Timers are numbered kind by kind, in the order in which those that are due together are served, and
 // by declaration. Above them stands a tree: node n knows which one below it is due first, 2n and 2n+1 being the nodes
@@ -61,9 +62,11 @@ bool Engine::serve_timer(Due kind, Index row, Time when) {
   case Due::wait: add_reason(row, Reason::wait); break;
   case Due::every: {
     const Time period = t_.providers[s_.last[row].active].every;
-    Time next = when + period; // one that is late runs once
-    if (next <= c.until) next += ((c.until - next) / period + 1) * period;
-    arm(Due::every, row, next);
+    // One that is late runs once, and is due again at the first multiple after it. Two times may be further apart than
+    // a Time can say.
+    const auto late = static_cast<std::uint64_t>(c.until) - static_cast<std::uint64_t>(when);
+    const auto each = static_cast<std::uint64_t>(period);
+    arm(Due::every, row, later(late < each ? when : c.until - static_cast<Time>(late % each), period));
     add_reason(row, Reason::trigger);
     break;
   }

@@ -1,4 +1,5 @@
 // Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What follows from the tables and is asked so often that it is worth a byte: how simple a group is, and where two
 // edges can be equal (4.1, rule 5): only where a requester has two that go by one priority. Most people give each task

@@ -1,4 +1,5 @@
 // Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Section 4.4: what becomes of a unit: granted, deferred or refused.
 #include "runtime/core/arbitration.hpp"

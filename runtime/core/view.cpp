@@ -1,4 +1,5 @@
 // Door: runtime/core/view.hpp. Test: tests/runtime/core/snapshot_test.cpp.
+// SPDX-License-Identifier: MIT
 
 #include "runtime/core/view.hpp"
 

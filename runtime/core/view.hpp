@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What holds at one moment between micro-steps, as far as one may ask from outside: who holds what, who asks for what,
 // the values. A view looks at the memory of an engine, or at a copy of it (snapshot.hpp).
 
@@ -27,6 +28,7 @@ struct View {
   const Tables* tables = nullptr;
   Time now = 0;                 ///< the engine's time
   std::uint64_t micro_step = 0; ///< how many were taken
+  std::uint32_t lost = 0;       ///< inputs so far that were refused, as the inbox was full, or replaced by a later one
 
   // One row for each group, edge, provider or state; see State.
   const Requested* request = nullptr;

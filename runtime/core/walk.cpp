@@ -1,4 +1,5 @@
 // Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Who is tried next: a walk along the order of edges.
 #include "runtime/core/arbitration.hpp"

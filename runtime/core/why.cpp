@@ -1,4 +1,5 @@
 // Door: runtime/core/why.hpp. Test: tests/runtime/core/why_test.cpp, tests/property/property_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The last pass has noted for each request why it was refused; what is looked for here is the whom and the where. Who
 // holds what is read after the pass, so somebody weaker may have got what was left over: a holder counts as in the way
@@ -35,6 +36,11 @@ public:
       out.kind = Kind::reserved;
     }
     return out;
+  }
+
+  bool stands_in_the_way(Index holder, Index edge) const {
+    Rivalry rivalry;
+    return !v_.is_limbo(holder) && goes_first(holder, edge, rivalry);
   }
 
 private:
@@ -273,8 +279,7 @@ private:
 
   bool in_the_way(Index group, Index edge, Index member) const {
     const Index holder = v_.holder(group);
-    Rivalry rivalry;
-    return holder != nil && holder != edge && !v_.is_limbo(holder) && goes_first(holder, member, rivalry);
+    return holder != nil && holder != edge && stands_in_the_way(holder, member);
   }
 
   /// In every choice something is: what it is in the first one, and which provider needs it (nil: it is the target).
@@ -302,5 +307,9 @@ private:
 } // namespace
 
 Because why(const View& view, Index group) { return Asking(view).about(group); }
+
+bool stands_in_the_way(const View& view, Index holder, Index edge) {
+  return Asking(view).stands_in_the_way(holder, edge);
+}
 
 } // namespace director

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Why does this group not run? Found from the tables and from what holds, without memory of its own. It tells of the
 // request that would be granted first, and of the first thing that keeps it: where there are alternatives, there may be
 // more in the way than what is told.
@@ -55,6 +56,9 @@ struct Because {
 };
 
 Because why(const View& view, Index group);
+
+/// What edge `holder` holds is in the way of the request `edge`: it goes before it, or is its equal.
+bool stands_in_the_way(const View& view, Index holder, Index edge);
 
 /// All providers that promise a condition, enabled or not.
 inline std::span<const Index> causers(const Tables& tables, Index condition) {

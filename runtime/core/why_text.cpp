@@ -1,4 +1,5 @@
 // Door: runtime/core/why_text.hpp. Test: tests/runtime/core/why_test.cpp, tests/api/outside_test.cpp.
+// SPDX-License-Identifier: MIT
 
 #include "runtime/core/why_text.hpp"
 

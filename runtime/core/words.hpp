@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The small words that provider bodies and programs meet: why a body runs, what it sees of its tasks, what it answers.
 // Source: semantics.md, sections 3 and 6.
 
@@ -37,7 +38,7 @@ enum class RunState : std::uint8_t {
   running, ///< granted to the edge from here
 };
 
-/// What a body answers. Only the context of a run makes one, so that a path without an answer does not compile.
+/// What a body answers. Only the context of a run makes one. A path without an answer does not compile (behaviour.hpp).
 class [[nodiscard]] Outcome {
 public:
   enum class Kind : std::uint8_t { pack, done, failed, keep, fault };
@@ -53,8 +54,8 @@ private:
 enum class StepResult : std::uint8_t {
   quiescent,        ///< nothing is left to do before the next input or due time
   budget_exhausted, ///< more micro-steps than allowed in one step; call again to go on
-  fault,            ///< a body or handler threw; the engine is consistent, call again to go on
-  refused,          ///< called from inside a body or handler, in a program without assertions
+  fault,            ///< a body, handler or observer threw; the engine is consistent, call again to go on
+  refused,          ///< called from inside a body, handler or observer, in a program without assertions
 };
 
 /// Why a requested task does not run (semantics.md 4.4, Refuse).

@@ -1,4 +1,5 @@
 // Door: runtime/dds/asker.hpp. Test: tests/dds/request_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // A request names the session of the robot that it is meant for. Whoever was started again meanwhile has forgotten what
 // it did, so it does not take a request to the one before: the asker hears of that, and decides.
@@ -19,6 +20,14 @@ using namespace std::chrono_literals;
 constexpr auto repeat_after = 200ms;
 
 bool is_name(const std::string& text) { return !text.empty() && text.size() <= longest_name; }
+
+/// From now on. However long the patience is, the clock can tell its end.
+Clock::time_point end_of(std::chrono::milliseconds patience) {
+  const auto now = Clock::now();
+  if (patience.count() <= 0) return now;
+  const auto most = std::chrono::floor<std::chrono::milliseconds>(Clock::time_point::max() - now);
+  return patience < most ? now + patience : Clock::time_point::max();
+}
 
 } // namespace
 
@@ -64,7 +73,7 @@ std::optional<Reply> Asker::Parts::answer_to(std::uint64_t asked) {
 }
 
 Reply Asker::Parts::ask(const To& to, Request request, std::chrono::milliseconds patience) {
-  const auto end = Clock::now() + patience;
+  const auto end = end_of(patience);
   const std::array<std::string, 2> key{to.robot, to.behaviour};
   request.robot = text(to.robot);
   request.behaviour = text(to.behaviour);

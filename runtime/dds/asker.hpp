@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Asks other processes for root tasks, and cancels them: a coach, an operator's panel, another computer of the robot. A
 // request is repeated until it is answered, and is done once at most. Blocks: not for the thread that steps. One thread
 // at a time uses an asker.

@@ -1,4 +1,5 @@
 // Door: runtime/dds/bridge.hpp. Test: tests/dds/bridge_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/bridge.hpp"
 
 #include "runtime/dds/listener.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shares the states and tasks of a behaviour with other processes over DDS: what they say of themselves is posted to
 // the behaviour, what this one becomes and decides is told. Two threads of its own; whoever steps never waits for the
 // network. README.md has an example, and says what happens when the network drops. Errors: a Failure from the

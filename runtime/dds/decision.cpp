@@ -1,7 +1,10 @@
 // Door: runtime/dds/decision.hpp. Test: tests/dds/decision_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/decision.hpp"
 
-#include <array>
+#include "runtime/core/event_names.hpp"
+
+#include <string>
 #include <utility>
 
 namespace director::dds {
@@ -9,58 +12,18 @@ namespace director::dds {
 namespace {
 
 std::string reasons_of(Reasons reasons) {
-  static constexpr std::array all{std::pair{Reason::new_task, "new_task"}, std::pair{Reason::pushed, "pushed"},
-                                  std::pair{Reason::subtask_done, "subtask_done"}, std::pair{Reason::wait, "wait"},
-                                  std::pair{Reason::trigger, "trigger"}};
   std::string out;
-  for (const auto& [reason, name] : all) {
-    if (reasons.has(reason)) out += (out.empty() ? "" : "+") + std::string(name);
+  for (const Reason reason : all_reasons) {
+    if (reasons.has(reason)) out += (out.empty() ? "" : "+") + std::string(name_of(reason));
   }
   return out;
-}
-
-const char* kind_of(Event::Kind kind) {
-  switch (kind) {
-  case Event::Kind::input: return "input";
-  case Event::Kind::run: return "run";
-  case Event::Kind::start: return "start";
-  case Event::Kind::stop: return "stop";
-  case Event::Kind::done: return "done";
-  case Event::Kind::failed: return "failed";
-  case Event::Kind::grant: return "grant";
-  case Event::Kind::lose: return "lose";
-  case Event::Kind::queue: return "queue";
-  case Event::Kind::push: return "push";
-  case Event::Kind::release: return "release";
-  case Event::Kind::set: return "set";
-  case Event::Kind::refused: return "refused";
-  case Event::Kind::broken: return "broken";
-  case Event::Kind::fault: return "fault";
-  case Event::Kind::exhausted: return "exhausted";
-  case Event::Kind::ask: return "ask";
-  case Event::Kind::keep: return "keep";
-  case Event::Kind::withdraw: return "withdraw";
-  case Event::Kind::wait: return "wait";
-  }
-  return "";
-}
-
-const char* why_of(Why why) {
-  switch (why) {
-  case Why::none: return "";
-  case Why::blocked: return "blocked";
-  case Why::waiting: return "waiting";
-  case Why::outdated: return "outdated";
-  case Why::deferred: return "deferred";
-  }
-  return "";
 }
 
 } // namespace
 
 Decision decision_of(const Event& event, const Plug& plug) {
   const Tables& t = plug.tables();
-  Decision out{.kind = kind_of(event.kind), .group = {}, .provider = {}, .requester = {}, .reason = {}};
+  Decision out{.kind = name_of(event.kind), .group = {}, .provider = {}, .requester = {}, .reason = {}};
   if (event.group < t.groups.size()) out.group = plug.names.group(event.group);
   if (event.provider < t.providers.size()) out.provider = plug.names.provider(event.provider);
   if (event.edge < t.edges.size()) {
@@ -74,10 +37,11 @@ Decision decision_of(const Event& event, const Plug& plug) {
   switch (event.kind) {
   case Event::Kind::run: out.reason = reasons_of(event.reasons); break;
   case Event::Kind::queue:
-    out.reason = why_of(event.why);
+    out.reason = name_of(event.why);
     if (!condition.empty()) out.reason += ": " + condition;
     break;
   case Event::Kind::push: out.reason = condition; break;
+  case Event::Kind::lost: out.reason = std::to_string(event.count); break;
   case Event::Kind::grant:
   case Event::Kind::lose:
     if (event.other < t.edges.size()) out.reason = "from " + std::string(plug.names.edge(event.other));

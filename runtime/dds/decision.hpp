@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What an event of the engine says, in names. Not for who steps: it makes strings.
 
 #include "runtime/core/observer.hpp"

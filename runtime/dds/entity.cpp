@@ -1,4 +1,5 @@
 // Door: runtime/dds/entity.hpp. Test: tests/dds/bridge_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/entity.hpp"
 
 #include "runtime/dds/qualities.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The C library of Cyclone DDS, with owners and types. Errors: a Failure with the library's own words.
 
 #include "runtime/dds/messages.h"

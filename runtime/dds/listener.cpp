@@ -1,4 +1,5 @@
 // Door: runtime/dds/listener.hpp. Test: tests/dds/bridge_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/listener.hpp"
 
 namespace director::dds {
@@ -128,8 +129,11 @@ void Listener::post_value(const State& sample, const Taken& taken) {
                        plug_.names.state(taken.state) + " does not have; it stays as it is");
 }
 
+/// Where the inbox is full, the value waits in the state's own slot, and may take the place of one that nobody saw.
 void Listener::post(const Taken& taken, std::int32_t value, std::string_view robot) {
-  if (plug_.set(taken.state, value)) return notes_.count(&Counts::states_heard);
+  const std::uint32_t lost = plug_.engine->lost();
+  if (plug_.set(taken.state, value)) notes_.count(&Counts::states_heard);
+  if (plug_.engine->lost() == lost) return;
   notes_.count(&Counts::inbox_full);
   notes_.tell_once(Notice::Kind::inbox_full, robot,
                    std::string("the inbox has no room for ") + plug_.names.state(taken.state) +

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The half of a bridge that listens: a thread of its own takes what others say, posts the states that the plan knows
 // and the requests that are new, and answers these.
 

@@ -1,4 +1,5 @@
 // Door: runtime/dds/notes.hpp. Test: tests/dds/notes_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/notes.hpp"
 
 namespace director::dds {

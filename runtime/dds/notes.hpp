@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a bridge has to say to its program, from any of its threads: numbers, and notices, each of the repeating kinds
 // once.
 

@@ -1,4 +1,5 @@
 // Door: runtime/dds/once.hpp. Test: tests/dds/once_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/once.hpp"
 
 #include <algorithm>

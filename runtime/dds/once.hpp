@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Which requests were seen before: an asker repeats what was not answered, and nothing may be done twice. Of each
 // asker's session the newest 64 numbers are remembered, and what was answered; older ones are never taken. Source: the
 // window against replays of IPsec (RFC 4303, 3.4.3).

@@ -1,4 +1,5 @@
 // Door: runtime/dds/outbox.hpp. Test: tests/dds/outbox_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/outbox.hpp"
 
 #include <bit>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The way out of a step: a fixed ring between the thread that steps and the one that writes to the network. Whoever
 // steps never waits, allocates or locks; what finds no room is counted.
 

@@ -1,4 +1,5 @@
 // Door: runtime/dds/plan.hpp. Test: tests/dds/plan_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/plan.hpp"
 
 namespace director::dds {
@@ -23,6 +24,7 @@ public:
       mistake("the robot's name is longer than " + std::to_string(longest_name) + " bytes, so nobody would hear it");
     if (plug_.behaviour.empty()) mistake("the behaviour needs a name");
     if (settings_.say_again.count() <= 0) mistake("say_again must be above 0");
+    if (settings_.say_again > longest_say_again) mistake("say_again must be a day at most");
     for (const std::string& name : settings_.publish) {
       if (const Index row = state(name); row != nil) plan_.published.push_back(row);
     }

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The settings of a bridge, resolved against the behaviour: names have become rows. Errors: a Failure that tells of
 // every mistake.
 

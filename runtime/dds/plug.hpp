@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A behaviour as a bridge sees it: its engine, what rows are called, and the way in by number. Made from any generated
 // Behaviour, which must outlive it.
 

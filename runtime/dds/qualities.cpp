@@ -1,4 +1,5 @@
 // Door: runtime/dds/qualities.hpp. Test: tests/dds/bridge_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/qualities.hpp"
 
 namespace director::dds {

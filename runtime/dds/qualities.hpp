@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The quality of service of each kind of sample, in one place. The reasons stand in README.md, as a table.
 
 #include "runtime/dds/entity.hpp"

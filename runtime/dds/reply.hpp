@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What became of a request, as it goes over the network.
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a program wants of a bridge, and what it is told. All names are checked when the bridge is made, and never
 // compared again where a step could notice.
 
@@ -60,7 +61,7 @@ struct Notice {
     unknown_value,       ///< it says a value that the state here does not have
     bad_sample,          ///< it says what cannot be meant
     refused,             ///< what it asked for was not taken
-    inbox_full,          ///< what it says found no room, and is lost until it is said again
+    inbox_full,          ///< what it says found no room, and something that was said before is lost
     decisions_lost,      ///< of this robot: more than the outbox had room for
     not_written,         ///< of this robot: the middleware did not take it
   };
@@ -78,6 +79,8 @@ struct Counts {
   bool operator==(const Counts&) const = default;
 };
 
+inline constexpr std::chrono::hours longest_say_again{24};
+
 struct Settings {
   std::string robot{};                ///< unique in the team
   std::uint32_t domain = 0;           ///< of DDS: who has another one is not heard
@@ -85,7 +88,8 @@ struct Settings {
   std::vector<TakeIn> take_in{};
   std::vector<Offer> offer{};
   bool decisions = true;                    ///< tell of decisions and promises
-  std::chrono::milliseconds say_again{100}; ///< states are said again as often as that, as long as stepped() is called
+  std::chrono::milliseconds say_again{100}; ///< up to longest_say_again; states are said again as often as that, as
+                                            ///< long as stepped() is called
   std::function<void(const Notice&)>
       notice{}; ///< called by one thread at a time, of the bridge's; must not throw; may be empty
 };

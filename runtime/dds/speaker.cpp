@@ -1,4 +1,5 @@
 // Door: runtime/dds/speaker.hpp. Test: tests/dds/bridge_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/speaker.hpp"
 
 #include <ctime>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The half of a bridge that speaks: a thread of its own writes what the behaviour became and decided. It says the
 // states again and again, but only as long as somebody steps: a robot whose main loop hangs falls silent.
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The memory of an engine whose tables are known only while running, from the heap, taken once. Generated code has it
 // in its Behaviour and does not need this.
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Tests of a module alone: a body or a handler is called as the engine would call it, with a task, reasons and what it
 // sees of others as the test says, and what it asked for is read from what it left behind. No engine runs, nothing else
 // is called, and any test framework will do:
@@ -97,7 +98,7 @@ struct Rig {
 
   typename Whole::Data data;
   std::array<Inbox::Cell, Whole::inbox_cells> cells;
-  std::array<LastWords::Slot, Whole::Roots::size> words;
+  std::array<LastWords::Slot, WordSlots<Whole>::count> words;
   alignas(8) std::array<std::byte, State::bytes(Whole::shape)> memory;
   Inbox inbox;
   Engine engine;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/api/office.hpp"
 
 #include <catch2/catch.hpp>
@@ -112,7 +113,7 @@ TEST_CASE("a wait and a trigger run a body again, and it can tell them apart") {
   office.behaviour.step(1499us);
   CHECK(why.empty());
   office.behaviour.step(1500us);
-  office.behaviour.fire<courier::Bell>();
+  CHECK(office.behaviour.fire<courier::Bell>());
   office.behaviour.step(1600us);
   CHECK(why == Lines{"wait", "bell"});
 }

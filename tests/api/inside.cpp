@@ -1,4 +1,5 @@
 // Door: tests/api/CMakeLists.txt. Test: itself.
+// SPDX-License-Identifier: MIT
 //
 // A body that calls the behaviour itself: an assertion fails, which a program of its own can survive.
 #include "janitor.hpp"
@@ -7,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <string_view>
+#include <tuple>
 
 namespace {
 
@@ -16,10 +18,11 @@ struct House final : janitor::House {
   director::Outcome provide(janitor::Rest::Default& run) override {
     if (word == "request") behaviour->request<janitor::Sweep>();
     if (word == "cancel") behaviour->cancel<janitor::Rest>();
-    if (word == "set") behaviour->set(janitor::Door::open);
-    if (word == "enable") behaviour->enable<janitor::Sweep::Default>(false);
+    if (word == "cancel_all") behaviour->cancel_all();
+    if (word == "set") std::ignore = behaviour->set(janitor::Door::open);
+    if (word == "enable") std::ignore = behaviour->enable<janitor::Sweep::Default>(false);
     if (word == "step") behaviour->step();
-    if (word == "post") behaviour->post().set(janitor::Door::open);
+    if (word == "post") std::ignore = behaviour->post().set(janitor::Door::open);
     return run.keep();
   }
   director::Outcome provide(janitor::Sweep::Default& run) override { return run.keep(); }

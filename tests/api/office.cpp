@@ -1,4 +1,5 @@
 // Door: tests/api/office.hpp. Test: tests/api/bodies_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/api/office.hpp"
 
 namespace director::tests {

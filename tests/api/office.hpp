@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The courier with bodies that a test decides about, and a record of what happened, in the generated names.
 
 #include "courier.hpp"

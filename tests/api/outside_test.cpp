@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/api/office.hpp"
 
 #include <catch2/catch.hpp>
@@ -41,11 +42,11 @@ TEST_CASE("root tasks come together, at the level that is named") {
 
 TEST_CASE("a provider that is not enabled does not run") {
   Office office;
-  office.behaviour.enable<Rest::Default>(false);
+  CHECK(office.behaviour.enable<Rest::Default>(false));
   office.behaviour.request<Rest>();
   office.behaviour.step(0s);
   CHECK(office.behaviour.state<Rest>() == RunState::queued);
-  office.behaviour.enable<Rest::Default>(true);
+  CHECK(office.behaviour.enable<Rest::Default>(true));
   office.behaviour.step(0s);
   CHECK(office.behaviour.state<Rest>() == RunState::running);
 }
@@ -65,7 +66,7 @@ TEST_CASE("of more requests with data than there are places for, the last one co
   CHECK(weights == std::vector<int>{9, 10});
 }
 
-TEST_CASE("a full inbox refuses everything but requests and cancels of root tasks") {
+TEST_CASE("a full inbox refuses everything but single states, and requests and cancels of root tasks") {
   Office office;
   int weight = 0;
   office.plans.deliver = [&](Deliver::Default& run) {
@@ -75,7 +76,7 @@ TEST_CASE("a full inbox refuses everything but requests and cancels of root task
   office.behaviour.request<Rest>();
   office.behaviour.step(0s);
   while (office.behaviour.fire<courier::Bell>()) {}
-  CHECK(!office.behaviour.set(Battery{1}));
+  CHECK(!office.behaviour.set(Battery{1}, post::Mood::calm));
   CHECK(!office.behaviour.enable<Rest::Default>(false));
   for (int i = 1; i <= 9; ++i) CHECK(office.behaviour.request(Deliver{{std::make_unique<int>(i)}}));
   CHECK(office.behaviour.cancel<Rest>());
@@ -144,7 +145,7 @@ TEST_CASE("a program may ask who holds a task, and why one does not run, also in
   char room[200];
   CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), room)) ==
         "Deliver runs (root>Deliver) in default");
-  office.behaviour.enable<Deliver::Default>(false);
+  CHECK(office.behaviour.enable<Deliver::Default>(false));
   office.behaviour.step(0s);
   CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), room)) ==
         "Deliver waits (root>Deliver): no provider of Deliver is enabled");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Several behaviours in one process, of one and of several specifications: none knows of another.
 #include "janitor.hpp"
 #include "tests/api/office.hpp"
@@ -41,7 +42,7 @@ TEST_CASE("behaviours of one specification and of another run side by side") {
   Office office;
   Home one, two;
   office.plans.rest = [&](courier::Rest::Default& run) {
-    one.behaviour.post().set(janitor::Door::open); // a body of one may post to another
+    CHECK(one.behaviour.post().set(janitor::Door::open)); // a body of one may post to another
     return run.request(courier::Walk{post::Steps{3}});
   };
   one.behaviour.request<janitor::Sweep>();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Modules tested alone, with runtime/hosted/trial.hpp.
 #include "runtime/hosted/trial.hpp"
 #include "tests/api/office.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The specification may use the words that generated code has for itself: words.yaml compiles, and so do its packs.
 #include "words.hpp"
 

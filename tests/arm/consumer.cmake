@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D TARGET=<the board support> -D COMPILER=<the host's compiler>
 #       -D QEMU=<qemu-system-arm> -P consumer.cmake
 # A project outside, with an installed Director of the host: built for the host and, with its own toolchain file, for a Cortex-M3. Both say the same.

@@ -1,4 +1,5 @@
 // Door: tests/arm/plan_text.hpp. Test: tests/arm/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/arm/plan_text.hpp"
 
 #include "compiler/emit/cpp/parts.hpp"

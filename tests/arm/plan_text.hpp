@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Scenarios and the tables of their behaviours as the constants of tests/arm/target/plan.hpp.
 
 #include "compiler/cli/load_scenario.hpp"

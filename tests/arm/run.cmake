@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D QEMU=<qemu-system-arm> -D MACHINE=<machine> -D PROGRAM=<elf> -D EXPECTED=<trace of the host> -D TOO_LARGE=<scenario>,... -P run.cmake
 # Runs the program and compares what it says with the host's trace, byte by byte. Lines that begin with `#` tell of the program itself: also which
 # scenarios do not fit into the board's memory, which must be those named.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D SIZE=<size> -D PROCESSOR=<name> -D CORE=<objects> -D GENERATED=<objects> -D OUT=<file> -P sizes.cmake
 # Says what soccer takes: the engine's code, the code and tables that are generated, and the Behaviour object. Writes these to OUT, for ./bench.
 function(total column variable)

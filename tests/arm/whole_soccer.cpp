@@ -1,4 +1,5 @@
 // Door: none; what `size` says of it counts. Test: tests/arm/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "soccer.hpp"
 
 extern "C" {

@@ -1,4 +1,5 @@
 // Door: this program. Test: tests/arm/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // write_plans OUT.cpp OUT.txt SCENARIO...: the scenarios as constants for the target, and what happens in them here.
 #include "compiler/cli/load_scenario.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/bench/by_hand.hpp. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/bench/by_hand.hpp"
 
 namespace bench {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The floor: what a programmer writes who knows that nothing else will ever be asked of this robot. The same provider
 // calls and the same writes in the same order as Director's, behind a switch over the inputs and function pointers, and
 // no decision at all.

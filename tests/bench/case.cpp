@@ -1,4 +1,5 @@
 // Door: tests/bench/case.hpp. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/bench/case.hpp"
 
 #include "tests/bench/grown_cases.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What is measured: a case, done by Director or by hand. Used by the benchmark, which takes the time, and by
 // count_instructions, which counts.
 

@@ -1,4 +1,5 @@
 // Door: this program. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // Under callgrind: does each case some times, and lets callgrind write what that took to a file of its own. Prints what
 // was done, in the order of these files: the name and how often.

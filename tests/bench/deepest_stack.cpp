@@ -1,4 +1,5 @@
 // Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // deepest_stack FUNCTION FOLDER: how many bytes of stack a call of FUNCTION may take, from what g++ writes with
 // -fcallgraph-info=su about each source file: all .ci files below the folder. FUNCTION is a part of its printed name.

@@ -1,4 +1,5 @@
 // Door: tests/bench/grown_cases.hpp. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/bench/grown_cases.hpp"
 
 #include "tests/bench/by_hand.hpp"

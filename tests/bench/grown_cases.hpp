@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Cases that grow, and a game of robocup.
 
 #include "tests/bench/case.hpp"

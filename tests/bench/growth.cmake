@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D VALGRIND=<valgrind> -D DIRECTORC=<directorc> -D LARGE=<large_project> -D OUT=<folder> [-D SHAPE=<name>] [-D SMALL=<size>] [-D MOST=<times>] -P growth.cmake
 # Counts the instructions of `directorc check` on a behaviour of a size, 500 groups, and on one of ten times that: at most MOST times as many, 12.
 if(NOT DEFINED SMALL)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D VALGRIND=<valgrind> -D PROGRAM=<count_instructions> -D GOLDEN=<file> -D OUT=<folder> -P instructions.cmake
 # Counts the instructions of each case under callgrind, writes them to OUT.txt and compares them with GOLDEN: 3 % more or fewer are none, nor is one
 # alone. With DIRECTOR_BLESS=1 in the environment the golden is rewritten if any line differs. Without GOLDEN it only counts.

@@ -1,4 +1,5 @@
 // Door: tests/bench/project.hpp. Test: tests/bench/project_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/bench/project.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Large behaviours for the compiler, as the texts of their files: of the shape that people write, and of shapes that
 // are hard for one stage or another.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests tests/bench/project.hpp.
 #include "compiler/lower/lower.hpp"
 #include "compiler/pipeline.hpp"

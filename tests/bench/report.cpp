@@ -1,4 +1,5 @@
 // Door: tests/bench/report.hpp. Test: tests/bench/report_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/bench/report.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What was measured, as a table for people; and whether it can be believed.
 
 #include "tests/bench/case.hpp"

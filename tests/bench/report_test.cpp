@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/bench/case.hpp"
 #include "tests/bench/report.hpp"
 

@@ -1,4 +1,5 @@
 // Door: tests/bench/robocup.hpp. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/bench/robocup.hpp"
 
 #include "tests/bench/by_hand.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // behaviours/robocup plays by a script: what a robot's senses and a referee say, and bodies that take turns in what
 // their providers may ask for.
 

@@ -1,4 +1,5 @@
 // Door: tests/bench/small_cases.hpp. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/bench/small_cases.hpp"
 
 #include "alone.hpp"
@@ -9,6 +10,7 @@
 #include "walker.hpp"
 
 #include <stdexcept>
+#include <tuple>
 
 namespace bench {
 
@@ -33,7 +35,7 @@ public:
 class Idle {
 public:
   Idle() {
-    behaviour_.set(alone::Charge{50});
+    expect(behaviour_.set(alone::Charge{50}), "it has a charge");
     behaviour_.request<alone::Stand>();
     behaviour_.step();
     expect(behaviour_.state<alone::Stand>() == director::RunState::running, "it stands");
@@ -50,7 +52,7 @@ class Set : public Idle {
 public:
   void once() {
     value_ ^= 1;
-    behaviour_.set(alone::Charge{value_});
+    std::ignore = behaviour_.set(alone::Charge{value_});
     behaviour_.step();
   }
 

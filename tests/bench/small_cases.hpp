@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Cases with the API that directorc generates, from the files of tests/bench/behaviours, and their floors.
 
 #include "tests/bench/case.hpp"

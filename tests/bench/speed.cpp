@@ -1,4 +1,5 @@
 // Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // speed [--instructions=FILE] [OPTION OF GOOGLE BENCHMARK...]: takes the time of each case and of its floor, and prints
 // a table. Fails where a floor is none (more than 5 ns a provider call), where the two do not call as many providers,

@@ -1,4 +1,5 @@
 // Door: tests/bench/table_robot.hpp. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/bench/table_robot.hpp"
 
 #include "compiler/lower/lower.hpp"

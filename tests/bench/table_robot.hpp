@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The engine on tables that the compiler library makes of a text or a file, with bodies that are rows of a table too:
 // for behaviours that are too large to be written by hand.
 

@@ -1,4 +1,5 @@
 // Door: tests/bench/texts.hpp. Test: tests/bench/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/bench/texts.hpp"
 
 #include <fmt/format.h>

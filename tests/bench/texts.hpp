@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Behaviours of any size, as the text of their files.
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D PROBE=<program> -D TREE=<folder> -P bless.cmake
 function(expect what)
   if(NOT (${ARGN}))

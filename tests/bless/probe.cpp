@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Not a test of the project: a program for tests/bless/bless.cmake to run.
 #include "tests/support/golden.hpp"
 

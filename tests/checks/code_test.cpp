@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rules that read C++, over facts as director-clang tells them: what needs no Clang to be tried.
 #include "compiler/checks/code_check.hpp"
 #include "compiler/pipeline.hpp"

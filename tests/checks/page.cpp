@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/checks/page.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The page of a check, taken apart: its specimens and what they say that is found in them.
 //
 // A specimen is a ```yaml block. A comment says what is found in the line it stands in (`# reported: ...`, `# note:

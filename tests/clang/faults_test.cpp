@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Faults planted in a copy of soccer's bodies are each found, and a cache that is spoilt or old does no harm.
 #include "compiler/emit/json.hpp"
 #include "tests/clang/workshop.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/check.hpp"
 #include "compiler/emit/json.hpp"
 #include "tests/checks/page.hpp"

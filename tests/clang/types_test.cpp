@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A state whose values are an enum's, read as the program compiles it.
 #include "tests/clang/workshop.hpp"
 #include "tests/support/golden.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/clang/workshop.hpp"
 
 #include "compiler/cli/parse.hpp"

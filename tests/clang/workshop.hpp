@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A folder on the disk with a behaviour and its C++, and directorc working in it.
 
 #include <map>

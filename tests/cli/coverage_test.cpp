@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/cli/world.hpp"
 
 #include <catch2/catch.hpp>
@@ -61,6 +62,7 @@ TEST_CASE("results and coverage as JSON") {
     {
       "file": "bright.yaml",
       "holds": true,
+      "compared": 0,
       "mismatches": [],
       "findings": []
     },
@@ -68,6 +70,7 @@ TEST_CASE("results and coverage as JSON") {
       "file": "wrong.yaml",
       "scenario": "it rings",
       "holds": false,
+      "compared": 1,
       "mismatches": [
         {
           "step": 1,

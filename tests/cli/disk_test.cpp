@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/console.hpp"
 #include "tests/support/golden.hpp"
 
@@ -14,16 +15,16 @@ TEST_CASE("a file on the disk that has its text already is not touched") {
   fs::remove_all(folder);
   const std::string path = (folder / "deep/file.txt").string();
   DiskOutputs outputs;
-  CHECK(!outputs.write(path, "one"));
+  CHECK(!outputs.write({{path, "one"}}));
   const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
   fs::last_write_time(path, long_ago);
-  CHECK(!outputs.write(path, "one"));
+  CHECK(!outputs.write({{path, "one"}}));
   CHECK(fs::last_write_time(path) == long_ago);
-  CHECK(!outputs.renew(path, "one"));
+  CHECK(!outputs.write({{path, "one", nullptr, true}}));
   CHECK(fs::last_write_time(path) != long_ago);
-  CHECK(!outputs.write(path, "two"));
+  CHECK(!outputs.write({{path, "two"}}));
   CHECK(director::tests::read_file(path) == "two");
-  CHECK(outputs.write(path + "/below", "three").has_value());
+  CHECK(outputs.write({{path + "/below", "three"}}).has_value());
   fs::remove_all(folder);
 }
 

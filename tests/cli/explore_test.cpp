@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/emit/notice.hpp"
 #include "tests/cli/world.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
+using director::compiler::notice_words;
 using director::tests::World;
 
 World with(const std::string& rest) {
@@ -28,7 +31,8 @@ TEST_CASE("a refuted assertion is an error, and its scenario is written") {
   World world = with(two + "assertions: [{never_together: [A, B]}]\n");
   CHECK(world.directorc({"explore", "b.yaml", "--output", "found"}) == 1);
   CHECK(world.out.find("wrote found/never_together_A_B.scenario.yaml\n") != std::string::npos);
-  CHECK(world.outputs.files.at("found/never_together_A_B.scenario.yaml") == R"(scenario: "refuted: never_together [A, B]"
+  CHECK(world.outputs.files.at("found/never_together_A_B.scenario.yaml") == "# " + notice_words("b.yaml") + R"(
+scenario: "refuted: never_together [A, B]"
 doc: |
   In the last step two of them are granted.
 behaviour: ../b.yaml

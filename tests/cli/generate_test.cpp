@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/cli/world.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/emit/notice.hpp"
 #include "tests/cli/world.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
+using director::compiler::notice_words;
 using director::tests::World;
 
 World walker() {
@@ -47,7 +50,7 @@ TEST_CASE("a picture is drawn by the program dot, and what it answers is written
   REQUIRE(world.directorc({"graph", "--format=svg", "walker.yaml", "-o", "walker.svg"}) == 0);
   CHECK(world.programs.command == std::vector<std::string>{"dot", "-Tsvg"});
   CHECK(world.programs.input.substr(0, 18) == "digraph \"walker\" {");
-  CHECK(world.outputs.files.at("walker.svg") == "<svg/>");
+  CHECK(world.outputs.files.at("walker.svg") == "<!-- " + notice_words("walker.yaml") + " -->\n<svg/>");
 }
 
 TEST_CASE("without Graphviz a picture is refused with what to do") {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/cli/world.hpp"
 
 #include <catch2/catch.hpp>
@@ -40,6 +41,19 @@ TEST_CASE("a flag without a value does not take the next word") {
   world.files.add("x.yaml", "behaviour: x\nlanguage: 1\nroots: []\n");
   CHECK(world.directorc({"check", "--werror", "--lint", "x.yaml"}) == 0);
   CHECK(world.err.empty());
+}
+
+TEST_CASE("the help ends with the first line that an editor wants, where the schemas are known") {
+  const auto help = [](const std::string& schemas) {
+    return std::get<director::compiler::cli::Say>(director::compiler::cli::parse({"--help"}, schemas)).text;
+  };
+  const std::string without = help("");
+  CHECK(without.ends_with("`directorc SUBCOMMAND --help` tells more.\n"));
+  CHECK(help("/usr/share/director/schemas") ==
+        without + "\nAn editor with the YAML language server knows the keys where the first line is\n"
+                  "# yaml-language-server: $schema=/usr/share/director/schemas/behaviour.schema.json\n"
+                  "or, in a scenario,\n"
+                  "# yaml-language-server: $schema=/usr/share/director/schemas/scenario.schema.json\n");
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A world in memory for the command line: files to read, files that were written, what was said.
 
 #include "compiler/cli/parse.hpp"

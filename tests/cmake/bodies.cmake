@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P bodies.cmake
 # The bodies of a behaviour are written when they are asked for, and more of them when the behaviour asks for more; a build alone leaves them as they are.
 # Whenever they change, they are verified.

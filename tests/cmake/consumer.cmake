@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D GENERATOR=<generator> -D PROGRAM=<its program> -D TREE=build|install -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project>
 #       -D COMPILER=<compiler> -D FLAGS=<its flags> -P consumer.cmake
 if(NOT PROGRAM)
@@ -10,6 +11,20 @@ file(COPY ${SOURCE}/ DESTINATION ${WORK}/project)
 if(TREE STREQUAL install)
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   set(where -D CMAKE_PREFIX_PATH=${WORK}/prefix)
+  # The lines for editors that the installed directorc names lead to schemas that are installed.
+  execute_process(COMMAND ${WORK}/prefix/bin/directorc --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "# yaml-language-server: [$]schema=[^\n]+" lines "${help}")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^[^=]*=" "" schema "${line}")
+    cmake_path(IS_PREFIX WORK "${schema}" inside)
+    if(NOT inside OR NOT EXISTS "${schema}")
+      message(FATAL_ERROR "directorc --help names ${schema}, which is not installed")
+    endif()
+  endforeach()
+  list(LENGTH lines count)
+  if(NOT count EQUAL 2 OR NOT EXISTS ${WORK}/prefix/share/doc/director/LICENSE)
+    message(FATAL_ERROR "the lines for editors, or the licence, are missing:\n${help}")
+  endif()
 else()
   set(where -D Director_DIR=${BUILD}/cmake)
 endif()

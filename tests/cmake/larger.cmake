@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P larger.cmake
 # An installed tree that was moved, used by a project of several behaviours and folders, all with spaces in their names.
 find_program(make make)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -P manual.cmake
 # The manual page tells of every subcommand and every option that directorc's help tells of, and man has nothing to complain about.
 file(READ ${BUILD}/package/directorc.1 page)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P mistakes.cmake
 # What a project is told that calls director_add_behaviour, or asks for Director, in a wrong way: whole messages, with white space as CMake does not break it.
 file(REMOVE_RECURSE ${WORK})
@@ -28,11 +29,13 @@ function(mistake calls expected)
   endif()
 endfunction()
 
-set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY] [STUBS <folder>])")
+set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>])")
 mistake("robot" "director_add_behaviour: the target and the behaviour's file are needed: ${usage}")
 mistake("robot kiosk.yaml counter.yaml" "director_add_behaviour: unknown: counter.yaml; it is ${usage}, called once for each behaviour")
 mistake("robot kiosk.yaml VERFY" "director_add_behaviour: unknown: VERFY; it is ${usage}, called once for each behaviour")
 mistake("robot kiosk.yaml STUBS" "director_add_behaviour: STUBS needs the folder that the stubs go to: ${usage}")
+mistake("robot kiosk.yaml VERIFY EXCLUDE" "director_add_behaviour: EXCLUDE needs targets, files or folders: ${usage}")
+mistake("robot kiosk.yaml EXCLUDE headers" "director_add_behaviour: EXCLUDE says what VERIFY does not look at, and there is no VERIFY: ${usage}")
 mistake("robt kiosk.yaml" "director_add_behaviour: there is no target robt; add_executable or add_library comes first")
 mistake("other_name kiosk.yaml" "director_add_behaviour: other_name is only another name; say robot")
 mistake("headers kiosk.yaml"
@@ -45,7 +48,7 @@ mistake("robot counter.yaml"
 mistake("robot kiosk.yaml|robot kiosk.yaml"
         "director_add_behaviour: robot has a behaviour kiosk already; two of one name would be one header and one namespace")
 mistake("robot kiosk.yaml VERIFY"
-        "director_add_behaviour: VERIFY and STUBS read C++, which director-clang does; install it (the package director-clang, or Director built where Clang 19 is)")
+        "director_add_behaviour: VERIFY and STUBS read C++, which director-clang does; install it: the package director-clang, or Director built again where the packages clang-19 libclang-19-dev llvm-19-dev are installed")
 mistake("" "the component clang is not installed: it is the package director-clang." COMPONENTS "clang")
 mistake("" "there is no component robots; there are runtime, compiler, clang and dds." COMPONENTS "runtime;robots")
 mistake("robot kiosk.yaml WERROR" "nothing")

@@ -1,12 +1,18 @@
+# SPDX-License-Identifier: MIT
 # cmake -D COMPILER=<compiler> -D FLAGS=<its flags> -D PRECOMPILED=<header> -D FOLDERS=<where headers are> -D CASE=<source> -P compile.cmake
 file(STRINGS ${CASE} line REGEX "^// Message: ")
 string(REGEX REPLACE "^// Message: " "" message "${line}")
 if(NOT message)
   message(FATAL_ERROR "${CASE} has no line // Message:")
 endif()
+# Flags of its own read the header anew too.
+file(STRINGS ${CASE} own REGEX "^// Flags: ")
+string(REGEX REPLACE "^// Flags: " "" own "${own}")
+separate_arguments(own)
+list(APPEND FLAGS ${own})
 # A case that defines something for the header reads it anew.
 file(STRINGS ${CASE} defines REGEX "^#define ")
-if(NOT defines)
+if(NOT defines AND NOT own)
   list(APPEND FLAGS -include ${PRECOMPILED})
 endif()
 list(TRANSFORM FOLDERS PREPEND -I)

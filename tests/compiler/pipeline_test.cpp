@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
 #include "tests/compiler/support/checked.hpp"
 

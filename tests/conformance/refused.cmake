@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D DIRECTORC=<program> -D SCENARIO=<file> -P refused.cmake
 # The behaviour of the scenario has an error that keeps it from running: exit status 1, a finding, and no event.
 foreach(command simulate test)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P consumer.cmake
 # The example of runtime/dds/README.md as a project of its own, with an installed Director.
 file(REMOVE_RECURSE ${WORK})

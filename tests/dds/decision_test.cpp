@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/decision.hpp"
 #include "tests/dds/robot.hpp"
 

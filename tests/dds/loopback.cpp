@@ -1,4 +1,5 @@
 // Door: tests/dds/loopback.hpp. Test: the tests beside it.
+// SPDX-License-Identifier: MIT
 #include "tests/dds/loopback.hpp"
 
 #include <cstdlib>

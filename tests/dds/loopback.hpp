@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A network of a test's own, inside this computer.
 
 #include <cstdint>

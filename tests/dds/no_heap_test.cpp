@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "tests/dds/robot.hpp"
 #include "tests/no_heap/heap_trap.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <tuple>
 
 using namespace director::tests;
 
@@ -13,7 +16,7 @@ TEST_CASE("whoever steps and tells the bridge asks nothing of the heap") {
   {
     const HeapTrap trap;
     for (int i = 0; i < 2000; ++i) {
-      one.behaviour.set(i % 2 == 0 ? post::Mood::calm : post::Mood::hurried, courier::Battery{i % 100});
+      std::ignore = one.behaviour.set(i % 2 == 0 ? post::Mood::calm : post::Mood::hurried, courier::Battery{i % 100});
       i % 3 == 0 ? one.behaviour.request<courier::Rest>() : one.behaviour.cancel<courier::Rest>();
       one.step();
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/notes.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/once.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/outbox.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/plan.hpp"
 #include "tests/dds/robot.hpp"
 
@@ -53,6 +54,8 @@ TEST_CASE("every mistake in the settings is told") {
         "dds: the behaviour courier has no root task Sleep; it has Deliver, Rest\n"
         "dds: the task Deliver carries data, so its offer needs a function that reads them");
   CHECK(failure({.robot = "", .say_again = 0ms}) == "dds: the robot needs a name\ndds: say_again must be above 0");
+  CHECK(failure({.robot = "one", .say_again = std::chrono::milliseconds::max()}) ==
+        "dds: say_again must be a day at most");
   CHECK(failure({.robot = std::string(256, 'r')}) ==
         "dds: the robot's name is longer than 255 bytes, so nobody would hear it");
   CHECK(failure({.robot = "one", .offer = {{.task = "Rest"}, {.task = "Rest"}}}) ==

@@ -1,4 +1,5 @@
 // Door: tests/dds/process.hpp. Test: tests/dds/team_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/dds/process.hpp"
 
 #include <fcntl.h>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A program that a test starts, reads and kills.
 
 #include <sys/types.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "runtime/dds/asker.hpp"
 #include "runtime/dds/entity.hpp"
 #include "tests/dds/robot.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/dds/robot.hpp. Test: the tests beside it.
+// SPDX-License-Identifier: MIT
 #include "tests/dds/robot.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A robot with the courier's behaviour (tests/api) and a bridge, and what a test waits for.
 
 #include "runtime/dds/bridge.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Three robots as three processes over loopback, which are killed, frozen, halted and started again. Nothing here
 // depends on how fast that goes but for one bound: how long two robots may both have the role.
 #include "tests/dds/loopback.hpp"

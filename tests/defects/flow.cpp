@@ -1,4 +1,5 @@
 // Door: tests/defects/flow.hpp. Test: tests/defects/measure.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/defects/flow.hpp"
 
 #include <stdexcept>

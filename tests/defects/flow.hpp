@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Parts of a document, written as they would stand in a file, in flow style.
 
 #include "tests/property/document.hpp"

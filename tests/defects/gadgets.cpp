@@ -1,4 +1,5 @@
 // Door: tests/defects/gadgets.hpp. Test: tests/defects/measure.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/defects/gadgets.hpp"
 
 namespace director::defects {

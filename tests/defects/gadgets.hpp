@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What several planters build with.
 
 #include "tests/defects/robot.hpp"

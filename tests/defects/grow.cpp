@@ -1,4 +1,5 @@
 // Door: tests/defects/robot.hpp. Test: tests/defects/measure.cpp.
+// SPDX-License-Identifier: MIT
 //
 // How a robot's behaviour is built, and why nothing is found in it: parts (what a task can hold), skills on one part
 // each, planners that ask for skills on different parts, and purposes, all of them roots with ranks of their own, that

@@ -1,4 +1,5 @@
 // Door: tests/defects/planter.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
 //
 // Conditions and what can make them true.
 #include "tests/defects/gadgets.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/defects/planter.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
 //
 // What is met when names are resolved.
 #include "tests/defects/planter.hpp"
@@ -121,6 +122,10 @@ void reserved_pack(Robot& robot, bool defect) {
   robot.add_pack(robot.r.one_of(robot.planners).name,
                  "@" + (defect ? robot.r.one_of({"done", "wait", "keep"}) : robot.name("pause")));
 }
+void name_of_cpp(Robot& robot, bool defect) {
+  robot.add_group("@" + (defect ? robot.r.one_of({"eOF", "SIGINT", "__Walk", "_Complex", "left__hand"}) : robot.verb()),
+                  "{}");
+}
 void no_name(Robot& robot, bool defect) { robot.add_group(defect ? "@left-hand" : "@left_hand", "{}"); }
 
 // value_outside_domain
@@ -231,6 +236,7 @@ constexpr Planter of_names[]{
     {"reserved_name", "a value", reserved_value},
     {"reserved_name", "a provider", reserved_provider},
     {"reserved_name", "a pack", reserved_pack},
+    {"reserved_name", "a name of C++", name_of_cpp},
     {"reserved_name", "no name at all", no_name},
     {"value_outside_domain", "misspelt", misspelt_value},
     {"value_outside_domain", "beyond the range", beyond_range},

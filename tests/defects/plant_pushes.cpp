@@ -1,4 +1,5 @@
 // Door: tests/defects/planter.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
 //
 // Promises, and pushes for them.
 #include "tests/defects/gadgets.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/defects/planter.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
 //
 // What is met when a file is read.
 #include "tests/defects/gadgets.hpp"
@@ -224,6 +225,24 @@ void order_of_several(Robot& robot, bool d) { spoilt(robot, "$0 > $1|$2", "$0 > 
 void no_value(Robot& robot, bool d) { spoilt(robot, "$0 ==", "$0 == $1", d, SenseKind::plain); }
 void promise_in_when(Robot& robot, bool d) { spoilt(robot, "$0 == $1 within 2 s", "$0 == $1", d, SenseKind::plain); }
 
+// bad_type, bad_header
+
+void no_type(Robot& robot, bool defect) {
+  const std::string bad = robot.r.one_of({"robot::Pose&", "void", "robot Pose", "robot::Pose; int x", "std::vector<int",
+                                          "struct Pose", "const robot::Pose"});
+  const std::string name = robot.verb();
+  robot.add_group(name, "{@data: $0}", {defect ? bad : "robot::Pose"});
+  robot.add_root(name, robot.above());
+}
+void no_enum(Robot& robot, bool defect) {
+  robot.add_state(robot.name("Gear"), "{@type: $0, values: [a, b], initial: a, external: true}",
+                  {defect ? robot.r.one_of({"int", "robot Gear", "robot::Gear*"}) : "robot::Gear"});
+}
+void no_header(Robot& robot, bool defect) {
+  robot.files.back().node.add(
+      "cpp", flow("{headers: [@$0]}", {defect ? robot.r.one_of({"<vector", "a>b.hpp", "a\\b.hpp"}) : "robot/a.hpp"}));
+}
+
 // language_version, import_cycle, import_not_found, input_limit
 
 void later_language(Robot& robot, bool defect) {
@@ -321,6 +340,9 @@ constexpr Planter of_reading[]{
     {"bad_condition", "alternatives of an order", order_of_several},
     {"bad_condition", "no value", no_value},
     {"bad_condition", "within in a when", promise_in_when},
+    {"bad_type", "data", no_type},
+    {"bad_type", "type", no_enum},
+    {"bad_header", "a path", no_header},
     {"language_version", "of a file", later_language},
     {"import_cycle", "the importer", imports_its_importer},
     {"import_cycle", "itself", imports_itself},

@@ -1,4 +1,5 @@
 // Door: tests/defects/planter.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
 //
 // Needs, and what is granted together.
 #include "tests/defects/gadgets.hpp"

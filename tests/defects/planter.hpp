@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A defect that can be planted in a behaviour: for each check one or more, in the ways in which it comes about.
 
 #include "tests/defects/robot.hpp"

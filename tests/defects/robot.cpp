@@ -1,4 +1,5 @@
 // Door: tests/defects/robot.hpp. Test: tests/defects/measure.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/defects/robot.hpp"
 
 #include <algorithm>

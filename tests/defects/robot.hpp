@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A behaviour in the making: its files as documents, and what stands in them, so that a defect can be planted on
 // purpose. Wherever a word begins with `@`, a finding is expected there; `render` takes the sign away.
 

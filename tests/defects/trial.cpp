@@ -1,4 +1,5 @@
 // Door: tests/defects/trial.hpp. Test: tests/defects/measure.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/defects/trial.hpp"
 
 #include "compiler/pipeline.hpp"

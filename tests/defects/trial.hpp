@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // One behaviour, with a defect and without, and what is found in it.
 
 #include "tests/defects/planter.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/docs/command.hpp. Test: tests/docs/told_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/docs/command.hpp"
 
 #include "tests/support/golden.hpp"

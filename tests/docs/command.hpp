@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Commands as a reader of the pages types them.
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A comment of a page: `word, option 1, option "text": argument`, and further lines.
 
 #include <map>

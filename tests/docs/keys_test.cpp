@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: MIT
 // The reference of the language against the schemas, which have every key.
+#include "compiler/reference/explain_key.hpp"
 #include "dsl/yaml_tree.hpp"
 #include "tests/docs/markdown.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 
@@ -54,4 +57,17 @@ TEST_CASE("the reference has an example of each key") {
   for (const std::string& key : keys_of("schemas/scenario.schema.json")) // many of these are shown in a table
     if (!shows(examples, key) && !shows(inputs, key))
       FAIL_CHECK("docs/language.md: no example has the key `" << key << "` of scenarios");
+}
+
+TEST_CASE("each key has a row in a table of the reference, and `directorc explain` tells it") {
+  const std::string page = read_file(source_dir() / "docs/language.md");
+  CHECK(std::string(compiler::language_page()) == page);
+  const std::vector<std::string> rows = compiler::keys_of(page);
+  for (const char* schema : {"schemas/behaviour.schema.json", "schemas/scenario.schema.json"}) {
+    for (const std::string& key : keys_of(schema)) {
+      if (std::find(rows.begin(), rows.end(), key) == rows.end())
+        FAIL_CHECK("docs/language.md: no table has a row for `" << key << "`");
+      CHECK(compiler::explain_key(page, key).value_or("").starts_with("# " + key + "\n\n- `"));
+    }
+  }
 }

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A page in Markdown, taken apart as far as its tests look at it. Unit: lines, from 0. Errors: none; what is not
 // understood is text.
 

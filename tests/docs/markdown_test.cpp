@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/docs/markdown.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
 // Door: tests/docs/names.hpp. Test: tests/docs/names_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/docs/names.hpp"
 
 #include "tests/docs/command.hpp"

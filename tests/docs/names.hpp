@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Whether what a page names exists: files, headings, commands and their options.
 
 #include "tests/docs/markdown.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/docs/names.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pages themselves.
 #include "tests/docs/command.hpp"
 #include "tests/docs/comment.hpp"
@@ -25,7 +26,7 @@ std::vector<std::string> pages_in(const std::string& folder) {
 std::vector<std::string> documentation() {
   std::vector<std::string> paths = pages_in("docs");
   paths.insert(paths.begin(), "README.md");
-  paths.push_back("runtime/dds/README.md");
+  for (const char* path : {"CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "runtime/dds/README.md"}) paths.emplace_back(path);
   return paths;
 }
 

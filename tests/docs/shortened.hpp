@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A text that leaves some of another's lines out and says so.
 
 #include "tests/docs/markdown.hpp"

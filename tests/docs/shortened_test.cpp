@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/docs/shortened.hpp"
 
 #include <catch2/catch.hpp>

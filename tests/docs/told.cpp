@@ -1,4 +1,5 @@
 // Door: tests/docs/told.hpp. Test: tests/docs/told_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/docs/told.hpp"
 
 #include "tests/docs/command.hpp"

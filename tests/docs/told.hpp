@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the blocks of a page should say. A comment directly before a block tells where its text comes from:
 //
 //   <!-- file: PATH -->                      the file, without indentation that all its lines have

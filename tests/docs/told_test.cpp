@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/docs/command.hpp"
 #include "tests/docs/comment.hpp"
 #include "tests/docs/told.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/data.hpp.
 #include "dsl/data.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/diagnostic.hpp.
 #include "dsl/diagnostic.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/duration.hpp.
 #include "dsl/duration.hpp"
 

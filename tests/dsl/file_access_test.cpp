@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/file_access.hpp.
 #include "dsl/file_access.hpp"
 

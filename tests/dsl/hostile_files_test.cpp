@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What stands where a file should: behaviours and scenarios are refused in bounded time and memory.
 #include "dsl/load_file.hpp"
 #include "tests/dsl/reading.hpp"

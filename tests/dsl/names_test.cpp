@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/names.hpp.
 #include "dsl/names.hpp"
 
@@ -40,5 +41,14 @@ TEST_CASE("A name becomes a C++ name by its first letter") {
 
 TEST_CASE("What the standard headers define is known, with its case") {
   for (const char* macro : {"BUFSIZ", "EOF", "NULL", "assert", "errno", "va_arg"}) CHECK(is_cpp_macro(macro));
+  for (const char* macro : {"EPERM", "FE_INEXACT", "PATH_MAX", "SIGINT", "SIG_BLOCK", "M_PI", "linux", "I"})
+    CHECK(is_cpp_macro(macro));
   for (const char* word : {"Eof", "ERROR", "Assert", "null", ""}) CHECK_FALSE(is_cpp_macro(word));
+  for (const char* name : {"abs", "exit", "int32_t", "clock", "FILE", "sinf"}) CHECK(is_cpp_global(name));
+  for (const char* name : {"Abs", "std", "robot", "vector", ""}) CHECK_FALSE(is_cpp_global(name));
+}
+
+TEST_CASE("What C++ keeps for itself has two underscores, or begins with one and a capital letter") {
+  for (const char* text : {"__LINE__", "__", "a__b", "a__", "_Complex", "_A"}) CHECK(is_reserved_in_cpp(text));
+  for (const char* text : {"_", "_a", "_1", "a_B", "a_", ""}) CHECK_FALSE(is_reserved_in_cpp(text));
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/print_spec.hpp.
 #include "dsl/print_spec.hpp"
 #include "tests/dsl/reading.hpp"

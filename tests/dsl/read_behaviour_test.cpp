@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/read_behaviour.hpp and dsl/load_file.hpp.
 #include "dsl/load_file.hpp"
 #include "dsl/read_behaviour.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/read_condition.hpp.
 #include "dsl/read_condition.hpp"
 #include "tests/dsl/reading.hpp"
@@ -80,7 +81,7 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
                                  "`<>` (write `!=`)\n"},
            Case{"[Phase is ready]",
                 "5:18 `is` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found "
-                "`is`\n"},
+                "`is` (write `==`)\n"},
            Case{"[Phase ==]", "5:20 `` bad_condition: expected a value behind `==`, found nothing\n"},
            Case{"[Phase == ready|]", "5:27 `` bad_condition: expected a value behind `|`, found nothing\n"},
            Case{"[Phase == |set]", "5:21 `|` bad_condition: expected a value behind `==`, found `|`\n"},

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/read_data.hpp.
 #include "dsl/read_data.hpp"
 #include "dsl/yaml_tree.hpp"

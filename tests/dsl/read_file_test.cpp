@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/read_file.hpp.
 #include "dsl/read_file.hpp"
 #include "tests/dsl/reading.hpp"
@@ -94,7 +95,7 @@ TEST_CASE("What stands wrong at the top of a file is said where it stands") {
                 "3:1 `grops` unknown_key: a behaviour file has no key `grops` (did you mean `groups`?)\n"
                 "4:1 `states` wrong_node_kind: `states`: expected a mapping, found nothing (an empty one is `{}`)\n"
                 "5:9 `skill` wrong_node_kind: `layers`: expected a list, found `skill` (write `[skill]`)\n"
-                "6:11 `{a: b}` wrong_node_kind: `triggers`: expected a list, found a mapping\n"},
+                "6:11 `{a: b}` wrong_node_kind: `triggers`: expected a list, found a mapping (write `[a]`)\n"},
            Case{"behaviour: a\nlanguage: 1\ncpp: {name_space: b}\nlimits: {trials: 0}\n",
                 "3:7 `name_space` unknown_key: `cpp` has no key `name_space` (did you mean `namespace`?)\n"
                 "4:18 `0` wrong_node_kind: `trials`: expected a whole number from 1, found `0`\n"},
@@ -107,7 +108,8 @@ TEST_CASE("What stands wrong at the top of a file is said where it stands") {
 TEST_CASE("What stands wrong in an assertion is said where it stands") {
   for (const Case& c : {
            Case{"{can_run: Kick}",
-                "3:13 `{can_run: Kick}` wrong_node_kind: `assertions`: expected a list, found a mapping\n"},
+                "3:13 `{can_run: Kick}` wrong_node_kind: `assertions`: expected a list, found a mapping (write `- ` "
+                "before each of them)\n"},
            Case{"[Kick]",
                 "3:14 `Kick` wrong_node_kind: `assertions`: expected a mapping such as {can_run: Kick}, found "
                 "`Kick`\n"},

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/read_group.hpp.
 #include "dsl/read_condition.hpp"
 #include "dsl/read_group.hpp"
@@ -121,7 +122,8 @@ TEST_CASE("What stands wrong in a group is said where it stands") {
            Case{"", "4:3 `Walk` wrong_node_kind: `Walk`: expected a mapping, found nothing (an empty one is `{}`)\n"},
            Case{"null",
                 "4:9 `null` wrong_node_kind: `Walk`: expected a mapping, found nothing (an empty one is `{}`)\n"},
-           Case{"[walking]", "4:9 `[walking]` wrong_node_kind: `Walk`: expected a mapping, found a list\n"},
+           Case{"[walking]", "4:9 `[walking]` wrong_node_kind: `Walk`: expected a mapping, found a list (what it "
+                             "requests stands in `tasks`, what it must control in `needs`: `Walk: {tasks: [...]}`)\n"},
            Case{
                "{need: [Legs], nme: x}",
                "4:10 `need` unknown_key: group `Walk` has no key `need` (did you mean `needs`?)\n"
@@ -151,7 +153,9 @@ TEST_CASE("What stands wrong in a group is said where it stands") {
                 "providers that it is meant for)\n"
                 "  4:26 `providers` `providers` stands here\n"},
            Case{"{providers: {walking: {}}}",
-                "4:21 `{walking: {}}` wrong_node_kind: `providers`: expected a list of providers, found a mapping\n"},
+                "4:21 `{walking: {}}` wrong_node_kind: `providers`: expected a list of providers, found a mapping "
+                "(their order "
+                "is that of preference: write `- name: walking`, and its other words below)\n"},
            Case{"{providers: [walking, {needs: [Legs]}, {}]}",
                 "4:22 `walking` wrong_node_kind: `providers`: expected "
                 "a mapping such as {name: walking}, found `walking`\n"

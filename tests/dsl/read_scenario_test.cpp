@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/read_scenario.hpp, dsl/read_script.hpp.
 #include "dsl/read_scenario.hpp"
 #include "tests/dsl/reading.hpp"
@@ -154,7 +155,8 @@ TEST_CASE("What stands wrong in a scenario's head is said where it stands") {
                                  "behaviour file, which `directorc check` reads)\n"},
            Case{"given: [A]\nsteps: {}\nscript: []\n",
                 "2:8 `[A]` wrong_node_kind: `given`: expected a mapping of states to values, found a list\n"
-                "3:8 `{}` wrong_node_kind: `steps`: expected a list of steps, found a mapping\n"
+                "3:8 `{}` wrong_node_kind: `steps`: expected a list of steps, found a mapping (write `- ` before "
+                "each step: `- request: Walk`)\n"
                 "4:9 `[]` wrong_node_kind: `script`: expected a mapping, found a list\n"},
            Case{"given: {A: , B: [c]}\n",
                 "2:9 `A` wrong_node_kind: `A`: expected a value of the state, found nothing\n"

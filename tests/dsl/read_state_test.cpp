@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/read_state.hpp.
 #include "dsl/read_state.hpp"
 #include "tests/dsl/reading.hpp"
@@ -102,7 +103,8 @@ TEST_CASE("What stands wrong in a state is said where it stands") {
            Case{"{values: [off, \"on\"]}", "4:16 `off` warning yaml_word_trap: older YAML tools read a bare `off` as a "
                                            "boolean (write \"off\", or choose "
                                            "another word)\n"},
-           Case{"[a, b]", "4:6 `[a, b]` wrong_node_kind: `S`: expected a mapping, found a list\n"},
+           Case{"[a, b]", "4:6 `[a, b]` wrong_node_kind: `S`: expected a mapping, found a list (its values stand in "
+                          "`values`: `S: {values: [...]}`)\n"},
        }) {
     CAPTURE(c.text);
     CHECK(with_state(c.text).findings() == c.findings);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/read_tasks.hpp.
 #include "dsl/read_tasks.hpp"
 #include "tests/dsl/reading.hpp"
@@ -74,10 +75,11 @@ TEST_CASE("What stands wrong in a task is said where it stands") {
                "3:9 `Walk: {priority: 3}` wrong_node_kind: `roots`: expected the name of a group, found a mapping "
                "(where a "
                "task has words of its own, all are a mapping: {Legs: {}, Head: {optional: true}})\n"},
-          Case{"{Walk: 3}", "3:15 `3` wrong_node_kind: `Walk`: expected a mapping, found `3`\n"},
-          Case{"{Walk: {prio: 3}}",
-               "3:16 `prio` unknown_key: task `Walk` has no key `prio` (it may have priority, optional, apart, levels, "
-               "doc, allow, because)\n"},
+          Case{"{Walk: 3}",
+               "3:15 `3` wrong_node_kind: `Walk`: expected a mapping, found `3` (write `Walk: {priority: 3}`)\n"},
+          Case{"{Walk: {speed: 3}}", "3:16 `speed` unknown_key: task `Walk` has no key `speed` (it may have priority, "
+                                     "optional, apart, levels, "
+                                     "doc, allow, because)\n"},
           Case{"{Walk: {priorty: 3}}",
                "3:16 `priorty` unknown_key: task `Walk` has no key `priorty` (did you mean `priority`?)\n"},
           Case{"{Walk: {priority: high}}",
@@ -111,7 +113,7 @@ TEST_CASE("What stands wrong in a task is said where it stands") {
                "the levels)\n"
                "  3:29 `levels` `levels` stands here\n"},
           Case{"{Walk: {levels: {firm: 3, spare: {optional: true, apart: true}}}}",
-               "3:31 `3` wrong_node_kind: `firm`: expected a mapping, found `3`\n"
+               "3:31 `3` wrong_node_kind: `firm`: expected a mapping, found `3` (write `firm: {priority: 3}`)\n"
                "3:58 `apart` exclusive_keys: `optional` and `apart` exclude each other (leave out `apart`: what is "
                "optional waits for itself alone anyway)\n"
                "  3:42 `optional` `optional` stands here\n"},
@@ -158,8 +160,10 @@ TEST_CASE("Packs are lists or mappings of tasks by name") {
   CHECK(packs[2].tasks.empty());
   CHECK(packs[3].tasks.empty());
   CHECK(read.text(packs[1].span) == "search: [Turn]");
-  CHECK(read_body("groups:\n  G: {packs: [a], when: []}\n").findings() ==
-        "4:14 `[a]` wrong_node_kind: `packs`: expected a mapping of names to tasks, found a list\n");
+  CHECK(
+      read_body("groups:\n  G: {packs: [a], when: []}\n").findings() ==
+      "4:14 `[a]` wrong_node_kind: `packs`: expected a mapping of names to tasks, found a list (give each pack a name: "
+      "`packs: {attack: [Kick, Walk]}`)\n");
   CHECK(read_body("groups:\n  G: {packs: {rest: }}\n").findings() ==
         "4:15 `rest` wrong_node_kind: `rest`: expected a list of groups or a mapping, found nothing (an empty one is "
         "`[]`)\n");

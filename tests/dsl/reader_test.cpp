@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/reader.hpp; what its parts say of real files is tested beside the readers that use them.
 #include "dsl/reader.hpp"
 #include "dsl/yaml_tree.hpp"

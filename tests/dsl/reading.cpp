@@ -1,4 +1,5 @@
 // Door: tests/dsl/reading.hpp.
+// SPDX-License-Identifier: MIT
 #include "tests/dsl/reading.hpp"
 
 #include <fmt/format.h>

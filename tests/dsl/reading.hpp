@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads texts and writes what was found in a line each, so that tests compare it whole:
 //   3:5 `wehn` unknown_key: group `Kick` has no key `wehn` (did you mean `when`?)
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/render.hpp.
 #include "dsl/render.hpp"
 

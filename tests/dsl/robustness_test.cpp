@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // No input crashes, hangs or takes all the memory: mutations of real files, and texts made to be hard.
 #include "dsl/print_spec.hpp"
 #include "dsl/render.hpp"

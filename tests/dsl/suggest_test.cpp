@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "dsl/suggest.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
 // Door: tests/dsl/without_places.hpp.
+// SPDX-License-Identifier: MIT
 #include "tests/dsl/without_places.hpp"
 
 namespace director::dsl {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A Spec whose places are all the same, so that two Specs can be compared by what they say. A leaf that is forgotten
 // here makes the comparison of equal Specs fail.
 

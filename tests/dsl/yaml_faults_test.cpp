@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The faults of yaml-cpp that are known, one test each: what the reader makes of texts that yaml-cpp takes for
 // something else, or never comes back from.
 #include "tests/dsl/reading.hpp"
@@ -160,4 +161,37 @@ TEST_CASE("yaml-cpp: nesting ends the program, or an exception, at 500 levels") 
   check_behaviour("layers: " + std::string(600, '[') + "\n",
                   "3:41 `[` input_limit: nested deeper than 64 levels (the language needs ten at most: leave out what "
                   "nests the others)\n");
+}
+
+TEST_CASE("a key without its colon is told where it stands, not in the line behind it") {
+  const std::string help =
+      " (a key and its value are written `key: value`; a text goes on in a line of its own only with "
+      "`|` or in quotes)\n";
+  check_behaviour("groups:\n  Walk\n    needs: [Legs]\n", "4:3 `Walk` yaml_syntax: expected `:` behind `Walk`" + help);
+  check_behaviour("groups\n  Legs: {}\n", "3:1 `groups` yaml_syntax: expected `:` behind `groups`" + help);
+  check_behaviour("groups:\n  Walk:\n    needs [Legs]  # both\n\n    # now\n    tasks: [Legs]\n",
+                  "5:5 `needs` yaml_syntax: expected `:` behind `needs`" + help);
+  check_behaviour("groups:\n  Walk:\n    needs:[Legs]\n    tasks: [Legs]\n",
+                  "5:5 `needs:` yaml_syntax: expected a blank behind `needs:`" + help);
+  check_behaviour("groups:\n  Walk:\n    providers:\n      - name a\n        needs: [Legs]\n",
+                  "6:9 `name` yaml_syntax: expected `:` behind `name`" + help);
+  check_behaviour("groups:\n  Walk: {stop: true, needs [Legs], tasks: [Legs]}\n",
+                  "4:22 `needs` yaml_syntax: expected `:` behind `needs`" + help);
+  check_behaviour("groups: {Legs {}}\n", "3:10 `Legs` yaml_syntax: expected `:` behind `Legs`" + help);
+  check_behaviour("groups:\n  Walk:\n    providers:\n      - {name a, needs: [Legs]}\n",
+                  "6:10 `name a` yaml_syntax: expected `:` behind `name a`\n"); // and no word that there is no name
+  CHECK(read_text("behaviour b\nlanguage: 1\n").findings() ==
+        "1:1 `behaviour` yaml_syntax: expected `:` behind `behaviour`" + help);
+  check_behaviour(
+      "groups:\n  Walk:\n    needs [Legs]\n",
+      "5:5 `needs [Legs]` wrong_node_kind: `Walk`: expected a mapping, found `needs [Legs]` (if `needs` is a "
+      "key, write `needs:`)\n");
+}
+
+TEST_CASE("a second colon in a line, or one in a text, is no key without its colon") {
+  const std::string said =
+      "yaml_syntax: a `:` that belongs to no key (is the line indented as it should be? A text with "
+      "`: ` in it needs quotes)\n";
+  check_behaviour("layers:\n  - a\ndoc: b: c\n", "5:7 `:` " + said);
+  check_behaviour("doc: a text that\n  goes on: here\n", "4:10 `:` " + said);
 }

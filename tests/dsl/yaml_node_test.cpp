@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/yaml_node.hpp.
 #include "dsl/source_file.hpp"
 #include "dsl/yaml_node.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/yaml_scan.hpp.
 #include "dsl/yaml_scan.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/yaml_text.hpp; that every text comes back is tested in tests/dsl/print_spec_test.cpp.
 #include "dsl/yaml_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests dsl/yaml_tree.hpp, dsl/tree_builder.hpp.
 #include "dsl/tree_builder.hpp"
 #include "dsl/yaml_tree.hpp"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D NM=<nm> -D OBJECTS=<list of object files> -P nothing_reported.cmake
 # Each function that reports to an observer must be empty: no more than a return.
 file(STRINGS ${OBJECTS} objects)

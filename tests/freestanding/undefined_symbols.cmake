@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D NM=<nm> -D LINKER=<ld> -D OBJECTS=<list of object files> -D OUT=<file> -P undefined_symbols.cmake
 # Joins the objects to one, so that what they call of one another is defined, and fails for every other symbol that is not one of mem*.
 file(STRINGS ${OBJECTS} objects)

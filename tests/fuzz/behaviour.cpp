@@ -1,4 +1,5 @@
 // Door: libFuzzer. Test: tests/fuzz/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // Bytes as behaviour files: they are read or refused, and what is read is the same when it is printed and read again.
 #include "dsl/print_spec.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/fuzz/files.hpp. Test: tests/fuzz/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/fuzz/files.hpp"
 
 #include "dsl/render.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The bytes that a fuzzer makes up, as files: a line `--- # name` begins the next file, as `directorc dump
 // --stage=spec` prints it. What stands before the first such line is the file that is read.
 

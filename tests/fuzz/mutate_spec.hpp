@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Behaviour files that can be read, changed in a few places into others that can be read: references go to what is
 // declared, conditions ask for values that there are. What is asked for may make no sense, which is for the checks.
 

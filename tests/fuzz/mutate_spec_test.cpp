@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests tests/fuzz/mutate_spec.hpp and tests/fuzz/files.hpp.
 #include "dsl/read_behaviour.hpp"
 #include "tests/fuzz/files.hpp"

@@ -1,4 +1,5 @@
 // Door: libFuzzer. Test: tests/fuzz/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // Bytes as behaviour files, through every stage: the checks, the assertions, the tables, what is generated. Most of
 // them are made by a mutator that knows the language, since what cannot be read never gets that far.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D PROGRAM=<fuzzer> -D TARGET=<name> -D FROM=<tests/fuzz> -D WORK=<folder> -D SECONDS=<n> -P run.cmake
 # Lets a fuzzer look for faults for so long, beginning with the corpus. Fails where it finds one, and where fewer edges ran than golden/edges.txt says,
 # give or take 2 %. With DIRECTOR_BLESS=1 in the environment that number is rewritten.

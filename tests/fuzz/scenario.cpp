@@ -1,4 +1,5 @@
 // Door: libFuzzer. Test: tests/fuzz/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // Bytes as a scenario and the behaviour that it names: it is played by the engine, or refused.
 #include "compiler/lower/lower.hpp"

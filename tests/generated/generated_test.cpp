@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // generated/ holds what directorc writes, for review: soccer and chase_ball whole, of robocup the manifest and a text
 // form of its tables. It is written anew here and compared byte for byte; ./bless rewrites it.
 

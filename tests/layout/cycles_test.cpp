@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/layout/includes.hpp"
 #include "tests/layout/source_tree.hpp"
 

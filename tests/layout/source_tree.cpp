@@ -1,4 +1,5 @@
 // Door: tests/layout/source_tree.hpp. Test: the tests beside it.
+// SPDX-License-Identifier: MIT
 #include "tests/layout/source_tree.hpp"
 
 #include "tests/support/golden.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/layout/source_tree.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
 // Door: tests/no_heap/heap_trap.hpp. Test: tests/no_heap/scenarios_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The C library lets a program define the allocation functions and keeps its own under other names; operator new of the
 // C++ library comes down to malloc.

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Counts what this thread asks of the heap, by malloc and its like and by operator new, while it has armed a trap.
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The engine uses no heap: every scenario of the project is played with the heap watched inside of Engine::take_step,
 // but not inside of the scripted bodies and of the recorder, which are not the robot's. The linker puts the functions
 // below between the player of scenarios and the engine (--wrap, see CMakeLists.txt).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A whole game of the soccer player, bodies included, uses no heap once it has begun.
 
 #include "behaviours/soccer/player/player.hpp"

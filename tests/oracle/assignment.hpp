@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // semantics.md, section 2: what changes while a behaviour runs. Assignment is what arbitration decides; Facts is
 // everything else that it looks at.
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // semantics.md, sections 3, 5, 6 and 7: a running behaviour. It takes micro-steps, arbitrates after each, and acts on
 // the difference. What the program's bodies would do is asked of Bodies; what happens is a list of lines as a
 // scenario's `expect` writes them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/model/resolve.hpp"
 #include "dsl/read_behaviour.hpp"
 #include "dsl/read_scenario.hpp"

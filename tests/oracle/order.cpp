@@ -1,4 +1,5 @@
 // Door: tests/oracle/order.hpp. Test: tests/oracle/order_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/oracle/order.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // semantics.md, 4.1: order between two edges, by their chains of holders up to root.
 
 #include "tests/oracle/assignment.hpp"

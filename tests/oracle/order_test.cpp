@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/oracle/order.hpp"
 #include "tests/oracle/text.hpp"
 

@@ -1,4 +1,5 @@
 // Door: tests/oracle/parts.hpp. Test: tests/oracle/parts_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/oracle/parts.hpp"
 
 #include <algorithm>

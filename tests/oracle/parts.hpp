@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // semantics.md, section 1, on the Model: what the specification says before anything moves, written out in full. Need
 // plans are enumerated, reachable groups are sets. Slow on purpose; the whole folder is, and shares no code with
 // compiler/lower or runtime.

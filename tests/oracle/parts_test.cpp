@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/oracle/text.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // semantics.md, section 4: arbitration, from nothing. One Pass object is one pass; arbitrate() repeats it as 4.2 says.
 
 #include "tests/oracle/order.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Plays a scenario file on the oracle: scripted bodies and listed inputs, as the second half of the language page says.
 // It works on the scenario as written; names are looked up when they are met. What a scenario may not say is thrown.
 

@@ -1,4 +1,5 @@
 // Door: tests/oracle/text.hpp. Test: tests/oracle/parts_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/oracle/text.hpp"
 
 #include "compiler/model/resolve.hpp"

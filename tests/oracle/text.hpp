@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A Model from a behaviour's text, for tests.
 
 #include "tests/oracle/parts.hpp"

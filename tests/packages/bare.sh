@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # bare.sh --base <folder to work in>
 # bare.sh <folder with the packages> <folder to work in> <tests/cmake of the project>
 # The packages on a Debian 12 that has nothing else: installed by apt with what they depend on, used as somebody would use them, and removed. The bare
@@ -82,6 +83,11 @@ cp "$packages"/director_*.deb "$packages"/director-clang_*.deb "$root/packages/"
 bare_apt install --no-install-recommends "$root"/packages/director_*.deb || { tail -n 20 "$log"; fail 'director cannot be installed'; }
 
 cp -r "$projects/consumer" "$root/lantern"
+# The line that an editor wants, as --help names it, leads to a schema.
+inside directorc --help | sed -n 's/^# yaml-language-server: $schema=//p' >"$work/schemas"
+[ "$(wc -l <"$work/schemas")" = 2 ] || fail 'directorc --help does not name the two schemas'
+while read -r schema; do [ -s "$root$schema" ] || fail "there is no $schema"; done <"$work/schemas"
+grep -qx 'License: Expat' "$root/usr/share/doc/director/copyright" || fail 'the package does not say its licence'
 inside directorc --version
 inside directorc check --werror /lantern/lantern.yaml
 inside directorc generate /lantern/lantern.yaml -o /generated

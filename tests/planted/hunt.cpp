@@ -1,4 +1,5 @@
 // Door: tests/planted/CMakeLists.txt. Test: itself.
+// SPDX-License-Identifier: MIT
 //
 // Plants one fault after the other in the engine and lets the random cases of tests/property look for it: each must
 // differ from the oracle, break an invariant or hang within a small part of the cases that a usual run has. Prints a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/player/locomotion.hpp"
 #include "runtime/hosted/trial.hpp"
 

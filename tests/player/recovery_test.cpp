@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/player/recovery.hpp"
 #include "runtime/hosted/trial.hpp"
 

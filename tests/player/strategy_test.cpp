@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/player/strategy.hpp"
 #include "runtime/hosted/trial.hpp"
 

@@ -1,4 +1,5 @@
 // Door: tests/property/claims.hpp. Test: tests/property/property_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/property/claims.hpp"
 
 #include "tests/oracle/order.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What `why` claims, held against what holds, by means of the oracle's order and plans.
 
 #include "runtime/core/why.hpp"

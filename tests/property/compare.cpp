@@ -1,4 +1,5 @@
 // Door: tests/property/compare.hpp. Test: tests/property/property_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/property/compare.hpp"
 
 #include "compiler/checks/analysis/plans/bounds.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // One scenario on the engine and on the oracle: traces, what holds after every micro-step, and what the scenario
 // showed.
 

@@ -1,4 +1,5 @@
 // Door: tests/property/compiled.hpp. Test: tests/property/generate_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/property/compiled.hpp"
 
 #include "compiler/lower/lower.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The whole way from texts to something that runs, in memory: reader, resolve, lower, and the scenario for both sides.
 
 #include "compiler/lower/lowered.hpp"

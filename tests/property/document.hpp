@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A document as a tree of mappings, lists and words, and its text as YAML. Only words that need no quotes.
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/property/document.hpp"
 
 #include <catch2/catch.hpp>

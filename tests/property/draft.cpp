@@ -1,4 +1,5 @@
 // Door: tests/property/draft.hpp. Test: tests/property/generate_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/property/draft.hpp"
 
 namespace director::property {
@@ -121,7 +122,7 @@ Node of(const BehaviourDraft& draft, const StateDraft& state) {
 
 Node to_document(const BehaviourDraft& draft) {
   Node out;
-  out.add("behaviour", "random");
+  out.add("behaviour", "random_case");
   out.add("language", "1");
   Node& states = out.add("states", {});
   for (const StateDraft& state : draft.states) states.add(state.name, of(draft, state));

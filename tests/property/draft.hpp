@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A behaviour in the making: what the generator knows about it while it writes a scenario for it.
 
 #include "tests/property/document.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The robot's engine on lowered tables, with the bodies that `directorc simulate` uses, one micro-step at a time.
 
 #include "compiler/play/recorder.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // On random behaviours: what the checks call unreachable is reached nowhere, what is proven at once is refuted in no
 // state, what is refuted can be played, and what all states prove happens in no random scenario. And what is foreseen
 // and not taken is not missed.
@@ -134,7 +135,7 @@ TEST_CASE("explorations agree with the checks, with proofs, and with what is pla
       }
       if (!searched.seen[i] || i % 5 != seed % 5) continue; // each is played; a fifth is enough
       ++refuted;
-      CHECK(compiler::shows(ground, *searched.seen[i], searched.breadth, i, false));
+      CHECK(compiler::shows(ground, *searched.seen[i], searched.breadth, i));
       const auto way = compiler::follow(ground, *searched.seen[i], searched.breadth);
       if (!compiler::write_scenario(ground, way, {"found", "Played.", "behaviour.yaml", {}})) ++not_played;
     }

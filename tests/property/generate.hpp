@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Random behaviours and scenarios for them, dense with what makes arbitration hard: few states that many wait for and
 // several cause, shared resources, equal priorities, alternatives of needs, ladders. Everything follows from the seed.
 // Every scenario comes to rest by itself: from its fourth run on a scripted provider only continues, and from its

@@ -1,4 +1,5 @@
 // Door: tests/property/generate.hpp. Test: tests/property/generate_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/property/generate.hpp"
 
 #include <algorithm>

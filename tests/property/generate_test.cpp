@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/property/compiled.hpp"
 #include "tests/property/generate.hpp"
 

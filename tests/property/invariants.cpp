@@ -1,4 +1,5 @@
 // Door: tests/property/invariants.hpp. Test: tests/property/property_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/property/invariants.hpp"
 
 #include "tests/oracle/order.hpp"

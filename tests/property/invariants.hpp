@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What holds after every micro-step, whatever the behaviour: looked for in what the engine says of itself.
 
 #include "tests/property/snapshot.hpp"

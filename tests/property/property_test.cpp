@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The engine's main property: on random behaviours and scenarios it does what the oracle does, micro-step by
 // micro-step.
 //

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Random numbers that are the same on every machine: the distributions of the standard library are not.
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Makes a failing case small: takes away whatever can go while it still fails.
 
 #include "tests/property/generate.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/property/snapshot.hpp. Test: tests/property/property_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/property/snapshot.hpp"
 
 #include "tests/oracle/parts.hpp"

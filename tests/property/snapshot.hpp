@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What engine and oracle must agree on after every micro-step.
 
 #include "tests/oracle/assignment.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/property/watch.hpp. Test: tests/property/property_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/property/watch.hpp"
 
 #include <unistd.h>

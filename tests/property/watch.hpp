@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Says which case was in hand when the program dies or hangs: a test that runs thousands must not keep that to itself.
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Door: tests/robocup/facts.hpp. Test: tests/robocup/robocup_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/robocup/facts.hpp"
 
 #include "dsl/render.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads the team's graph from facts/*.yaml, whose notation is explained at their beginning. Several facts have a short
 // form and, elsewhere, a full one; then the full one counts.
 

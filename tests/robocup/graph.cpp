@@ -1,4 +1,5 @@
 // Door: tests/robocup/graph.hpp. Test: tests/robocup/graph_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/robocup/graph.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the facts and what our files say of the team's graph, in one form, and as lines that a person can compare.
 
 #include <cstdint>

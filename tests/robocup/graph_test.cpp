@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/robocup/graph.hpp"
 
 #include <catch2/catch.hpp>

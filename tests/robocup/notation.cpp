@@ -1,4 +1,5 @@
 // Door: tests/robocup/notation.hpp. Test: tests/robocup/robocup_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/robocup/notation.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The notation of facts/*.yaml, explained at their beginning, in our language's words.
 
 #include "dsl/yaml_tree.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/robocup/facts.hpp"
 #include "tests/robocup/told.hpp"
 #include "tests/support/golden.hpp"

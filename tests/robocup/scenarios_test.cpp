@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/lower/lower.hpp"
 #include "compiler/pipeline.hpp"
 #include "compiler/play/resolve_scenario.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/robocup/told.hpp. Test: tests/robocup/robocup_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/robocup/told.hpp"
 
 #include "dsl/read_behaviour.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Reads what behaviours/robocup says.
 
 #include "tests/robocup/graph.hpp"

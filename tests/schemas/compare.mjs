@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 // node compare.mjs VERDICTS SCHEMAS: does each schema accept all that the reader accepts, and refuse all that the reader refuses for what a schema
 // can see? VERDICTS is what the program verdicts prints, SCHEMAS the folder of the schemas.
 import { readFileSync } from 'node:fs';
 import Ajv from 'ajv';
 import { parseDocument } from 'yaml';
 
-const seen = ['unknown_key', 'wrong_node_kind', 'missing_key', 'exclusive_keys', 'bad_condition'];
+const seen = ['unknown_key', 'wrong_node_kind', 'missing_key', 'exclusive_keys', 'bad_condition', 'bad_type', 'bad_header'];
 
 // What is lost before a schema sees it, or cannot be said in one: how a number or a boolean is spelled, and which of two numbers is the higher.
 const beyond = [

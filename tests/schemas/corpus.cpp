@@ -1,4 +1,5 @@
 // Door: tests/schemas/corpus.hpp. Test: tests/schemas/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include "tests/schemas/corpus.hpp"
 
 #include "dsl/yaml_tree.hpp"
@@ -51,6 +52,7 @@ constexpr std::array values{"~",
                             "\"A = b\"",
                             "\"A == b|c\"",
                             "two words",
+                            "bool", // a type of C++ itself is no enum
                             "1.5",
                             "A.b",
                             "\"A == b within 1 s\"",

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Files for the schemas to accept or to refuse: those of the project, the blocks of its pages, and two small files with
 // every key, changed in one place after another.
 

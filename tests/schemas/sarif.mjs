@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // node sarif.mjs FILE...: is each of these SARIF 2.1.0? The schema comes with an npm package; its draft is too old for ajv, and what it uses means the same today.
 import { readFileSync } from 'node:fs';
 import Ajv from 'ajv';

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D DIRECTORC=<program> -D VERDICTS=<program> -D NODE=<program> -D NPM=<program> -D FROM=<this folder> -D SCHEMAS=<folder> -D WORK=<folder> -P schemas.cmake
 # Installs the pinned npm packages in WORK, has VERDICTS read the corpus, and compares with the schemas. Then holds what
 # DIRECTORC prints as SARIF against the schema of SARIF.

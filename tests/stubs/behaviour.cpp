@@ -1,4 +1,5 @@
 // Door: tests/stubs/behaviour.hpp. Test: tests/stubs/wanted_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/stubs/behaviour.hpp"
 
 #include "compiler/lower/lower.hpp"

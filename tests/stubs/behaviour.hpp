@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Behaviours for tests of stubs: from their YAML to what they want in C++.
 
 #include "compiler/stubs/wanted.hpp"

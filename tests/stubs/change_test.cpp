@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/change.hpp"
 #include "tests/support/golden.hpp"
 

@@ -1,4 +1,5 @@
 // Door: tests/stubs/cheap_cpp.hpp. Test: tests/stubs/orders_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/stubs/cheap_cpp.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The first files of a module, and main.cpp, as they are written and as compilers take them.
 #include "compiler/stubs/layout.hpp"
 #include "tests/stubs/behaviour.hpp"
@@ -36,27 +37,46 @@ TEST_CASE("one class may implement several modules, and a root task with data is
 #include "both.hpp"
 
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 int main() {
+  // Ctrl-C, or SIGTERM, ends the loop below; a second one ends the program at once.
+  static volatile std::sig_atomic_t stopping = 0;
+  const auto stop = [](int signal) {
+    stopping = 1;
+    std::signal(signal, SIG_DFL);
+  };
+  std::signal(SIGINT, stop);
+  std::signal(SIGTERM, stop);
+
   my::Both one_part;
   b::Behaviour behaviour{one_part, one_part};
 
   behaviour.request<b::Go>();
   // With data of their own: behaviour.request(b::Kick{data}) and behaviour.request(b::Look{data}).
   const auto start = std::chrono::steady_clock::now();
-  while (true) {
-    behaviour.step(std::chrono::steady_clock::now() - start);
+  const auto step = [&] { return behaviour.step(std::chrono::steady_clock::now() - start); };
+  while (stopping == 0) {
+    step();
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
+
+  // What runs is stopped: the end of the behaviour calls no stop handler.
+  behaviour.cancel_all();
+  while (step() != director::StepResult::quiescent) {}
 }
 )");
 }
 
-TEST_CASE("what is written first compiles at once with strict warnings") {
+namespace {
+
+/// Generates from a behaviour, writes the first files for it, and compiles them all together.
+void check_compiles(const std::string& from, const std::string& headers) {
   const fs::path folder = binary_dir() / "tests/stubs-compiled";
   fs::remove_all(folder);
-  const std::string from = (source_dir() / "tests/docs/rover/rover.yaml").string(), to = folder.string();
+  fs::create_directories(folder);
+  const std::string to = folder.string();
   const std::string directorc = "'" + (binary_dir() / "bin/directorc").string() + "' ";
   REQUIRE(std::system((directorc + "generate '" + from + "' -o '" + to + "/generated'").c_str()) == 0);
   // Without director-clang, as on a computer that has only directorc.
@@ -64,6 +84,7 @@ TEST_CASE("what is written first compiles at once with strict warnings") {
                        "/src' --main >/dev/null")
                           .c_str()) == 0);
   std::ofstream all(folder / "all.cpp");
+  all << headers;
   for (const auto& file : fs::directory_iterator(folder / "src"))
     if (file.path().extension() == ".cpp") all << "#include \"src/" << file.path().filename().string() << "\"\n";
   all.close();
@@ -76,4 +97,20 @@ TEST_CASE("what is written first compiles at once with strict warnings") {
                         .c_str()) == 0);
   }
   fs::remove_all(folder);
+}
+
+} // namespace
+
+TEST_CASE("what is written first compiles at once with strict warnings") {
+  check_compiles((source_dir() / "tests/docs/rover/rover.yaml").string(), "");
+}
+
+TEST_CASE("what is written first compiles where a module is called like a type of C, or like the namespace") {
+  const std::string from = (binary_dir() / "tests/stubs-names.yaml").string();
+  for (const char* name_space : {"Legs", "Legs::FILE", "provide", "start"}) {
+    std::ofstream(from) << "behaviour: b\nlanguage: 1\nroots: [A, _]\ncpp: {namespace: '" << name_space
+                        << "'}\ngroups:\n  A: {module: legs, start: true, stop: true}\n  _: {module: FILE}\n";
+    check_compiles(from, "#include <cstdio>\n");
+  }
+  fs::remove(from);
 }

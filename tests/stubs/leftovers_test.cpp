@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is said of code that serves nothing any more, and of what it is not said.
 #include "compiler/stubs/leftovers.hpp"
 
@@ -45,6 +46,16 @@ Said said(const FoundFunction& row) {
 
 TEST_CASE("a body that its module asks for is no leftover") {
   CHECK(said(function("Legs", "provide", "b::Walk::Default", true)) == Said{});
+}
+
+TEST_CASE("a body in a template that any module may be a base of is a leftover only if nothing asks for it") {
+  FoundFunction row = function("WithWalk", "provide", "b::Walk::Default", true);
+  row.overrides = row.for_any = true;
+  CHECK(said(row) == Said{});
+  row.context = "b::Run::Default";
+  row.known = false;
+  CHECK(said(row) ==
+        Said{"`provide(b::Run::Default&)` of `WithWalk` is left over: robot has no such provider or handler"});
 }
 
 TEST_CASE("a body whose provider or handler is gone is a leftover") {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where what is missing goes, and what is said where it can go nowhere: whole programs before and after.
 #include "compiler/stubs/merge.hpp"
 #include "tests/stubs/cheap_cpp.hpp"

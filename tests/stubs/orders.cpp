@@ -1,4 +1,5 @@
 // Door: tests/stubs/orders.hpp. Test: tests/stubs/orders_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "tests/stubs/orders.hpp"
 
 #include "compiler/stubs/layout.hpp"

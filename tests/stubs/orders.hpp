@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Random orders of what happens to a program: its behaviour is edited, its C++ is edited, stubs are written. Each order
 // is made of its number alone, and so is each of its steps: some may be left out, and what is left does what it did.
 

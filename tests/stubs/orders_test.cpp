@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // 2,000 orders, read by the cheap stand-in for Clang; tests/clang does the same ones with Clang itself, and compares.
 #include "compiler/stubs/merge.hpp"
 #include "tests/stubs/cheap_cpp.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/stubs/relevance.hpp"
 #include "tests/stubs/behaviour.hpp"
 
@@ -14,6 +15,17 @@ TEST_CASE("a file that names nothing of a behaviour need not be read") {
   CHECK(mentions("x.Walk::y", telling_words(wanted)));
   CHECK_FALSE(mentions("robots Walker MyLegs team_", telling_words(wanted)));
   CHECK_FALSE(mentions("", telling_words(wanted)));
+}
+
+TEST_CASE("a class that may be made of others is known by where their names stand") {
+  const Words names{"Legs", "Arms"};
+  CHECK(derives("struct Robot : Legs {", names));
+  CHECK(derives("class Robot final: public virtual robot :: parts::Legs {", names));
+  CHECK(derives("class Robot : Head,\n  private Arms {", names));
+  CHECK_FALSE(derives("class Legs : public Limbs { Arms arms; };", names));
+  CHECK_FALSE(derives("robot::Legs legs; MyLegs : Legless", names));
+  CHECK_FALSE(derives("Legs", names));
+  CHECK_FALSE(derives("", names));
 }
 
 TEST_CASE("C++ is known by its name") {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What director-clang is asked, as JSON, and what is made of its answers, also of those that make no sense.
 #include "compiler/stubs/scan.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/stubs/text_place.hpp"
 
 #include <catch2/catch.hpp>

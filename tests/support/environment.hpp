@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Random cases: how many, and from which on, the environment may say.
 
 #include <cstdlib>

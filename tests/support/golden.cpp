@@ -1,4 +1,5 @@
 // Door: tests/support/golden.hpp. Test: tests/bless/bless.cmake.
+// SPDX-License-Identifier: MIT
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Two searches of one behaviour, of which one takes every micro-step and the other none that it foresees to end as
 // another.
 

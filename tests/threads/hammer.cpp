@@ -1,4 +1,5 @@
 // Door: tests/threads/CMakeLists.txt. Test: itself.
+// SPDX-License-Identifier: MIT
 //
 // Several threads hammer `post` of a generated behaviour while another one steps it. Built with the thread sanitizer,
 // which ends the program with an error where two threads touch the same memory without order. Says what is wrong

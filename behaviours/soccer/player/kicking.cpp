@@ -1,4 +1,5 @@
 // Door: behaviours/soccer/player/kicking.hpp. Test: tests/behaviours/soccer.
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/player/kicking.hpp"
 
 namespace player {

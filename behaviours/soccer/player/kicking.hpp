@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: the kick (kicking.yaml): back, through the ball, and down again.
 
 #include "soccer.hpp"

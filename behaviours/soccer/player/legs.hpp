@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: legs whose controller moves all their servos at once (legs.yaml).
 
 #include "behaviours/soccer/world/robot.hpp"

@@ -1,4 +1,5 @@
 // Door: behaviours/soccer/player/limbs.hpp. Test: tests/behaviours/soccer.
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/player/limbs.hpp"
 
 #include "behaviours/soccer/player/turn_servo.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: arms and head (limbs.yaml). A limb is done when its servo is there.
 
 #include "behaviours/soccer/world/robot.hpp"

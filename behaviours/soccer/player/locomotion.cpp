@@ -1,4 +1,5 @@
 // Door: behaviours/soccer/player/locomotion.hpp. Test: tests/behaviours/soccer.
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/player/locomotion.hpp"
 
 #include <chrono>

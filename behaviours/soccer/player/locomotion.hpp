@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: the walk (locomotion.yaml): step after step, or to a halt.
 
 #include "behaviours/soccer/world/robot.hpp"

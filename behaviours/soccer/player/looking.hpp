@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: where the eyes go (looking.yaml).
 
 #include "soccer.hpp"

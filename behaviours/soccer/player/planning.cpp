@@ -1,4 +1,5 @@
 // Door: behaviours/soccer/player/planning.hpp. Test: tests/behaviours/soccer.
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/player/planning.hpp"
 
 #include "behaviours/soccer/player/sight.hpp"

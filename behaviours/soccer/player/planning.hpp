@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: places turned into steps, and a goal into a kick (planning.yaml).
 
 #include "behaviours/soccer/world/robot.hpp"

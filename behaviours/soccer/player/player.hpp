@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: one player: its modules, its behaviour and its senses, in a world. `Legs` is the module of the deployment's
 // legs.
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: falling well and getting up again (recovery.yaml).
 
 #include "soccer.hpp"

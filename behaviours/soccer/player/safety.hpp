@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: what watches over falls (safety.yaml).
 
 #include "soccer.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: what the robot senses, as the behaviour's states. Only what has changed is told; the ball, with every picture.
 
 #include "behaviours/soccer/world/world.hpp"

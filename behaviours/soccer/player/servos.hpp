@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: legs that move one servo after another (servos.yaml).
 
 #include "behaviours/soccer/world/robot.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: where things are from where the robot stands, and where to stand for a shot. Units: world/geometry.hpp.
 
 #include "behaviours/soccer/world/world.hpp"

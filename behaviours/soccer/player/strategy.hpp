@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: what the striker wants (strategy.yaml): attack, go to its place, look for the ball.
 
 #include "behaviours/soccer/world/robot.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: one servo's task, the same for each of them: go there, and say Done when it is there.
 
 #include "behaviours/soccer/world/robot.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: lines in columns, as wide as they need to be, in colours where somebody looks at them. Unit: seconds. Errors:
 // none; what cannot be written is lost.
 

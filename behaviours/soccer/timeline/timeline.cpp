@@ -1,4 +1,5 @@
 // Door: behaviours/soccer/timeline/timeline.hpp. Test: tests/behaviours/soccer/timeline/timeline_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/timeline/timeline.hpp"
 
 #include <algorithm>
@@ -77,6 +78,7 @@ void Timeline::tell(const Event& event) {
     return line(event.time, "broken", group(event.group), "promise of " + with_provider(event.provider));
   case Kind::fault: ++counts_.faults; return line(event.time, "fault", event.group == nil ? "" : group(event.group));
   case Kind::exhausted: ++counts_.faults; return line(event.time, "fault", "", "too many micro-steps in one step");
+  case Kind::lost: ++counts_.faults; return line(event.time, "fault", "", std::to_string(event.count) + " inputs lost");
   }
 }
 

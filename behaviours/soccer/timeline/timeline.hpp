@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: turns the engine's events into a timeline for people: a line where something changes, the runs in between as
 // one number. It knows names and tables and nothing of soccer, so it tells of any behaviour. Unit: microseconds of the
 // behaviour's time. Errors: none.

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: points, turned points and angles of the soccer world, in whole numbers only, so that equal input gives equal
 // bytes whatever the compiler does with floating point. Units: millimetres (Point), hundredths of a degree (Angle,
 // counterclockwise, 0 along x). Errors: none. Source: Bhaskara's sine, off by less than 0.002; a quadratic arc tangent,

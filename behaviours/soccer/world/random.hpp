@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: a small generator of pseudo-random numbers that is the same on every machine. Errors: none.
 // Source: SplitMix64 (Steele, Lea, Flood 2014).
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: the robot's hardware as its driver shows it: servos, a gait engine that turns leg movement into way, a sense
 // of balance, a camera's last picture. Units: geometry.hpp; a tick is 10 ms. Errors: none; a servo stops at its limits.
 

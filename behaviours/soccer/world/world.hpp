@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: a soccer field with one robot, one ball, a referee and passers-by who stand in the way of the camera;
 // everything that happens follows from the seed and from what the robot is told to do. Units: geometry.hpp; the field's
 // origin is its centre, the goal is at +x. Errors: none.

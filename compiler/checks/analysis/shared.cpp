@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/shared.hpp. Test: tests/checks/pages_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/shared.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ const Rivals& Shared::rivals() const {
 }
 
 Units& Shared::units() const {
-  if (!units_) units_.emplace(model_, facts_);
+  if (!units_) units_.emplace(model_, facts_, budget_);
   return *units_;
 }
 

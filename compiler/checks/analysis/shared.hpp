@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What more than one check asks for, found when the first one does and kept for the run.
 
 #include "compiler/checks/analysis/causing/imprecise.hpp"
@@ -20,10 +21,16 @@ namespace director::checks {
 
 class Shared {
 public:
-  Shared(const Model& model, const Graph& graph, const Facts& facts) : model_(model), graph_(graph), facts_(facts) {}
+  Shared(const Model& model, const Graph& graph, const Facts& facts)
+      : model_(model),
+        graph_(graph),
+        facts_(facts),
+        budget_(facts.budget) {}
   Shared(const Shared&) = delete;
   Shared& operator=(const Shared&) = delete;
 
+  /// Of all searches of this run.
+  Budget& budget() const { return budget_; }
   /// Over the providers that may be active.
   const Chains& chains() const;
   const Promises& promises() const;
@@ -47,6 +54,7 @@ private:
   const Model& model_;
   const Graph& graph_;
   const Facts& facts_;
+  mutable Budget budget_;
   mutable std::optional<Chains> chains_;
   mutable std::optional<Promises> promises_;
   mutable std::optional<Requests> requests_;

@@ -1,4 +1,5 @@
 // Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The class that a program makes one of. Its words from outside are in runtime/core/post.hpp and seen.hpp.
 #include "compiler/emit/cpp/parts.hpp"
@@ -24,8 +25,8 @@ bool uses_time(const Model& model) {
 void define_steps(Code& code, const CppEmission& e) {
   code.comment(
       "Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an "
-      "earlier one counts as the last), until nothing is left to do. What a body or handler threw is thrown on, "
-      "after its micro-step; call again to go on. Not from inside a body or handler: an assertion fails there.");
+      "earlier one counts as the last), until nothing is left to do. What a body, handler or observer threw is thrown "
+      "on, after its micro-step; call again to go on. Not from inside one of them: an assertion fails there.");
   code.line("template <director::Duration Now>");
   code.open("director::StepResult step(Now now) {");
   code.line("return hand_on(step_to(director::microseconds_begun(now)));");
@@ -47,13 +48,18 @@ Code behaviour_part(const CppEmission& e) {
   code.line("} // namespace detail");
   code.blank();
   document(code, e, e.model.doc, e.model.name_span);
-  code.comment("Holds all memory of its own. The modules must live as long as it does. All that includes this header "
-               "must be compiled either with exceptions or without.");
+  code.comment(
+      "Holds all memory of its own. The modules must live as long as it does. Its end calls nobody: what runs "
+      "then is not stopped, and no stop handler is called. Before it ends, call cancel_all(), and step() until "
+      "it answers `quiescent`. All that includes this header must be compiled either with exceptions or "
+      "without.");
   code.open("class Behaviour final : public director::Program<detail::Whole> {");
   code.outdented("public:");
-  std::vector<std::string> parameters;
-  for (const ModuleId id : e.model.modules.ids())
-    parameters.push_back(fmt::format("{}& {}", module_in(e.model, id), module_word(e.model, id)));
+  std::vector<std::string> parameters, modules;
+  for (const ModuleId id : e.model.modules.ids()) {
+    modules.push_back(module_in(e.model, id));
+    parameters.push_back(modules.back() + "&");
+  }
   parameters.push_back("director::Observer observer = {}");
   code.list(parameters.size() <= 2 ? "explicit Behaviour(" : "Behaviour(", parameters, ");");
   code.blank();
@@ -67,10 +73,10 @@ Code behaviour_part(const CppEmission& e) {
   code.close("}");
   code.line("void throw_on();");
   code.blank();
-  for (const ModuleId id : e.model.modules.ids())
-    code.line(fmt::format("{}* {}_;", module_in(e.model, id), module_word(e.model, id)));
+  code.list("director::Modules<", modules, "> modules_;");
   code.line("#ifdef __cpp_exceptions");
-  code.line("std::exception_ptr thrown_; ///< the first that a body threw since the last step");
+  code.line("std::exception_ptr thrown_; ///< the first that was thrown since the last step");
+  code.line("director::Observer observer_;");
   code.line("#endif");
   code.close("};");
   return code;

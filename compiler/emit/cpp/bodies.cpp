@@ -1,4 +1,5 @@
 // Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What the engine calls: functions without a type that find the module and the context, and keep what is thrown.
 #include "compiler/emit/cpp/parts.hpp"
@@ -29,24 +30,48 @@ static auto guarded([[maybe_unused]] Behaviour& behaviour, Call call, [[maybe_un
 }
 
 // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
-template <class Context, class Module, Module* Behaviour::*module>
+template <class Context>
 static director::Outcome provide(void* self, director::Run& run) {
+  using Module = typename Facts<Context>::Module;
   constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
   Behaviour& behaviour = *static_cast<Behaviour*>(self);
   Context context{run, behaviour.data()};
   return guarded(
-      behaviour, [&] { return ((behaviour.*module)->*body)(context); }, [&] { return run.fault(); });
+      behaviour, [&] { return (behaviour.modules_.template of<Module>().*body)(context); },
+      [&] { return run.fault(); });
+}
+)";
+
+/// Likewise the same in every behaviour. Without exceptions the engine calls the observer itself.
+constexpr std::string_view observer = R"(
+#ifdef __cpp_exceptions
+/// What an observer throws waits as well, and ends the step.
+static void tell(void* self, const director::Event& event) {
+  Behaviour& behaviour = *static_cast<Behaviour*>(self);
+  const director::Observer to = behaviour.observer_;
+  guarded(
+      behaviour, [&] { to.tell(to.self, event); }, [&] { behaviour.observer_threw(); });
+}
+#endif
+
+/// What the engine tells.
+static director::Observer observer([[maybe_unused]] Behaviour& behaviour, director::Observer given) {
+#ifdef __cpp_exceptions
+  if (given.tell != nullptr) return {&tell, &behaviour};
+#endif
+  return given;
 }
 )";
 
 constexpr std::string_view handler = R"(
-template <class Context, class Module, Module* Behaviour::*module>
+template <class Context>
 static void {0}(void* self, director::Handling& handling) {{
+  using Module = typename Facts<Context>::Module;
   constexpr void (Module::*body)(Context&) = &Module::{0};
   Behaviour& behaviour = *static_cast<Behaviour*>(self);
   Context context{{handling, behaviour.data()}};
   guarded(
-      behaviour, [&] {{ ((behaviour.*module)->*body)(context); }}, [&] {{ handling.fault(); }});
+      behaviour, [&] {{ (behaviour.modules_.template of<Module>().*body)(context); }}, [&] {{ handling.fault(); }});
 }}
 )";
 
@@ -59,7 +84,7 @@ constexpr std::string_view throw_on = R"(void Behaviour::throw_on() {
 
 constexpr std::string_view called_from_inside = R"(void Whole::called_from_inside() {
 #if __STDC_HOSTED__
-  assert(false && "from inside a body or handler only `post` reaches the behaviour");
+  assert(false && "from inside a body, handler or observer only `post` reaches the behaviour");
 #endif
 }
 )";
@@ -70,11 +95,6 @@ bool any_handler(const Model& model, std::optional<Handler> Group::*which) {
 
 bool any_data(const Model& model) {
   return std::any_of(model.groups.begin(), model.groups.end(), [](const Group& group) { return !group.data.empty(); });
-}
-
-/// A module's interface, and where the behaviour has it.
-std::string module_text(const Model& model, ModuleId module) {
-  return fmt::format("{}, &Behaviour::{}_", module_in(model, module), module_word(model, module));
 }
 
 void data_function(Code& code, const CppEmission& e) {
@@ -104,7 +124,7 @@ void handlers(Code& code, const CppEmission& e, std::string_view word, std::opti
     const Group& group = e.model.groups[id];
     const std::string name = group_in(e.model, id);
     if (group.*which) {
-      code.line(fmt::format("&{}<{}::{}, {}>,", word, name, type_name(word), module_text(e.model, group.module)));
+      code.line(fmt::format("&{}<{}::{}>,", word, name, type_name(word)));
     } else {
       code.line(fmt::format("nullptr, // {}", name));
     }
@@ -117,10 +137,7 @@ void table_of_bodies(Code& code, const CppEmission& e) {
   code.open("static director::Bodies of(Behaviour& behaviour) {");
   code.open(fmt::format("static constexpr std::array<director::Outcome (*)(void*, director::Run&), {}> providers{{",
                         e.model.providers.size()));
-  for (const ProviderId id : e.model.providers.ids()) {
-    code.line(
-        fmt::format("&provide<{}, {}>,", provider_in(e.model, id), module_text(e.model, e.model.group_of(id).module)));
-  }
+  for (const ProviderId id : e.model.providers.ids()) code.line(fmt::format("&provide<{}>,", provider_in(e.model, id)));
   code.close("};");
   handlers(code, e, "start", &Group::start);
   handlers(code, e, "stop", &Group::stop);
@@ -145,6 +162,7 @@ Code bodies_part(const CppEmission& e) {
   code.comment("What the engine calls.");
   code.open("struct Bodies {");
   code.block(common);
+  code.block(observer);
   if (any_handler(e.model, &Group::start)) code.block(fmt::format(fmt::runtime(handler), "start"));
   if (any_handler(e.model, &Group::stop)) code.block(fmt::format(fmt::runtime(handler), "stop"));
   if (any_data(e.model)) data_function(code, e);
@@ -153,15 +171,19 @@ Code bodies_part(const CppEmission& e) {
   code.blank();
   code.line("} // namespace detail");
   code.blank();
-  std::vector<std::string> parameters, members{"Program(detail::Bodies::of(*this), observer)"};
+  std::vector<std::string> parameters, modules;
   for (const ModuleId id : e.model.modules.ids()) {
-    const std::string word = module_word(e.model, id);
-    parameters.push_back(fmt::format("{}& {}", module_in(e.model, id), word));
-    members.push_back(fmt::format("{}_(&{})", word, word));
+    modules.push_back(fmt::format("module_{}", id.value));
+    parameters.push_back(fmt::format("{}& {}", module_in(e.model, id), modules.back()));
   }
   parameters.push_back("director::Observer observer");
   code.list("Behaviour::Behaviour(", parameters, ")");
-  code.list("    : ", members, " {}");
+  code.list("    : Program(detail::Bodies::of(*this), detail::Bodies::observer(*this, observer)), modules_(", modules,
+            ") {");
+  code.line("#ifdef __cpp_exceptions");
+  code.line("  observer_ = observer;");
+  code.line("#endif");
+  code.line("}");
   code.blank();
   code.block(throw_on);
   return code;

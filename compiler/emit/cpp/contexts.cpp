@@ -1,4 +1,5 @@
 // Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The contexts that bodies and handlers get: what all have in common is in runtime/core/body.hpp, here are the packs.
 #include "compiler/emit/cpp/parts.hpp"
@@ -45,26 +46,26 @@ std::string and_list(const CppEmission& e, const std::vector<Task>& tasks) {
 
 /// `number`: its place among the provider's packs.
 void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId provider, std::size_t number) {
-  const std::string facts = fmt::format("detail::Facts<{}>", provider_in(e.model, provider));
+  const std::string packed = fmt::format("{}::pack_{}", facts_in(e, provider), number);
   const std::string asked = pack.tasks.empty() ? "Asks for nothing." : tasks_text(e.model, pack.tasks) + ".";
   code.blank();
   document(code, e, pack.doc.empty() ? asked : asked + " " + pack.doc, pack.span);
   if (pack.tasks.empty()) {
     code.open(fmt::format("director::Outcome {}() {{", pack.name), pack.span);
-    code.line(fmt::format("return Body::ask<{}::pack_{}, {}>();", facts, pack.name, number));
+    code.line(fmt::format("return Body::ask<{}, {}>();", packed, number));
     return code.close("}");
   }
   const std::string_view given = pack.name == "Given" ? "More" : "Given";
   code.line(fmt::format("template <class... {}>", given));
   code.open(fmt::format("director::Outcome {}({}... tasks) {{", pack.name, given), pack.span);
-  code.line(fmt::format("using Pack = {}::pack_{};", facts, pack.name));
+  code.line(fmt::format("using Pack = {};", packed));
   code.line(fmt::format("static_assert(Pack::takes<{}...>, \"{} asks for {} only\");", given, pack.name,
                         and_list(e, pack.tasks)));
   code.line(fmt::format("static_assert(Pack::once<{}...>, \"{} is given a task twice\");", given, pack.name));
   for (const Task& task : pack.tasks) {
     if (may_be_omitted(e.model, task)) continue;
     code.line(fmt::format("static_assert(director::given<{}, {}...>, \"{} must be given its task {}\");",
-                          group_in(e.model, task.target), given, pack.name, group_name(e.model, task.target)));
+                          group_in(e, provider, task.target), given, pack.name, group_name(e.model, task.target)));
   }
   code.line(fmt::format("return Body::ask<Pack, {}>(tasks...);", number));
   code.close("}");
@@ -77,7 +78,7 @@ void define_context(Code& code, const CppEmission& e, ProviderId id) {
   describe(code, e.model, provider);
   code.open(fmt::format("class {} final : public director::Body<detail::Facts<{}>> {{", name, name), provider.span);
   code.outdented("public:");
-  code.line(fmt::format("using director::Body<detail::Facts<{}>>::Body;", provider_in(e.model, id)));
+  code.line(fmt::format("using director::Body<{}>::Body;", facts_in(e, id)));
   if (provider.has_packs) {
     std::size_t number = 0;
     for (const Pack& pack : provider.packs) define_pack(code, e, pack, id, number++);

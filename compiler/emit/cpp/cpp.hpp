@@ -1,11 +1,10 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The generated C++: a header with the types that bodies and programs use, a source with the tables and what the engine
 // calls.
 
 #include "compiler/emit/code.hpp"
 #include "compiler/emit/deployment.hpp"
-
-#include <string_view>
 
 namespace director::compiler {
 
@@ -13,8 +12,5 @@ namespace director::compiler {
 Code header(const Deployment& deployment);
 /// `soccer.cpp`
 Code source(const Deployment& deployment);
-
-/// One of them begins like this, whichever version wrote it.
-bool has_notice(std::string_view text);
 
 } // namespace director::compiler

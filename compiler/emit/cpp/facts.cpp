@@ -1,4 +1,5 @@
 // Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What the C++ compiler must know of the specification: numbers of rows, and what each body may ask for.
 #include "compiler/emit/cpp/parts.hpp"
@@ -182,7 +183,7 @@ void packs_facts(Code& code, const CppEmission& e, const Provider& provider) {
   for (const Pack& pack : provider.packs) {
     std::vector<std::string> members;
     for (const Task& task : pack.tasks) members.push_back(member_text(e, task));
-    types.push_back("pack_" + pack.name);
+    types.push_back(fmt::format("pack_{}", types.size()));
     names.push_back(fmt::format("\"{}\"", pack.name));
     code.list(fmt::format("using {} = director::Pack<", types.back()), members, ">;");
   }

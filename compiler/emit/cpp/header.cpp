@@ -1,4 +1,5 @@
 // Door: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 
@@ -10,13 +11,14 @@ Code header(const Deployment& deployment) {
   const CppEmission e{deployment};
   const Model& model = e.model;
   Code code;
-  code.line("#pragma once");
-  code.append(notice(e));
+  code.line(first_line(e));
+  code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
   code.comment("", "//");
   code.comment(
       "In this order: states, triggers and tasks; what the C++ compiler must know of the specification (detail); "
       "what the body of each provider gets; the modules that a program implements; the behaviour itself.",
       "//");
+  code.line("#pragma once");
   code.blank();
   for (const std::string& include : model.headers)
     code.line(include.starts_with('<') ? fmt::format("#include {}", include) : fmt::format("#include \"{}\"", include));

@@ -1,4 +1,5 @@
 // Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // What the numbers in an observer's events are called.
 #include "compiler/emit/cpp/parts.hpp"
@@ -52,6 +53,10 @@ const char* state(director::Index row);
 const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
 const char* trigger(director::Index row);
 const char* condition(director::Index row); ///< `Stability == standing`
+using director::name_of;                    // of kinds of events and inputs, of reasons, and why something does not run
+
+/// All of them, for what prints the events of any behaviour.
+const director::Names& all();
 
 /// What `why` answered, as a line for people. Written into `room`, cut off where that is too small.
 const char* why(const director::Because& because, std::span<char> room);
@@ -84,12 +89,23 @@ Code name_definitions(const CppEmission& e) {
   table(code, "trigger", triggers);
   table(code, "condition", conditions);
   code.blank();
-  code.open("const char* why(const director::Because& because, std::span<char> room) {");
   std::vector<std::string> functions{".self = nullptr"};
-  for (const std::string_view word : {"group", "provider", "edge", "condition"})
+  const auto add = [&](std::string_view word) {
     functions.push_back(fmt::format(".{} = [](const void*, director::Index row) {{ return {}(row); }}", word, word));
-  code.list("static constexpr director::Names all{", functions, "};");
-  code.line("return director::to_text(because, all, room);");
+  };
+  for (const std::string_view word : {"group", "provider", "edge", "condition"}) add(word);
+  code.open("const char* why(const director::Because& because, std::span<char> room) {");
+  code.list("static constexpr director::Names some{", functions, "};");
+  code.line("return director::to_text(because, some, room);");
+  code.close("}");
+  code.blank();
+  add("state");
+  functions.emplace_back(
+      ".value = [](const void*, director::Index row, std::int32_t number) { return value(row, number); }");
+  add("trigger");
+  code.open("const director::Names& all() {");
+  code.list("static constexpr director::Names every{", functions, "};");
+  code.line("return every;");
   code.close("}");
   code.blank();
   code.line("} // namespace names");

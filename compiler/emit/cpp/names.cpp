@@ -1,7 +1,9 @@
 // Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "dsl/names.hpp"
 
 #include "compiler/emit/cpp/parts.hpp"
+#include "compiler/emit/notice.hpp"
 
 #include <fmt/format.h>
 
@@ -14,19 +16,42 @@ namespace {
 
 /// What begins with a capital letter and is declared in `detail`, in what generated classes derive from, or as a
 /// parameter of a template around the code that names a thing of the specification.
-constexpr std::array<std::string_view, 33> inner_names{
-    "Behaviour", "Bodies", "Body",    "Call",   "Context",  "Core",   "Data", "Edge",  "Event",    "Facts", "Fault",
-    "Given",     "Groups", "Handler", "Module", "More",     "Now",    "Of",   "Pack",  "Packs",    "Post",  "Program",
-    "Providers", "Roots",  "Seen",    "Slots",  "Snapshot", "States", "Task", "Tasks", "Triggers", "Uses",  "Whole"};
+constexpr std::array<std::string_view, 37> inner_names{
+    "Behaviour",       "Bodies",   "Body",  "Call",    "Context",  "Core",    "Data",    "Edge",
+    "Event",           "Facts",    "Fault", "Given",   "Groups",   "Handler", "Module",  "More",
+    "NothingDeclared", "Now",      "Of",    "Pack",    "Packs",    "Post",    "Program", "Providers",
+    "Roots",           "Row",      "Seen",  "Slots",   "Snapshot", "States",  "Table",   "Task",
+    "Tasks",           "Triggers", "Uses",  "Waiting", "Whole"};
 static_assert(std::is_sorted(inner_names.begin(), inner_names.end()));
 
+std::string from_outside(const Model& model, const std::string& name) {
+  return fmt::format("::{}::{}", model.name_space, name);
+}
+
+/// The first word of a name with `::` in it, which is the one that is looked up.
+std::string_view first_word(std::string_view name) { return name.substr(0, name.find(':')); }
+
 /// `name` is that of a type, with what follows behind `::`.
-std::string inside(const Model& model, std::string name) {
-  const bool hidden = std::binary_search(inner_names.begin(), inner_names.end(), name.substr(0, name.find(':')));
-  return hidden ? fmt::format("::{}::{}", model.name_space, name) : name;
+std::string inside(const Model& model, const std::string& name) {
+  const bool hidden = std::binary_search(inner_names.begin(), inner_names.end(), first_word(name));
+  return hidden ? from_outside(model, name) : name;
+}
+
+/// Whether the context of this provider, or the task type that it is a part of, has something else of that name.
+bool hidden_in(const CppEmission& e, const Provider& context, const std::string& name) {
+  const std::vector<std::string>& levels = e.levels[context.group];
+  if (std::find(levels.begin(), levels.end(), name) != levels.end()) return true;
+  const auto& providers = e.model.groups[context.group].providers;
+  return std::any_of(context.packs.begin(), context.packs.end(), [&](const Pack& pack) { return pack.name == name; }) ||
+         std::any_of(providers.begin(), providers.end(),
+                     [&](ProviderId other) { return context_name(e.model.providers[other]) == name; });
 }
 
 } // namespace
+
+std::string first_line(const CppEmission& e) {
+  return fmt::format("// {}", notice_words(portable_path(e.from, e.model.name_span.file)));
+}
 
 std::string type_name(std::string_view name) { return dsl::capitalised(name); }
 
@@ -41,13 +66,6 @@ std::string provider_name(const Model& model, ProviderId provider) {
 
 std::string module_type(const Model& model, ModuleId module) { return type_name(model.modules[module].name); }
 
-std::string module_word(const Model& model, ModuleId module) {
-  std::string word = model.modules[module].name;
-  if (word[0] >= 'A' && word[0] <= 'Z') word[0] = static_cast<char>(word[0] - 'A' + 'a');
-  if (dsl::is_cpp_keyword(word) || word == "observer" || word == "thrown") word += "_module";
-  return word;
-}
-
 std::string trigger_type(const Model& model, TriggerId trigger) {
   const Trigger& row = model.triggers[trigger];
   if (row.promise) return fmt::format("director::Broken<{}>", provider_name(model, *row.promise));
@@ -60,6 +78,18 @@ std::string group_in(const Model& model, GroupId group) { return inside(model, g
 
 std::string provider_in(const Model& model, ProviderId provider) {
   return inside(model, provider_name(model, provider));
+}
+
+std::string group_in(const CppEmission& e, ProviderId context, GroupId group) {
+  const std::string name = group_name(e.model, group);
+  return hidden_in(e, e.model.providers[context], name) ? from_outside(e.model, name) : inside(e.model, name);
+}
+
+std::string facts_in(const CppEmission& e, ProviderId provider) {
+  const Provider& row = e.model.providers[provider];
+  const bool hidden = hidden_in(e, row, group_name(e.model, row.group));
+  return fmt::format("detail::Facts<{}>",
+                     hidden ? from_outside(e.model, provider_name(e.model, provider)) : provider_in(e.model, provider));
 }
 
 std::string module_in(const Model& model, ModuleId module) { return inside(model, module_type(model, module)); }

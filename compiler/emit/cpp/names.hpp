@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What things of a model are called in the generated C++.
 
 #include "compiler/model/model.hpp"
@@ -13,7 +14,6 @@ std::string context_name(const Provider& provider);                 ///< `Haltin
 std::string group_name(const Model& model, GroupId group);          ///< `Walk`
 std::string provider_name(const Model& model, ProviderId provider); ///< `Walk::Halting`
 std::string module_type(const Model& model, ModuleId module);       ///< `Locomotion`
-std::string module_word(const Model& model, ModuleId module);       ///< `locomotion`, as a parameter is called
 std::string trigger_type(const Model& model, TriggerId trigger);    ///< `Sensors`, `director::Broken<Walk::Halting>`
 std::string state_type(const Model& model, StateId state);          ///< `Stability`
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The parts of the generated C++, one file each. Only compiler/emit/cpp and compiler/stubs include this; header.cpp and
 // source.cpp put the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp,
 // body.hpp, post.hpp, seen.hpp, program.hpp.
@@ -24,6 +25,8 @@ struct CppEmission {
 // The names of names.hpp as code inside of `detail`, of a context or of the behaviour writes it: from the global name
 // space on where generated code has a name there that would be found first, as in `::robot::Data`.
 std::string group_in(const Model& model, GroupId group);
+std::string group_in(const CppEmission& e, ProviderId context, GroupId group); ///< inside of this context
+std::string facts_in(const CppEmission& e, ProviderId provider); ///< `detail::Facts<Walk::Halting>`, inside of that
 std::string provider_in(const Model& model, ProviderId provider);
 std::string module_in(const Model& model, ModuleId module);
 std::string trigger_in(const Model& model, TriggerId trigger);
@@ -42,7 +45,7 @@ std::string conditions_text(const Model& model, const std::vector<ConditionUse>&
 std::vector<std::string> words_of(const Model& model, const Provider& provider);
 
 /// What both begin with: who wrote it, and of what.
-Code notice(const CppEmission& e);
+std::string first_line(const CppEmission& e);
 
 // What the header consists of.
 Code states_part(const CppEmission& e);

@@ -1,4 +1,5 @@
 // Door: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 
@@ -9,7 +10,8 @@ namespace director::compiler {
 Code source(const Deployment& deployment) {
   const CppEmission e{deployment};
   Code code;
-  code.append(notice(e));
+  code.line(first_line(e));
+  code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
   code.line(fmt::format("#include \"{}.hpp\"", e.model.name));
   code.blank();
   code.line("#if __STDC_HOSTED__");

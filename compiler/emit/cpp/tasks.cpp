@@ -1,4 +1,5 @@
 // Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The task types: what is requested, and the name space of a group's contexts and levels.
 #include "compiler/emit/cpp/parts.hpp"
@@ -13,14 +14,22 @@ void declare_task(Code& code, const CppEmission& e, GroupId id) {
   const Group& group = e.model.groups[id];
   const std::string name = group_name(e.model, id);
   const bool data = !group.data.empty();
-  document(code, e, group.doc, group.name.span);
-  const std::string base = fmt::format("director::Task<{}{}>", name, data ? ", " + group.data : "");
-  code.open(fmt::format("struct {} final : {} {{", name, base), group.name.span);
-  if (data) {
-    code.line(fmt::format("using {}::Task;", base), group.data_span);
-  } else {
-    code.line(fmt::format("using {}::Task;", base));
+  const bool hides_base = name == "Task";
+  // In the struct the type of the data is not named: something there may be called like it.
+  if (hides_base && data) {
+    code.line("namespace detail {");
+    code.line(fmt::format("using task_data = {};", group.data), group.data_span);
+    code.line("} // namespace detail");
   }
+  document(code, e, group.doc, group.name.span);
+  const std::string base = fmt::format("director::Task<{}{}>", name,
+                                       !data        ? ""
+                                       : hides_base ? ", detail::task_data"
+                                                    : ", " + group.data);
+  code.open(fmt::format("struct {} final : {} {{", name, base), group.name.span);
+  const std::string constructors =
+      hides_base ? fmt::format("using {}::Task;", base) : fmt::format("using {}::Task::Task;", name);
+  data ? code.line(constructors, group.data_span) : code.line(constructors);
   const std::vector<std::string>& levels = e.levels[id];
   for (std::size_t i = 0; i < levels.size(); ++i)
     code.line(fmt::format("static constexpr director::LevelOf<{}> {}{{{}}};", name, levels[i], i));

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A picture in the formats that other programs draw or read.
 
 #include "compiler/emit/graph/picture.hpp"

@@ -1,5 +1,7 @@
 // Door: compiler/emit/graph/formats.hpp. Test: tests/cli/graph_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/formats.hpp"
+#include "compiler/emit/notice.hpp"
 
 namespace director::compiler {
 
@@ -82,7 +84,8 @@ Json graph_json(const Model& model, const Graph& graph) {
                               {"waiter", Json::text(model.full_name(row.waiter))},
                               {"condition", Json::text(model.conditions[row.condition.id].text)}}));
   }
-  return Json::object({{"behaviour", Json::text(model.name)},
+  return Json::object({{"generated_by", generated_by()},
+                       {"behaviour", Json::text(model.name)},
                        {"layers", std::move(layers)},
                        {"roots", tasks(model, model.roots)},
                        {"groups", std::move(groups)},

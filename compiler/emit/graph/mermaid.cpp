@@ -1,4 +1,5 @@
 // Door: compiler/emit/graph/formats.hpp. Test: tests/cli/graph_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
 

@@ -1,4 +1,5 @@
 // Door: compiler/emit/graph/picture.hpp. Test: tests/cli/graph_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/picture.hpp"
 
 #include <algorithm>

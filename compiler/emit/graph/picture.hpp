@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a picture of a behaviour shows, before any format: boxes in layers, and arrows, each told once. Where every
 // provider of a group has the same arrow it leaves from the group, and an arrow says all that it stands for.
 

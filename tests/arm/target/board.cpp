@@ -1,4 +1,5 @@
 // Door: tests/arm/target/board.hpp. Test: tests/arm/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // Start-up of a Cortex-M: the vector table, memory as the language expects it, main. What is not used of the stack
 // keeps the pattern that it is filled with. Semihosting: "Semihosting for AArch32 and AArch64", Arm.

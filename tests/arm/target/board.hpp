@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the programs of this folder need of the board: a way to say something and to end, by semihosting, and how deep
 // the stack was.
 

@@ -1,4 +1,5 @@
 // Door: what the compiler calls for std::atomic. Test: tests/arm/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // A Cortex-M0 has no compare-and-swap, so the compiler calls functions of these names for what the inbox does. There is
 // one core, so what no interrupt comes between is atomic: each is a short critical section. Loads and stores need none.

@@ -1,4 +1,5 @@
 // Door: tests/arm/target/board.hpp. Test: tests/arm/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // Plays all plans that fit into the board's memory. Lines that begin with `#` tell of the program and not of a
 // scenario.

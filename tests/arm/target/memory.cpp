@@ -1,4 +1,5 @@
 // Door: what the compiler calls by itself. Test: tests/arm/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 #include <cstddef>
 
 extern "C" {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A scenario as constants: what tests/arm/write_plans.cpp writes from a scenario file, and what the player of the
 // target plays. The rows of a plan lie in tables of its own; a Range is of the table that its comment names.
 

@@ -1,4 +1,5 @@
 // Door: tests/arm/target/player.hpp. Test: tests/arm/CMakeLists.txt.
+// SPDX-License-Identifier: MIT
 //
 // A second player beside compiler/play, on constants and without heap: the two agree on every line, or the test fails.
 #include "tests/arm/target/player.hpp"
@@ -267,7 +268,8 @@ private:
     case Kind::ask:
     case Kind::keep:
     case Kind::withdraw:
-    case Kind::wait: return;
+    case Kind::wait:
+    case Kind::lost: return;
     }
     line_.end();
   }

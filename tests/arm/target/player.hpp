@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Plays a plan and prints what happens, in the words of `directorc simulate --decisions`.
 
 #include "tests/arm/target/plan.hpp"

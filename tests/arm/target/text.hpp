@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A line of text that is put together in place, without heap.
 
 #include "tests/arm/target/board.hpp"

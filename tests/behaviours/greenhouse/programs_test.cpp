@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The programs around the greenhouse, as a user starts them.
 #include "tests/support/golden.hpp"
 

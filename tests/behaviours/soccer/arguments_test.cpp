@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/arguments.hpp"
 
 #include <catch2/catch.hpp>

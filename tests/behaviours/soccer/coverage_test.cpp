@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the scenarios of soccer exercise, as `directorc test --coverage` counts it.
 #include "compiler/cli/parse.hpp"
 #include "tests/support/golden.hpp"

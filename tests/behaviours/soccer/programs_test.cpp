@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The programs as a user starts them.
 #include "tests/support/golden.hpp"
 

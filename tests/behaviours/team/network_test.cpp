@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The three robots of behaviours/team in one program, over a network that delays, loses and parts them, in a time of
 // its own: what the behaviour promises follows from the behaviour, not from the middleware.
 #include "behaviours/team/player.hpp"
@@ -21,7 +22,7 @@ constexpr Time tick = 10ms, say_again = 100ms, longest_delay = 50ms;
 
 struct Robot {
   explicit Robot(int number, Time now) : started(now) {
-    behaviour.set(static_cast<team::Number>(number));
+    CHECK(behaviour.set(static_cast<team::Number>(number)));
     behaviour.request<team::Play>();
   }
   team::Role role() const {
@@ -94,7 +95,7 @@ private:
     for (int i = 0; i < count; ++i) {
       if (!at(i)) continue;
       Robot& robot = *at(i);
-      robot.behaviour.set(team::Ball{300});
+      CHECK(robot.behaviour.set(team::Ball{300}));
       robot.behaviour.step(now_ - robot.started);
       if (robot.role() == robot.said && now_ < robot.next_word) continue;
       robot.said = robot.role();

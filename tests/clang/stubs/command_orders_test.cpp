@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Random orders of tests/stubs with the command as it is called: the real header, real files, the user's .clang-format.
 // A run takes a second, so there are few of them, and one step of each; more, and all steps:
 // DIRECTOR_COMMAND_ORDERS=500 DIRECTOR_ORDERS_FROM=2000. One that fails is told with as few of its steps as fail still.

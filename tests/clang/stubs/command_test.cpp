@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `directorc stubs` on programs as people write them, with director-clang and the real generated header.
 #include "tests/support/golden.hpp"
 
@@ -199,6 +200,52 @@ TEST_CASE("a base class of the user's counts, and only the last class gets what 
   CHECK(shop.text("src/wheels.hpp") == expected);
 }
 
+TEST_CASE("what two mixins of one module have together, the class that joins them has, wherever it stands") {
+  const Workshop shop;
+  shop.write("src/parts.hpp",
+             "#pragma once\n#include \"cart.hpp\"\nstruct Rolls : virtual cart::Wheels {\n"
+             "  director::Outcome provide(cart::Drive::Rolling& run) override { return run.keep(); }\n};\n"
+             "struct Brakes : virtual cart::Wheels {\n"
+             "  director::Outcome provide(cart::Drive::Braking& run) override { return run.keep(); }\n};\n");
+  const std::string both = "#pragma once\n#include \"parts.hpp\"\nstruct Both final : Rolls, Brakes {\n};\n";
+  shop.write("src/both.hpp", both);
+  shop.write("src/main.cpp", "#include \"both.hpp\"\nint main() {}\n");
+  CHECK(shop.stubs() == "added to: src/both.hpp\n");
+  std::string expected = both;
+  expected.insert(expected.rfind("};"), "  /// (cart.yaml:9)\n  void stop(cart::Drive::Stop& run) override {\n"
+                                        "    static_cast<void>(run); // does nothing yet\n  }\n");
+  CHECK(shop.text("src/both.hpp") == expected);
+  CHECK(shop.stubs("--check").empty());
+}
+
+TEST_CASE("a template whose base is a parameter has bodies of whatever module it is put upon") {
+  const Workshop shop;
+  shop.write("src/wheels.hpp",
+             "#pragma once\n#include \"cart.hpp\"\ntemplate <class I> struct WithBrakes : I {\n"
+             "  director::Outcome provide(cart::Drive::Braking& run) override { return run.keep(); }\n"
+             "  void stop(cart::Drive::Stop&) override {}\n};\n"
+             "struct Mine final : WithBrakes<cart::Wheels> {\n"
+             "  director::Outcome provide(cart::Drive::Rolling& run) override { return run.keep(); }\n};\n");
+  CHECK(shop.stubs("--check").empty());
+}
+
+TEST_CASE("a comment that is not true any more is told by --check, and stays") {
+  const Workshop shop;
+  shop.stubs();
+  const std::string source = shop.text("src/wheels.cpp");
+  std::string changed = yaml;
+  changed.replace(changed.find("within 2 s"), 10, "within 3 s");
+  shop.write("cart.yaml", changed);
+  CHECK(shop.stubs("--check") ==
+        "src/wheels.cpp:18:27: warning: the comment above `provide(cart::Drive::Braking&)` is not true any more: "
+        "`- causing: Motion == still within 2 s` is `- causing: Motion == still within 3 s` now\n");
+  CHECK(shop.stubs().empty());
+  shop.write("cart.yaml", "# One line more.\n" + yaml);
+  CHECK(shop.stubs("--check") == "src/wheels.cpp:6:14: warning: the places in 3 comments of this file have moved, here "
+                                 "first: cart.yaml:9 is cart.yaml:10 now\n");
+  CHECK(shop.text("src/wheels.cpp") == source);
+}
+
 TEST_CASE("what nothing asks for is reported with its place and stays") {
   const Workshop shop;
   shop.stubs();
@@ -206,7 +253,7 @@ TEST_CASE("what nothing asks for is reported with its place and stays") {
   std::string less = yaml;
   less.erase(less.find("      - name: braking"));
   shop.write("cart.yaml", less);
-  CHECK(shop.stubs() == "src/wheels.cpp:16:27: warning: `provide(cart::Drive::Braking&)` of `Wheels` is left over: "
+  CHECK(shop.stubs() == "src/wheels.cpp:18:27: warning: `provide(cart::Drive::Braking&)` of `Wheels` is left over: "
                         "cart has no such provider or handler\n"
                         "src/wheels.hpp:10:21: warning: `provide(cart::Drive::Braking&)` of `Wheels` is left over: "
                         "cart has no such provider or handler\n");
@@ -245,8 +292,8 @@ TEST_CASE("where an #include is missing, that is told, and what stands there is 
   for (const std::string file : {"src/wheels.cpp", "src/bodies.cpp"}) {
     fs::remove(shop.folder() + "/src/wheels.cpp");
     shop.write(file, source.substr(source.find('\n') + 1));
-    CHECK(shop.stubs() == file + ":3:6: error: `Wheels` is not declared here: an `#include` is missing\n" + file +
-                              ":3:19: error: `cart` is not declared here: an `#include` is missing\n" + refusal);
+    CHECK(shop.stubs() == file + ":5:6: error: `Wheels` is not declared here: an `#include` is missing\n" + file +
+                              ":5:19: error: `cart` is not declared here: an `#include` is missing\n" + refusal);
     fs::remove(shop.folder() + "/" + file);
   }
   // Of the behaviour: where the class is called otherwise than its first files would be.
@@ -331,5 +378,6 @@ TEST_CASE("without director-clang the first files are written, and later it says
   ::unsetenv("DIRECTOR_CLANG");
   CHECK(said.starts_with(
       "directorc: what is missing in `src` can only be told by reading its C++: director-clang is not installed"));
-  CHECK(said.ends_with("it is the package director-clang\nstatus 2\n"));
+  CHECK(said.ends_with("it is the package director-clang, and who builds Director installs clang-19 libclang-19-dev "
+                       "llvm-19-dev and builds it again\nstatus 2\n"));
 }

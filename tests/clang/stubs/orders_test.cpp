@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The 2,000 orders of tests/stubs with director-clang itself, against a small header that says the same as the
 // generated one. All go on step by step together, so that it is started once for each step. Other orders and more of
 // them: DIRECTOR_ORDERS=10000 DIRECTOR_ORDERS_FROM=2000. One that fails is told with as few of its steps as fail still.

@@ -1,4 +1,5 @@
 // Door: runtime/core/behaviour.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
 // Message: return-type
 #include "porter.hpp"
 

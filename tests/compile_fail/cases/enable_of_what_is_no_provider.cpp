@@ -1,4 +1,5 @@
 // Door: runtime/core/behaviour.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
 // Message: this is not a provider of the behaviour
 #include "porter.hpp"
 

@@ -1,4 +1,5 @@
 // Door: runtime/core/behaviour.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
 // Message: only states that are `external` can be set from outside
 #include "porter.hpp"
 

@@ -1,4 +1,5 @@
 // Door: runtime/core/behaviour.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
 // Message: `causing` and `sets` of this provider or handler do not name this state
 #include "porter.hpp"
 

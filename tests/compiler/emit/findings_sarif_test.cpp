@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_sarif.hpp"
 #include "dsl/source_file.hpp"
 #include "tests/support/golden.hpp"

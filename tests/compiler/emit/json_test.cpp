@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/emit/json.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A behaviour from its text to what an exploration finds, for tests.
 
 #include "compiler/explore/report.hpp"

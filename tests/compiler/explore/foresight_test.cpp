@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // That what is foreseen to end alike does: a search that takes every micro-step finds the same. On random behaviours:
 // tests/property/explore_test.cpp.
 #include "compiler/explore/foresight.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/compiler/explore/ground_words.hpp"
 #include "tests/compiler/support/compiled.hpp"
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A Ground in words, for tests.
 
 #include "compiler/explore/ground.hpp"

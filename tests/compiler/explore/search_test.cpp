@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/search.hpp"
 #include "tests/compiler/explore/explored.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/explore/verdict.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/resolve_scenario.hpp"
@@ -78,6 +79,27 @@ TEST_CASE("who goes first at root is never blocked by the other side") {
   CHECK(verdict_of(posing_walker, "{beats: {Kick: Walk}}") ==
         "proven: both are requested by the program alone, and at root its side always goes first");
   CHECK(verdict_of(posing_walker, "{beats: {Walk: Kick}}").find("refuted: after ") == 0);
+}
+
+TEST_CASE("the members of a pack are blocked by who holds what one of them wants, and else by nobody") {
+  const std::string pair = "roots: {A: {priority: 10}, B: {priority: 10}}\ngroups:\n  L: {}\n  R: {}\n  M: {}\n"
+                           "  A: {packs: {go: {X: {}, Y: {}}}}\n  X: {needs: [L], tasks: [L]}\n  Y: {needs: [R]}\n";
+  CHECK(verdict_of(pair + "  B: {needs: [R], tasks: [R]}\n", "{beats: {A: B}}").find("refuted: after ") == 0);
+  CHECK(verdict_of(pair + "  B: {needs: [M], tasks: [M]}\n", "{beats: {A: B}}").find("proven: ") == 0);
+}
+
+TEST_CASE("members of a pack that are blocked by another side are not blocked by this one") {
+  CHECK(verdict_of("roots: {C: {priority: 30}, A: {priority: 20}, B: {priority: 10}}\ngroups:\n  L: {}\n  R: {}\n"
+                   "  C: {needs: [R]}\n  A: {tasks: [P]}\n  P: {packs: {go: {X: {}, Y: {}}}}\n"
+                   "  X: {needs: [L]}\n  Y: {needs: [R]}\n  B: {needs: [L]}\n",
+                   "{beats: {P: B}}")
+            .find("proven: it holds in all ") == 0);
+}
+
+TEST_CASE("what nothing requests cannot run, however much there is to explore") {
+  const std::string idle = "roots: [A]\ngroups:\n  A: {needs: [N]}\n  N: {}\n  U: {tasks: [V]}\n  V: {}\n";
+  CHECK(verdict_of(idle, "{can_run: V}", 1) == "refuted: nothing that runs requests `V`");
+  CHECK(verdict_of(idle, "{can_run: N}", 1) == "refuted: nothing that runs requests `N`");
 }
 
 TEST_CASE("what can run is shown by how it comes to run") {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/cache.hpp"
 #include "tests/compiler/support/memory_facts.hpp"
 

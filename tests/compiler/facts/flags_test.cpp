@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/compile_commands.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/facts/includes.hpp"
@@ -33,10 +34,32 @@ TEST_CASE("compile_commands.json with commands and with arguments") {
                                               {"directory": "/b", "file": "/s/b.cpp", "arguments": ["g++", "/s/b.cpp"], "output": "x"}])");
   REQUIRE(read);
   CHECK(read.value() == std::vector<CompileCommand>{{"/s/a.cpp", "/b", {"g++", "-c", "../s/a.cpp"}},
-                                                    {"/s/b.cpp", "/b", {"g++", "/s/b.cpp"}}});
+                                                    {"/s/b.cpp", "/b", {"g++", "/s/b.cpp"}, "x"}});
   CHECK(read_compile_commands("{").error() == "it is no JSON list");
   CHECK(read_compile_commands(R"([{"file": "a.cpp"}])").error() ==
         "an entry needs `directory`, `file`, and `command` or `arguments`");
+}
+
+TEST_CASE("words of response files stand in their place, and what cannot be read stays") {
+  director::dsl::MemoryFiles files;
+  files.add("/b/a.rsp", "-DA '-DB=b c'\r\n@sub/c.rsp");
+  files.add("/b/sub/c.rsp", "-DC @/b/loop.rsp");
+  files.add("/b/loop.rsp", "@loop.rsp");
+  CHECK(with_response_files({"g++", "@a.rsp", "@gone.rsp", "@", "-c"}, "/b", files) ==
+        Words{"g++", "-DA", "-DB=b c", "-DC", "@loop.rsp", "@gone.rsp", "@", "-c"});
+  files.add("b/compile_commands.json",
+            R"([{"directory": "/b", "file": "a.cpp", "command": "g++ @sub/c.rsp -o d/a.o -c a.cpp"}])");
+  files.add("/b/loop.rsp", "-DL");
+  CHECK(load_compile_commands("b", files).commands ==
+        std::vector<CompileCommand>{{"/b/a.cpp", "/b", {"g++", "-DC", "-DL", "-o", "d/a.o", "-c", "a.cpp"}, "d/a.o"}});
+}
+
+TEST_CASE("files that flags include are looked for where the compiler runs, and in the folders") {
+  CHECK(forced_includes({"-I", "i", "-include", "a.hpp", "-imacros/m.hpp", "-include-pch", "x"}, "/b") ==
+        Words{"/m.hpp", "/b/a.hpp", "/b/i/a.hpp"});
+  CHECK(fit_for_clang({"clang++", "-Xclang", "-include-pch", "-Xclang", "a.pch", "-Xclang", "-include", "-Xclang",
+                       "a.hxx", "-c", "x.cpp"})
+            .words == Words{"-include", "a.hxx"});
 }
 
 TEST_CASE("compile_commands.json of a build, or what is wrong with it") {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/facts/scanned_types.hpp"
 #include "compiler/version.hpp"
 #include "tests/compiler/support/memory_facts.hpp"
@@ -65,9 +66,48 @@ TEST_CASE("why nothing is known of the types") {
   CHECK(world.read({{}, "cannot read `build`", {}}).fault == "cannot read `build`");
   CHECK(world.read({{{"/u/other.cpp", "/b", {"g++", "-I/nowhere"}}}, {}, "`build`"}).fault ==
         "no include folder of `build` has the header `types.hpp`");
+  CHECK(world.read({{}, {}, "`build`"}).fault == "`build` compiles no C++");
   world.child.answer =
       R"({"types": [null], "paths": [], "files": [], "errors": [{"message": "'y.hpp' file not found"}]})";
   CHECK(world.read(good).fault == "Clang does not understand the headers: 'y.hpp' file not found");
+}
+
+TEST_CASE("a header that no file of the program could include is missing") {
+  World world;
+  CHECK(world.read({{{"/u/a.cpp", "/b", {"g++", "-I/nowhere"}}}, {}, "`build`"}).missing ==
+        std::vector<std::string>{"types.hpp"});
+  CHECK(world.read(good).missing.empty());
+  world.files.add("/v/more.hpp", "");
+  const auto missing = [&](const std::vector<std::string>& headers) {
+    Scanner scanner("director-clang", world.child);
+    const TypeFlags flags{
+        {{"/u/a.cpp", "/b", {"g++", "-I/u"}}, {"/u/b.cpp", "/b", {"g++", "-I/v"}}}, {}, "`build`"};
+    const Types types = ScannedTypes(flags, scanner, world.child, world.files, world.store).read({headers, {}, "x"});
+    return std::pair(types.missing, types.fault);
+  };
+  CHECK(missing({"types.hpp"}) == std::pair(std::vector<std::string>{}, std::string{}));
+  CHECK(missing({"types.hpp", "more.hpp", "gone.hpp"}) ==
+        std::pair(std::vector<std::string>{"gone.hpp"},
+                  std::string("no include folder of `build` has the header `gone.hpp`")));
+  CHECK(missing({"types.hpp", "more.hpp"}) ==
+        std::pair(std::vector<std::string>{}, std::string("no include folder of `build` has the header `types.hpp`")));
+}
+
+TEST_CASE("where a header does not compile, what is missing may only not have been read, and is asked for again") {
+  World world;
+  world.child.answer =
+      R"({"types": [{"wrong": "no type named 'A'"}, {"complete": true}], "paths": ["/u/types.hpp"],
+          "files": [["/u/types.hpp", false]], "errors": [{"message": "'later.hpp' file not found", "file": "/u/types.hpp", "line": 1}]})";
+  Scanner scanner("director-clang", world.child);
+  const auto read = [&] {
+    return ScannedTypes(good, scanner, world.child, world.files, world.store).read({{"types.hpp"}, {"A", "B"}, "x"});
+  };
+  const Types types = read();
+  CHECK(types.find("A") == nullptr);
+  CHECK(types.find("B") != nullptr);
+  CHECK(types.fault == "");
+  read();
+  CHECK(world.child.asked.size() == 2);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/graph/algorithms.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/graph/deep_needs.hpp"
 #include "compiler/pipeline.hpp"
 #include "tests/compiler/support/compiled.hpp"

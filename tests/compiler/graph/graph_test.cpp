@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/graph/graph.hpp"
 #include "tests/compiler/support/compiled.hpp"
 

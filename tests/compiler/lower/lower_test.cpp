@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/steps.hpp"
 #include "tests/compiler/support/compiled.hpp"

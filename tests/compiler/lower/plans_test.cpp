@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/lower/plans.hpp"
 #include "tests/compiler/support/compiled.hpp"
 

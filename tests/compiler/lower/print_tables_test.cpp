@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/print_tables.hpp"
 #include "tests/compiler/support/compiled.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/compiler/support/checked.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,6 +26,21 @@ TEST_CASE("mistakes of reading and of names are reported in one run") {
         "main.yaml:5: there is no group called `Legs` [undefined_name]\n"
         "main.yaml:6: the group `walk` and the group `Walk` become one name in C++, `Walk` [redefined_name]\n"
         "main.yaml:6: expected one of ==, !=, <, <=, >, >= behind `Pose`, found `=` [bad_condition]\n");
+}
+
+TEST_CASE("of a promise that is lost in reading nobody says that there is none") {
+  const std::string walk = "states: {Pose: {values: [moving, standing], initial: moving}}\nroots: [Walk]\ngroups:\n"
+                           "  Walk:\n    providers:\n      - {name: walking, triggers: [Walk.halting.broken, Walk.x]}\n"
+                           "      - {name: halting, causing: [";
+  CHECK(tests::check_text(walk + "Pose == standing within 1.5 s]}\n").findings() ==
+        "main.yaml:8: there is no promise `Walk.x` [undefined_name]\n"
+        "main.yaml:9: expected a duration such as 2 s behind `within`, found `1.5 s` [bad_condition]\n");
+  CHECK(tests::check_text(walk + "Pose = standing within 2 s]}\n").findings() ==
+        "main.yaml:8: there is no promise `Walk.x` [undefined_name]\n"
+        "main.yaml:9: expected one of ==, !=, <, <=, >, >= behind `Pose`, found `=` [bad_condition]\n");
+  CHECK(tests::check_text(walk + "Pose == standing]}\n").findings() ==
+        "main.yaml:8: there is no promise `Walk.halting.broken` [undefined_name]\n"
+        "main.yaml:8: there is no promise `Walk.x` [undefined_name]\n");
 }
 
 } // namespace

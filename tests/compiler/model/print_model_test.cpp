@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/model/print_model.hpp"
 #include "tests/compiler/support/compiled.hpp"
 

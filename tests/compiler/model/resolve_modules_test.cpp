@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/compiler/support/checked.hpp"
 
 #include <catch2/catch.hpp>
@@ -24,7 +25,12 @@ TEST_CASE("a module is called after its file") {
   CHECK(modules("2legs.yaml", "groups: {Walk: {}}") == "_2legs ");
   CHECK(modules("f\xC3\xBC\xC3\x9F"
                 "e.yaml",
-                "groups: {Walk: {}}") == "f__e ");
+                "groups: {Walk: {}}") == "f_e ");
+  CHECK(modules("a__b-_c.yaml", "groups: {Walk: {}}") == "a_b_c ");
+  CHECK(modules("__LINE__.yaml", "groups: {Walk: {}}") == "LINE_ ");
+  CHECK(modules("_Complex.yaml", "groups: {Walk: {}}") == "Complex ");
+  CHECK(modules("walk_.yaml", "groups: {Walk_: {}, Walk: {}}") == "walk_module ");
+  CHECK(modules("nULL.yaml", "groups: {Walk: {}}") == "nULL_module ");
 }
 
 TEST_CASE("a file's name that is taken or reserved gets a tail") {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/compiler/support/checked.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
 #include "dsl/render.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/model/value_set.hpp"
 
 #include <catch2/catch.hpp>

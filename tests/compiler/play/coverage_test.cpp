@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/play/coverage.hpp"
 #include "compiler/play/coverage_watch.hpp"
 #include "compiler/play/print_coverage.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/play/data_slots.hpp"
 
 #include <catch2/catch.hpp>

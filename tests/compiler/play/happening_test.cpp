@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/play/happening.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/compiler/support/played.hpp"
 
 using director::tests::play;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/compiler/support/played.hpp"
 #include "tests/support/golden.hpp"
 

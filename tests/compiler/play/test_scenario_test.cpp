@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/play/test_scenario.hpp"
 #include "tests/compiler/support/played.hpp"
 

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Files in memory through the whole pipeline, for tests.
 
 #include "compiler/pipeline.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A behaviour from its text to its Model, for tests of what comes behind.
 
 #include "compiler/model/resolve.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A store of facts in memory, for tests. Files of the system are those `of yesterday` until somebody says otherwise.
 
 #include "compiler/facts/cache.hpp"

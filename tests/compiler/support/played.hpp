@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A scenario from two texts to what happens in it, for tests.
 
 #include "compiler/lower/lower.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What is wrong with a scenario of a behaviour, for tests: found where it is read, resolved or played, whichever is
 // first.
 

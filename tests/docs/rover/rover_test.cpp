@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rover of the pages: a whole program around tests/docs/rover/rover.yaml.
 #include "rover.hpp"
 #include "runtime/hosted/trial.hpp"
@@ -114,7 +115,7 @@ TEST_CASE("the rover of the pages says why it takes no picture, also to another 
   rover::Behaviour behaviour{mission, chassis};
   behaviour.request<rover::Explore>();
   behaviour.step(0s);
-  behaviour.enable<rover::Drive::Braking>(false);
+  CHECK(behaviour.enable<rover::Drive::Braking>(false));
   behaviour.request<rover::Photograph>();
   behaviour.step(1s);
 

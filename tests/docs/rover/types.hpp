@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Shape: the data that the rover's tasks carry.
 
 namespace rover {

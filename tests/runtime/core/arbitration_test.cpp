@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a pass decides, told by its decisions. The whole of section 4 is held by the scenarios of tests/conformance and
 // by the oracle; here stand the reasons that people ask for.
 

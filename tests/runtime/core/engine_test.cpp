@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the engine promises to those who call `step`: time, inputs, budget, faults, several engines, task data.
 
 #include "tests/runtime/core/machine.hpp"

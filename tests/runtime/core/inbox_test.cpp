@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The inbox: whole inputs or nothing, in order, from many threads.
 
 #include "runtime/core/inbox.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The last words: what a full inbox does not refuse, in which order it comes, and that it comes whole.
 
 #include "runtime/core/inbox.hpp"

@@ -1,4 +1,5 @@
 // Door: tests/runtime/core/machine.hpp. Test: every test of this folder.
+// SPDX-License-Identifier: MIT
 
 #include "tests/runtime/core/machine.hpp"
 

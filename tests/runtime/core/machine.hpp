@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A behaviour from its text to a running engine whose bodies are lambdas, for tests of runtime/core. What happens is
 // kept as lines: `run Walk.halting pushed`, `start Walk`, `queue root>Kick waiting`.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/runtime/core/machine.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What other threads see: whole moments, the newest that was shown, and nobody waits.
 
 #include "runtime/core/snapshot.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The layout of the engine's memory.
 
 #include "runtime/core/state.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why a group does not run, in words: each kind of answer in a situation of its own. That answers are true is held
 // against the oracle on random scenarios, in tests/property.
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/causing/imprecise.hpp. Test: compiler/checks/imprecise_causing.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/imprecise.hpp"
 
 #include "compiler/checks/analysis/facts/pushes.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Promises that overlap what somebody waits for without lying within it: no reason to push.
 
 #include "compiler/checks/analysis/facts/facts.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/causing/promises.hpp. Test: compiler/checks/unreachable_causing.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/promises.hpp"
 
 #include "compiler/checks/analysis/facts/facts.hpp"

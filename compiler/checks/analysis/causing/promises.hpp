@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Promises that are never kept although somebody waits for them and nothing else serves: who is to blame. A provider
 // that never runs is blamed on what it lacks, and that on what keeps it away, down to where nothing else is to blame.
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/causing/self_defeats.hpp. Test: compiler/checks/self_defeating_handler.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/self_defeats.hpp"
 
 #include "compiler/checks/analysis/states/region.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Start and stop handlers that set a state against or for their own group.
 
 #include "compiler/checks/analysis/facts/facts.hpp"

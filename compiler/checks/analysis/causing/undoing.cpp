@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/causing/undoing.hpp. Test: compiler/checks/undone_by_itself.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/undoing.hpp"
 
 #include "compiler/checks/analysis/states/region.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Values that make a condition of a running task false again.
 
 #include "compiler/checks/analysis/causing/wants.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/causing/wants.hpp. Test: tests/checks/analysis/causing/wants_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/wants.hpp"
 
 #include "compiler/checks/analysis/chains/sparse_set.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What tasks wait for, and whom they may push for it (semantics.md 4.4, "Refuse").
 
 #include "compiler/checks/analysis/chains/meetings.hpp"

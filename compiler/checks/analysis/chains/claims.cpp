@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/chains/claims.hpp. Test: compiler/checks/equal_priority.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/chains/claims.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a task may come to hold: its group, what that needs, what it requests, and so on down. For each group the states
 // under which that can happen, as far as one state at a time tells.
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/chains/meetings.hpp. Test: tests/checks/analysis/chains/meetings_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/chains/meetings.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Who goes before whom (semantics.md, 4.1, rules 1 to 4): two tasks meet below their closest common requester, at two
 // entries of one pack, of one flat list, or of the roots, and the ranks of these two decide.
 

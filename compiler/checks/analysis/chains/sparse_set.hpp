@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A few of many ids: what is found on the way from one group is small, and there are as many ways as groups.
 
 #include <unordered_set>

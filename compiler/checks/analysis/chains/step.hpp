@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // One step down a chain: a group that needs or requests the next one.
 
 #include "compiler/model/model.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Two conditions that one task waits for, where a push for the one spoils the other.
 
 #include "compiler/checks/check.hpp"

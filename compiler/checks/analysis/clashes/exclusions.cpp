@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/clashes/exclusions.hpp. Test: compiler/checks/push_cycle.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/clashes/exclusions.hpp"
 
 #include "compiler/checks/analysis/states/region.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Why what one provider does leaves no room for a condition or for another provider: the place that shows it. Nothing:
 // it leaves room.
 

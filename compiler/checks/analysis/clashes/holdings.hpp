@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a provider holds for itself as long as it runs, and whom it leads to.
 
 #include "compiler/checks/check.hpp"

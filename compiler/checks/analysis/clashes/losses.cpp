@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/clashes/losses.hpp. Test: compiler/checks/push_in_vain.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/clashes/losses.hpp"
 
 #include "compiler/checks/analysis/clashes/holdings.hpp"

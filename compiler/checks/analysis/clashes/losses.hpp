@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a push takes away from another provider, so that this one is pushed in vain: the places that show it. Nothing:
 // it takes nothing away.
 

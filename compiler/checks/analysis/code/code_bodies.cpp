@@ -1,4 +1,5 @@
 // Door: compiler/checks/code_check.hpp. Test: tests/checks/code_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // Two walks from each body over the calls. What it may ask for: over all calls, also of a lambda that somebody may
 // call; too much is no harm there, since the rules ask for what is never said. Whether it blocks: only over calls that
@@ -45,6 +46,7 @@ public:
       const CodeFunction& at = *waiting.front();
       waiting.pop_front();
       body.doubtful = body.doubtful || at.doubtful;
+      if (at.open_end) body.open_ends.push_back(&at);
       for (const CodeWord& word : at.words) {
         if (word.context == body.function->context) body.words.push_back(&word);
       }
@@ -145,7 +147,7 @@ CodeInput look_below(const Model& model, const CodeFacts& code) {
   for (const CodeFunction& function : code.functions) {
     const auto of = out.names.contexts.find(function.context);
     if (function.context.empty() || of == out.names.contexts.end()) continue;
-    Body body{of->second, &function, {}, {}, {}, false};
+    Body body{of->second, &function, {}, {}, {}, {}, false};
     walk.words_of(body);
     walk.blocks_of(body);
     out.bodies.push_back(std::move(body));
@@ -167,6 +169,13 @@ dsl::Span span_of(const Model& model, const BodyOf& body) {
   if (body.provider) return model.providers[*body.provider].span;
   const Group& group = model.groups[body.group];
   return body.kind == BodyOf::Kind::start ? group.start->span : group.stop->span;
+}
+
+std::string declaration_of(const BodyOf& body, const std::string& context) {
+  const std::string_view word = body.provider                      ? "director::Outcome provide"
+                                : body.kind == BodyOf::Kind::start ? "void start"
+                                                                   : "void stop";
+  return fmt::format("{}({}& run) override;", word, context);
 }
 
 std::vector<ConditionUse> declared_by(const Model& model, const BodyOf& body) {

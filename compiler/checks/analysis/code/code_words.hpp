@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a body asks for, in the terms of the model.
 
 #include "compiler/checks/code_check.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a granted task is certain to take, and whether it may have to wait for a condition.
 
 #include "compiler/checks/analysis/states/region.hpp"

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/conflicts/conflicts.hpp. Test: tests/checks/pages_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
 
 #include "compiler/checks/analysis/shared.hpp"
@@ -11,9 +12,28 @@ const std::vector<Clash>& Conflicts::clashes() const {
 }
 
 const std::vector<PackConflict>& Conflicts::pack_conflicts() const {
-  if (!pack_conflicts_)
-    pack_conflicts_ = find_pack_conflicts(input_.model, input_.shared.units(), input_.shared.indispensable());
+  if (!pack_conflicts_) pack_conflicts_ = find_pack_conflicts(input_.model, input_.shared.units());
   return *pack_conflicts_;
+}
+
+Takers& Conflicts::takers() const {
+  if (!takers_) takers_.emplace(input_);
+  return *takers_;
+}
+
+Packmates& Conflicts::packmates() const {
+  if (!packmates_) packmates_.emplace(input_, takers());
+  return *packmates_;
+}
+
+const Grants& Conflicts::grants() const {
+  if (!grants_) grants_.emplace(input_, takers(), packmates());
+  return *grants_;
+}
+
+const std::vector<Loser>& Conflicts::losers() const {
+  if (!losers_) losers_ = find_losers(input_, takers(), packmates());
+  return *losers_;
 }
 
 const std::vector<StarvingTask>& Conflicts::starving_tasks() const {

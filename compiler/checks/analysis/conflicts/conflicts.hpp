@@ -1,8 +1,11 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What excludes each other, which more than one check asks for: found when the first one does and kept for the run, as
 // what is shared is, from which it follows.
 
 #include "compiler/checks/analysis/clashes/clashes.hpp"
+#include "compiler/checks/analysis/conflicts/grants.hpp"
+#include "compiler/checks/analysis/conflicts/losers.hpp"
 #include "compiler/checks/analysis/conflicts/pack_conflicts.hpp"
 #include "compiler/checks/analysis/conflicts/starving.hpp"
 #include "compiler/checks/check.hpp"
@@ -25,12 +28,22 @@ public:
   const std::vector<Clash>& clashes() const;
   /// Of all packs and flat lists.
   const std::vector<PackConflict>& pack_conflicts() const;
+  /// Below all roots.
+  const Grants& grants() const;
+  const std::vector<Loser>& losers() const;
   const std::vector<StarvingTask>& starving_tasks() const;
 
 private:
   Input input_;
   mutable std::optional<std::vector<Clash>> clashes_;
   mutable std::optional<std::vector<PackConflict>> pack_conflicts_;
+  Takers& takers() const;
+  Packmates& packmates() const;
+
+  mutable std::optional<Takers> takers_;
+  mutable std::optional<Packmates> packmates_;
+  mutable std::optional<Grants> grants_;
+  mutable std::optional<std::vector<Loser>> losers_;
   mutable std::optional<std::vector<StarvingTask>> starving_tasks_;
 };
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/conflicts/contenders.hpp. Test: compiler/checks/undeclared_need.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/contenders.hpp"
 
 #include "compiler/checks/analysis/needs/needs.hpp"

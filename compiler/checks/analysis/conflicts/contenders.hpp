@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Who may keep a group from a provider that asks for it when it has begun: somebody who meets it above, does not go
 // after it, and may come to hold the group by a chain of its own.
 

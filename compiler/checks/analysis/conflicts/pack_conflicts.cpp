@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/conflicts/pack_conflicts.hpp. Test: compiler/checks/pack_conflict.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/conflicts/pack_conflicts.hpp"
 
 #include "compiler/checks/analysis/needs/needs.hpp"
@@ -98,7 +99,7 @@ std::string members_in_words(const Model& model, const std::vector<const Task*>&
   return list_of(names);
 }
 
-std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units, const Indispensable& indispensable) {
+std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) {
   std::vector<PackConflict> out;
   for (const ProviderId id : model.providers.ids()) {
     for (const Pack& pack : model.providers[id].packs) {
@@ -107,13 +108,12 @@ std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units, 
       const UnitVerdict whole = units.verdict(targets_of(members));
       if (whole == UnitVerdict::possible) continue;
       const std::size_t before = out.size();
-      Told<GroupId> told(members.size());
       for (std::size_t j = 1; j < members.size(); ++j) {
         for (std::size_t i = 0; i < j; ++i) {
           const GroupId a = members[i]->target, b = members[j]->target;
-          if (a == b || told.covers(i, j) || units.verdict({a, b}) != UnitVerdict::impossible) continue;
+          if (a == b || units.verdict({a, b}) != UnitVerdict::impossible) continue;
           out.push_back({id, &pack, {members[i], members[j]}, UnitVerdict::impossible});
-          for (const GroupId group : indispensable.in_common(a, b)) told.tell(i, j, group);
+          if (members.size() > told_in_pairs) break; // each but the first is told of once
         }
       }
       if (out.size() == before && model.providers[id].has_packs) out.push_back({id, &pack, members, whole});

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Members of a pack that can never be granted together, and why.
 
 #include "compiler/checks/analysis/needs/units.hpp"
@@ -18,8 +19,8 @@ struct PackConflict {
 };
 
 /// Of every pack and flat list of every provider; of a flat list only pairs, since nobody says that all is asked for.
-/// Of several that cannot do without one group, each with the first of them.
-std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units, const Indispensable& indispensable);
+/// Of long ones each member is told of once, with the first that it excludes.
+std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units);
 
 /// Says what excludes what, to the bottom. `at`: the last member.
 void report_pack_conflict(const Input& input, Units& units, const PackConflict& conflict, Findings& findings);

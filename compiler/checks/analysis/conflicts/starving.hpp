@@ -1,32 +1,27 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Tasks that never run because something that goes before them is always requested with them and takes what they must
 // have.
 
+#include "compiler/checks/analysis/conflicts/grants.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <vector>
 
 namespace director::checks {
 
-/// Why one entry never gets what it must have.
-struct Starver {
-  const Task* by = nullptr;   ///< the entry that goes before
-  const Task* over = nullptr; ///< the entry beside that one: the starving task's own, or one that leads to it
-  GroupId group{};            ///< what it takes
-};
-
 struct StarvingTask {
-  struct Place {
-    const Task* task = nullptr;
-    Starver starver;
-  };
-  std::vector<Place> places; ///< everywhere where this requester asks for it; never empty
-  bool optional = false;     ///< the first of these entries is
+  std::vector<Refused> places; ///< everywhere where this requester asks for it; never empty
+  bool optional = false;       ///< the first of these entries is
+  const Taker& taker() const { return places.front().refusals.front().taker; }
 };
 
-/// In order of edges. Not those whose requester never runs itself for this reason.
+/// Of tasks that are never granted those that no loser is, in order of edges.
 std::vector<StarvingTask> find_starving_tasks(const Input& input);
 
 void report_starving_task(const Input& input, const StarvingTask& starving, Findings& findings);
+
+/// The reason why a task never gets what is held before, in notes: who takes it, and by what chains both come to it.
+void add_taker(const Input& input, const Refused& refused, const Taker& taker, std::vector<dsl::Note>& notes);
 
 } // namespace director::checks

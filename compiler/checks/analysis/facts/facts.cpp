@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/facts/facts.hpp. Test: tests/checks/analysis/facts/facts_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/facts/facts.hpp"
 
 #include "compiler/checks/analysis/chains/meetings.hpp"
@@ -6,6 +7,8 @@
 #include "compiler/checks/analysis/states/choice.hpp"
 #include "compiler/checks/analysis/states/region.hpp"
 #include "compiler/checks/analysis/states/sources.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
@@ -39,7 +42,7 @@ public:
     find_concerned();
     find_waiting();
     for (const ProviderId id : model_.providers.ids()) {
-      facts_.plans[id] = find_plan(model_, id);
+      facts_.plans[id] = find_plan(model_, id, facts_.budget);
       find_impossible(id, false);
       find_impossible(id, true);
     }
@@ -175,7 +178,7 @@ private:
   }
 
   /// Its `when` may hold while each of its rivals lacks something. Those that exclude it lack it then.
-  bool may_come_first(ProviderId id) const {
+  bool may_come_first(ProviderId id) {
     Region own = region_of(model_, model_.providers[id].when);
     for (const StateId state : mended_states(id)) own.states.erase(state);
     std::vector<Region> others;
@@ -183,7 +186,11 @@ private:
       if (facts_.plans[rival] == PlanVerdict::found && mended_states(rival).empty())
         others.push_back(region_of(model_, model_.providers[rival].when));
     }
-    return may_escape(model_, own, others, facts_.values);
+    const Covering covering = find_covering(model_, own, others, facts_.values, facts_.budget);
+    if (covering == Covering::undecided)
+      facts_.budget.leave_open(model_.providers[id].span,
+                               fmt::format("whether `{}` ever comes first", model_.full_name(id)));
+    return covering != Covering::covered;
   }
 
   void find_active(GroupId group) {

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/facts/pushes.hpp. Test: tests/checks/analysis/facts/facts_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/facts/pushes.hpp"
 
 #include <algorithm>

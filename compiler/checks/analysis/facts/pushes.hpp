@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Which causing providers may be pushed, given what is known to be possible so far (semantics.md 4.4, "Refuse").
 
 #include "compiler/checks/analysis/chains/meetings.hpp"

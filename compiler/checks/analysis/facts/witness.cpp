@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/facts/witness.hpp. Test: tests/checks/analysis/facts/witness_test.cpp.
+// SPDX-License-Identifier: MIT
 //
 // The rules of facts.cpp once more, forwards, each remembering what it was applied to. A rule is applied only to what
 // is known already, so the supporters of a fact never lead back to it.

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Why something may happen: for each of the facts the first rule that supports it, from what needs no support on. Where
 // facts.hpp says "may", so does this.
 

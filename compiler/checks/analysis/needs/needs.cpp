@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/needs/needs.hpp. Test: tests/checks/analysis/needs/needs_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/needs/needs.hpp"
 
 #include "compiler/graph/algorithms.hpp"
@@ -85,7 +86,7 @@ const Use<GroupId>* find_need_of_itself(const Model& model, ProviderId id) {
 }
 
 /// Providers without a plan whose needs end somewhere, and that would have none either if all others had theirs.
-std::vector<ProviderId> find_faulty(const Model& model, const Facts& facts) {
+std::vector<ProviderId> find_faulty(const Model& model, const Facts& facts, Budget& budget) {
   std::vector<ProviderId> out;
   IdSet<ProviderId> planless(model.providers.size());
   for (const ProviderId id : model.providers.ids()) {
@@ -98,16 +99,16 @@ std::vector<ProviderId> find_faulty(const Model& model, const Facts& facts) {
                                   [&](const Use<GroupId>& need) { return ending.contains(need.id); });
     if (!planless.contains(id) || !ends) continue;
     IdSet<ProviderId> mended = planless; // of its own needs the search takes no notice of this
-    if (find_plan(model, id, &mended) != PlanVerdict::found) out.push_back(id);
+    if (find_plan(model, id, budget, &mended) != PlanVerdict::found) out.push_back(id);
   }
   return out;
 }
 
 } // namespace
 
-std::vector<std::vector<ChainStep>> find_need_circles(const Model& model, const Facts& facts) {
+std::vector<std::vector<ChainStep>> find_need_circles(const Model& model, const Facts& facts, Budget& budget) {
   std::vector<std::vector<ChainStep>> out = circles_of_groups(model);
-  for (const ProviderId id : find_faulty(model, facts)) {
+  for (const ProviderId id : find_faulty(model, facts, budget)) {
     const Use<GroupId>* need = find_need_of_itself(model, id);
     if (need == nullptr) continue;
     const GroupId group = model.providers[id].group;
@@ -118,9 +119,9 @@ std::vector<std::vector<ChainStep>> find_need_circles(const Model& model, const 
   return out;
 }
 
-std::vector<ProviderId> find_need_conflicts(const Model& model, const Facts& facts) {
+std::vector<ProviderId> find_need_conflicts(const Model& model, const Facts& facts, Budget& budget) {
   std::vector<ProviderId> out;
-  for (const ProviderId id : find_faulty(model, facts)) {
+  for (const ProviderId id : find_faulty(model, facts, budget)) {
     if (find_need_of_itself(model, id) == nullptr) out.push_back(id);
   }
   return out;

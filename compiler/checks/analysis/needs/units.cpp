@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/needs/units.hpp. Test: tests/checks/analysis/needs/units_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/needs/units.hpp"
 
 #include "compiler/checks/analysis/chains/sparse_set.hpp"
@@ -11,6 +12,9 @@
 namespace director::checks {
 
 namespace {
+
+/// Of the budget of a run: with each pick goes a region.
+constexpr std::int64_t step_cost = 20;
 
 /// The choice so far, with what its conditions leave.
 class Combining {
@@ -135,7 +139,11 @@ bool Units::visit(const std::vector<GroupId>& members, bool by_groups_alone,
   std::vector<Use<GroupId>> needs;
   for (const GroupId member : members) needs.push_back({member, {}});
   Combining combining(model_, facts_, *this, by_groups_alone, visitor);
-  return ChoiceSearch(model_, most_steps, combining).run(needs);
+  const std::int64_t granted = budget_.grant(most_steps * step_cost) / step_cost;
+  ChoiceSearch search(model_, granted, combining);
+  const bool complete = search.run(needs);
+  budget_.spend((granted - search.steps_left()) * step_cost);
+  return complete;
 }
 
 } // namespace director::checks

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Whether the members of a unit can be granted together (semantics.md, 4.4): a provider and a plan for each, no group
 // twice, and conditions that can hold at the same time. To decide it is NP-complete, as for plans, so the search counts
 // its steps.
@@ -30,9 +31,9 @@ enum class UnitVerdict { possible, impossible, undecided };
 class Units {
 public:
   /// More steps than a pack of people took by a factor of a thousand.
-  static constexpr int most_steps = 200'000;
+  static constexpr std::int64_t most_steps = 200'000;
 
-  Units(const Model& model, const Facts& facts) : model_(model), facts_(facts) {}
+  Units(const Model& model, const Facts& facts, Budget& budget) : model_(model), facts_(facts), budget_(budget) {}
 
   /// Whether all of these can be granted at once. Quick where they share no need and no state. `by_groups_alone`:
   /// whatever their conditions.
@@ -58,6 +59,7 @@ private:
 
   const Model& model_;
   const Facts& facts_;
+  Budget& budget_;
   std::unordered_map<GroupId, std::vector<GroupId>> needed_;
   std::unordered_map<GroupId, Region> regions_;
 };

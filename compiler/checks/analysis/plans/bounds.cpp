@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/plans/bounds.hpp. Test: tests/checks/analysis/plans/bounds_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/plans/bounds.hpp"
 
 #include "compiler/checks/analysis/plans/plans.hpp"
@@ -43,7 +44,7 @@ private:
     if (out) return *out;
     out = 0;
     for (const ProviderId id : model_.groups[group].providers) {
-      const PlanCount plans = count_plans(model_, id, most_plans);
+      const PlanCount plans = count_plans(model_, id, most_plans, budget_);
       out_.counted = out_.counted && plans.complete;
       add(*out, plans.plans);
     }
@@ -76,6 +77,7 @@ private:
 
   const Model& model_;
   Bounds& out_;
+  Budget budget_;
   IdTable<GroupId, std::optional<std::int64_t>> ways_;
 };
 

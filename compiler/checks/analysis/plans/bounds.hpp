@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What the engine may cost at most, from the specification alone. docs/integration.md, "Memory and bounds", says what
 // each one means and why it is a bound.
 

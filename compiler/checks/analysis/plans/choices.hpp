@@ -1,10 +1,12 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Every choice of a provider for each of some needs, and for all that these need in turn, no group twice
 // (semantics.md, section 1). Depth first, the nearest need first; who asks counts the steps, since there may be more
 // choices than anybody has time for.
 
 #include "compiler/model/model.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <vector>
@@ -40,6 +42,7 @@ public:
     meet(&agenda);
     return steps_ >= 0;
   }
+  std::int64_t steps_left() const { return std::max<std::int64_t>(steps_, 0); }
 
 private:
   /// Needs that are still to be met: a list for each provider that was picked, the latest first. They lie on the stack

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/plans/plans.hpp. Test: tests/checks/analysis/plans/plans_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/plans/plans.hpp"
 
 #include "compiler/checks/analysis/plans/choices.hpp"
@@ -11,6 +12,9 @@
 namespace director::checks {
 
 namespace {
+
+/// Of the budget of a run: to pick a provider takes longer than to look at a condition.
+constexpr std::int64_t step_cost = 4;
 
 class PlanCounter {
 public:
@@ -29,12 +33,14 @@ private:
   const IdSet<ProviderId>* mended_;
 };
 
-PlanCount count(const Model& model, ProviderId provider, std::int64_t most, std::int64_t steps,
+PlanCount count(const Model& model, ProviderId provider, std::int64_t most, Budget& budget,
                 const IdSet<ProviderId>* mended) {
   PlanCounter counter(most, mended);
-  ChoiceSearch search(model, steps, counter);
+  const std::int64_t granted = budget.grant(plan_steps * step_cost) / step_cost;
+  ChoiceSearch search(model, granted, counter);
   search.hold(model.providers[provider].group);
   const bool finished = search.run(model.providers[provider].needs);
+  budget.spend((granted - search.steps_left()) * step_cost);
   return {counter.plans(), finished && counter.plans() < most};
 }
 
@@ -62,18 +68,18 @@ Parts intersected(Parts a, Parts b) {
 
 } // namespace
 
-PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, std::int64_t steps) {
-  return count(model, provider, most, steps, nullptr);
+PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, Budget& budget) {
+  return count(model, provider, most, budget, nullptr);
 }
 
-PlanVerdict find_plan(const Model& model, ProviderId provider, const IdSet<ProviderId>* mended) {
+PlanVerdict find_plan(const Model& model, ProviderId provider, Budget& budget, const IdSet<ProviderId>* mended) {
   if (model.providers[provider].needs.empty()) return PlanVerdict::found;
-  const PlanCount one = count(model, provider, 1, plan_steps, mended);
+  const PlanCount one = count(model, provider, 1, budget, mended);
   if (one.plans > 0) return PlanVerdict::found;
   return one.complete ? PlanVerdict::none : PlanVerdict::undecided;
 }
 
-Indispensable::Indispensable(const Model& model) : parts_(model.groups.size()) {
+Indispensable::Indispensable(const Model& model, const IdSet<ProviderId>* counts) : parts_(model.groups.size()) {
   Arrows needs(model.groups.size());
   for (const Edge& edge : model.edges) {
     if (edge.needed) needs[edge.requester->value].push_back(edge.target.value);
@@ -86,8 +92,10 @@ Indispensable::Indispensable(const Model& model) : parts_(model.groups.size()) {
     for (auto node = order.rbegin(); node != order.rend(); ++node) {
       const GroupId group{*node};
       Parts both;
-      for (const ProviderId provider : model.groups[group].providers)
-        both = intersected(std::move(both), by_provider(model.providers[provider], parts_));
+      for (const ProviderId provider : model.groups[group].providers) {
+        if (counts == nullptr || counts->contains(provider))
+          both = intersected(std::move(both), by_provider(model.providers[provider], parts_));
+      }
       if (both && !std::binary_search(both->begin(), both->end(), group))
         both->insert(std::upper_bound(both->begin(), both->end(), group), group);
       if (both == parts_[group]) continue;

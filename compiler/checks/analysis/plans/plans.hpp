@@ -1,8 +1,10 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // The plans of a provider's needs (semantics.md, section 1): for each needed group a provider of it, and what that one
 // needs, no group twice. Whether there is one is NP-complete (it is exact cover in disguise), so the search counts its
 // steps.
 
+#include "compiler/checks/analysis/effort/budget.hpp"
 #include "compiler/model/model.hpp"
 
 #include <cstdint>
@@ -22,17 +24,19 @@ struct PlanCount {
 };
 
 /// The valid plans of a provider, up to `most` of them. A provider without needs has one.
-PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, std::int64_t steps = plan_steps);
+PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, Budget& budget);
 
 enum class PlanVerdict { found, none, undecided };
 /// `mended`: providers that are taken to need nothing.
-PlanVerdict find_plan(const Model& model, ProviderId provider, const IdSet<ProviderId>* mended = nullptr);
+PlanVerdict find_plan(const Model& model, ProviderId provider, Budget& budget,
+                      const IdSet<ProviderId>* mended = nullptr);
 
 /// Groups that are part of every way to have a group, itself included: what two needs cannot both come down to.
 /// Cycles are no way to have a group.
 class Indispensable {
 public:
-  explicit Indispensable(const Model& model);
+  /// `counts`: only these providers are ways; nothing: all.
+  explicit Indispensable(const Model& model, const IdSet<ProviderId>* counts = nullptr);
   /// `part` is of every way to have `group`. Anything is, if there is no way.
   bool contains(GroupId group, GroupId part) const;
   /// In order; nothing: there is no way.

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/requests/company.hpp. Test: compiler/checks/causer_not_running.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/requests/company.hpp"
 
 #include <algorithm>

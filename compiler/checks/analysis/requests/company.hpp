@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Who is surely requested together with a task: by the same pack, or by one above it.
 
 #include "compiler/checks/analysis/chains/sparse_set.hpp"

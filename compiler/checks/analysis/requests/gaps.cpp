@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/requests/gaps.hpp. Test: tests/checks/analysis/requests/gaps_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/requests/gaps.hpp"
 
 #include "compiler/checks/analysis/words/words.hpp"
@@ -14,7 +15,9 @@ namespace {
 /// More would be no help to anybody who reads them.
 constexpr std::size_t most_boxes = 256;
 /// A group with more different ways to run is taken to be able to run always.
-constexpr std::size_t most_ways = 32;
+constexpr std::size_t most_ways = 512;
+/// The same of a provider with more combinations of its own ways and those of what it needs.
+constexpr std::size_t most_combined = 4'096;
 
 /// How many subtract adds, told without the boxes themselves, which are as large as the region.
 std::size_t count_outside(const Box& box, const Region& region) {
@@ -84,6 +87,18 @@ void unite(std::vector<Region>& ways) {
   ways = std::move(out);
 }
 
+/// Where they are too many to be listed.
+Gaps find_one_gap(const Model& model, const Facts& facts, const Box& start, const std::vector<Region>& ways,
+                  Budget& budget) {
+  Box gap;
+  switch (find_covering(model, facts.values, start, ways, budget, &gap)) {
+  case Covering::covered: return {};
+  case Covering::open: return {{std::move(gap)}, false, true};
+  case Covering::undecided: break;
+  }
+  return {{}, false, false};
+}
+
 } // namespace
 
 Box box_of(const Facts& facts, const Region& region) {
@@ -93,24 +108,24 @@ Box box_of(const Facts& facts, const Region& region) {
   return out;
 }
 
-std::optional<std::vector<Box>> find_gaps(const Model& model, const Facts& facts, Box start,
-                                          const std::vector<Region>& ways) {
+Gaps find_gaps(const Model& model, const Facts& facts, const Box& start, const std::vector<Region>& ways,
+               Budget& budget) {
+  Box whole = start;
   for (const Region& way : ways) {
     for (const auto& [state, accepted] : way.states)
-      start.try_emplace(state, Possible{facts.values[state], model.states[state].may_be_unset()});
+      whole.try_emplace(state, Possible{facts.values[state], model.states[state].may_be_unset()});
   }
-  if (std::any_of(start.begin(), start.end(), [](const auto& entry) { return entry.second.empty(); }))
-    return std::vector<Box>{};
-  std::vector<Box> boxes{std::move(start)};
+  if (std::any_of(whole.begin(), whole.end(), [](const auto& entry) { return entry.second.empty(); })) return {};
+  std::vector<Box> boxes{std::move(whole)};
   for (const Region& way : ways) {
     std::size_t count = 0;
     for (const Box& box : boxes) count += count_outside(box, way);
-    if (count > most_boxes) return std::nullopt;
+    if (count > most_boxes) return find_one_gap(model, facts, start, ways, budget);
     std::vector<Box> next;
     for (const Box& box : boxes) subtract(box, way, next);
     boxes = std::move(next);
   }
-  return boxes;
+  return {std::move(boxes)};
 }
 
 std::string gap_in_words(const Model& model, const Facts& facts, const Box& box) {
@@ -169,6 +184,7 @@ std::vector<Region> Ways::of(ProviderId id) {
   if (with_stay_ && !provider.stay.empty()) add_way(out, region_by(provider.stay, true));
   for (const Use<GroupId>& need : provider.needs) {
     std::vector<Region> both;
+    if (out.size() * of(need.id).size() > most_combined) return {Region{}};
     for (const Region& own : out) {
       for (const Region& below : of(need.id)) {
         Region way = own;

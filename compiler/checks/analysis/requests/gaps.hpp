@@ -1,36 +1,30 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Which values of states no way to run covers: what is left of all combinations when the regions of the ways are taken
 // away.
 
 #include "compiler/checks/analysis/facts/facts.hpp"
-#include "compiler/checks/analysis/states/region.hpp"
+#include "compiler/checks/analysis/states/covering.hpp"
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace director::checks {
 
-/// What a state may be.
-struct Possible {
-  ValueSet values;
-  bool unset = false;
-  bool empty() const { return values.empty() && !unset; }
-  bool operator==(const Possible&) const = default;
-};
-
-/// States that are looked at, each for itself; any other state may be anything that it can be.
-using Box = std::map<StateId, Possible>;
-
 /// The states of the region with the values that they may have.
 Box box_of(const Facts& facts, const Region& region);
 
-/// Disjoint boxes in which none of the ways is open. Nothing: they are too many to be found.
-std::optional<std::vector<Box>> find_gaps(const Model& model, const Facts& facts, Box start,
-                                          const std::vector<Region>& ways);
+/// Disjoint boxes in which none of the ways is open.
+struct Gaps {
+  std::vector<Box> boxes;
+  bool all = true;     ///< else they are too many to be listed, and this is one of them
+  bool decided = true; ///< else nobody knows whether there are any
+};
+Gaps find_gaps(const Model& model, const Facts& facts, const Box& start, const std::vector<Region>& ways,
+               Budget& budget);
 
 /// A gap that no state narrows.
 inline constexpr std::string_view everywhere = "always";

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/requests/requests.hpp. Test: tests/checks/analysis/requests/requests_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/requests/requests.hpp"
 
 namespace director::checks {

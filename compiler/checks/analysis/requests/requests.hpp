@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Who requests a group, and under which states.
 
 #include "compiler/checks/analysis/facts/facts.hpp"

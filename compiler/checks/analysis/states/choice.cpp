@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/states/choice.hpp. Test: tests/checks/analysis/states/choice_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/states/choice.hpp"
 
 #include <algorithm>
@@ -6,9 +7,6 @@
 namespace director::checks {
 
 namespace {
-
-/// A group with this many providers before one that is undecided would be a riddle for people too.
-constexpr int choice_steps = 100'000;
 
 /// Groups that something alive may hold: the roots and all that they may request or need.
 IdSet<GroupId> find_claimable(const Model& model, const Graph& graph) {
@@ -64,87 +62,6 @@ struct Availability {
   }
 };
 
-/// What a state may be.
-struct Possible {
-  ValueSet values;
-  bool unset = false;
-  bool empty() const { return values.empty() && !unset; }
-};
-
-class FirstSearch {
-public:
-  FirstSearch(const Model& model, const IdTable<StateId, ValueSet>& values) : model_(model), values_(values) {}
-
-  bool run(const Region& own, const std::vector<Region>& rivals) {
-    for (const auto& [state, accepted] : own.states) now_[state] = {values_[state].intersected(accepted), false};
-    if (std::any_of(now_.begin(), now_.end(), [](const auto& entry) { return entry.second.empty(); })) return false;
-    regions_ = rivals;
-    return all_fail();
-  }
-
-private:
-  const Possible& now(StateId state) {
-    return now_.try_emplace(state, Possible{values_[state], model_.states[state].may_be_unset()}).first->second;
-  }
-
-  /// All rivals can lack something at once. Not by recursion: they may be many.
-  bool all_fail() {
-    std::vector<Choice> choices;
-    std::size_t rival = 0;
-    while (true) {
-      while (rival < regions_.size() && lacks_already(regions_[rival])) ++rival;
-      if (rival == regions_.size()) return true;
-      choices.push_back({rival, regions_[rival].states.begin(), {}});
-      while (!take_next(choices.back())) {
-        choices.pop_back();
-        if (choices.empty()) return false;
-        take_back(choices.back());
-      }
-      if (steps_ > choice_steps) return true;
-      rival = choices.back().rival + 1;
-    }
-  }
-
-  /// What a rival is made to lack.
-  struct Choice {
-    std::size_t rival;
-    std::map<StateId, ValueSet>::const_iterator state;
-    Possible before; ///< of that state
-  };
-
-  /// From `state` on the first that can be otherwise than the rival wants it.
-  bool take_next(Choice& choice) {
-    for (; choice.state != regions_[choice.rival].states.end(); ++choice.state) {
-      if (++steps_ > choice_steps) return true;
-      choice.before = now(choice.state->first);
-      const Possible without{choice.before.values.without(choice.state->second), choice.before.unset};
-      if (without.empty()) continue;
-      now_[choice.state->first] = without;
-      return true;
-    }
-    return false;
-  }
-
-  void take_back(Choice& choice) {
-    now_[choice.state->first] = choice.before;
-    ++choice.state;
-  }
-
-  /// Whatever else is taken from it: no choice is needed, and none would help where this one does not lead to an end.
-  bool lacks_already(const Region& rival) {
-    return std::any_of(rival.states.begin(), rival.states.end(), [&](const auto& entry) {
-      const Possible& here = now(entry.first);
-      return !here.unset && here.values.intersected(entry.second).empty();
-    });
-  }
-
-  const Model& model_;
-  const IdTable<StateId, ValueSet>& values_;
-  std::map<StateId, Possible> now_;
-  std::vector<Region> regions_;
-  int steps_ = 0;
-};
-
 } // namespace
 
 Rivals::Rivals(const Model& model, const Graph& graph)
@@ -180,18 +97,19 @@ std::vector<ProviderId> Rivals::that_meet(ProviderId provider, const Region& reg
   return out;
 }
 
-bool may_escape(const Model& model, const Region& own, const std::vector<Region>& others,
-                const IdTable<StateId, ValueSet>& values) {
-  return FirstSearch(model, values).run(own, others);
+Covering find_covering(const Model& model, const Region& own, const std::vector<Region>& others,
+                       const IdTable<StateId, ValueSet>& values, Budget& budget) {
+  Box start;
+  for (const auto& [state, accepted] : own.states)
+    start.emplace(state, Possible{values[state].intersected(accepted), false});
+  return find_covering(model, values, start, others, budget);
 }
 
-bool may_come_first(const Model& model, ProviderId provider, const std::vector<ProviderId>& rivals,
-                    const IdTable<StateId, ValueSet>& values, const std::vector<StateId>& open) {
-  Region own = region_of(model, model.providers[provider].when);
-  for (const StateId state : open) own.states.erase(state);
+Covering find_choice(const Model& model, ProviderId provider, const std::vector<ProviderId>& rivals,
+                     const IdTable<StateId, ValueSet>& values, Budget& budget) {
   std::vector<Region> others;
   for (const ProviderId rival : rivals) others.push_back(region_of(model, model.providers[rival].when));
-  return may_escape(model, own, others, values);
+  return find_covering(model, region_of(model, model.providers[provider].when), others, values, budget);
 }
 
 } // namespace director::checks

@@ -1,6 +1,8 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // When a provider is the first of its group that can run.
 
+#include "compiler/checks/analysis/states/covering.hpp"
 #include "compiler/checks/analysis/states/region_index.hpp"
 #include "compiler/graph/graph.hpp"
 
@@ -26,14 +28,13 @@ private:
   IdTable<GroupId, RegionIndex> regions_;  ///< of its providers, by `when`
 };
 
-/// `own` can hold while each of `others` lacks something, each state having one of `values` or, where it may, none.
-/// True also where that takes too long to find out.
-bool may_escape(const Model& model, const Region& own, const std::vector<Region>& others,
-                const IdTable<StateId, ValueSet>& values);
+/// Whether `others` cover all of `own`, each state having one of `values` or, where `own` does not speak of it and it
+/// may, none. Open: `own` can hold while each of the others lacks something.
+Covering find_covering(const Model& model, const Region& own, const std::vector<Region>& others,
+                       const IdTable<StateId, ValueSet>& values, Budget& budget);
 
-/// Its `when` can hold while each of `rivals` lacks something, each state having one of `values` or, where it may,
-/// none. `open`: states that are no obstacle to it. True also where that takes too long to find out.
-bool may_come_first(const Model& model, ProviderId provider, const std::vector<ProviderId>& rivals,
-                    const IdTable<StateId, ValueSet>& values, const std::vector<StateId>& open);
+/// The same of the `when` of a provider and those of `rivals`. Covered: it never comes first.
+Covering find_choice(const Model& model, ProviderId provider, const std::vector<ProviderId>& rivals,
+                     const IdTable<StateId, ValueSet>& values, Budget& budget);
 
 } // namespace director::checks

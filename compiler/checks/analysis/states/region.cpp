@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/states/region.hpp. Test: tests/checks/analysis/states/region_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/states/region.hpp"
 
 #include <algorithm>

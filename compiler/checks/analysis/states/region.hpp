@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What a conjunction of conditions leaves of each state that it speaks of. States are taken one by one: whether two of
 // them can have two values at the same time is not asked.
 

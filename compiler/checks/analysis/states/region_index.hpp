@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Which of many regions meet another one, without asking each of them. That many providers of a group are told apart by
 // one state is common; that is what it is quick for.
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/states/sources.hpp. Test: tests/checks/analysis/facts/facts_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/states/sources.hpp"
 
 #include <algorithm>

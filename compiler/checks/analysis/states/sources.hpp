@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // Where the values of a state come from.
 
 #include "compiler/model/model.hpp"

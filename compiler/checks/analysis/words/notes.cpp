@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/words/notes.hpp. Test: compiler/checks/equal_priority.md.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/words/notes.hpp"
 
 #include "compiler/checks/analysis/states/sources.hpp"
@@ -10,8 +11,25 @@ namespace director::checks {
 
 using dsl::Note;
 
+namespace {
+
+/// Who reads more steps than this reads them in the file.
+constexpr std::size_t most_steps = 12;
+
+} // namespace
+
 void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vector<Note>& notes, Note::Link begins) {
-  for (const ChainStep& step : chain) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const ChainStep& step = chain[i];
+    if (chain.size() > most_steps && i == most_steps / 2) {
+      const std::size_t left_out = chain.size() - most_steps;
+      notes.push_back({step.span,
+                       fmt::format("{} more steps lead from {} to {}", left_out, name_of(model, step.from),
+                                   name_of(model, chain[i + left_out - 1].to)),
+                       begins});
+      i += left_out - 1;
+      continue;
+    }
     notes.push_back({step.span,
                      fmt::format("{} {} {}", name_of(model, step.from), step.by_need ? "needs" : "requests",
                                  name_of(model, step.to)),

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // What several checks tell in notes, each at the place where it is written.
 
 #include "compiler/checks/analysis/chains/step.hpp"
@@ -8,7 +9,7 @@
 
 namespace director::checks {
 
-/// A chain: one note for each step. `begins`: whether it goes on from the note before.
+/// A chain: one note for each step, of a long one for the first and last few. `begins`: whether it goes on from the note before.
 void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vector<dsl::Note>& notes,
                dsl::Note::Link begins = dsl::Note::Link::first);
 

@@ -1,4 +1,5 @@
 // Door: compiler/checks/analysis/words/words.hpp. Test: tests/checks/analysis/words/words_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/words/words.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,14 @@ std::string list_of(const std::vector<std::string>& things, std::string_view las
     out += things[i];
   }
   return out;
+}
+
+std::string few_of(const std::vector<std::string>& things, std::string_view last) {
+  constexpr std::size_t few = 4;
+  if (things.size() <= few + 1) return list_of(things, last);
+  std::vector<std::string> out(things.begin(), things.begin() + few);
+  out.push_back(fmt::format("{} more", things.size() - few));
+  return list_of(out, last);
 }
 
 std::string values_in_words(const State& state, const ValueSet& values, bool unset) {

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // How messages speak of things.
 
 #include "compiler/model/model.hpp"
@@ -18,6 +19,9 @@ std::string name_of(const Model& model, StateId id);
 
 /// `a`, `b` and `c`: of things that are quoted already.
 std::string list_of(const std::vector<std::string>& things, std::string_view last = "and");
+
+/// The same, but of many things the first ones and how many more there are.
+std::string few_of(const std::vector<std::string>& things, std::string_view last = "and");
 
 /// Values in plain words: "fallen or standing", "0 to 10, 50 or unset"; nothing: "nothing".
 std::string values_in_words(const State& state, const ValueSet& values, bool unset = false);

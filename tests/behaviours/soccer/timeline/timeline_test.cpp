@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/timeline/timeline.hpp"
 
 #include <catch2/catch.hpp>
@@ -224,11 +225,14 @@ TEST_CASE("faults are told and counted") {
   told.event.value = 1;
   told.tell();
   told.simply(Kind::exhausted, nil);
+  told.next(Kind::lost, nil).count = 3;
+  told.tell();
   CHECK(told.text() == "   0.00 s  broken    Walk          promise of halting\n"
                        "   0.00 s  fault     Kick\n"
                        "   0.00 s  refused   Pose          standing, which Walk does not declare\n"
-                       "   0.00 s  fault                   too many micro-steps in one step\n");
-  CHECK(told.timeline.counts().faults == 3);
+                       "   0.00 s  fault                   too many micro-steps in one step\n"
+                       "   0.00 s  fault                   3 inputs lost\n");
+  CHECK(told.timeline.counts().faults == 4);
 }
 
 TEST_CASE("colours are for terminals, and stay around one word") {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/world/geometry.hpp"
 #include "behaviours/soccer/world/random.hpp"
 

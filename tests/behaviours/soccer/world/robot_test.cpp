@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/world/robot.hpp"
 
 #include <catch2/catch.hpp>

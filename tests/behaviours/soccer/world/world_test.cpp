@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "behaviours/soccer/world/world.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/causing/wants.hpp"
 #include "compiler/checks/analysis/words/words.hpp"
 #include "tests/checks/analysis/support/analysed.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/chains/claims.hpp"
 #include "tests/checks/analysis/support/analysed.hpp"
 

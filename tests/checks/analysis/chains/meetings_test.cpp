@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/chains/meetings.hpp"
 #include "tests/checks/analysis/support/analysed.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/needs/needs.hpp"
 #include "tests/checks/analysis/support/analysed.hpp"
 
@@ -9,14 +10,15 @@ using namespace director;
 using namespace director::checks;
 
 std::string faults(const std::string& groups) {
+  Budget budget;
   const tests::Analysed test("roots: []\ngroups:\n" + groups);
   std::string out;
-  for (const auto& circle : find_need_circles(test.model, test.facts)) {
+  for (const auto& circle : find_need_circles(test.model, test.facts, budget)) {
     out += "circle";
     for (const ChainStep& step : circle) out += " " + test.model.groups[step.from].name.value;
     out += "\n";
   }
-  for (const ProviderId id : find_need_conflicts(test.model, test.facts))
+  for (const ProviderId id : find_need_conflicts(test.model, test.facts, budget))
     out += "conflict " + test.model.full_name(id) + "\n";
   return out;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/needs/units.hpp"
 #include "tests/checks/analysis/support/analysed.hpp"
 
@@ -9,7 +10,8 @@ using namespace director;
 using namespace director::checks;
 
 struct Tried : tests::Analysed {
-  Units units{model, facts};
+  Budget budget;
+  Units units{model, facts, budget};
   explicit Tried(const std::string& text) : Analysed("roots: []\n" + text) {}
 
   std::vector<GroupId> groups(const std::vector<const char*>& names) {

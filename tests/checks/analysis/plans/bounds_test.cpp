@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/plans/bounds.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/pipeline.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/plans/plans.hpp"
 #include "tests/checks/analysis/support/analysed.hpp"
 
@@ -20,7 +21,8 @@ TEST_CASE("plans are counted without those that use a group twice") {
   Right: {}
 )");
   const auto count = [&](const char* name, std::int64_t most) {
-    return count_plans(test.model, test.provider(name), most);
+    Budget budget;
+    return count_plans(test.model, test.provider(name), most, budget);
   };
   CHECK(count("Juggle", 100).plans == 2);
   CHECK(count("Juggle", 100).complete);
@@ -28,8 +30,9 @@ TEST_CASE("plans are counted without those that use a group twice") {
   CHECK_FALSE(count("Juggle", 1).complete);
   CHECK(count("Left", 100).plans == 1);
   CHECK(count("Third", 100).plans == 0);
-  CHECK(find_plan(test.model, test.provider("Third")) == PlanVerdict::none);
-  CHECK(find_plan(test.model, test.provider("Juggle")) == PlanVerdict::found);
+  Budget budget;
+  CHECK(find_plan(test.model, test.provider("Third"), budget) == PlanVerdict::none);
+  CHECK(find_plan(test.model, test.provider("Juggle"), budget) == PlanVerdict::found);
 }
 
 TEST_CASE("a search that takes too long says that it did not decide") {
@@ -44,7 +47,8 @@ TEST_CASE("a search that takes too long says that it did not decide") {
   }
   for (int j = 0; j < 11; ++j) text += "  L" + std::to_string(j) + ": {}\n";
   const tests::Analysed test(text);
-  CHECK(find_plan(test.model, test.provider("All")) == PlanVerdict::undecided);
+  Budget budget;
+  CHECK(find_plan(test.model, test.provider("All"), budget) == PlanVerdict::undecided);
 }
 
 TEST_CASE("a group is indispensable if every way leads to it") {

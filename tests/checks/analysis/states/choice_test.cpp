@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/states/choice.hpp"
 #include "tests/checks/analysis/support/analysed.hpp"
 
@@ -13,7 +14,9 @@ bool comes_first(const std::string& text, const char* name) {
   IdTable<StateId, ValueSet> values(test.model.states.size());
   for (const StateId id : test.model.states.ids()) values[id] = test.model.states[id].domain();
   const ProviderId provider = test.provider(name);
-  return may_come_first(test.model, provider, Rivals(test.model, test.graph).of(provider), values, {});
+  Budget budget;
+  return find_choice(test.model, provider, Rivals(test.model, test.graph).of(provider), values, budget) ==
+         Covering::open;
 }
 
 const std::string two_states = "states:\n  X: {values: [a, b, c], initial: a, external: true}\n"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiler/checks/analysis/states/region_index.hpp"
 
 #include <catch2/catch.hpp>

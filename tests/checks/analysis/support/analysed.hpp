@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 // A small behaviour with what every analysis is given of it, for tests.
 
 #include "compiler/checks/analysis/chains/meetings.hpp"

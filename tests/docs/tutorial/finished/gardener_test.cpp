@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The gardener of the tutorial: its bodies, on a robot that is two numbers and a tank.
 #include "gardener.hpp"
 
@@ -72,7 +73,7 @@ TEST_CASE("the gardener of the tutorial comes to rest, waters, and goes on") {
   CHECK(body.speed_at_the_pump_ == 0);
   CHECK(body.speed_ == 300);
 
-  behaviour.set(gardener::Battery{15});
+  CHECK(behaviour.set(gardener::Battery{15}));
   behaviour.step(10s);
   CHECK(body.bed_ == 0);
 }

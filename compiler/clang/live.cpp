@@ -1,0 +1,67 @@
+// Door: compiler/clang/live.hpp. Test: tests/clang/shapes_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/clang/live.hpp"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/StmtCXX.h>
+#include <clang/Analysis/CFG.h>
+
+#include <vector>
+
+namespace director::scanning {
+
+namespace {
+
+using namespace clang;
+
+std::vector<bool> reached_blocks(const CFG& graph) {
+  std::vector<bool> out(graph.getNumBlockIDs(), false);
+  std::vector<const CFGBlock*> waiting{&graph.getEntry()};
+  // What is thrown may come from anywhere in a `try`, so its handlers count.
+  for (const CFGBlock* block : graph.try_blocks()) waiting.push_back(block);
+  while (!waiting.empty()) {
+    const CFGBlock* block = waiting.back();
+    waiting.pop_back();
+    if (out[block->getBlockID()]) continue;
+    out[block->getBlockID()] = true;
+    for (const CFGBlock* next : block->succs()) {
+      if (next != nullptr) waiting.push_back(next);
+    }
+  }
+  return out;
+}
+
+/// Whether a block that has an edge to the end goes there by itself: not by `return`, `throw`, or what never comes
+/// back.
+bool falls_through(const CFGBlock& block) {
+  if (block.hasNoReturnElement()) return false;
+  for (auto element = block.rbegin(); element != block.rend(); ++element) {
+    const auto statement = element->getAs<CFGStmt>();
+    if (!statement) continue;
+    const Stmt* last = statement->getStmt();
+    return !llvm::isa<ReturnStmt>(last) && !llvm::isa<CoreturnStmt>(last) && !llvm::isa<CXXThrowExpr>(last) &&
+           !llvm::isa<CXXTryStmt>(last);
+  }
+  return !llvm::isa_and_nonnull<CXXTryStmt>(block.getTerminatorStmt());
+}
+
+} // namespace
+
+Live::Live(const FunctionDecl& function) {
+  CFG::BuildOptions options;
+  options.setAllAlwaysAdd();
+  const std::unique_ptr<CFG> graph = CFG::buildCFG(&function, function.getBody(), &function.getASTContext(), options);
+  if (graph == nullptr) return; // nothing is known
+  const std::vector<bool> reached = reached_blocks(*graph);
+  for (const CFGBlock* block : *graph) {
+    if (reached[block->getBlockID()]) continue;
+    for (const CFGElement& element : *block) {
+      if (const auto statement = element.getAs<CFGStmt>()) dead_.insert(statement->getStmt());
+    }
+  }
+  for (const CFGBlock* block : graph->getExit().preds()) {
+    if (block != nullptr && reached[block->getBlockID()] && falls_through(*block)) reaches_end_ = true;
+  }
+}
+
+} // namespace director::scanning

@@ -1,0 +1,214 @@
+// Door: compiler/clang/reach.hpp. Test: tests/clang/shapes_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/clang/reach.hpp"
+
+#include "compiler/clang/blocking.hpp"
+#include "compiler/clang/contexts.hpp"
+#include "compiler/clang/live.hpp"
+#include "compiler/clang/places.hpp"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::scanning {
+
+using namespace clang;
+
+namespace {
+
+/// A function of the standard library may come to a few hundred others. What comes to more is not looked at to its end.
+constexpr std::size_t most_functions = 4000;
+
+/// `std::ostream&`, or what is derived from it.
+bool is_stream(QualType type) {
+  const CXXRecordDecl* record = bare(type)->getAsCXXRecordDecl();
+  if (record == nullptr) return false;
+  const std::string name = name_of(*record);
+  if (name == "std::basic_ostream" || name == "std::basic_istream") return true;
+  if (!record->hasDefinition()) return false;
+  return std::any_of(record->bases_begin(), record->bases_end(),
+                     [](const CXXBaseSpecifier& base) { return is_stream(base.getType()); });
+}
+
+/// Written by the user. What the compiler writes for a class of the user is looked into like the library.
+bool is_users(const FunctionDecl& function) {
+  if (function.getLocation().isInvalid() || is_system(function)) return false;
+  const auto* method = llvm::dyn_cast<CXXMethodDecl>(&function);
+  const bool is_lambda = method != nullptr && method->getParent()->isLambda();
+  return is_lambda || (!function.isImplicit() && !function.isDefaulted());
+}
+
+/// In the namespaces of the C++ library.
+bool is_standard(const FunctionDecl& function) {
+  const std::string name = name_of(function);
+  return name.starts_with("std::") || name.starts_with("__gnu_cxx::") || name.starts_with("__cxxabiv1::");
+}
+
+/// Compiled already, and so that it may do anything. A function of C that cannot throw cannot be cancelled while it
+/// waits either, in the headers of glibc: those that wait all the same have known names.
+bool may_do_anything(const FunctionDecl& function) {
+  if (function.getBuiltinID() != 0 || function.isNoReturn() || function.isTrivial() || is_standard(function))
+    return false;
+  if (!function.isExternC()) return true;
+  const auto* type = function.getType()->getAs<FunctionProtoType>();
+  return type == nullptr || !type->isNothrow();
+}
+
+} // namespace
+
+std::string_view known_effect(const FunctionDecl& function) {
+  const std::string name = name_of(function);
+  const bool of_c =
+      function.isExternC() || function.getBuiltinID() != 0 || function.isReplaceableGlobalAllocationFunction();
+  if (name.find("::") == std::string::npos && !of_c) return {};
+  if (function.isReservedGlobalPlacementOperator()) return {};
+  if (function.isExternC() && function.getDeclName().isIdentifier()) return why_it_blocks(function.getName());
+  const auto* const method = llvm::dyn_cast<CXXMethodDecl>(&function);
+  // With the memory of everybody, unless somebody has set another one.
+  if (name == "std::pmr::polymorphic_allocator::polymorphic_allocator" && function.getNumParams() == 0)
+    return "uses the heap";
+  if ((name == "std::operator<<" || name == "std::operator>>") && method == nullptr && function.getNumParams() > 0)
+    return is_stream(function.getParamDecl(0)->getType()) ? "does input or output" : std::string_view{};
+  return why_it_blocks(name);
+}
+
+/// Whom a definition calls.
+class EdgeReader : public RecursiveASTVisitor<EdgeReader> {
+public:
+  EdgeReader(const FunctionDecl& function, Reach::Step& out)
+      : context_(function.getASTContext()),
+        live_(function),
+        out_(out) {}
+
+  bool shouldVisitImplicitCode() const { return true; }
+  bool dataTraverseStmtPre(Stmt* stmt) { return live_.runs(stmt); }
+  bool TraverseTypeLoc(TypeLoc) { return true; }
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr*) { return true; }
+  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr*) { return true; }
+  bool TraverseCXXThrowExpr(CXXThrowExpr*) { return true; }
+  bool TraverseVarDecl(VarDecl* variable) {
+    return variable->isConstexpr() || RecursiveASTVisitor::TraverseVarDecl(variable);
+  }
+  bool TraverseCXXRecordDecl(CXXRecordDecl*) { return true; }
+  bool TraverseLambdaExpr(LambdaExpr*) { return true; } // called where it is called
+
+  bool VisitCallExpr(CallExpr* expr) {
+    const FunctionDecl* callee = expr->getDirectCallee();
+    if (callee == nullptr) return true;
+    const auto* method = llvm::dyn_cast<CXXMethodDecl>(callee);
+    if (method != nullptr && method->isVirtual()) {
+      const auto* member = llvm::dyn_cast<MemberExpr>(expr->getCallee()->IgnoreParens());
+      const auto* call = llvm::dyn_cast<CXXMemberCallExpr>(expr);
+      const Expr* object = call == nullptr ? nullptr : call->getImplicitObjectArgument();
+      const bool open = member != nullptr && !member->hasQualifier() && object != nullptr;
+      if (open) method = const_cast<CXXMethodDecl*>(method)->getDevirtualizedMethod(object, false);
+      if (method == nullptr) return true; // which one, nobody can see
+      callee = method;
+    }
+    add(*callee, llvm::isa<CXXDestructorDecl>(callee));
+    return true;
+  }
+  bool VisitCXXConstructExpr(CXXConstructExpr* expr) {
+    add(*expr->getConstructor(), false);
+    return true;
+  }
+  bool VisitCXXInheritedCtorInitExpr(CXXInheritedCtorInitExpr* expr) {
+    add(*expr->getConstructor(), false);
+    return true;
+  }
+  bool VisitCXXNewExpr(CXXNewExpr* expr) {
+    if (const FunctionDecl* made_by = expr->getOperatorNew()) add(*made_by, false);
+    return true;
+  }
+  bool VisitCXXDeleteExpr(CXXDeleteExpr* expr) {
+    if (const FunctionDecl* freed_by = expr->getOperatorDelete()) add(*freed_by, false);
+    if (!expr->getDestroyedType().isNull()) destroy(expr->getDestroyedType());
+    return true;
+  }
+  bool VisitVarDecl(VarDecl* variable) {
+    if (variable->hasLocalStorage() && !llvm::isa<ParmVarDecl>(variable)) destroy(variable->getType());
+    return true;
+  }
+  bool VisitCXXBindTemporaryExpr(CXXBindTemporaryExpr* expr) {
+    destroy(expr->getType());
+    return true;
+  }
+
+  void destroy(QualType type) {
+    if (type->isReferenceType() || type->isDependentType()) return;
+    const CXXRecordDecl* record = context_.getBaseElementType(type)->getAsCXXRecordDecl();
+    if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
+    if (const CXXDestructorDecl* own = record->getDestructor()) add(*own, true);
+  }
+
+private:
+  void add(const FunctionDecl& to, bool destroys) {
+    if (!to.isNoReturn()) out_.edges.push_back({&to, destroys});
+  }
+
+  ASTContext& context_;
+  Live live_;
+  Reach::Step& out_;
+};
+
+const Reach::Step& Reach::step(const FunctionDecl& definition) {
+  const auto [at, is_new] = steps_.try_emplace(&definition);
+  if (!is_new) return at->second;
+  EdgeReader reader(definition, at->second);
+  if (const auto* maker = llvm::dyn_cast<CXXConstructorDecl>(&definition)) {
+    for (const CXXCtorInitializer* part : maker->inits()) {
+      if (part->getInit() != nullptr) reader.TraverseStmt(part->getInit());
+    }
+  }
+  reader.TraverseStmt(definition.getBody());
+  if (const auto* end = llvm::dyn_cast<CXXDestructorDecl>(&definition)) {
+    for (const FieldDecl* field : end->getParent()->fields()) reader.destroy(field->getType());
+    for (const CXXBaseSpecifier& base : end->getParent()->bases()) reader.destroy(base.getType());
+  }
+  return at->second;
+}
+
+Reached Reach::walk(const Edge& from) {
+  Reached out;
+  std::set<Edge> seen{from};
+  std::vector<Edge> waiting{from};
+  while (!waiting.empty()) {
+    const Edge edge = waiting.back();
+    waiting.pop_back();
+    if (is_known_harmless(name_of(*edge.to))) continue;
+    if (const std::string_view why = known_effect(*edge.to); !why.empty()) {
+      // What an object of the library frees when it goes is left open: it would be told of nearly every one.
+      if (why != "frees" || !edge.destroys) out.why = worst_of(out.why, why);
+      continue;
+    }
+    const FunctionDecl* definition = nullptr;
+    const bool visible =
+        edge.to->hasBody(definition) && !definition->isDependentContext() && !definition->hasSkippedBody();
+    if (!visible) {
+      if (!edge.to->isDefaulted() && may_do_anything(*edge.to)) out.unknown.push_back(edge.to);
+      continue;
+    }
+    if (edge.to == from.to) out.has_definition = true;
+    for (Edge next : step(*definition).edges) {
+      next.destroys = next.destroys || edge.destroys;
+      if (is_directors(*next.to) || !seen.insert(next).second || seen.size() > most_functions) continue;
+      if (is_users(*next.to)) {
+        out.users.push_back(next.to);
+      } else {
+        waiting.push_back(next);
+      }
+    }
+  }
+  return out;
+}
+
+const Reached& Reach::of(const FunctionDecl& callee, bool destroys) {
+  const Edge from{&callee, destroys};
+  const auto at = known_.find(from);
+  return at != known_.end() ? at->second : known_.emplace(from, walk(from)).first->second;
+}
+
+} // namespace director::scanning

@@ -1,0 +1,35 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What a behaviour says in words of C++, which the generated code repeats as they stand: so they are read here, and
+// nothing passes that could say more there than one type, or one header.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::dsl {
+
+struct CppFault {
+  std::string message, help;
+  bool operator==(const CppFault&) const = default;
+};
+
+/// A type that a task can carry by value: names, `::`, template arguments, the built-in types, pointers.
+std::optional<CppFault> data_fault(std::string_view text);
+/// The name of an enum.
+std::optional<CppFault> enum_fault(std::string_view text);
+/// A path behind `#include`, bare or in angle brackets.
+std::optional<CppFault> header_fault(std::string_view text);
+
+/// The first word of a name in a type.
+struct FirstWord {
+  std::string word;
+  bool from_outside = false; ///< `::` stands before it; else C++ looks for it from the inside out
+  bool whole = false;        ///< no `::` behind it: it is the type itself
+  bool operator==(const FirstWord&) const = default;
+};
+/// In the order of the text, which must be without faults.
+std::vector<FirstWord> first_words(std::string_view type);
+
+} // namespace director::dsl

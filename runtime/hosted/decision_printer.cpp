@@ -1,0 +1,181 @@
+// Door: runtime/hosted/decision_printer.hpp. Test: tests/runtime/hosted/decision_printer_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "runtime/hosted/decision_printer.hpp"
+
+#include "runtime/core/event_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cstring>
+#include <string_view>
+
+namespace director {
+
+namespace {
+
+constexpr std::int64_t per_second = 1'000'000;
+constexpr std::size_t longest_line = 1000; ///< names of people, several in a line
+
+class Line {
+public:
+  explicit Line(std::span<char> room) : room_(room) { room_[0] = '\0'; }
+
+  Line& operator<<(std::string_view text) {
+    const std::size_t size = std::min(text.size(), room_.size() - 1 - size_);
+    std::copy_n(text.data(), size, room_.data() + size_);
+    size_ += size;
+    room_[size_] = '\0';
+    return *this;
+  }
+  Line& operator<<(std::int32_t number) {
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%" PRId32, number);
+    return *this << std::string_view(text.data());
+  }
+
+private:
+  std::span<char> room_;
+  std::size_t size_ = 0;
+};
+
+class Words {
+public:
+  Words(const Event& event, const Names& names, std::span<char> room) : e_(event), n_(names), line_(room) {}
+
+  void write() {
+    switch (e_.kind) {
+    case Event::Kind::input: return input();
+    case Event::Kind::run: return run();
+    case Event::Kind::start:
+    case Event::Kind::stop:
+    case Event::Kind::done:
+    case Event::Kind::failed:
+    case Event::Kind::release: line_ << name_of(e_.kind) << " " << n_.group(n_.self, e_.group); return;
+    case Event::Kind::broken: named("broken ").short_name(); return;
+    case Event::Kind::queue: queue(); return;
+    case Event::Kind::push:
+      named("push ").long_name();
+      line_ << " for " << n_.edge(n_.self, e_.edge);
+      return;
+    case Event::Kind::set:
+      if (e_.value == unset) {
+        line_ << "unset " << n_.state(n_.self, e_.state);
+      } else {
+        line_ << "set " << n_.state(n_.self, e_.state) << " ";
+        value();
+      }
+      return;
+    case Event::Kind::refused: // a scenario ends there; a robot goes on
+      line_ << "refused " << n_.state(n_.self, e_.state) << " ";
+      value();
+      return;
+    case Event::Kind::fault: named("fault ").long_name(); return;
+    case Event::Kind::exhausted: line_ << "budget_exhausted"; return;
+    case Event::Kind::lost: // a scenario loses none
+      line_ << "lost " << static_cast<std::int32_t>(e_.count < 0x7fffffff ? e_.count : 0x7fffffff)
+            << (e_.count == 1 ? " input" : " inputs");
+      return;
+    case Event::Kind::grant:
+    case Event::Kind::lose:
+    case Event::Kind::ask:
+    case Event::Kind::keep:
+    case Event::Kind::withdraw:
+    case Event::Kind::wait: return;
+    }
+  }
+
+private:
+  Words& named(std::string_view word) {
+    line_ << word;
+    return *this;
+  }
+
+  /// `Drive.braking`; a handler's group alone.
+  void long_name() {
+    line_ << n_.group(n_.self, e_.group);
+    if (e_.provider != nil) line_ << "." << n_.provider(n_.self, e_.provider);
+  }
+
+  /// Without the provider where a group writes its words directly.
+  void short_name() {
+    line_ << n_.group(n_.self, e_.group);
+    const char* provider = n_.provider(n_.self, e_.provider);
+    if (std::strcmp(provider, "default") != 0) line_ << "." << provider;
+  }
+
+  void value() {
+    const std::string_view name = n_.value(n_.self, e_.state, e_.value);
+    if (name.empty())
+      line_ << e_.value;
+    else
+      line_ << name;
+  }
+
+  void run() {
+    named("run ").short_name();
+    std::string_view between = " ";
+    for (const Reason reason : all_reasons) {
+      if (!e_.reasons.has(reason)) continue;
+      line_ << between << name_of(reason);
+      between = "+";
+    }
+  }
+
+  void queue() {
+    line_ << "queue " << n_.edge(n_.self, e_.edge) << ": " << name_of(e_.why);
+    if (e_.why == Why::waiting && e_.condition != nil) line_ << " for " << n_.condition(n_.self, e_.condition);
+  }
+
+  void input() {
+    switch (e_.input) {
+    case Event::Input::request:
+    case Event::Input::cancel: line_ << "> " << name_of(e_.input) << " " << n_.group(n_.self, e_.group); return;
+    case Event::Input::set:
+      line_ << "> set {" << n_.state(n_.self, e_.state) << ": ";
+      value();
+      line_ << "}";
+      return;
+    case Event::Input::fire: line_ << "> trigger " << n_.trigger(n_.self, e_.trigger); return;
+    case Event::Input::enable:
+    case Event::Input::disable:
+      line_ << "> " << name_of(e_.input) << " ";
+      long_name();
+      return;
+    case Event::Input::none:
+    case Event::Input::expire:
+    case Event::Input::wait:
+    case Event::Input::within:
+    case Event::Input::every: return; // time passed: what comes of it is told
+    }
+  }
+
+  const Event& e_;
+  const Names& n_;
+  Line line_;
+};
+
+} // namespace
+
+const char* to_text(const Event& event, const Names& names, std::span<char> room) {
+  Words(event, names, room).write();
+  return room.data();
+}
+
+const char* time_text(Time time, std::span<char> room) {
+  std::snprintf(room.data(), room.size(), "[%5" PRId64 ".%06" PRId64 "] ", time / per_second, time % per_second);
+  return room.data();
+}
+
+Observer DecisionPrinter::observer() {
+  return {[](void* self, const Event& event) { static_cast<DecisionPrinter*>(self)->tell(event); }, this};
+}
+
+void DecisionPrinter::tell(const Event& event) {
+  std::array<char, longest_line> line{};
+  if (*to_text(event, names_, line) == '\0') return;
+  std::array<char, 40> time{};
+  std::fprintf(out_, "%s%s\n", times_ == Times::yes ? time_text(event.time, time) : "", line.data());
+}
+
+} // namespace director

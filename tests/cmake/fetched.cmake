@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+# cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P fetched.cmake
+# A project that has Director as a part of itself is configured. To build it would be to build Director once more; that the function's commands fit is
+# tested by the other projects here, so the build is only asked for its commands.
+file(REMOVE_RECURSE ${WORK})
+file(COPY ${SOURCE}/ ${SOURCE}/../consumer/main.cpp ${SOURCE}/../consumer/lantern.yaml ${SOURCE}/../consumer/parts DESTINATION ${WORK}/project)
+cmake_path(SET sources NORMALIZE ${SOURCE}/../../..)
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G Ninja -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
+                        -D DIRECTOR_SOURCES=${sources} -D DIRECTOR_CLANG=OFF
+                OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "the project is not configured:\n${said}")
+endif()
+execute_process(COMMAND ninja -C ${WORK}/build -t commands lantern OUTPUT_VARIABLE plan RESULT_VARIABLE result)
+foreach(step "-o _deps/director-build/bin/directorc " "directorc generate " "lantern.cpp.o " "-o lantern ")
+  if(NOT plan MATCHES "${step}")
+    message(FATAL_ERROR "the build does not come to \"${step}\":\n${plan}")
+  endif()
+endforeach()

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+# cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P types.cmake
+# What the behaviour says of the program's types is held against the headers before anything is compiled: the findings stand in the YAML, and an error
+# among them stops the build before there is one in generated code.
+file(REMOVE_RECURSE ${WORK})
+file(COPY ${SOURCE}/ DESTINATION ${WORK}/project)
+find_program(ninja ninja)
+set(generator "Unix Makefiles")
+if(ninja)
+  set(generator Ninja)
+endif()
+foreach(name types.hpp lift.yaml)
+  file(READ ${WORK}/project/${name} good_${name})
+endforeach()
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G ${generator} -D CMAKE_CXX_COMPILER=${COMPILER}
+                        -D CMAKE_CXX_FLAGS=${FLAGS} -D Director_DIR=${BUILD}/cmake OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+# build_with(<file> <what is changed in it> <into what> builds|fails [<finding>]): without a finding none is told.
+function(build_with name old new expected)
+  foreach(each types.hpp lift.yaml)
+    file(READ ${WORK}/project/${each} text)
+    if(NOT text STREQUAL good_${each})
+      file(WRITE ${WORK}/project/${each} "${good_${each}}")
+    endif()
+  endforeach()
+  string(REPLACE "${old}" "${new}" text "${good_${name}}")
+  file(WRITE ${WORK}/project/${name} "${text}")
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  set(outcome fails)
+  if(status EQUAL 0)
+    set(outcome builds)
+  endif()
+  if(NOT outcome STREQUAL expected)
+    message(FATAL_ERROR "with ${new} it ${outcome}, which is wrong:\n${output}")
+  endif()
+  set(finding "${ARGN}")
+  if(finding)
+    string(FIND "${output}" "${finding}" found)
+    if(found EQUAL -1)
+      message(FATAL_ERROR "with ${new} it does not say ${finding}:\n${output}")
+    endif()
+  elseif(output MATCHES "error|warning")
+    message(FATAL_ERROR "with ${new} something is told:\n${output}")
+  endif()
+  if(NOT finding MATCHES "warning" AND output MATCHES "director/lift/lift/[^\n]*error")
+    message(FATAL_ERROR "with ${new} there is an error in generated code:\n${output}")
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 0.1)
+endfunction()
+
+build_with(types.hpp "" "" builds)
+build_with(types.hpp "shut" "shut, stuck" fails
+           "project/lift.yaml:4:23: error: `lift::Door` has `stuck`, which the values of `Door` lack [enum_drift]")
+build_with(types.hpp "Floor" "Storey" fails
+           "project/lift.yaml:8:11: error: there is no type `lift::Floor` in the C++: no type named 'Floor' in namespace 'lift' [unknown_type]")
+build_with(lift.yaml "lift::Door," "lift::Dor," fails
+           "project/lift.yaml:4:23: error: there is no type `lift::Dor` in the C++: no type named 'Dor' in namespace 'lift'")
+build_with(lift.yaml "[types.hpp]" "[types.hpp, lift.hpp]" fails "project/lift.yaml:3:28: error: a header cannot be called `lift.hpp`")
+build_with(lift.yaml "[types.hpp]" "[types.hpp, gone.hpp]" fails
+           "project/lift.yaml:3:28: warning: no include folder of the program has `gone.hpp` [missing_header]")
+build_with(types.hpp "" "" builds)

@@ -1,0 +1,3 @@
+#include "lift.hpp"
+
+int main() { return 0; }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/play/write_expect.hpp"
+#include "tests/compiler/support/played.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace director;
+
+namespace {
+
+const char* const lamp = "behaviour: lamp\nlanguage: 1\nroots: [Lamp, Bell]\ngroups: {Lamp: {}, Bell: {}}\n";
+
+struct Rewritten {
+  std::string text; ///< without the line `behaviour:`, which comes first
+  std::vector<std::uint32_t> steps;
+};
+
+Rewritten rewrite(const std::string& text) {
+  const tests::LoadedScenario loaded = tests::load_scenario(lamp, text);
+  const auto result = compiler::test_scenario(loaded.scenario, loaded.behaviour.model, loaded.lowered);
+  const std::string head = "behaviour: test.yaml\n";
+  compiler::Updated updated = compiler::write_expect(head + text, loaded.scenario, result);
+  REQUIRE(updated.text.starts_with(head));
+  return {updated.text.substr(head.size()), updated.steps};
+}
+
+/// What is written is what happens: then nothing has to be written any more.
+void check(const std::string& before, const std::string& after) {
+  CAPTURE(before);
+  CHECK(rewrite(before).text == after);
+  CHECK(rewrite(after).steps.empty());
+}
+
+using Steps = std::vector<std::uint32_t>;
+
+} // namespace
+
+TEST_CASE("what happens is written into each step of a scenario that expects nothing") {
+  check("steps:\n  - request: Lamp # on\n  - advance: 1 s\n\n  - request: Bell\n",
+        "steps:\n  - request: Lamp # on\n    expect: |\n      run Lamp new_task\n  - advance: 1 s\n    expect: \"\"\n\n"
+        "  - request: Bell\n    expect: |\n      run Bell new_task\n");
+  check("steps:\n- request: [Lamp, Bell]\n",
+        "steps:\n- request: [Lamp, Bell]\n  expect: |\n    run Lamp new_task\n    run Bell new_task\n");
+  check("steps:\n  - request: Lamp", "steps:\n  - request: Lamp\n    expect: |\n      run Lamp new_task");
+}
+
+TEST_CASE("what happens is written between brackets as a text in quotes") {
+  check(
+      "steps: [{request: [Lamp, Bell]}, {advance: 1 s, }]\n",
+      "steps: [{request: [Lamp, Bell], expect: \"run Lamp new_task\\nrun Bell new_task\"}, {advance: 1 s, expect: \"\" "
+      "}]\n");
+  check("steps: [request: Lamp]\n", "steps: [{request: Lamp, expect: \"run Lamp new_task\"}]\n");
+}
+
+TEST_CASE("only what is not as expected changes, and who expects nothing in one step goes on to") {
+  const std::string before = "steps:\n"
+                             "  - request: Lamp\n"
+                             "    expect: | # light\n"
+                             "      # first\n"
+                             "      run Lamp new_task\n"
+                             "  - cancel: Lamp\n"
+                             "  - request: Bell\n"
+                             "    expect: run Lamp new_task # not so\n"
+                             "    doc: it rings\n"
+                             "  - advance: 1 s\n"
+                             "    expect: |\n"
+                             "      run Bell wait\n";
+  const Rewritten out = rewrite(before);
+  CHECK(out.steps == Steps{3, 4});
+  check(before, "steps:\n"
+                "  - request: Lamp\n"
+                "    expect: | # light\n"
+                "      # first\n"
+                "      run Lamp new_task\n"
+                "  - cancel: Lamp\n"
+                "  - request: Bell\n"
+                "    expect: \"run Bell new_task\" # not so\n"
+                "    doc: it rings\n"
+                "  - advance: 1 s\n"
+                "    expect: \"\"\n");
+}
+
+TEST_CASE("line breaks stay what they are") {
+  check("steps:\r\n  - request: Lamp\r\n",
+        "steps:\r\n  - request: Lamp\r\n    expect: |\r\n      run Lamp new_task\r\n");
+}
+
+TEST_CASE("nothing is written of a scenario that does not come to its end") {
+  const std::string endless = "script: {Lamp: {wait: 1 us}}\nsteps:\n  - request: Lamp\n  - advance: 2 s\n";
+  CHECK(rewrite(endless).steps.empty());
+  CHECK(rewrite(endless).text == endless);
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Tests dsl/slips.hpp.
+#include "dsl/slips.hpp"
+#include "tests/dsl/reading.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace director::dsl;
+
+namespace {
+
+void check_body(const std::string& body, const std::string& findings) {
+  CAPTURE(body);
+  CHECK(read_body(body).findings() == findings);
+}
+
+} // namespace
+
+TEST_CASE("a priority is written as the task itself") {
+  check_body("roots: {A: 10}\n",
+             "3:12 `10` wrong_node_kind: `A`: expected a mapping, found `10` (write `A: {priority: 10}`)\n");
+  check_body(
+      "groups: {A: {tasks: {B: optional, C: true, D: -3}}}\n",
+      "3:25 `optional` wrong_node_kind: `B`: expected a mapping, found `optional` (write `B: {optional: true}`)\n"
+      "3:38 `true` wrong_node_kind: `C`: expected a mapping, found `true` (write `C: {}`)\n"
+      "3:47 `-3` wrong_node_kind: `D`: expected a mapping, found `-3` (write `D: {priority: -3}`)\n");
+  check_body("roots: {A: {levels: {firm: 50}}}\n",
+             "3:28 `50` wrong_node_kind: `firm`: expected a mapping, found `50` (write `firm: {priority: 50}`)\n");
+}
+
+TEST_CASE("providers are written as a mapping") {
+  check_body("groups: {A: {providers: {fast: {}, slow: {}}}}\n",
+             "3:25 `{fast: {}, slow: {}}` wrong_node_kind: `providers`: expected a list of providers, found a mapping "
+             "(their order is that of preference: write `- name: fast`, and its other words below)\n");
+  check_body("groups: {A: {providers: {name: fast}}}\n",
+             "3:25 `{name: fast}` wrong_node_kind: `providers`: expected a list of providers, found a mapping "
+             "(each is an entry of a list: write `- ` before its `name`)\n");
+}
+
+TEST_CASE("a state has a type of C++ itself: that is told once") {
+  check_body("states: {X: {type: bool, initial: false}}\n",
+             "3:20 `bool` wrong_node_kind: `type`: expected a C++ enum, found `bool` (leave it out and name the two "
+             "values: `values: [closed, open]`; an enum is generated for them)\n");
+  check_body("states: {X: {type: bool, values: [closed, open]}}\n",
+             "3:20 `bool` wrong_node_kind: `type`: expected a C++ enum, found `bool` (leave it out: what the state can "
+             "be is said beside it)\n");
+  check_body(
+      "states: {X: {type: int, range: [0, 9]}}\n",
+      "3:20 `int` wrong_node_kind: `type`: expected a C++ enum, found `int` (leave it out: what the state can be "
+      "is said beside it)\n");
+  check_body("states: {X: bool}\n",
+             "3:13 `bool` wrong_node_kind: `X`: expected a mapping, found `bool` (leave it out and name the two "
+             "values: `values: [closed, open]`; an enum is generated for them)\n");
+  check_body("states: {X: [a, b]}\n",
+             "3:13 `[a, b]` wrong_node_kind: `X`: expected a mapping, found a list (its values "
+             "stand in `values`: `X: {values: [...]}`)\n");
+}
+
+TEST_CASE("keys of other tools are told what stands for them here") {
+  check_body(
+      "groups: {A: {sequence: [B], timeout: 3 s, unless: [X == a], priority: 3}}\n",
+      "3:14 `sequence` unknown_key: group `A` has no key `sequence` (there is no sequence: give each step a "
+      "provider, with a `when` on a state that tells how far it is, and have it set the next value)\n"
+      "3:29 `timeout` unknown_key: group `A` has no key `timeout` (a promise may have a time, `causing: [Motion "
+      "== still within 3 s]`; a body that waits calls `run.wait(3s)`)\n"
+      "3:43 `unless` unknown_key: group `A` has no key `unless` (`when` says what must hold: write the opposite, "
+      "such as `when: [Motion != rolling]`)\n"
+      "3:61 `priority` unknown_key: group `A` has no key `priority` (it stands where the task is requested: "
+      "`roots: {Walk: {priority: 10}}`, or in `tasks` of who requests it)\n");
+  check_body("groups: {A: {providers: [{name: a, priority: 3}]}}\n",
+             "3:36 `priority` unknown_key: provider `a` has no key `priority` (it stands where the task is requested: "
+             "`roots: {Walk: {priority: 10}}`, or in `tasks` of who requests it)\n");
+  check_body("roots: {A: {when: [X == a]}}\n",
+             "3:13 `when` unknown_key: task `A` has no key `when` (a condition belongs to a provider: to that of the "
+             "task, or to the one that requests it)\n");
+  check_body("states: {X: {values: [a], default: a}}\n", "3:27 `default` unknown_key: state `X` has no key `default` "
+                                                         "(the value at the start stands in `initial`)\n");
+  CHECK(read_scenario_body("steps: [{wait: 3 s}]\n").findings() ==
+        "2:10 `wait` unknown_key: a step has no key `wait` (time passes with `advance: 100 ms`)\n");
+}
+
+TEST_CASE("a list stands for a mapping, and a mapping for a list") {
+  check_body("groups: [A]\n",
+             "3:9 `[A]` wrong_node_kind: `groups`: expected a mapping, found a list (each with its name "
+             "and a `:`, such as `Legs: {}`)\n");
+  check_body(
+      "groups: {A: [B]}\n",
+      "3:13 `[B]` wrong_node_kind: `A`: expected a mapping, found a list (what it requests stands in `tasks`, what "
+      "it must control in `needs`: `A: {tasks: [...]}`)\n");
+  check_body("groups: {A: {needs: {B: {}, C: {}}}}\n",
+             "3:21 `{B: {}, C: {}}` wrong_node_kind: `needs`: expected a list, found a mapping (write `[B, C]`)\n");
+  check_body("groups: {A: {when: {X: a}}}\n",
+             "3:20 `{X: a}` wrong_node_kind: `when`: expected a list, found a mapping (write `[X == a]`)\n");
+  check_body(
+      "groups: {A: {packs: [B]}}\n",
+      "3:21 `[B]` wrong_node_kind: `packs`: expected a mapping of names to tasks, found a list (give each pack a "
+      "name: `packs: {attack: [Kick, Walk]}`)\n");
+  check_body("groups: {A: {tasks: {go: [B]}}}\n",
+             "3:26 `[B]` wrong_node_kind: `go`: expected a mapping, found a list (tasks that belong together stand in "
+             "`packs`: `packs: {go: [Walk]}`)\n");
+}
+
+TEST_CASE("a condition is written as a sentence") {
+  check_body("groups: {A: {when: [not X == a]}}\n",
+             "3:25 `X` bad_condition: expected one of ==, !=, <, <=, >, >= behind `not`, found `X` (write `!=` between "
+             "state and value: `Phase != ready`)\n");
+  check_body("groups: {A: {when: [X is a]}}\n",
+             "3:23 `is` bad_condition: expected one of ==, !=, <, <=, >, >= behind `X`, found `is` (write `==`)\n");
+}
+
+TEST_CASE("no word of the language is taken for a slip where it belongs") {
+  for (const char* key :
+       {"name", "when",  "stay",    "causing", "sets",   "needs", "uses",     "triggers", "every", "tasks",    "packs",
+        "doc",  "allow", "because", "layer",   "module", "data",  "realtime", "start",    "stop",  "providers"}) {
+    CAPTURE(key);
+    CHECK(help_for(slips_of_group(), key) == nullptr);
+  }
+  for (const char* key : {"priority", "optional", "apart", "levels", "doc", "allow", "because"}) {
+    CAPTURE(key);
+    CHECK(help_for(slips_of_task(), key) == nullptr);
+  }
+}

@@ -1,0 +1,103 @@
+// Door: tests/property/reached.hpp. Test: tests/property/verdicts_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "tests/property/reached.hpp"
+
+#include <algorithm>
+
+namespace director::property {
+
+using compiler::ConditionId;
+using compiler::EdgeId;
+using compiler::GroupId;
+using compiler::ProviderId;
+
+std::vector<WholePack> whole_packs(const compiler::Model& model) {
+  std::vector<WholePack> out;
+  for (const ProviderId id : model.providers.ids()) {
+    const compiler::Provider& provider = model.providers[id];
+    for (std::size_t i = 0; provider.has_packs && i < provider.packs.size(); ++i) {
+      WholePack pack{id, i, {}};
+      for (const compiler::Task& task : provider.packs[i].tasks) {
+        const compiler::Level& level = model.edges[task.edge].levels[task.levels.front().level];
+        if (!level.optional && !level.apart) pack.members.push_back(task.edge);
+      }
+      if (pack.members.size() > 1) out.push_back(std::move(pack));
+    }
+  }
+  return out;
+}
+
+Reached::Reached(const compiler::Ground& ground)
+    : whole(whole_packs(ground.model).size()),
+      values(ground.model.states.size()),
+      ground_(ground),
+      packs_(whole_packs(ground.model)) {
+  for (const compiler::StateId id : ground.model.states.ids()) {
+    const auto& initial = ground.model.states[id].initial;
+    values[id.value].insert(initial ? static_cast<std::int32_t>(*initial) : unset);
+  }
+}
+
+bool Reached::take(const compiler::Searched& searched) {
+  ran = searched.happened.ran;
+  requested = searched.happened.requested;
+  granted = searched.happened.granted;
+  return searched.complete;
+}
+
+void Reached::look(const compiler::Machine& machine) {
+  const Engine& engine = machine.engine();
+  const Tables& t = engine.tables();
+  const director::State& s = engine.memory();
+  now_.clear();
+  for (Index g = 0; g < t.groups.size(); ++g) {
+    const Push& push = s.last[g].push;
+    now_.insert(now_.end(), {engine.holder(g), engine.active(g), static_cast<Index>(engine.granted(g)), push.provider,
+                             push.condition});
+  }
+  for (Index e = 0; e < t.edges.size(); ++e) now_.push_back(s.request[e].level);
+  for (Index v = 0; v < t.states.size(); ++v) now_.push_back(static_cast<std::uint32_t>(engine.value(v)));
+  std::uint64_t key = 14'695'981'039'346'656'037U; // FNV-1a, over words
+  for (const std::uint32_t word : now_) key = (key ^ word) * 1'099'511'628'211U, key ^= key >> 29;
+  if (!seen_.insert(key).second) return;
+
+  std::vector<std::int32_t> all;
+  for (Index v = 0; v < t.states.size(); ++v) {
+    all.push_back(engine.value(v));
+    values[v].insert(all.back());
+  }
+  for (Index g = 0; g < t.groups.size(); ++g) {
+    const Push& push = s.last[g].push;
+    if (push.edge != nil) pushed.insert({ProviderId{push.provider}, ground_.lowered.condition_ids[push.condition]});
+    if (engine.granted(g)) granted_in.insert({GroupId{g}, all});
+  }
+  for (std::size_t i = 0; i < packs_.size(); ++i) {
+    const Index group = ground_.model.providers[packs_[i].provider].group.value;
+    if (whole[i] || engine.active(group) != packs_[i].provider.value || !engine.granted(group)) continue;
+    whole[i] = std::all_of(packs_[i].members.begin(), packs_[i].members.end(),
+                           [&](EdgeId edge) { return engine.state(edge.value) == RunState::running; });
+  }
+  look_below(engine);
+}
+
+void Reached::look_below(const Engine& engine) {
+  const Tables& t = engine.tables();
+  for (Index g = 0; g < t.groups.size(); ++g) {
+    std::size_t steps = 0;
+    for (Index e = engine.holder(g); e < t.edges.size() && steps++ < t.groups.size();) {
+      const Index requester = t.edges[e].requester;
+      if (requester == nil) break;
+      if (engine.state(e) == RunState::running && engine.active(requester) != nil) {
+        std::uint64_t beside = 0;
+        const Range edges = t.groups[requester].edges;
+        for (Index other = edges.begin; other != edges.end; ++other) {
+          if (engine.state(other) != RunState::none) beside |= std::uint64_t{1} << (other - edges.begin);
+        }
+        held_below.insert({ProviderId{engine.active(requester)}, EdgeId{e}, GroupId{g}, beside});
+      }
+      e = engine.holder(requester);
+    }
+  }
+}
+
+} // namespace director::property

@@ -1,0 +1,60 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What an exploration of everything came to see, finer than what it reports: pushes, packs that were granted whole, the
+// values of states, who held what below which request.
+
+#include "compiler/explore/search.hpp"
+
+#include <array>
+#include <set>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace director::property {
+
+/// A pack whose mandatory members, two or more, are granted all or none.
+struct WholePack {
+  compiler::ProviderId provider{};
+  std::size_t pack = 0; ///< of the provider's
+  std::vector<compiler::EdgeId> members;
+};
+
+std::vector<WholePack> whole_packs(const compiler::Model& model);
+
+/// While this provider ran, `group` was held by way of its request `edge`; `beside`: what else it requested then.
+struct HeldBelow {
+  compiler::ProviderId provider{};
+  compiler::EdgeId edge{};
+  compiler::GroupId group{};
+  std::uint64_t beside = 0; ///< a bit for each edge of its group, in their order
+  auto operator<=>(const HeldBelow&) const = default;
+};
+
+class Reached {
+public:
+  explicit Reached(const compiler::Ground& ground);
+  /// After a micro-step.
+  void look(const compiler::Machine& machine);
+  /// What the search has noted itself; false: it did not see everything.
+  bool take(const compiler::Searched& searched);
+
+  std::vector<bool> ran;                ///< provider
+  std::vector<bool> requested, granted; ///< edge
+  std::vector<bool> whole;              ///< row of whole_packs()
+  std::set<std::pair<compiler::ProviderId, compiler::ConditionId>> pushed;
+  std::vector<std::set<std::int32_t>> values; ///< state
+  std::set<HeldBelow> held_below;
+  /// A group that is granted, and the values of all states then.
+  std::set<std::pair<compiler::GroupId, std::vector<std::int32_t>>> granted_in;
+
+private:
+  void look_below(const director::Engine& engine);
+
+  const compiler::Ground& ground_;
+  std::vector<WholePack> packs_;
+  std::unordered_set<std::uint64_t> seen_;
+  std::vector<std::uint32_t> now_;
+};
+
+} // namespace director::property

@@ -1,0 +1,293 @@
+// Door: tests/property/verdicts.hpp. Test: tests/property/verdicts_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "tests/property/verdicts.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace director::property {
+
+using compiler::ConditionUse;
+using compiler::EdgeId;
+using compiler::GroupId;
+using compiler::Model;
+using compiler::Provider;
+using compiler::ProviderId;
+using compiler::Task;
+using dsl::Span;
+
+namespace {
+
+bool says(const dsl::Diagnostic& finding, std::string_view words) {
+  return finding.message.find(words) != std::string::npos;
+}
+
+/// What stands at a place.
+class Places {
+public:
+  explicit Places(const Model& model) : model_(model) {}
+
+  std::optional<ProviderId> with_when(Span span) const { return with(span, &Provider::when); }
+  std::optional<ProviderId> with_causing(Span span) const { return with(span, &Provider::causing); }
+
+  std::vector<ProviderId> named(Span span) const {
+    std::vector<ProviderId> out;
+    for (const ProviderId id : model_.providers.ids()) {
+      if (model_.providers[id].span == span || model_.group_of(id).name.span == span) out.push_back(id);
+    }
+    return out;
+  }
+
+  std::optional<GroupId> group(Span span) const {
+    for (const GroupId id : model_.groups.ids()) {
+      if (model_.groups[id].name.span == span) return id;
+    }
+    return std::nullopt;
+  }
+
+  struct Entry {
+    std::optional<ProviderId> provider;
+    std::size_t pack = 0;
+    const Task* task = nullptr;
+  };
+  std::optional<Entry> entry(Span span) const {
+    for (const Task& task : model_.roots) {
+      if (task.span == span) return Entry{std::nullopt, 0, &task};
+    }
+    for (const ProviderId id : model_.providers.ids()) {
+      const std::vector<compiler::Pack>& packs = model_.providers[id].packs;
+      for (std::size_t i = 0; i < packs.size(); ++i) {
+        for (const Task& task : packs[i].tasks) {
+          if (task.span == span) return Entry{id, i, &task};
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<GroupId> need(ProviderId provider, Span span) const {
+    for (const auto& use : model_.providers[provider].needs) {
+      if (use.span == span) return use.id;
+    }
+    return std::nullopt;
+  }
+
+private:
+  std::optional<ProviderId> with(Span span, std::vector<ConditionUse> Provider::*list) const {
+    for (const ProviderId id : model_.providers.ids()) {
+      for (const ConditionUse& use : model_.providers[id].*list) {
+        if (use.span == span) return id;
+      }
+    }
+    return std::nullopt;
+  }
+
+  const Model& model_;
+};
+
+/// What stands between backquotes, in order.
+std::vector<std::string> quoted_in(const std::string& message) {
+  std::vector<std::string> out;
+  for (std::size_t at = message.find('`'); at != std::string::npos; at = message.find('`', at)) {
+    const std::size_t end = message.find('`', at + 1);
+    if (end == std::string::npos) break;
+    out.push_back(message.substr(at + 1, end - at - 1));
+    at = end + 1;
+  }
+  return out;
+}
+
+std::optional<EdgeId> edge_between(const Model& model, const std::string& requester, const std::string& target) {
+  for (const EdgeId id : model.edges.ids()) {
+    const compiler::Edge& edge = model.edges[id];
+    if (edge.requester && model.groups[*edge.requester].name.value == requester &&
+        model.groups[edge.target].name.value == target)
+      return id;
+  }
+  return std::nullopt;
+}
+
+/// Of "no provider of `A` or `B` can run while `S` is v0", or more of the like: those that speak of one state alone.
+std::vector<Claim> gaps_of(const dsl::Diagnostic& finding, const Model& model, const std::vector<GroupId>& groups) {
+  std::vector<Claim> out;
+  if (says(finding, " and ") || says(finding, " more cases")) return out;
+  for (std::size_t at = finding.message.find("while `"); at != std::string::npos;
+       at = finding.message.find("while `", at + 1)) {
+    const std::size_t name = at + 7, end = finding.message.find('`', name);
+    const auto state = model.find_state(std::string_view(finding.message).substr(name, end - name));
+    std::size_t stop = finding.message.find(" or while", end);
+    std::string words = finding.message.substr(end + 1, stop == std::string::npos ? stop : stop - end - 1);
+    if (!state || words.rfind(" is ", 0) != 0) continue;
+    words = words.substr(4);
+    compiler::ValueSet values;
+    bool unset = false, known = true;
+    for (std::size_t from = 0; from < words.size();) {
+      const std::size_t to = std::min(words.find_first_of(" ,", from), words.size());
+      const std::string word = words.substr(from, to - from);
+      from = words.find_first_not_of(" ,", to);
+      if (word == "unset")
+        unset = true;
+      else if (word == "to")
+        known = false;
+      else if (const auto value = model.states[*state].value_of(word))
+        values = values.united(compiler::ValueSet::single(*value));
+      else if (word != "or")
+        known = false;
+    }
+    for (const GroupId group : groups) {
+      if (known) out.push_back(NeverWhile{group, *state, values, unset});
+    }
+  }
+  return out;
+}
+
+} // namespace
+
+std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model) {
+  const Places places(model);
+  std::vector<Claim> out;
+  const auto never_runs = [&](std::optional<ProviderId> provider) {
+    if (provider) out.push_back(NeverRuns{*provider});
+  };
+  const auto notes_with = [&](std::string_view words) {
+    std::vector<Span> spans;
+    for (const dsl::Note& note : finding.notes) {
+      if (note.message.find(words) != std::string::npos) spans.push_back(note.span);
+    }
+    return spans;
+  };
+  const std::string& id = finding.id;
+  if (id == "contradictory_when" || id == "unreachable_when" || id == "state_without_source") {
+    never_runs(places.with_when(finding.span));
+    for (const Span span : notes_with("looked at here too")) never_runs(places.with_when(span));
+  } else if (id == "unreachable_causing" || id == "unpushable_causing") {
+    never_runs(places.with_causing(finding.span));
+  } else if (id == "shadowed_provider" || id == "needs_conflict") {
+    for (const ProviderId provider : places.named(finding.span)) {
+      if (id == "shadowed_provider" || says(finding, "can never run")) out.push_back(NeverRuns{provider});
+    }
+  } else if (id == "uncovered_state") {
+    std::vector<GroupId> groups;
+    if (const auto group = places.group(finding.span)) groups.push_back(*group);
+    for (const Span span : notes_with("nor can ")) {
+      if (const auto group = places.group(span)) groups.push_back(*group);
+    }
+    if (!says(finding, "can ever run")) return gaps_of(finding, model, groups);
+    for (const GroupId group : groups) {
+      for (const ProviderId provider : model.groups[group].providers) out.push_back(NeverRuns{provider});
+    }
+  } else if (id == "unused_declaration" && says(finding, "nothing requests or needs")) {
+    for (const ProviderId provider : places.named(finding.span)) out.push_back(NeverRuns{provider});
+  } else if (id == "starved_task" || id == "optional_never_runs" || (id == "task_cycle" && says(finding, "granted"))) {
+    if (const auto entry = places.entry(finding.span)) out.push_back(NeverGranted{entry->task->edge});
+  } else if (id == "pack_conflict" || (id == "possible_pack_conflict" && says(finding, "can never"))) {
+    const auto entry = places.entry(finding.span);
+    if (!entry || !entry->provider) return out;
+    const std::vector<WholePack> packs = whole_packs(model);
+    for (std::size_t i = 0; i < packs.size(); ++i) {
+      if (packs[i].provider == *entry->provider && packs[i].pack == entry->pack) out.push_back(NeverWhole{i});
+    }
+  } else if (id == "self_conflict") {
+    // "`Legs` never runs for `Walk` below `KickTo`, which keeps `Legs` for itself": the last one is what it keeps.
+    const auto entry = places.entry(finding.span);
+    const std::vector<std::string> names = quoted_in(finding.message);
+    if (!entry || !entry->provider || names.size() < 3) return out;
+    if (const auto edge = edge_between(model, names[1], names[0]); edge && !says(finding, "keeps")) {
+      out.push_back(NeverGranted{*edge});
+    } else if (const auto kept = model.find_group(names.back())) {
+      out.push_back(NeverBelow{*entry->provider, entry->task->edge, *kept, std::nullopt});
+    }
+  } else if (id == "sibling_starvation") {
+    const std::vector<std::string> names = quoted_in(finding.message);
+    if (!says(finding, "never runs for") || names.size() < 2) return out;
+    if (const auto edge = edge_between(model, names.back(), names[names.size() - 2]))
+      out.push_back(NeverGranted{*edge});
+  } else if (id == "imprecise_causing") {
+    const auto causer = places.with_causing(finding.span);
+    const auto waiter = finding.notes.empty() ? std::nullopt : places.with_when(finding.notes.front().span);
+    if (!causer || !waiter) return out;
+    for (const ConditionUse& use : model.providers[*waiter].when) {
+      if (use.span == finding.notes.front().span) out.push_back(NeverPushed{*causer, use.id});
+    }
+  }
+  return out;
+}
+
+std::vector<EdgeId> losers_of(const dsl::Diagnostic& finding, const Model& model) {
+  std::vector<EdgeId> out;
+  if (finding.id != "sibling_starvation") return out;
+  for (const dsl::Note& note : finding.notes) {
+    const std::vector<std::string> names = quoted_in(note.message);
+    if (names.size() != 2 || note.message.find(" requests ") == std::string::npos) continue;
+    if (const auto edge = edge_between(model, names[0], names[1])) out = {*edge}; // the last one is the loser
+  }
+  return out;
+}
+
+std::vector<ProviderId> hints_of(const dsl::Diagnostic& finding, const Model& model) {
+  static const std::set<std::string> ids{"push_in_vain",      "push_cycle",         "incompatible_pushes",
+                                         "imprecise_causing", "causer_not_running", "self_defeating_handler"};
+  std::vector<ProviderId> out;
+  if (!ids.contains(finding.id)) return out;
+  const Places places(model);
+  const auto add = [&](Span span) {
+    for (const auto& each : {places.with_when(span), places.with_causing(span)}) {
+      if (each) out.push_back(*each);
+    }
+  };
+  add(finding.span);
+  for (const dsl::Note& note : finding.notes) add(note.span);
+  return out;
+}
+
+bool is_contradicted(const Claim& claim, const Model& model, const Reached& reached) {
+  struct {
+    const Model& model;
+    const Reached& reached;
+    bool operator()(const NeverRuns& c) const { return reached.ran[c.provider.value]; }
+    bool operator()(const NeverGranted& c) const { return reached.granted[c.edge.value]; }
+    bool operator()(const NeverPushed& c) const { return reached.pushed.contains({c.provider, c.condition}); }
+    bool operator()(const NeverWhole& c) const { return reached.whole[c.pack]; }
+    bool operator()(const NeverBelow& c) const {
+      const std::vector<EdgeId>& edges = model.groups[model.providers[c.provider].group].edges;
+      const std::uint64_t beside = c.beside ? std::uint64_t{1} << (c.beside->value - edges.front().value) : 0;
+      return std::any_of(reached.held_below.begin(), reached.held_below.end(), [&](const HeldBelow& held) {
+        return held.provider == c.provider && held.edge == c.edge && held.group == c.group &&
+               (held.beside & beside) == beside;
+      });
+    }
+    bool operator()(const NeverWhile& c) const {
+      return std::any_of(reached.granted_in.begin(), reached.granted_in.end(), [&](const auto& seen) {
+        const std::int32_t value = seen.second[c.state.value];
+        return seen.first == c.group && (value == unset ? c.unset : c.values.contains(value));
+      });
+    }
+  } look{model, reached};
+  return std::visit(look, claim);
+}
+
+std::string in_words(const Claim& claim, const Model& model) {
+  struct {
+    const Model& model;
+    std::string operator()(const NeverRuns& c) const { return model.full_name(c.provider) + " never runs"; }
+    std::string operator()(const NeverGranted& c) const { return model.edge_name(c.edge) + " is never granted"; }
+    std::string operator()(const NeverPushed& c) const {
+      return model.full_name(c.provider) + " is never pushed for " + model.conditions[c.condition].text;
+    }
+    std::string operator()(const NeverWhole& c) const {
+      const WholePack pack = whole_packs(model)[c.pack];
+      return "pack " + model.providers[pack.provider].packs[pack.pack].name + " of " + model.full_name(pack.provider) +
+             " is never granted whole";
+    }
+    std::string operator()(const NeverBelow& c) const {
+      return model.full_name(c.provider) + " never has " + model.groups[c.group].name.value + " held by way of " +
+             model.edge_name(c.edge);
+    }
+    std::string operator()(const NeverWhile& c) const {
+      return model.groups[c.group].name.value + " never runs in a value of " + model.states[c.state].name.value;
+    }
+  } words{model};
+  return std::visit(words, claim);
+}
+
+} // namespace director::property

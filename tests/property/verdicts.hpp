@@ -1,0 +1,71 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What findings say never happens, in terms of what an exploration can show; and of what was never reached, what it
+// hangs on.
+
+#include "dsl/diagnostic.hpp"
+#include "tests/property/reached.hpp"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace director::property {
+
+/// This provider never runs.
+struct NeverRuns {
+  compiler::ProviderId provider{};
+};
+/// The target of this edge is never granted for it.
+struct NeverGranted {
+  compiler::EdgeId edge{};
+};
+/// The provider is never pushed for the condition.
+struct NeverPushed {
+  compiler::ProviderId provider{};
+  compiler::ConditionId condition{};
+};
+/// The members of a pack, a row of whole_packs(), are never granted together.
+struct NeverWhole {
+  std::size_t pack = 0;
+};
+/// While the provider runs and requests `edge`, and `beside` too, nothing that this leads to holds the group.
+struct NeverBelow {
+  compiler::ProviderId provider{};
+  compiler::EdgeId edge{};
+  compiler::GroupId group{};
+  std::optional<compiler::EdgeId> beside;
+};
+/// No provider of the group runs while a state has one of these values.
+struct NeverWhile {
+  compiler::GroupId group{};
+  compiler::StateId state{};
+  compiler::ValueSet values;
+  bool unset = false;
+};
+
+using Claim = std::variant<NeverRuns, NeverGranted, NeverPushed, NeverWhole, NeverBelow, NeverWhile>;
+
+/// Each for itself; nothing where the finding claims nothing that could be reached.
+std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const compiler::Model& model);
+
+/// Providers that it says cannot run as things stand, without saying never.
+std::vector<compiler::ProviderId> hints_of(const dsl::Diagnostic& finding, const compiler::Model& model);
+
+/// Tasks of which it says that somebody else keeps from them what they want, without saying never.
+std::vector<compiler::EdgeId> losers_of(const dsl::Diagnostic& finding, const compiler::Model& model);
+
+bool is_contradicted(const Claim& claim, const compiler::Model& model, const Reached& reached);
+std::string in_words(const Claim& claim, const compiler::Model& model);
+
+/// What was never reached.
+struct Unreached {
+  std::string kind;  ///< "provider", "task", "push" or "pack", and in which way
+  std::string what;  ///< its name
+  bool told = false; ///< by a finding of it or of what it hangs on
+};
+std::vector<Unreached> unreached_of(const compiler::Model& model, const Reached& reached,
+                                    const std::vector<dsl::Diagnostic>& findings);
+
+} // namespace director::property

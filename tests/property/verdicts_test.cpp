@@ -1,0 +1,199 @@
+// What findings are worth, measured: random small behaviours are explored whole, and what was reached is held against
+// SPDX-License-Identifier: MIT
+// what the checks say of them. No finding says never of what was reached; and of nearly all that was never reached,
+// a provider, a task, a pack as a whole or a push, some finding says so, of it or of what it hangs on.
+//
+//   DIRECTOR_SEED   first seed, instead of 1
+//   DIRECTOR_CASES  how many behaviours, instead of as many as take half a minute
+//   DIRECTOR_LONG   set: 4,000 behaviours
+//   DIRECTOR_SHOW   set: each contradiction and each silence, with its seed; to a seed: its behaviour; to an id or a
+//   kind
+//                   of silence: the smallest behaviours that show the same
+#include "compiler/pipeline.hpp"
+#include "dsl/render.hpp"
+#include "tests/property/shrink.hpp"
+#include "tests/property/small_behaviour.hpp"
+#include "tests/property/verdicts.hpp"
+#include "tests/support/environment.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace {
+
+using namespace director;
+using namespace director::property;
+using tests::from_environment;
+
+#ifdef NDEBUG
+constexpr std::uint64_t usual_cases = 400;
+#else
+constexpr std::uint64_t usual_cases = 20;
+#endif
+constexpr std::uint64_t long_cases = 4'000;
+constexpr std::size_t bound = 30'000; ///< states of one behaviour; one with more is left out
+constexpr double least_told = 80;     ///< of a hundred things that were never reached
+/// Checks that say never of what was reached. None may join them.
+const std::set<std::string> wrong_ids{"task_cycle"};
+
+struct Count {
+  std::size_t right = 0, wrong = 0;
+  std::uint64_t seed = 0; ///< the first that was wrong
+  void add(bool is_right, std::uint64_t at) {
+    if (!is_right && wrong++ == 0) seed = at;
+    if (is_right) ++right;
+  }
+};
+
+struct Measure {
+  std::size_t tried = 0, explored = 0, states = 0;
+  std::map<std::string, Count> findings; ///< by id: confirmed, contradicted
+  std::map<std::string, Count> silences; ///< by kind of what was never reached: told, not told
+  std::vector<std::string> contradictions;
+
+  Count all(const std::map<std::string, Count>& counts) const {
+    Count out;
+    for (const auto& [name, count] : counts) out.right += count.right, out.wrong += count.wrong;
+    return out;
+  }
+  double share() const {
+    const Count count = all(silences);
+    return 100.0 * static_cast<double>(count.right) / static_cast<double>(count.right + count.wrong);
+  }
+};
+
+/// One behaviour, explored; nothing where it cannot be run or has too many states.
+struct Judged {
+  std::size_t states = 0;
+  struct Finding {
+    std::string id, message, wrong; ///< wrong: what it claims and was reached
+  };
+  std::vector<Finding> claiming; ///< those that claim something
+  std::vector<Unreached> unreached;
+  std::string findings; ///< as they are printed
+};
+
+std::optional<Judged> judge(const std::string& text) {
+  dsl::MemoryFiles files;
+  files.add("small.yaml", text);
+  dsl::Sources sources;
+  compiler::CheckOptions options;
+  options.selection.every_lint = true;
+  const compiler::Checked checked = compiler::check("small.yaml", files, sources, options);
+  if (!checked.lowerable) return std::nullopt;
+  const compiler::Model& model = checked.model;
+  const compiler::Ground ground(model);
+  Reached reached(ground);
+  compiler::SearchOptions how;
+  how.bound = bound;
+  how.threads = 1;
+  how.look = [&](const compiler::Machine& machine) { reached.look(machine); };
+  const compiler::Searched searched = compiler::search(ground, how);
+  if (!reached.take(searched)) return std::nullopt;
+  Judged out;
+  out.states = searched.states;
+  for (const dsl::Diagnostic& finding : checked.findings) {
+    const std::vector<Claim> claims = claims_of(finding, model);
+    if (claims.empty()) continue;
+    Judged::Finding& row = out.claiming.emplace_back(Judged::Finding{finding.id, finding.message, ""});
+    for (const Claim& claim : claims) {
+      if (is_contradicted(claim, model, reached)) row.wrong = in_words(claim, model);
+    }
+  }
+  out.unreached = unreached_of(model, reached, checked.findings);
+  out.findings = dsl::render(checked.findings, sources);
+  return out;
+}
+
+/// It has a finding with this id that says never of what was reached, or is silent of something of this kind.
+bool shows(const Judged& judged, std::string_view kind) {
+  return std::any_of(judged.claiming.begin(), judged.claiming.end(),
+                     [&](const Judged::Finding& each) { return !each.wrong.empty() && each.id == kind; }) ||
+         std::any_of(judged.unreached.begin(), judged.unreached.end(),
+                     [&](const Unreached& each) { return !each.told && each.kind == kind; });
+}
+
+/// The smallest behaviour found that shows the same.
+void print_small(std::uint64_t seed, const std::string& kind) {
+  Documents documents{to_document(small_behaviour(seed)), {}};
+  documents.scenario.add("steps", Node::list({"none"}));
+  const Documents small = shrink(documents, [&](const Documents& candidate) {
+    const std::optional<Judged> judged = judge(to_yaml(candidate.behaviour));
+    return judged && shows(*judged, kind);
+  });
+  const std::string text = to_yaml(small.behaviour, 3);
+  const std::optional<Judged> judged = judge(text);
+  std::cout << "seed " << seed << ": " << kind << "\n" << text;
+  if (!judged) return;
+  for (const Judged::Finding& each : judged->claiming) {
+    if (!each.wrong.empty()) std::cout << "reached although " << each.wrong << "\n";
+  }
+  for (const Unreached& each : judged->unreached) {
+    if (!each.told) std::cout << "silent of " << each.what << ", " << each.kind << "\n";
+  }
+  std::cout << judged->findings << "\n";
+}
+
+void take(Measure& measure, std::uint64_t seed) {
+  ++measure.tried;
+  const std::string text = to_yaml(to_document(small_behaviour(seed)));
+  const std::optional<Judged> judged = judge(text);
+  if (!judged) return;
+  ++measure.explored;
+  measure.states += judged->states;
+  const char* const show = std::getenv("DIRECTOR_SHOW");
+  for (const Judged::Finding& each : judged->claiming) {
+    measure.findings[each.id].add(each.wrong.empty(), seed);
+    if (each.wrong.empty()) continue;
+    const std::string told =
+        "seed " + std::to_string(seed) + ": " + each.id + ": " + each.message + " (" + each.wrong + ")";
+    if (show != nullptr) std::cout << told << "\n";
+    if (!wrong_ids.contains(each.id)) measure.contradictions.push_back(told);
+  }
+  for (const Unreached& each : judged->unreached) {
+    measure.silences[each.kind].add(each.told, seed);
+    if (show != nullptr && !each.told)
+      std::cout << "seed " << seed << ": silent of " << each.what << ", " << each.kind << "\n";
+  }
+  if (show != nullptr && shows(*judged, show)) print_small(seed, show);
+  if (show != nullptr && show == std::to_string(seed)) std::cout << text << judged->findings;
+}
+
+void print(const Measure& measure) {
+  std::cout << measure.tried << " behaviours, " << measure.explored << " explored whole, " << measure.states
+            << " states\nFindings that say never: confirmed, contradicted\n";
+  for (const auto& [id, count] : measure.findings) {
+    std::cout << std::setw(8) << count.right << std::setw(8) << count.wrong << "  " << id;
+    if (count.wrong > 0) std::cout << " (first: seed " << count.seed << ")";
+    std::cout << "\n";
+  }
+  const Count all = measure.all(measure.silences);
+  std::cout << "Never reached: told, not told\n";
+  for (const auto& [kind, count] : measure.silences) {
+    std::cout << std::setw(8) << count.right << std::setw(8) << count.wrong << "  " << kind;
+    if (count.wrong > 0) std::cout << " (first: seed " << count.seed << ")";
+    std::cout << "\n";
+  }
+  std::cout << std::fixed << std::setprecision(2) << measure.share() << " % of " << all.right + all.wrong
+            << " that were never reached are told\n";
+}
+
+TEST_CASE("what findings call impossible is never reached, and what is never reached is told") {
+  const std::uint64_t first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
+  const std::uint64_t cases =
+      from_environment("DIRECTOR_CASES", std::getenv("DIRECTOR_LONG") != nullptr ? long_cases : usual_cases);
+  Measure measure;
+  for (std::uint64_t seed = first; measure.explored < cases && seed < first + 10 * cases; ++seed) take(measure, seed);
+  print(measure);
+  for (const std::string& each : measure.contradictions) UNSCOPED_INFO(each);
+  CHECK(measure.contradictions.empty());
+  CHECK(measure.explored == cases);
+  CHECK(measure.share() >= least_told);
+}
+
+} // namespace

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Tests runtime/hosted/decision_printer.hpp: that it says what `simulate --decisions` says is tested with every
+// scenario of tests/conformance, and with a program in tests/docs/rover.
+#include "compiler/lower/lower.hpp"
+#include "compiler/pipeline.hpp"
+#include "compiler/play/play.hpp"
+#include "compiler/play/resolve_scenario.hpp"
+#include "dsl/read_scenario.hpp"
+#include "runtime/core/event_names.hpp"
+#include "runtime/hosted/decision_printer.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+using namespace director;
+
+namespace {
+
+/// What the rows of a model are called, as generated code has it.
+struct ModelNames {
+  const compiler::Model& model;
+  const compiler::Lowered& lowered;
+
+  static const ModelNames& of(const void* self) { return *static_cast<const ModelNames*>(self); }
+  const char* keep(std::string text) const {
+    static std::string last[4]; // names of one line
+    static std::size_t next = 0;
+    last[next % 4] = std::move(text);
+    return last[next++ % 4].c_str();
+  }
+  Names names() const {
+    return {
+        .self = this,
+        .group = [](const void* s, Index i) { return of(s).model.groups[compiler::GroupId{i}].name.value.c_str(); },
+        .provider = [](const void* s, Index i) { return of(s).model.providers[compiler::ProviderId{i}].name.c_str(); },
+        .edge = [](const void* s, Index i) { return of(s).keep(of(s).model.edge_name(compiler::EdgeId{i})); },
+        .condition = [](const void* s,
+                        Index i) { return of(s).model.conditions[of(s).lowered.condition_ids[i]].text.c_str(); },
+        .state = [](const void* s, Index i) { return of(s).model.states[compiler::StateId{i}].name.value.c_str(); },
+        .value =
+            [](const void* s, Index i, std::int32_t value) {
+              const compiler::State& state = of(s).model.states[compiler::StateId{i}];
+              return state.is_range ? "" : of(s).keep(state.value_text(value));
+            },
+        .trigger = [](const void* s, Index i) { return of(s).model.triggers[compiler::TriggerId{i}].name.c_str(); }};
+  }
+};
+
+/// The lines of both, without inputs, which a scenario shows before it has the engine take any.
+struct Traces {
+  std::vector<std::string> simulated, printed;
+};
+
+struct Printing {
+  Names names;
+  std::vector<std::string>* lines;
+  static void tell(void* self, const Event& event) {
+    const auto& printing = *static_cast<Printing*>(self);
+    std::array<char, 1000> room{};
+    const std::string line = to_text(event, printing.names, room);
+    if (!line.empty() && !line.starts_with(">")) printing.lines->push_back(line);
+  }
+};
+
+Traces play_both(const std::string& path) {
+  dsl::DiskFiles files;
+  dsl::Sources sources;
+  const dsl::ReadScenarioResult read = dsl::read_scenario(path, files, sources);
+  const compiler::Checked checked = compiler::check(read.scenario.behaviour_path, files, sources);
+  const auto resolved = compiler::resolve_scenario(read.scenario, checked.model);
+  const compiler::Lowered lowered = compiler::lower(checked.model);
+  Traces out;
+  const ModelNames names{checked.model, lowered};
+  Printing printing{names.names(), &out.printed};
+  compiler::play(resolved.scenario, checked.model, lowered, {.decisions = true, .events = {Printing::tell, &printing}},
+                 [&](const compiler::Happening& happening) {
+                   if (happening.kind != compiler::Happening::Kind::input)
+                     out.simulated.push_back(compiler::to_text(happening));
+                 });
+  return out;
+}
+
+const char* word(const void*, Index) { return "x"; }
+
+} // namespace
+
+TEST_CASE("the printer says what simulate says, in every scenario of the conformance tests") {
+  int scenarios = 0, lines = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(tests::source_dir() / "tests/conformance")) {
+    const std::string path = entry.path().string();
+    if (!path.ends_with(".scenario.yaml")) continue;
+    CAPTURE(path);
+    const Traces traces = play_both(path);
+    CHECK(traces.printed == traces.simulated);
+    ++scenarios;
+    lines += static_cast<int>(traces.printed.size());
+  }
+  CHECK(scenarios > 50);
+  CHECK(lines > 500);
+}
+
+TEST_CASE("inputs are printed as steps of a scenario have them") {
+  const Names names{.self = nullptr,
+                    .group = word,
+                    .provider = word,
+                    .edge = word,
+                    .condition = word,
+                    .state = word,
+                    .value = [](const void*, Index, std::int32_t value) { return value == 7 ? "" : "high"; },
+                    .trigger = word};
+  const auto line = [&](Event::Input input, std::int32_t value = 0) {
+    Event event;
+    event.kind = Event::Kind::input;
+    event.input = input;
+    event.group = event.provider = event.state = event.trigger = 0;
+    event.value = value;
+    std::array<char, 100> room{};
+    return std::string(to_text(event, names, room));
+  };
+  CHECK(line(Event::Input::request) == "> request x");
+  CHECK(line(Event::Input::cancel) == "> cancel x");
+  CHECK(line(Event::Input::set) == "> set {x: high}");
+  CHECK(line(Event::Input::set, 7) == "> set {x: 7}");
+  CHECK(line(Event::Input::fire) == "> trigger x");
+  CHECK(line(Event::Input::enable) == "> enable x.x");
+  CHECK(line(Event::Input::disable) == "> disable x.x");
+  CHECK(line(Event::Input::wait).empty());
+}
+
+TEST_CASE("a line that does not fit is cut off") {
+  Event event;
+  event.kind = Event::Kind::done;
+  event.group = 0;
+  Names names;
+  names.group = word;
+  std::array<char, 4> room{'?', '?', '?', '?'};
+  CHECK(std::string(to_text(event, names, room)) == "don");
+  std::array<char, 1> none{'?'};
+  CHECK(std::string(to_text(event, names, none)).empty());
+}
+
+TEST_CASE("the time stands before a line in seconds") {
+  std::array<char, 40> room{};
+  CHECK(std::string(time_text(0, room)) == "[    0.000000] ");
+  CHECK(std::string(time_text(1'500'007, room)) == "[    1.500007] ");
+  CHECK(std::string(time_text(1'000'000'000'000'000, room)) == "[1000000000.000000] ");
+}
+
+TEST_CASE("each word of an event has a name of its own") {
+  std::vector<std::string> names;
+  for (int i = 0; i <= static_cast<int>(Event::Kind::wait); ++i)
+    names.emplace_back(name_of(static_cast<Event::Kind>(i)));
+  for (const std::string& name : names) {
+    CAPTURE(name);
+    CHECK(!name.empty());
+    CHECK(std::count(names.begin(), names.end(), name) == 1);
+  }
+  for (int i = 0; i <= static_cast<int>(Event::Input::every); ++i)
+    CHECK(*name_of(static_cast<Event::Input>(i)) != '\0');
+  for (const Reason reason : all_reasons) CHECK(*name_of(reason) != '\0');
+  for (int i = 0; i <= static_cast<int>(Why::deferred); ++i) CHECK(*name_of(static_cast<Why>(i)) != '\0');
+}
