@@ -27,6 +27,7 @@ void Machine::write(const std::vector<std::uint64_t>& from) {
   // Between micro-steps what the last pass decided stands in `now` as well, and an act that gives reasons in a
   // component that was not decided again reads it there.
   if (ground_.tables.components.size() > 1) std::copy_n(s.last.group, ground_.tables.groups.size(), s.now.group);
+  engine_.forget_trail();
 }
 
 void Machine::start() {

@@ -50,6 +50,7 @@ Lowered lower(const Model& model) {
   lower_groups(model, out);
   lower_aims(model, out);
   lower_components(out);
+  lower_users(out);
   return out;
 }
 

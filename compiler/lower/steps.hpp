@@ -30,5 +30,6 @@ void lower_promises(const Model& model, Lowered& out);
 void lower_groups(const Model& model, Lowered& out);
 void lower_aims(const Model& model, Lowered& out);
 void lower_components(Lowered& out);
+void lower_users(Lowered& out);
 
 } // namespace director::compiler

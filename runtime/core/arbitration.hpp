@@ -27,6 +27,12 @@ public:
   /// component.
   void decide(Index component);
 
+  /// The next pass over each component begins from nothing: the last assignment is not that of its last pass.
+  void forget_trail() {
+    for (Index c = 0; c < t_.components.size(); ++c) s_.known[c] = 0;
+  }
+  std::uint64_t decided() const { return decided_; } ///< units so far, again where a pass is repeated
+
   /// Writes State::traits and component_traits, which follow from the tables. Once, before the first pass.
   void find_traits();
 
@@ -91,6 +97,26 @@ private:
     return last.holder == edge && last.granted();
   }
 
+  // trail.cpp: what is decided again
+  void begin_trail();
+  void end_trail();
+  void take_up(Index edge);
+  void take_up_last(Index group);
+  void reach(Index group);
+  void move(Index group);
+  void reach_pushes_of(Index edge);
+  /// Nothing that the decision about it looks at is another than in the last pass.
+  bool stands(Index edge) const {
+    const std::uint8_t bits = s_.edge_trail[edge];
+    return (bits & (trail::reached | trail::on_stale)) == 0 && ((bits & trail::waits) == 0 || !disturbed_);
+  }
+  void repeat(Index count);
+  void repeat_grant(Index edge);
+  void begin_decision(Index count);
+  void end_decision(Index count);
+  void compare_with_last(Index edge);
+  void compare_claim(Index group);
+
   // units.cpp: what becomes of a unit
   bool try_simple(Index count);
   void try_members(Index count, bool outdated);
@@ -121,12 +147,12 @@ private:
   void walk_on();
   void visit_root(Index edge);
   void visit(Index edge, std::uint8_t marks);
-  bool stands(Index edge) const;
   void place(Index group);
   void look_ahead(Index group);
   bool look_ahead_to(Index edge, Index base);
   void try_unit(Index edge, bool outdated);
   void try_alone(Index edge, bool outdated);
+  void decide_alone(Index edge, bool outdated);
   enum class Tried : std::uint8_t { granted, refused, unclear };
   Tried try_plain(Index edge, bool outdated);
   bool needs_are_free(Index edge, Range needs) const;
@@ -143,7 +169,7 @@ private:
   // finish.cpp: section 4.4, Hand-over, and what follows from the claims
   void hand_over();
   void hand_over(Index group);
-  Index recall_plan(Index group);
+  Index entries_of(Index group, const Assignment& of);
   void finish();
   void finish_pushes();
   bool asked_for(Index group) const;
@@ -176,6 +202,11 @@ private:
   bool pushing_ = false; ///< there are in this one
   bool needs_ = false;   ///< something is held for a need
   bool limbo_ = false;   ///< or in limbo
+  bool disturbed_ = false; ///< something is, or may be, another than in the last pass
+  bool on_last_ = false, on_stale_ = false; ///< of the units decided before the one in hand
+  Index moved_ = 0;           ///< rows of State::moved in use
+  Index made_ = 0;            ///< pushes made or kept in this pass
+  std::uint64_t decided_ = 0; ///< units
   mutable bool depends_on_last_ = false, depends_on_stale_ = false;
 };
 

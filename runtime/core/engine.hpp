@@ -29,6 +29,9 @@ public:
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
+  using Pass::decided;
+  using Pass::forget_trail;
+
   /// Back to the start: initial values, every provider enabled, nothing requested. What waits in the inbox stays.
   void reset();
 

@@ -20,7 +20,7 @@ void Pass::hand_over() {
 }
 
 void Pass::hand_over(Index group) {
-  const Index end = recall_plan(group);
+  const Index end = entries_of(group, s_.last);
   for (Index i = 0; i < end; ++i) {
     if (s_.now[s_.entry_group[i]].holder != nil) return;
   }
@@ -32,29 +32,31 @@ void Pass::hand_over(Index group) {
   if (s_.last[group].planned != nil) plan_for(group, s_.last[group].planned, 0, end);
   for (Index i = 0; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
   claim_plan(0, end);
+  compare_claim(group);
+  for (Index i = 0; i < end; ++i) compare_claim(s_.entry_group[i]);
   sweep_below(group);
 }
 
-/// Writes the plan that a group had after the last pass as entries from 0 on; returns how many.
-Index Pass::recall_plan(Index group) {
-  if (s_.last[group].planned == nil) return 0;
+/// Writes the plan that a group has as entries from 0 on; returns how many.
+Index Pass::entries_of(Index group, const Assignment& of) {
+  const Index planned = of[group].planned;
+  if (planned == nil) return 0;
   Index end = 0;
   for (Index parent = nil;;) {
-    const Index provider = parent == nil ? s_.last[group].planned : s_.entry_provider[parent];
     Index place = 0;
     Index owner = parent;
-    Index of = provider;
-    while (place >= t_.providers[of].needs.size()) { // the next need, depth first
+    Index needer = parent == nil ? planned : s_.entry_provider[parent];
+    while (place >= t_.providers[needer].needs.size()) { // the next need, depth first
       if (owner == nil) return end;
       place = static_cast<Index>(s_.entry_place[owner] + 1);
       owner = s_.entry_parent[owner];
-      of = owner == nil ? s_.last[group].planned : s_.entry_provider[owner];
+      needer = owner == nil ? planned : s_.entry_provider[owner];
     }
-    const Index need = t_.list(t_.providers[of].needs)[place], needed = t_.edges[need].target;
+    const Index need = t_.list(t_.providers[needer].needs)[place], needed = t_.edges[need].target;
     const Index slot = slot_of(group, needed);
     s_.entry_group[end] = needed;
     s_.entry_need[end] = need;
-    s_.entry_provider[end] = slot == nil ? t_.groups[needed].providers.begin : s_.last.plan[slot];
+    s_.entry_provider[end] = slot == nil ? t_.groups[needed].providers.begin : of.plan[slot];
     s_.entry_parent[end] = owner;
     s_.entry_place[end] = place;
     parent = end++;
@@ -82,7 +84,9 @@ void Pass::finish_pushes() {
     if (push.edge == nil) continue;
     depends_on_last_ = true;
     if (s_.now[g].holder == nil) {
-      if (!asked_for(g) && !planted(Fault::pushes_outlive_requests)) push = Push{};
+      if (asked_for(g) || planted(Fault::pushes_outlive_requests)) continue;
+      s_.edge_trail[push.edge] |= trail::on_stale; // whoever makes it again has to be asked again
+      push = Push{};
       continue;
     }
     const bool was_in_force = (s_.last[g].flags & flag::in_force) != 0;

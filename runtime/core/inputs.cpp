@@ -111,6 +111,7 @@ DIRECTOR_INLINE void Engine::fetch_what_follows(Index edge) {
   const Index component = t_.groups[t_.providers[provider].group].component;
   forget_decisions(component);
   mark(component, work::changed);
+  s_.group_trail[t_.providers[provider].group] |= trail::touched;
   return Taken::change;
 }
 
@@ -191,6 +192,7 @@ void Engine::look_at_conditions(Index state) {
     note_condition(condition);
     if (!s_.counters->begun) continue;
     for (const Index component : t_.list(row.components)) mark(component, work::changed);
+    for (const Index group : t_.list(row.groups)) s_.group_trail[group] |= trail::touched;
   }
   s_.values[state].calm = calm;
 }

@@ -14,6 +14,7 @@ inline constexpr std::uint8_t refused = 2;
 inline constexpr std::uint8_t alone = 4;       ///< it is tried for itself
 inline constexpr std::uint8_t below_stale = 8; ///< its requester's orders are outdated
 inline constexpr std::uint8_t pushes = 16;     ///< there is a push of it in the last assignment
+inline constexpr std::uint8_t visited = 32;    ///< it was decided, or stands as before
 // On groups.
 inline constexpr std::uint8_t forgotten = 1; ///< its last holder no longer stands in an equal's way
 inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder
@@ -25,6 +26,22 @@ inline constexpr std::uint8_t looked_at = 64; ///< set only while a member's cho
 // On conditions.
 inline constexpr std::uint8_t wanted = 1;
 } // namespace mark
+
+/// What is known of the last pass, from pass to pass.
+namespace trail {
+// Bits of State::edge_trail.
+inline constexpr std::uint8_t reached = 1;  ///< something that its decision looks at may be another than last time
+inline constexpr std::uint8_t changed = 2;  ///< since the last pass it is requested at another level, or not any more
+inline constexpr std::uint8_t on_last = 4;  ///< its decision may be another one when the last result is its own
+inline constexpr std::uint8_t on_stale = 8; ///< or when the orders of others are outdated: it is decided in every pass
+inline constexpr std::uint8_t waits = 16;   ///< it waits for conditions, and may push others
+// Bits of State::group_trail.
+inline constexpr std::uint8_t disturbed = 1; ///< its holder, provider, plan or push may be another than last time
+inline constexpr std::uint8_t moved = 2;     ///< its place in the order may be another than last time
+inline constexpr std::uint8_t touched = 4;   ///< since the last pass a condition or the enabled flag of a provider flipped
+inline constexpr std::uint8_t stale = 8;     ///< its orders were outdated in the last pass
+inline constexpr std::uint8_t asks = 16;     ///< what it requests was looked at in the last pass
+} // namespace trail
 
 /// Bits of Turn::places. What else there is to tell of the group stands there too.
 namespace place {

@@ -193,12 +193,14 @@ DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, std::uint8_t 
 /// Of an edge that is requested at another level than before, or not any more. Its component.
 DIRECTOR_INLINE Index Engine::mark_request(Index edge) {
   const Index component = s_.turn[s_.request[edge].target].component;
+  s_.edge_trail[edge] |= trail::changed;
   mark(component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
   return component;
 }
 
 DIRECTOR_INLINE void Engine::drop_request(Index edge, Index component) {
   Requested& request = s_.request[edge];
+  if (request.level != nil) s_.edge_trail[edge] |= trail::changed;
   request.level = nil;
   note_turn(edge, component);
   note_level(edge, nil, request.anew != 0);

@@ -21,7 +21,8 @@ void Pass::decide(Index component) {
   }
   depends_on_last_ = pushed_;
   sort_roots();
-  for (clear();; clear()) {
+  clear();
+  for (begin_trail();; clear()) {
     sweep();
     if (denied_ == 0 || !denied_in_vain()) break;
     for (const Index g : t_.list(c_.groups)) {
@@ -31,6 +32,7 @@ void Pass::decide(Index component) {
   }
   if (stale_granted_ != 0 && inherited_ != s_.order_count[component]) hand_over();
   finish();
+  end_trail();
   measured_ = false; // from here on it may be about several components
 }
 
@@ -44,7 +46,6 @@ void Pass::clear() {
   }
   for (const Index e : t_.list(c_.edges)) {
     s_.edge_marks[e] = 0;
-    s_.queued[e] = Queued{};
   }
   for (const Index g : pushed_ ? t_.list(c_.groups) : std::span<const Index>{}) {
     const Index pusher = s_.last[g].push.edge;
@@ -58,6 +59,7 @@ bool Pass::denied_in_vain() {
     const Index group = s_.denied[i];
     if (s_.now[group].holder == s_.last[group].holder || planted(Fault::denials_are_final)) continue;
     s_.group_marks[group] |= mark::forgotten;
+    reach(group);
     return true;
   }
   return false;

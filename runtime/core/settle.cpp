@@ -38,6 +38,7 @@ bool Engine::changed(Index component, bool& stops) {
     const Standing &now = s_.now[g], &last = s_.last[g];
     if (now.same(last) && !(plans && other_plan(g))) continue;
     s_.group_marks[g] |= mark::differs;
+    s_.group_trail[g] |= trail::disturbed;
     s_.differing[differing_++] = g;
     decision = decision || now.decides_otherwise_than(last);
     stops = stops || now.stops_after(last);

@@ -269,6 +269,10 @@ struct State {
   Bits* edge_marks = nullptr;       ///< edge: bits of `mark`
   Bits* group_marks = nullptr;      ///< group: bits of `mark`
   Bits* condition_marks = nullptr;  ///< condition: bits of `mark`
+  Bits* edge_trail = nullptr;       ///< edge: bits of `trail`, from pass to pass
+  Bits* group_trail = nullptr;      ///< group: likewise
+  Bits* known = nullptr;            ///< component: 1: its trail is that of the last pass
+  Index* moved = nullptr;           ///< groups: work list of those that are in another place of the order
 
   /// Calls visit(pointer to member, count) for every array; `scratch()` between the decision state and the rest.
   template <class Self, class Visit, class Scratch>
@@ -302,6 +306,8 @@ struct State {
     visit(s.staged_request, n.most_edges + 1), visit(s.unmet_member, n.lacking), visit(s.unmet, n.lacking);
     visit(s.queued, n.edges), visit(s.last_queued, n.edges);
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
+    visit(s.edge_trail, n.edges), visit(s.group_trail, n.groups), visit(s.known, n.components);
+    visit(s.moved, n.groups);
   }
 
   /// What the block should be aligned to; it must be to 8. So rows do not lie on two lines of the cache that need not.

@@ -74,6 +74,7 @@ struct Group {
   Range slots{};   ///< of Tables::plan_groups and of Assignment::plan: a plan is the provider picked for each of these
   Range listens{}; ///< of Tables::listened and of State::fired
   Range owned{};   ///< lists: states that belong to it
+  Range users{};   ///< lists: it and all groups one of whose plans may contain it, ascending
   bool start = false; ///< has such a handler
   bool stop = false;
   Index component = 0; ///< of Tables::components
@@ -103,6 +104,7 @@ struct Condition {
   Range accepts{};    ///< of Tables::intervals
   Range causers{};    ///< lists: providers whose `causing` satisfies it, ascending
   Range components{}; ///< lists: components in which it counts, in `when`, `stay` or a promise, ascending
+  Range groups{};     ///< lists: groups in whose `when` or `stay` it stands, ascending
 };
 
 struct StateVariable {

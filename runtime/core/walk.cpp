@@ -91,10 +91,6 @@ inline void Pass::visit(Index edge, std::uint8_t marks) {
   if ((marks & mark::tried) == 0 && s_.request[edge].level != nil) {
     if ((marks & mark::alone) == 0) {
       try_unit(edge, (marks & mark::below_stale) != 0);
-    } else if (stands(edge)) {
-      claim(group, edge);
-      now_granted(edge, t_.groups[group].providers.begin);
-      if ((marks & mark::pushes) != 0) keep_pushes_of_plain(edge, t_.groups[group].providers.begin);
     } else {
       s_.unit[0] = edge;
       try_alone(edge, (marks & mark::below_stale) != 0);
@@ -103,15 +99,14 @@ inline void Pass::visit(Index edge, std::uint8_t marks) {
   if (s_.now[group].holder == edge) place(group);
 }
 
-/// It was granted, there is one way to grant it, which has no conditions and needs nothing, and nothing is in its way.
-inline bool Pass::stands(Index edge) const {
-  const Index group = t_.edges[edge].target;
-  const Standing &last = s_.last[group], &now = s_.now[group];
-  return s_.traits[group] == (trait::flat | trait::simple) && last.holder == edge && last.granted() &&
-         (now.holder == nil || now.holder == edge) && s_.enabled[t_.groups[group].providers.begin] != 0;
+void Pass::try_alone(Index edge, bool outdated) {
+  if (stands(edge)) return repeat(1);
+  begin_decision(1);
+  decide_alone(edge, outdated);
+  end_decision(1);
 }
 
-void Pass::try_alone(Index edge, bool outdated) {
+void Pass::decide_alone(Index edge, bool outdated) {
   s_.member[0] = edge;
   switch (try_plain(edge, outdated)) {
   case Tried::granted: return;
@@ -133,10 +128,14 @@ void Pass::try_unit(Index edge, bool outdated) {
     s_.edge_marks[e] |= mark::tried;
     s_.unit[count++] = e;
   }
-  for (Index i = 0; outdated && i < count; ++i) try_alone(s_.unit[i], true);
-  if (outdated) return;
+  bool as_before = true;
+  for (Index i = 0; i < count; ++i) as_before = as_before && stands(s_.unit[i]);
+  if (as_before) return repeat(count);
+  begin_decision(count);
+  for (Index i = 0; outdated && i < count; ++i) decide_alone(s_.unit[i], true);
   for (Index i = 0; i < count; ++i) s_.member[i] = s_.unit[i];
-  if (!try_simple(count)) try_members(count, false);
+  if (!outdated && !try_simple(count)) try_members(count, false);
+  end_decision(count);
 }
 
 /// The next in order, and what it asks for or needs stands ahead.
@@ -160,6 +159,10 @@ void Pass::look_ahead(Index group) {
   const bool is_stale = source != current, asks = is_stale || s_.now[group].granted();
   std::uint8_t marks = asks ? std::uint8_t{0} : mark::tried;
   if (is_stale) marks |= mark::below_stale;
+  const auto known = static_cast<std::uint8_t>((is_stale ? trail::stale : 0) | (asks ? trail::asks : 0));
+  const bool other = (s_.group_trail[group] & (trail::stale | trail::asks)) != known;
+  s_.group_trail[group] &= static_cast<std::uint8_t>(~(trail::stale | trail::asks));
+  s_.group_trail[group] |= known;
   const Index base = ahead_;
   Index together = 0, member = nil;
   bool in_order = true, asked = false;
@@ -168,7 +171,10 @@ void Pass::look_ahead(Index group) {
     --e;
     const Index level = s_.request[e].level;
     if (level == nil || !asks) {
-      if (s_.now[t_.edges[e].target].holder != e) continue;
+      if (s_.now[t_.edges[e].target].holder != e) {
+        if (other && s_.last[t_.edges[e].target].holder == e) move(t_.edges[e].target);
+        continue;
+      }
       if (level == nil) {
         in_order = look_ahead_to(e, base) && in_order;
         continue;
@@ -184,6 +190,7 @@ void Pass::look_ahead(Index group) {
       member = e;
     }
     s_.edge_marks[e] |= all;
+    if (other) s_.edge_trail[e] |= trail::reached;
     if (row.optional) {
       postpone(e);
     } else {

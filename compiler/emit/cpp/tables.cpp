@@ -71,7 +71,7 @@ std::vector<std::uint32_t> owners_of(const Owners& owners, Range range, std::siz
 // Each takes its row apart, so that a column which is new there is an error here until it is written too.
 
 Row group_row(const director::Group& all) {
-  const auto& [providers, edges, requesters, slots, listens, owned, start, stop, component] = all;
+  const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop, component] = all;
   Row row;
   row.range("providers", providers);
   row.range("edges", edges);
@@ -79,6 +79,7 @@ Row group_row(const director::Group& all) {
   row.range("slots", slots);
   row.range("listens", listens);
   row.range("owned", owned);
+  row.range("users", users);
   row.flag("start", start);
   row.flag("stop", stop);
   row.index("component", component, 0);
@@ -134,12 +135,13 @@ Row level_row(const director::Level& all) {
 }
 
 Row condition_row(const director::Condition& all) {
-  const auto& [state, accepts, causers, components] = all;
+  const auto& [state, accepts, causers, components, groups] = all;
   Row row;
   row.index("state", state, 0);
   row.range("accepts", accepts);
   row.range("causers", causers);
   row.range("components", components);
+  row.range("groups", groups);
   return row;
 }
 
