@@ -57,7 +57,7 @@ TableRobot::TableRobot(Compiled compiled, std::size_t cells, Play play)
       cells_(cells),
       inbox_(cells_),
       memory_(tables_),
-      engine_(tables_, memory_.state().data(), functions(), inbox_, {}, memory_.recall()) {
+      engine_(tables_, memory_.state().data(), functions(), inbox_) {
   engine_.set_budget(1'000'000'000);
   for (const compiler::ProviderId id : model().providers.ids()) {
     first_act_.push_back(static_cast<Index>(acts_.size()));
