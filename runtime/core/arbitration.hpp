@@ -172,9 +172,12 @@ private:
   // push.cpp: the pushes of a unit
   bool in_unit(Index edge, Index count) const;
   Index collect_unmet(Index count);
+  std::span<const Index> pushed_groups() const { return {s_.pushed, pushed_count_}; }
+  void list_push(Index group);
+  void set_push(Index group, const Push& push);
   void keep_pushes(Index count);
   void keep_serving_pushes(Index count);
-  void want(Range conditions);
+  void want(Range conditions, std::uint8_t bits);
   bool satisfies(Index provider, Index condition) const;
   bool somebody_satisfies(Index condition) const;
   void push_for(Index count, Index unmet);
@@ -200,7 +203,7 @@ private:
   bool disturbed_ = false; ///< something is, or may be, another than in the last pass
   bool on_last_ = false, on_stale_ = false; ///< of the units decided before the one in hand
   Index moved_ = 0;           ///< rows of State::moved in use
-  Index made_ = 0;            ///< pushes made or kept in this pass
+  Index pushed_count_ = 0;    ///< rows of State::pushed in use
   std::uint64_t decided_ = 0; ///< units
   mutable bool depends_on_last_ = false, depends_on_stale_ = false;
 };

@@ -79,7 +79,7 @@ void Pass::finish() {
 }
 
 void Pass::finish_pushes() {
-  for (const Index g : t_.list(c_.groups)) {
+  for (const Index g : pushed_groups()) {
     Push& push = s_.now[g].push;
     if (push.edge == nil) continue;
     depends_on_last_ = true;

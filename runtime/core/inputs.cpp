@@ -93,9 +93,9 @@ Engine::Taken Engine::take_request(Input& record) {
   if (s_.enabled[provider] == wanted) return Taken::no_change;
   s_.enabled[provider] = wanted;
   if (planted(Fault::enabling_is_overlooked)) return Taken::change;
-  const Index group = t_.providers[provider].group;
-  mark(t_.groups[group].component, work::changed);
-  s_.group_trail[group] |= trail::touched;
+  const Index component = t_.groups[t_.providers[provider].group].component;
+  mark(component, work::changed);
+  s_.known[component] = 0; // who may push it is not noted, and this is rare
   return Taken::change;
 }
 

@@ -22,9 +22,13 @@ inline constexpr std::uint8_t reached = 4;
 inline constexpr std::uint8_t busy = 8;       ///< its push serves a condition of the unit in hand
 inline constexpr std::uint8_t outdated = 16;  ///< it is granted, and its orders are outdated
 inline constexpr std::uint8_t differs = 32;   ///< it stands elsewhere than after the last pass
+inline constexpr std::uint8_t listed = 128;   ///< it stands in State::pushed
 inline constexpr std::uint8_t looked_at = 64; ///< set only while a member's choices are searched for equals
 // On conditions.
 inline constexpr std::uint8_t wanted = 1;
+inline constexpr std::uint8_t lacked = 2; ///< the chain in search may have to make it true
+// On providers, besides looked_at.
+inline constexpr std::uint8_t pushable = 1;
 } // namespace mark
 
 /// What is known of the last pass, from pass to pass.
@@ -34,11 +38,11 @@ inline constexpr std::uint8_t reached = 1;  ///< something that its decision loo
 inline constexpr std::uint8_t changed = 2;  ///< since the last pass it is requested at another level, or not any more
 inline constexpr std::uint8_t on_last = 4;  ///< its decision may be another one when the last result is its own
 inline constexpr std::uint8_t on_stale = 8; ///< or when the orders of others are outdated: it is decided in every pass
-inline constexpr std::uint8_t waits = 16;   ///< it waits for conditions, and may push others
+inline constexpr std::uint8_t waits = 16;   ///< it searched for somebody to push
 // Bits of State::group_trail.
 inline constexpr std::uint8_t disturbed = 1; ///< its holder, provider, plan or push may be another than last time
 inline constexpr std::uint8_t moved = 2;     ///< its place in the order may be another than last time
-inline constexpr std::uint8_t touched = 4;   ///< since the last pass a condition or the enabled flag of a provider flipped
+inline constexpr std::uint8_t touched = 4;   ///< since the last pass a condition of a provider flipped
 inline constexpr std::uint8_t stale = 8;     ///< its orders were outdated in the last pass
 inline constexpr std::uint8_t asks = 16;     ///< what it requests was looked at in the last pass
 } // namespace trail

@@ -12,13 +12,15 @@ void Pass::decide(Index component) {
   c_ = t_.components[component];
   component_ = component;
   equals_ = (s_.component_traits[component] & trait::equals) != 0;
-  pushed_ = depends_on_stale_ = limbo_ = false;
+  depends_on_stale_ = limbo_ = false;
+  pushed_count_ = 0;
   for (const Index g : t_.list(c_.groups)) {
     s_.group_marks[g] = 0;
     s_.turn[g].counts = 0;
-    pushed_ = pushed_ || s_.last[g].push.edge != nil;
+    if (s_.last[g].push.edge != nil) list_push(g);
     s_.now[g] = Standing{};
   }
+  pushed_ = pushed_count_ != 0;
   depends_on_last_ = pushed_;
   sort_roots();
   clear();
@@ -26,7 +28,7 @@ void Pass::decide(Index component) {
     sweep();
     if (denied_ == 0 || !denied_in_vain()) break;
     for (const Index g : t_.list(c_.groups)) {
-      s_.group_marks[g] &= mark::forgotten;
+      s_.group_marks[g] &= mark::forgotten | mark::listed;
       s_.now[g] = Standing{};
     }
   }
@@ -44,10 +46,8 @@ void Pass::clear() {
     const Range slots = t_.groups[g].slots;
     for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
   }
-  for (const Index e : t_.list(c_.edges)) {
-    s_.edge_marks[e] = 0;
-  }
-  for (const Index g : pushed_ ? t_.list(c_.groups) : std::span<const Index>{}) {
+  for (const Index e : t_.list(c_.edges)) s_.edge_marks[e] = 0;
+  for (const Index g : pushed_groups()) {
     const Index pusher = s_.last[g].push.edge;
     if (pusher != nil) s_.edge_marks[pusher] |= mark::pushes;
   }

@@ -54,102 +54,149 @@ bool Pass::somebody_satisfies(Index condition) const {
   return false;
 }
 
+/// The group has a push, in the last assignment or in this one.
+void Pass::list_push(Index group) {
+  if ((s_.group_marks[group] & mark::listed) != 0) return;
+  s_.group_marks[group] |= mark::listed;
+  s_.pushed[pushed_count_++] = group;
+}
+
+void Pass::set_push(Index group, const Push& push) {
+  list_push(group);
+  s_.now[group].push = push;
+  pushing_ = true;
+}
+
 /// The pushes that the unit made before stay.
 void Pass::keep_pushes(Index count) {
   if (!pushes(count)) return;
-  for (const Index g : t_.list(c_.groups)) {
+  for (const Index g : pushed_groups()) {
     const Push& push = s_.last[g].push;
-    if (push.edge != nil && s_.now[g].push.edge == nil && in_unit(push.edge, count))
-      s_.now[g].push = push, pushing_ = true;
+    if (push.edge != nil && s_.now[g].push.edge == nil && in_unit(push.edge, count)) set_push(g, push);
   }
 }
 
-void Pass::want(Range conditions) {
-  for (const Index condition : t_.list(conditions)) s_.condition_marks[condition] |= mark::wanted;
+/// Conditions that are wanted are marked; unmarked with another mark of 0.
+void Pass::want(Range conditions, std::uint8_t bits) {
+  for (const Index condition : t_.list(conditions)) s_.condition_marks[condition] = bits;
 }
 
 /// The unit is granted: of its pushes those stay that serve the choices in hand, or a push that does.
 void Pass::keep_serving_pushes(Index count) {
-  for (const Index g : t_.list(c_.groups)) s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
-  for (const Index c : t_.list(c_.conditions)) s_.condition_marks[c] = 0;
-  const auto want_provider = [&](Index provider) {
-    want(t_.providers[provider].when);
-    want(t_.providers[provider].stay);
+  const auto want_provider = [&](Index provider, std::uint8_t bits) {
+    want(t_.providers[provider].when, bits);
+    want(t_.providers[provider].stay, bits);
   };
-  for (Index at = 0; at < count; ++at) {
-    want_provider(s_.member_provider[at]);
-    for (Index i = entries_begin(at); i < s_.member_entries[at]; ++i) want_provider(s_.entry_provider[i]);
-  }
+  const auto want_all = [&](std::uint8_t bits) {
+    for (Index at = 0; at < count; ++at) {
+      want_provider(s_.member_provider[at], bits);
+      for (Index i = entries_begin(at); i < s_.member_entries[at]; ++i) want_provider(s_.entry_provider[i], bits);
+    }
+  };
   const auto serves = [&](Index provider) {
     for (const Index effect : t_.list(t_.providers[provider].effects)) {
       if (s_.condition_marks[effect] != 0) return true;
     }
     return false;
   };
+  want_all(mark::wanted);
+  for (const Index g : pushed_groups()) s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
   for (bool more = true; more;) {
     more = false;
-    for (const Index g : t_.list(c_.groups)) {
+    for (const Index g : pushed_groups()) {
       const Push& push = s_.last[g].push;
       if (push.edge == nil || (s_.group_marks[g] & mark::busy) != 0 || !in_unit(push.edge, count) ||
           !serves(push.provider))
         continue;
       s_.group_marks[g] |= mark::busy;
-      want(t_.providers[push.provider].aims);
-      if (s_.now[g].push.edge == nil) s_.now[g].push = push, pushing_ = true;
+      want(t_.providers[push.provider].aims, mark::wanted);
+      if (s_.now[g].push.edge == nil) set_push(g, push);
       more = true;
     }
+  }
+  want_all(0);
+  for (const Index g : pushed_groups()) {
+    if ((s_.group_marks[g] & mark::busy) != 0) want(t_.providers[s_.last[g].push.provider].aims, 0);
   }
 }
 
 /// Pushes made before stay; new ones are made only if every condition is served.
 void Pass::push_for(Index count, Index unmet) {
   const auto theirs = [&](Index g) -> const Push& { return s_.now[g].push; }; // made by units before this one
-  for (const Index g : t_.list(c_.groups)) {
+  const auto begin = [&](Index g) {
     const Push& push = s_.last[g].push;
     const bool ours =
         push.edge != nil && in_unit(push.edge, count) && (theirs(g).edge == nil || theirs(g).provider == push.provider);
     s_.own[g] = ours ? push : Push{};
     s_.first[g] = Push{};
     s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
-  }
+  };
+  for (const Index g : pushed_groups()) begin(g);
   bool all_served = true;
   for (Index i = 0; i < unmet; ++i) {
     bool served = false;
-    for (const Index g : t_.list(c_.groups)) {
+    for (const Index g : pushed_groups()) {
       if (s_.own[g].edge == nil || !satisfies(s_.own[g].provider, s_.unmet[i])) continue;
       s_.group_marks[g] |= mark::busy;
       served = true;
     }
     Push push;
     if (served) continue;
+    for (Index at = 0; at < count; ++at) s_.edge_trail[s_.member[at]] |= trail::waits;
     if (!find_chain(s_.unmet[i], s_.unmet_member[i], push)) {
       all_served = false;
       continue;
     }
-    Push& first = s_.first[t_.providers[push.provider].group];
+    const Index group = t_.providers[push.provider].group;
+    if ((s_.group_marks[group] & mark::listed) == 0) list_push(group), begin(group);
+    Push& first = s_.first[group];
     if (first.edge == nil) first = push; // one group serves one condition after the other
   }
-  for (const Index g : t_.list(c_.groups)) {
+  for (const Index g : pushed_groups()) {
     const bool free = (s_.group_marks[g] & mark::busy) == 0 && theirs(g).edge == nil;
     if (all_served && s_.first[g].edge != nil && free && s_.own[g].provider != s_.first[g].provider)
       s_.own[g] = s_.first[g];
-    if (s_.own[g].edge != nil && theirs(g).edge == nil) s_.now[g].push = s_.own[g], pushing_ = true;
+    if (s_.own[g].edge != nil && theirs(g).edge == nil) set_push(g, s_.own[g]);
   }
 }
 
-/// The first push of the shortest chain that makes a condition of `member` true.
+/// The first push of the shortest chain that makes a condition of `member` true. What can lead to it is found
+/// backwards: who causes it, what these lack, who causes that, and so on.
 bool Pass::find_chain(Index condition, Index member, Push& out) {
-  for (const Index c : t_.list(c_.conditions)) s_.cost[c] = endless;
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (const Index provider : t_.list(c_.causing)) {
-      if (can_be_pushed(provider, member)) changed = relax(provider) || changed;
+  Index lacking = 0, causers = 0;
+  const auto lack = [&](Index c) {
+    if ((s_.condition_marks[c] & mark::lacked) != 0) return;
+    s_.condition_marks[c] = mark::lacked;
+    s_.cost[c] = endless;
+    s_.lacked[lacking++] = c;
+  };
+  lack(condition);
+  for (Index i = 0; i < lacking; ++i) {
+    for (const Index provider : t_.list(t_.conditions[s_.lacked[i]].causers)) {
+      if ((s_.provider_marks[provider] & mark::looked_at) != 0) continue;
+      s_.provider_marks[provider] |= mark::looked_at;
+      s_.causers[causers++] = provider;
+      if (!can_be_pushed(provider, member)) continue;
+      s_.provider_marks[provider] |= mark::pushable;
+      for (const Index aim : t_.list(t_.providers[provider].aims)) {
+        if (!holds(aim)) lack(aim);
+      }
     }
   }
-  if (s_.cost[condition] == endless) return false;
-  while (s_.cost_next[condition] != nil) condition = s_.cost_next[condition];
-  out = {member, s_.cost_at[condition], condition};
-  return true;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Index i = 0; i < causers; ++i) {
+      if ((s_.provider_marks[s_.causers[i]] & mark::pushable) != 0) changed = relax(s_.causers[i]) || changed;
+    }
+  }
+  const bool found = s_.cost[condition] != endless;
+  if (found) {
+    while (s_.cost_next[condition] != nil) condition = s_.cost_next[condition];
+    out = {member, s_.cost_at[condition], condition};
+  }
+  for (Index i = 0; i < lacking; ++i) s_.condition_marks[s_.lacked[i]] = 0;
+  for (Index i = 0; i < causers; ++i) s_.provider_marks[s_.causers[i]] = 0;
+  return found;
 }
 
 /// Does this provider, with one of its plans, make a chain shorter (or as short, and declared earlier)?
@@ -179,6 +226,7 @@ bool Pass::relax(Index provider) {
     for (Index i = 0; i < end; ++i) add(s_.entry_provider[i]);
     if (length == endless) continue;
     for (const Index effect : t_.list(row.effects)) {
+      if ((s_.condition_marks[effect] & mark::lacked) == 0) continue;
       const bool shorter = length < s_.cost[effect];
       const Index other = s_.cost_at[effect];
       const bool declared_first = planted(Fault::the_later_provider_is_pushed) ? provider > other : provider < other;

@@ -267,6 +267,10 @@ struct State {
   Bits* edge_trail = nullptr;       ///< edge: bits of `trail`, from pass to pass
   Bits* group_trail = nullptr;      ///< group: likewise
   Bits* known = nullptr;            ///< component: 1: its trail is that of the last pass
+  Index* pushed = nullptr;          ///< groups that have a push, in the last assignment or in this one
+  Index* lacked = nullptr;          ///< conditions that the chain in search may have to make true
+  Index* causers = nullptr;         ///< providers that cause one of them
+  Bits* provider_marks = nullptr;   ///< provider: bits of `mark`
   Index* moved = nullptr;           ///< groups: work list of those that are in another place of the order
 
   /// Calls visit(pointer to member, count) for every array; `scratch()` between the decision state and the rest.
@@ -302,7 +306,8 @@ struct State {
     visit(s.queued, n.edges), visit(s.last_queued, n.edges);
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
     visit(s.edge_trail, n.edges), visit(s.group_trail, n.groups), visit(s.known, n.components);
-    visit(s.moved, n.groups);
+    visit(s.pushed, n.groups), visit(s.lacked, n.conditions), visit(s.causers, n.providers);
+    visit(s.provider_marks, n.providers), visit(s.moved, n.groups);
   }
 
   /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.

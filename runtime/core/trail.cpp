@@ -95,8 +95,7 @@ void Pass::move(Index group) {
 }
 
 void Pass::reach_pushes_of(Index edge) {
-  if (!pushed_) return;
-  for (const Index g : t_.list(c_.groups)) {
+  for (const Index g : pushed_groups()) {
     if (s_.last[g].push.edge == edge) reach(g);
   }
 }
@@ -164,7 +163,7 @@ void Pass::end_decision(Index count) {
     }
     return false;
   };
-  for (const Index g : t_.list(c_.groups)) {
+  for (const Index g : pushed_groups()) {
     const Push &now = s_.now[g].push, &last = s_.last[g].push;
     if (now != last && (ours(now.edge) || ours(last.edge))) reach(g);
   }
@@ -175,6 +174,7 @@ void Pass::compare_with_last(Index edge) {
   const Standing &now = s_.now[group], &last = s_.last[group];
   const bool runs = now.holder == edge && now.granted(), ran = runs_for_now(edge);
   if (!runs && !ran) return;
+  if (!runs) s_.edge_trail[edge] |= trail::on_last; // below outdated orders it was tried as what ran before
   compare_claim(group);
   if (runs != ran || now.active != last.active || now.planned != last.planned) reach(group);
   if ((s_.traits[group] & trait::simple) != 0) return;

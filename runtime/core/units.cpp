@@ -171,7 +171,6 @@ void Pass::refuse(Index count) {
   depends_on_stale_ = depends_on_stale_ || early;
   leave_combination(count);
   explain(count, Why::waiting, s_.unmet[0]);
-  for (Index at = 0; at < count; ++at) s_.edge_trail[s_.member[at]] |= trail::waits;
   if (early) return keep_pushes(count);
   for (Index i = 0; i < unmet; ++i) {
     if (somebody_satisfies(s_.unmet[i]) || planted(Fault::pushes_though_the_outside_decides)) continue;
