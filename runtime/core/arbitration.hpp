@@ -36,6 +36,11 @@ public:
   /// Writes State::traits and component_traits, which follow from the tables. Once, before the first pass.
   void find_traits();
 
+  /// The pass that was made last has left the group as it was, but for what follows when all is claimed.
+  bool as_before(Index group) const {
+    return (s_.group_trail[group] & trail::disturbed) == 0 && (s_.group_marks[group] & mark::listed) == 0 &&
+           (s_.now[group].flags & flag::needed) == 0 && s_.now[group].holder == s_.last[group].holder;
+  }
   /// A plan of some group may pick one provider or another.
   bool alternatives(Index component) const { return (s_.component_traits[component] & trait::alternatives) != 0; }
   /// The result may be another one when it is the last assignment itself.
@@ -105,7 +110,7 @@ private:
     const std::uint8_t bits = s_.edge_trail[edge];
     return (bits & (trail::reached | trail::on_stale)) == 0 && ((bits & trail::waits) == 0 || !disturbed_);
   }
-  void repeat(Index count);
+  void repeat(Index edge);
   void repeat_grant(Index edge);
   void begin_decision(Index count);
   void end_decision(Index count);

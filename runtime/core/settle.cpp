@@ -37,6 +37,7 @@ bool Engine::changed(Index component, bool& stops) {
   const bool plans = alternatives(component);
   bool decision = false;
   for (const Index g : t_.list(t_.components[component].groups)) {
+    if (as_before(g)) continue;
     const Standing &now = s_.now[g], &last = s_.last[g];
     if (now.same(last) && !(plans && other_plan(g))) continue;
     s_.group_marks[g] |= mark::differs;

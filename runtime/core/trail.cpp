@@ -100,35 +100,37 @@ void Pass::reach_pushes_of(Index edge) {
   }
 }
 
-/// The members in hand (State::unit) stand as they stood.
-void Pass::repeat(Index count) {
-  for (Index at = 0; at < count; ++at) {
-    const Index edge = s_.unit[at];
-    s_.member[at] = edge;
-    s_.edge_marks[edge] |= mark::visited;
-    if ((s_.edge_trail[edge] & trail::on_last) != 0) depends_on_last_ = true;
-    if (runs_for_now(edge)) {
-      repeat_grant(edge);
-    } else {
-      s_.edge_marks[edge] |= mark::refused;
-    }
+/// A unit of this one edge stands as it stood.
+void Pass::repeat(Index edge) {
+  s_.edge_marks[edge] |= mark::visited;
+  if ((s_.edge_trail[edge] & trail::on_last) != 0) depends_on_last_ = true;
+  if (runs_for_now(edge)) {
+    repeat_grant(edge);
+  } else {
+    s_.edge_marks[edge] |= mark::refused;
   }
-  if (pushed_) keep_pushes(count);
+  if ((s_.edge_marks[edge] & mark::pushes) == 0) return;
+  s_.member[0] = edge;
+  keep_pushes(1);
 }
 
 void Pass::repeat_grant(Index edge) {
   const Index group = target(edge), provider = s_.last[group].active;
-  if ((s_.traits[group] & trait::simple) != 0) {
+  const std::uint8_t traits = s_.traits[group];
+  if ((traits & trait::flat) == 0) {
+    const Index end = entries_of(group, s_.last);
     claim(group, edge);
-    return now_granted(edge, provider);
+    now_granted(edge, provider);
+    plan_for(group, provider, 0, end);
+    for (Index i = 0; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
+    needs_ = needs_ || end != 0;
+    claim_plan(0, end);
+  } else if ((traits & trait::simple) == 0) {
+    grant_plain(edge, provider);
+  } else {
+    claim(group, edge);
+    now_granted(edge, provider);
   }
-  const Index end = entries_of(group, s_.last);
-  claim(group, edge);
-  now_granted(edge, provider);
-  plan_for(group, provider, 0, end);
-  for (Index i = 0; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
-  needs_ = needs_ || end != 0;
-  claim_plan(0, end);
 }
 
 void Pass::begin_decision(Index count) {
@@ -176,20 +178,21 @@ void Pass::compare_with_last(Index edge) {
   if (!runs && !ran) return;
   if (!runs) s_.edge_trail[edge] |= trail::on_last; // below outdated orders it was tried as what ran before
   compare_claim(group);
-  if (runs != ran || now.active != last.active || now.planned != last.planned) reach(group);
-  if ((s_.traits[group] & trait::simple) != 0) return;
+  bool other = runs != ran || now.active != last.active || now.planned != last.planned;
   const Range slots = t_.groups[group].slots;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) {
-    if (s_.now.plan[slot] != s_.last.plan[slot]) reach(group);
-  }
-  if (ran) {
-    const Index end = entries_of(group, s_.last);
-    for (Index i = 0; i < end; ++i) compare_claim(s_.entry_group[i]);
-  }
-  if (runs) {
-    const Index end = entries_of(group, s_.now);
-    for (Index i = 0; i < end; ++i) compare_claim(s_.entry_group[i]);
-  }
+  for (Index slot = slots.begin; slot != slots.end; ++slot)
+    other = other || s_.now.plan[slot] != s_.last.plan[slot];
+  if (other) reach(group);
+  if ((s_.traits[group] & trait::simple) != 0) return;
+  const auto compare_plan = [&](const Assignment& of) {
+    const Index end = entries_of(group, of);
+    for (Index i = 0; i < end; ++i) {
+      compare_claim(s_.entry_group[i]);
+      if (other) reach(s_.entry_group[i]); // it may be needed otherwise
+    }
+  };
+  if (ran) compare_plan(s_.last);
+  if (runs) compare_plan(s_.now);
 }
 
 void Pass::compare_claim(Index group) {

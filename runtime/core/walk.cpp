@@ -91,6 +91,8 @@ inline void Pass::visit(Index edge, std::uint8_t marks) {
   if ((marks & mark::tried) == 0 && s_.request[edge].level != nil) {
     if ((marks & mark::alone) == 0) {
       try_unit(edge, (marks & mark::below_stale) != 0);
+    } else if (stands(edge)) {
+      repeat(edge);
     } else {
       s_.unit[0] = edge;
       try_alone(edge, (marks & mark::below_stale) != 0);
@@ -100,7 +102,6 @@ inline void Pass::visit(Index edge, std::uint8_t marks) {
 }
 
 void Pass::try_alone(Index edge, bool outdated) {
-  if (stands(edge)) return repeat(1);
   begin_decision(1);
   decide_alone(edge, outdated);
   end_decision(1);
@@ -130,7 +131,8 @@ void Pass::try_unit(Index edge, bool outdated) {
   }
   bool as_before = true;
   for (Index i = 0; i < count; ++i) as_before = as_before && stands(s_.unit[i]);
-  if (as_before) return repeat(count);
+  for (Index i = 0; as_before && i < count; ++i) repeat(s_.unit[i]);
+  if (as_before) return;
   begin_decision(count);
   for (Index i = 0; outdated && i < count; ++i) decide_alone(s_.unit[i], true);
   for (Index i = 0; i < count; ++i) s_.member[i] = s_.unit[i];
