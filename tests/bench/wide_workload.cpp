@@ -16,19 +16,18 @@ public:
   Wide(std::size_t units, std::uint64_t seed, director::Observer observer)
       : robot_(compile_text(wide_units(units)), 64, Play::same, observer),
         random_(seed),
-        units_(units),
         requested_(units) {
     robot_.post(robot_.request(robot_.root("Holder")));
     robot_.step();
-    for (std::size_t i = 0; i < units; ++i) {
-      unit_ = i;
+    for (; unit_ < units; ++unit_) {
+      units_.push_back(robot_.request(robot_.root("Unit_" + std::to_string(unit_ + 1))));
       take();
     }
   }
-  void prepare() override { unit_ = random_.below(units_); }
+  void prepare() override { unit_ = random_.below(units_.size()); }
   /// It is requested, or cancelled.
   void take() override {
-    director::Input input = robot_.request(robot_.root("Unit_" + std::to_string(unit_ + 1)));
+    director::Input input = units_[unit_];
     requested_[unit_] = !requested_[unit_];
     if (!requested_[unit_]) input.kind = director::Input::Kind::cancel;
     robot_.post(input);
@@ -38,7 +37,8 @@ public:
 private:
   TableRobot robot_;
   Random random_;
-  std::size_t units_, unit_ = 0;
+  std::vector<director::Input> units_;
+  std::size_t unit_ = 0; ///< of this input
   std::vector<bool> requested_;
 };
 

@@ -22,7 +22,7 @@ public:
 struct Workload {
   std::string name;  ///< `random/60`
   std::string title; ///< for people
-  std::string aim;   ///< of the mean in ns; empty: none
+  std::string aim;   ///< in ns, of the mean if nothing else is said; empty: none
   std::unique_ptr<Playing> (*make)(std::size_t size, std::uint64_t seed, director::Observer observer) = nullptr;
   std::size_t size = 0;    ///< groups
   std::size_t seeds = 1;   ///< so many are played, one after the other,
