@@ -110,28 +110,33 @@ public:
 } // namespace
 
 void add_grown_cases(std::vector<Entry>& entries) {
-  const auto add = [&](const std::string& family, const char* title, std::initializer_list<std::size_t> sizes,
-                       std::size_t counted, const char* aim, auto director, auto by_hand) {
-    for (const std::size_t size : sizes) {
+  struct Size {
+    std::size_t size;
+    const char* aim = "linear";
+  };
+  const auto add = [&](const std::string& family, const char* title, std::initializer_list<Size> sizes,
+                       std::size_t counted, auto director, auto by_hand) {
+    const std::size_t smallest = sizes.begin()->size;
+    for (const auto& [size, aim] : sizes) {
       Entry entry;
       entry.name = family + "/" + std::to_string(size);
       entry.title = title + (": " + std::to_string(size));
-      if (size != *sizes.begin()) entry.aim = aim;
+      if (size != smallest) entry.aim = aim;
       entry.counted = counted;
       entry.director = director;
       entry.by_hand = by_hand;
       entry.size = size;
-      if (size != *sizes.begin()) entry.grows_from = family + "/" + std::to_string(*sizes.begin());
+      if (size != smallest) entry.grows_from = family + "/" + std::to_string(smallest);
       entries.push_back(entry);
     }
   };
-  add("waiting", "steal of a group, tasks that wait for it", {1, 10, 1'000}, 10, "linear", make_sized<Waiting>,
+  add("waiting", "steal of a group, tasks that wait for it", {{1}, {10}, {1'000, "5,000"}}, 10, make_sized<Waiting>,
       [](std::size_t) -> std::unique_ptr<Case> {
         return std::make_unique<Repeated<ByHand<Input::steal>>>(std::size_t{3});
       });
-  add("apart", "root tasks, all requested at once", {10, 100, 1'000}, 20, "linear", make_sized<Apart>,
+  add("apart", "root tasks, all requested at once", {{10}, {100}, {1'000}}, 20, make_sized<Apart>,
       make_sized<ByHand<Input::all>>);
-  add("together", "tasks of one provider, all requested at once", {10, 100, 1'000}, 20, "linear", make_sized<Together>,
+  add("together", "tasks of one provider, all requested at once", {{10}, {100}, {1'000}}, 20, make_sized<Together>,
       make_sized<AllAndOne>);
 }
 
