@@ -17,7 +17,6 @@ std::string bounds_text(const checks::Bounds& bounds, std::int64_t limit, const 
   const std::string handlers = bounds.handlers_set ? "not counting inputs that handlers cause" : "";
   line("decision state", bounds.decision_bytes, "bytes of RAM", "");
   line("engine", bounds.engine_bytes, "bytes of RAM", "that and what a pass forgets; without data of tasks and inbox");
-  line("recall", bounds.recall_bytes, "bytes of RAM", "what was decided before; none with DIRECTOR_NO_RECALL");
   line("waiting runs", bounds.runs_waiting, "at most", "");
   line("provider trials", bounds.trials, "at most for one decision",
        least.empty() ? fmt::format("`limits: trials` allows {}", limit) : least);
@@ -33,7 +32,6 @@ std::string bounds_text(const checks::Bounds& bounds, std::int64_t limit, const 
 Json bounds_json(const checks::Bounds& bounds) {
   Json out = Json::object({{"decision_state_bytes", Json::number(bounds.decision_bytes)},
                            {"engine_bytes", Json::number(bounds.engine_bytes)},
-                           {"recall_bytes", Json::number(bounds.recall_bytes)},
                            {"waiting_runs", Json::number(bounds.runs_waiting)},
                            {"trials_for_a_decision", Json::number(bounds.trials)},
                            {"trials_in_a_pass", Json::number(bounds.trials_in_a_pass)},

@@ -7,7 +7,6 @@
 #include "compiler/emit/notice.hpp"
 #include "compiler/emit/sha256.hpp"
 #include "compiler/version.hpp"
-#include "runtime/core/recall.hpp"
 #include "runtime/core/state.hpp"
 
 namespace director::compiler {
@@ -31,8 +30,7 @@ Json inputs(const Deployment& from) {
 Json memory(const Tables& tables) {
   const Shape shape = Shape::of(tables);
   return Json::object({{"decision_state", Json::count(director::State::decision_bytes(shape))},
-                       {"engine", Json::count(director::State::bytes(shape))},
-                       {"recall", Json::count(director::Recall::bytes(tables))}});
+                       {"engine", Json::count(director::State::bytes(shape))}});
 }
 
 /// What `directorc check --verbose` prints; docs/integration.md says why each is a bound.

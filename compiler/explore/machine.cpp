@@ -36,7 +36,7 @@ Machine::Machine(const Ground& ground, Breadth breadth)
       breadth_(breadth),
       cells_(inbox_size(ground)),
       inbox_(cells_),
-      memory_(ground.tables, EngineMemory::Recalls::no),
+      memory_(ground.tables),
       engine_(ground.tables, memory_.state().data(), table(), inbox_),
       block_(director::State::decision_bytes(Shape::of(ground.tables))),
       printer_(ground, engine_),

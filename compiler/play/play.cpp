@@ -47,7 +47,7 @@ public:
         cells_(inbox_size(scenario)),
         inbox_(cells_),
         memory_(tables_),
-        engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, recorder_.observer(), memory_.recall()) {
+        engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, recorder_.observer()) {
     recorder_.share(options.events);
     engine_.set_budget(onlooker_ == nullptr ? play_budget : 1);
   }

@@ -66,7 +66,6 @@ constexpr director::Tables rows{
   .most_edges = 1,
 };
 static_assert(director::State::bytes(director::Shape::of(rows)) == director::State::bytes(detail::Whole::shape));
-static_assert(director::Recall::bytes(rows) == detail::Whole::recall_bytes);
 
 } // namespace
 

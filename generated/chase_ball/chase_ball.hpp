@@ -77,7 +77,6 @@ struct Whole final {
   static constexpr director::Shape shape{
       .groups = 2, .providers = 3, .edges = 2, .conditions = 1, .states = 1, .promises = 0, .plan_slots = 0,
       .listen_slots = 1, .most_edges = 1, .components = 1, .lacking = 1};
-  static constexpr std::size_t recall_bytes = 4864;
   static const director::Tables& tables();
   static void called_from_inside();
   static constexpr std::size_t inbox_cells = 64;

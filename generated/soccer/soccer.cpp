@@ -226,7 +226,6 @@ constexpr director::Tables rows{
   .most_edges = 4,
 };
 static_assert(director::State::bytes(director::Shape::of(rows)) == director::State::bytes(detail::Whole::shape));
-static_assert(director::Recall::bytes(rows) == detail::Whole::recall_bytes);
 
 } // namespace
 

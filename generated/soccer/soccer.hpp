@@ -328,7 +328,6 @@ struct Whole final {
   static constexpr director::Shape shape{
       .groups = 24, .providers = 34, .edges = 38, .conditions = 12, .states = 4, .promises = 1, .plan_slots = 0,
       .listen_slots = 3, .most_edges = 4, .components = 1, .lacking = 6};
-  static constexpr std::size_t recall_bytes = 28864;
   static const director::Tables& tables();
   static void called_from_inside();
   static constexpr std::size_t inbox_cells = 64;

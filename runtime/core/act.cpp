@@ -46,7 +46,6 @@ void Engine::act_on_all_touched() {
     untouch(group);
     if (!granted(group)) continue;
     const Index component = s_.turn[group].component;
-    if (component != last) bring_order(component);
     if (count != 0) sorted = sorted && component == last && s_.place[s_.touched[count - 1]] < s_.place[group];
     last = component;
     s_.touched[count++] = group;
@@ -89,9 +88,9 @@ std::span<const Index> Engine::with_reasons() {
   for (Index i = 0; i < c.touched_count; ++i) {
     const Index group = s_.touched[i];
     if (!decided(group)) {
-      if (!granted(group)) continue;
-      bring_order(t_.groups[group].component);
-    } else if ((s_.group_marks[group] & mark::differs) != 0 || !s_.now[group].granted()) {
+      if (!granted(group) || planted(Fault::others_are_overlooked)) continue;
+    } else if ((s_.group_marks[group] & mark::differs) != 0 || !s_.now[group].granted() ||
+               planted(Fault::who_stands_as_before_is_overlooked)) {
       continue;
     }
     s_.sorted[count++] = group;
@@ -113,13 +112,12 @@ void Engine::stop_group(Index group) {
   Turn& turn = s_.turn[group];
   if ((turn.places & place::ends) != 0) end_what_it_has(group);
   turn.pending = turn.done = 0;
-  note_pending(group);
   end_wait(group);
   live_on(group, nil);
   forget_triggers(group);
   for (Index e = turn.edges.begin; e != turn.edges.end; ++e) {
     if (planted(Fault::stopped_requests_stand)) continue;
-    drop_request(e, turn.component);
+    s_.request[e].level = nil;
   }
 }
 
@@ -173,7 +171,7 @@ void Engine::begin(Index group, const Standing& now) {
 /// To a group that is granted and stands elsewhere than before, or was touched.
 void Engine::give_reasons(Index group) {
   const Standing &now = s_.now[group], &last = s_.last[group];
-  if (takes_more(group, last, now)) begin(group, now);
+  if (takes_more(group, last, now) && !planted(Fault::handlers_are_overlooked)) begin(group, now);
   note_given(group, now.holder, reasons(last, now));
   enqueue(group);
 }
@@ -205,7 +203,7 @@ void Engine::settle_data(Index edge) {
 
 /// The new assignment becomes the last one. Runs of groups that are not granted leave the queue; what is pending stays.
 inline void Engine::adopt(Index group) {
-  if (!s_.now[group].granted()) leave_queue(group);
+  if (!s_.now[group].granted() && !planted(Fault::who_leaves_stays_queued)) leave_queue(group);
   s_.group_marks[group] &= static_cast<std::uint8_t>(~mark::differs);
   s_.last[group] = s_.now[group];
   const Range slots = t_.groups[group].slots;
@@ -220,6 +218,7 @@ inline void Engine::adopt_differing() {
 }
 
 void Engine::adopt_order(Index component) {
+  if (planted(Fault::the_order_stays)) return;
   const Component& row = t_.components[component];
   const Index count = s_.order_count[component] = s_.next_count[component];
   const Index* const next = s_.next_order + row.order;

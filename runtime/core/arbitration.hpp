@@ -38,11 +38,6 @@ public:
   bool depends_on_stale() const { return depends_on_stale_; }
 
 protected:
-  /// What a pass would say that decides what was decided before.
-  void recall_decision(bool depends_on_last, bool depends_on_stale) {
-    depends_on_last_ = depends_on_last;
-    depends_on_stale_ = depends_on_stale;
-  }
   bool holds(Index condition) const { return s_.truth[condition] != 0; }
 
 private:

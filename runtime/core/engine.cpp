@@ -9,19 +9,16 @@
 
 namespace director {
 
-Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer,
-               std::span<std::byte> recall)
+Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
     : Pass(tables, State::in(memory, Shape::of(tables))),
       bodies_(bodies),
       inbox_(inbox),
-      observer_(observer),
-      recall_(tables, recall) {
+      observer_(observer) {
   reset();
 }
 
 void Engine::reset() {
-  passes_ = recalled_ = 0;
-  recall_.reset(t_);
+  passes_ = 0;
   const Shape shape = Shape::of(t_);
   State::each(
       s_, shape,
@@ -54,9 +51,8 @@ void Engine::reset() {
       turn.edges = t_.groups[g].edges;
       turn.places = places_of(g);
     }
-    note_places(c);
   }
-  recent_ = starting_ = nil;
+  starting_ = nil;
   inside_ = faulted_ = false;
 }
 
@@ -87,10 +83,9 @@ View Engine::view() const {
   out.values = s_.values;
   out.request = s_.request;
   out.standing = s_.last.group;
-  out.left_queued = s_.queued;
+  out.queued_edge = s_.queued;
   out.turn = s_.turn;
   out.enabled = s_.enabled;
-  out.recall = &recall_;
   out.lost = lost();
   return out;
 }

@@ -7,25 +7,19 @@
 #include "runtime/core/duration.hpp"
 #include "runtime/core/inbox.hpp"
 #include "runtime/core/observer.hpp"
-#include "runtime/core/recall.hpp"
 #include "runtime/core/run.hpp"
 #include "runtime/core/state.hpp"
 #include "runtime/core/view.hpp"
 
 namespace director {
 
-class Decision;
-
 /// Arbitration is its base: so all look at the tables and the memory through one pointer.
 class Engine : private Pass {
 public:
   static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
 
-  /// `memory`: State::bytes(Shape::of(tables)) bytes. `recall`: Recall::bytes(tables), or none: faster where something
-  /// is decided that was decided before, and else the same. Both aligned to 8, better to State::alignment. Begins as
-  /// after reset().
-  Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {},
-         std::span<std::byte> recall = {});
+  /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8, better to State::alignment. Begins as after reset().
+  Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -97,9 +91,8 @@ public:
   View view() const; ///< all that one may ask for; see why.hpp, snapshot.hpp
   Time now() const { return s_.counters->now; }
   std::uint64_t micro_steps() const { return s_.counters->micro_step; } ///< so far
-  std::uint64_t passes() const { return passes_; }     ///< of arbitration over a component, from nothing, so far
-  std::uint64_t recalled() const { return recalled_; } ///< decisions that needed no pass, so far
-  bool inside() const { return inside_; } ///< a body, handler or observer is running; for the thread that calls step()
+  std::uint64_t passes() const { return passes_; } ///< of arbitration over a component, so far
+  bool inside() const { return inside_; }          ///< a body, handler or observer is running; for the thread that calls step()
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs so far; from any thread
   const Tables& tables() const { return t_; }
   const State& memory() const { return s_; }
@@ -131,7 +124,6 @@ private:
   Taken take_request(Input& record);
   Taken take_request_with_data(Input& record);
   Taken take_requests(Input& record);
-  void fetch_what_follows(Index edge);
   Taken take_states(Input& record);
   Taken take_cancel(Index edge);
   Taken take_cancel_of_all();
@@ -172,16 +164,9 @@ private:
   bool break_promise(Index promise);
 
   // notes.hpp
-  void bring_order(Index component);
   void mark(Index component, std::uint8_t bits);
   void mark_stale(Index group);
-  void note_level(Index edge, Index level, bool anew);
-  void note_turn(Index edge, Index component);
-  void note_pending(Index group);
-  std::uint8_t note_news(Index group, std::uint8_t bits);
   static bool needs_pass(std::uint8_t bits);
-  static std::uint8_t left_over(bool other, bool on_last, bool on_stale);
-  std::uint8_t settled_bits(Index component, std::uint8_t left) const;
   void forget_work();
   void touch(Index group);
   void untouch(Index group);
@@ -194,8 +179,7 @@ private:
   Index next_of_queue();
   void leave_queue(Index group);
   void forget_triggers(Index group);
-  Index mark_request(Index edge);
-  void drop_request(Index edge, Index component);
+  void mark_request(Index edge);
   void request(Index edge, Index level);
   void withdraw(Index edge);
   bool set_value(Index state, std::int32_t value);
@@ -204,33 +188,6 @@ private:
   void keep_promises_in(Index component);
   bool asks_again(Index edge, Index level) const;
   void give_what_is_asked_again(Index edge);
-
-  // retrace.hpp: what is known to follow
-  bool retrace();
-  std::uint8_t note_effect(const Recall::Effect& row);
-  void note_outdated(const Recall::Effect& row, std::uint8_t news);
-
-  // recalled.cpp: what a component decides
-  bool settle(Index component, bool& stops);
-  bool settle_by_pass(Index component, bool& stops);
-  Recall::Ties find_order(Index component) const;
-  bool told(Index component, const Recall::Part& known) const;
-  void note_recalled(const Recall::Part& known, const Recall::Move& move);
-  void give_and_join(Index component, const Recall::Effect* row, const Recall::Move& move);
-  void begin_groups(Index component, const Recall::Part& known, const Recall::Move& move);
-  void foretell(Index component, const Index* rows);
-  void learn(Index component, const Recall::Part& known);
-  class Foresight;
-  bool foresee(Index component, const Recall::Part& known, Recall::Move& move) const;
-  void write(Index component, Index* to) const;
-  void read(Index component, const Index* rows);
-  void read_standings(const Component& row, const Decision& decision);
-  void read_order(Index component, const Decision& decision);
-  void bring_order_that_stands(Index component);
-  void forget_decisions(Index component);
-  void note_condition(Index condition);
-  void note_places(Index component);
-  void note_ties(Index component, const Recall::Part& known);
 
   // settle.cpp: after every micro-step
   void arbitrate();
@@ -272,12 +229,10 @@ private:
   Bodies bodies_;
   Inbox& inbox_;
   Observer observer_;
-  Recall recall_;
-  std::uint64_t passes_ = 0, recalled_ = 0;
+  std::uint64_t passes_ = 0;
   std::uint32_t budget_ = default_budget;
   std::uint32_t left_ = 0;      ///< micro-steps that may still be taken
   Index differing_ = 0;         ///< rows of State::differing in use
-  Index recent_ = nil;          ///< component that was asked for something last
   Index starting_ = nil;        ///< the group whose start handler runs: its data may still be staged
   std::uint32_t told_lost_ = 0; ///< inputs that were lost, as far as the observer knows
   mutable bool inside_ = false; ///< a body, handler or observer is running

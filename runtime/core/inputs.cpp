@@ -3,7 +3,6 @@
 //
 // Section 3, Inputs: what the outside asks for, sets and fires, and what handlers set.
 
-#include "runtime/core/fetch.hpp"
 #include "runtime/core/heap_sort.hpp"
 #include "runtime/core/notes.hpp"
 
@@ -61,22 +60,7 @@ Engine::Taken Engine::take_request(Input& record) {
   return Taken::no_change;
 }
 
-/// What a request for the edge leads to, if nobody asked for anything in that component lately. Groups, edges and moves
-/// of a component mostly lie together.
-DIRECTOR_INLINE void Engine::fetch_what_follows(Index edge) {
-  const Requested& request = s_.request[edge];
-  const Turn& turn = s_.turn[request.target];
-  if (turn.component == recent_) return;
-  recent_ = turn.component;
-  constexpr int most_moves = 7; // lines
-  if (recall_.on()) fetch(&recall_.byte(request.situation), 0, most_moves);
-  fetch(&turn, 1, 1);
-  fetch(&s_.last[request.target], 1, 1);
-  fetch(s_.request + turn.edges.begin, 0, 1);
-}
-
 [[gnu::noinline]] Engine::Taken Engine::take_requests(Input& record) {
-  fetch_what_follows(record.thing);
   do {
     if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
     request(record.thing, record.level);
@@ -108,9 +92,8 @@ DIRECTOR_INLINE void Engine::fetch_what_follows(Index edge) {
 [[gnu::noinline]] Engine::Taken Engine::take_enabled(Index provider, std::uint8_t wanted) {
   if (s_.enabled[provider] == wanted) return Taken::no_change;
   s_.enabled[provider] = wanted;
-  const Index component = t_.groups[t_.providers[provider].group].component;
-  forget_decisions(component);
-  mark(component, work::changed);
+  if (!planted(Fault::enabling_is_overlooked))
+    mark(t_.groups[t_.providers[provider].group].component, work::changed);
   return Taken::change;
 }
 
@@ -188,8 +171,7 @@ void Engine::look_at_conditions(Index state) {
     const bool now = value != unset && narrow(calm, t_.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
     if (now == holds(condition)) continue;
     s_.truth[condition] = now ? 1 : 0;
-    note_condition(condition);
-    if (!s_.counters->begun) continue;
+    if (!s_.counters->begun || planted(Fault::conditions_are_overlooked)) continue;
     for (const Index component : t_.list(row.components)) mark(component, work::changed);
   }
   s_.values[state].calm = calm;

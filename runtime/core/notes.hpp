@@ -22,32 +22,13 @@ inline void Engine::mark(Index component, std::uint8_t bits) {
 
 /// Whose orders are outdated may be another from now on. Most of the time nobody has asked.
 inline void Engine::mark_stale(Index group) {
+  if (planted(Fault::who_is_stale_is_overlooked)) return;
   const Turn& turn = s_.turn[group];
   if (turn.counts != 0) {
     mark(turn.component, work::changed);
   } else if ((s_.component[turn.component] & work::stale_counts) != 0) {
     mark(turn.component, work::stale_changed);
   }
-}
-
-// To be told where it is looked up what was decided before (recalled.cpp).
-
-/// An edge that is requested at the level, or (nil) not any more.
-DIRECTOR_INLINE void Engine::note_level(Index edge, Index level, bool anew) {
-  if (planted(Fault::news_are_overlooked)) anew = false;
-  const auto bits = level == nil ? 0 : level % Recall::most_levels + 1;
-  recall_.byte(s_.request[edge].situation) = static_cast<std::uint8_t>(anew ? bits | Recall::anew : bits);
-}
-
-/// An edge that is requested at another level than before, or (nil) not any more.
-DIRECTOR_INLINE void Engine::note_turn(Index edge, Index component) {
-  if (s_.request[edge].ties == 0) return;
-  recall_.part(component).head().ties = Recall::Ties::unknown;
-}
-
-DIRECTOR_INLINE void Engine::note_pending(Index group) {
-  if (planted(Fault::reasons_are_overlooked)) return;
-  recall_.byte(s_.turn[group].situation) = s_.turn[group].pending & reason::outdating;
 }
 
 inline void Engine::touch(Index group) {
@@ -59,22 +40,13 @@ inline void Engine::touch(Index group) {
 
 inline void Engine::untouch(Index group) { s_.turn[group].places &= static_cast<std::uint8_t>(~place::touched); }
 
-/// Bits of Reason. Which of them are news; of those that outdate orders the situation is still to be told.
-DIRECTOR_INLINE std::uint8_t Engine::note_news(Index group, std::uint8_t bits) {
+/// Bits of Reason. True if one of them is news.
+inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
   Turn& turn = s_.turn[group];
   if ((bits & reason::new_task) != 0 && !planted(Fault::done_outlives_a_new_task)) turn.done = 0;
   const auto news = static_cast<std::uint8_t>(bits & ~turn.pending);
   turn.pending |= news;
-  return news;
-}
-
-/// True if one of them is news.
-inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
-  const std::uint8_t news = note_news(group, bits);
-  if ((news & reason::outdating) != 0) {
-    mark_stale(group);
-    note_pending(group);
-  }
+  if ((news & reason::outdating) != 0) mark_stale(group);
   return news != 0;
 }
 
@@ -118,7 +90,6 @@ DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
     if (!planted(Fault::done_outlives_a_new_task)) turn.done = 0;
   }
   enqueue(group);
-  if (anew) note_pending(group);
 }
 
 /// Takes the group away that is to run next.
@@ -147,11 +118,6 @@ inline void Engine::leave_queue(Index group) {
 
 // What the next arbitration has to look at.
 
-/// Who is about to look at State::order or State::place: a known move only notes that they are behind.
-inline void Engine::bring_order(Index component) {
-  if ((s_.component[component] & work::order_behind) != 0) bring_order_that_stands(component);
-}
-
 inline bool Engine::needs_pass(std::uint8_t bits) {
   constexpr std::uint8_t outdated = work::stale_counts | work::stale_changed;
   return (bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated;
@@ -175,33 +141,12 @@ DIRECTOR_INLINE void Engine::forget_work() {
   c.work_count = left;
 }
 
-/// What a decision leaves to note of its component, but for `listed`. `other`: it is another one than before; what it
-/// depends on: see Pass.
-inline std::uint8_t Engine::left_over(bool other, bool on_last, bool on_stale) {
-  std::uint8_t bits = on_stale ? work::stale_counts : 0;
-  if (other && (on_last || on_stale)) bits |= work::unsettled;
-  return bits;
-}
-
-/// With what stays noted besides.
-DIRECTOR_INLINE std::uint8_t Engine::settled_bits(Index component, std::uint8_t left) const {
-  return static_cast<std::uint8_t>(left | (s_.component[component] & (work::reordered | work::order_behind)));
-}
-
 // What inputs and runs ask for.
 
-/// Of an edge that is requested at another level than before, or not any more. Its component.
-DIRECTOR_INLINE Index Engine::mark_request(Index edge) {
+/// Of an edge that is requested at another level than before, or not any more.
+DIRECTOR_INLINE void Engine::mark_request(Index edge) {
   const Index component = s_.turn[s_.request[edge].target].component;
   mark(component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
-  return component;
-}
-
-DIRECTOR_INLINE void Engine::drop_request(Index edge, Index component) {
-  Requested& request = s_.request[edge];
-  request.level = nil;
-  note_turn(edge, component);
-  note_level(edge, nil, request.anew != 0);
 }
 
 DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
@@ -210,20 +155,19 @@ DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
     request.anew = 1; // the same task requested again is a new task
     s_.asked[s_.counters->asked_count++] = edge;
   }
-  const Index group = request.target;
   if (request.level != level) {
     request.stamp = s_.counters->micro_step;
     request.level = level;
-    note_turn(edge, mark_request(edge));
+    mark_request(edge);
   }
-  mark_stale(group);
-  touch(group);
-  note_level(edge, level, true);
+  mark_stale(request.target);
+  touch(request.target);
 }
 
 DIRECTOR_INLINE void Engine::withdraw(Index edge) {
   if (s_.request[edge].level == nil) return;
-  drop_request(edge, mark_request(edge));
+  mark_request(edge);
+  s_.request[edge].level = nil;
 }
 
 /// True if the value changes. What expires counts anew, also where it does not.
@@ -256,12 +200,7 @@ inline void Engine::settle_requests() {
   if (bodies_.data != nullptr) {
     for (Index i = 0; i < count; ++i) settle_data(s_.asked[i]);
   }
-  const std::span<const Index> edges{s_.asked, count};
-  for (const Index edge : edges) {
-    Requested& request = s_.request[edge];
-    request.anew = 0;
-    recall_.byte(request.situation) &= static_cast<std::uint8_t>(~Recall::anew);
-  }
+  for (Index i = 0; i < count; ++i) s_.request[s_.asked[i]].anew = 0;
 }
 
 /// Of a micro-step that asks for this task and for nothing else: it does so again, and nobody looks at whose orders are

@@ -39,13 +39,11 @@ enum class Fault : unsigned char {
   unwanted_needs_live_on,
   a_lost_state_is_nobodys_concern,
   done_outlives_a_new_task,
-  // What is recalled (recall.hpp): of the situation this is overlooked
-  news_are_overlooked,
-  reasons_are_overlooked,
+  // What has to be decided again (settle.cpp): of the changes this is overlooked
+  who_is_stale_is_overlooked,
   conditions_are_overlooked,
   enabling_is_overlooked,
-  a_rest_is_overlooked, // what was decided meanwhile
-  // and of what follows from a known move
+  // and of what follows from a decision (act.cpp)
   handlers_are_overlooked,
   the_order_stays,
   who_stands_as_before_is_overlooked,

@@ -4,7 +4,6 @@
 // and the words by which the outside acts on it. `Facts` is the generated struct that says what the specification
 // declares:
 //   shape, tables()   sizes, known while compiling, and the tables
-//   recall_bytes      for the memory of what was decided before
 //   inbox_cells       how many records of inputs can wait
 //   Data, places      the slots of task data; edge -> its place among those that lead to its task
 //   States            Table of the state types; value -> Setting; the Domain of each state
@@ -103,7 +102,7 @@ public:
 protected:
   Program(const Bodies& bodies, Observer observer)
       : inbox_(cells_, words_),
-        engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer, recall_) {}
+        engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer) {}
   ~Program() = default;
 
   StepResult step_to(Time now) { return checked(engine_.step(now)); }
@@ -115,11 +114,6 @@ protected:
 private:
   Post words() { return {inbox_, data_, &engine_}; }
 
-#ifdef DIRECTOR_NO_RECALL
-  static constexpr std::size_t recall_bytes = 0;
-#else
-  static constexpr std::size_t recall_bytes = Facts::recall_bytes;
-#endif
   static StepResult checked(StepResult result) {
     if (result == StepResult::refused) Facts::called_from_inside();
     return result;
@@ -133,7 +127,6 @@ private:
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
   std::array<LastWords::Slot, WordSlots<Facts>::count> words_;
   alignas(State::alignment) std::array<std::byte, State::bytes(Facts::shape)> memory_;
-  alignas(State::alignment) std::array<std::byte, recall_bytes> recall_;
   Inbox inbox_;
   Engine engine_;
 };

@@ -18,11 +18,13 @@ void Engine::arbitrate() {
   differing_ = 0;
   for (Index i = 0; i < passes; ++i) {
     const Index component = s_.work[i];
-    bring_order(component);
     if (observed()) remember_queued(component);
-    const bool other = settle(component, stops);
-    s_.component[component] =
-        settled_bits(component, left_over(other, depends_on_last(), depends_on_stale())) | work::listed | work::passed;
+    ++passes_;
+    decide(component);
+    const bool other = changed(component, stops);
+    std::uint8_t left = depends_on_stale() ? work::stale_counts : 0;
+    if (other && (depends_on_last() || depends_on_stale())) left |= work::unsettled;
+    s_.component[component] = left | work::listed | work::passed;
   }
   act(passes, stops);
   forget_work();

@@ -4,7 +4,6 @@
 // It begins with the decision state: everything that the next decision depends on, trivially copyable, so that two
 // blocks with equal decision bytes behave alike. Behind it lies what one pass needs and forgets.
 
-#include "runtime/core/fetch.hpp"
 #include "runtime/core/tables.hpp"
 #include "runtime/core/words.hpp"
 
@@ -52,8 +51,7 @@ inline constexpr std::uint8_t stale_changed = 8;  ///< and may be another since
 inline constexpr std::uint8_t listed = 16;        ///< it stands in State::work
 inline constexpr std::uint8_t passed = 32;        ///< it was decided again in this micro-step
 inline constexpr std::uint8_t reordered = 64;     ///< an edge of root may be in another place among its like
-inline constexpr std::uint8_t order_behind = 128; ///< State::order and State::place are of an earlier decision
-inline constexpr std::uint8_t kept = stale_counts | reordered | order_behind; ///< also where nothing is to be decided
+inline constexpr std::uint8_t kept = stale_counts | reordered; ///< also where nothing is to be decided
 } // namespace work
 
 /// Bits of Turn::pending, as Reason.
@@ -127,8 +125,6 @@ struct Requested {
   std::uint64_t stamp = 0; ///< micro-step in which it became requested or changed its level
   Index level = nil;       ///< of Tables::levels, at which it is requested; nil
   Index target = 0;        ///< as Edge::target
-  Index situation = 0;     ///< where Recall has its byte; 0: nobody looks at it
-  Bits ties{};             ///< 1: Recall looks at it, and a sibling can have its urgency
   Bits anew{};             ///< 1: requested anew in this micro-step
 };
 
@@ -140,7 +136,6 @@ struct Turn {
   Index counts = 0;        ///< 1: that its orders were outdated made a difference in the last pass
   Index component = 0;     ///< as Group::component
   Range edges{};           ///< as Group::edges
-  Index situation = 0;     ///< where Recall has its byte; 0: nobody looks at it
   Bits places{};           ///< bits of `place`
   Bits pending{};          ///< bits of Reason
   Bits done{};             ///< bits of `result`
@@ -304,9 +299,8 @@ struct State {
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
   }
 
-  /// What the block should be aligned to; it must be to 8. So rows do not lie on two lines of the cache that need not.
-  /// Small machines have none.
-  static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : line_of_cache;
+  /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.
+  static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : 64;
 
   /// Bytes of the decision state, and of the whole block.
   static constexpr std::size_t decision_bytes(const Shape& shape) { return measure(shape).decision; }

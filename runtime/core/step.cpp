@@ -3,10 +3,9 @@
 //
 // Section 3: micro-steps. One loop takes them in the order of choice: what handlers set, the oldest input, what is due
 // at the time being served, the oldest run, one more arbitration; then the next due time. What most micro-steps are
-// made of, a run and a known move, are parts of that loop, without a call.
+// made of, a run, is a part of that loop, without a call.
 
 #include "runtime/core/notes.hpp"
-#include "runtime/core/retrace.hpp"
 
 namespace director {
 
@@ -83,7 +82,6 @@ DIRECTOR_INLINE Index Engine::run_next() {
   mark_stale(group);
   const bool pushed = in_force(group);
   const Index provider = s_.last[group].active;
-  note_pending(group);
   if (!pushed) reasons &= static_cast<std::uint8_t>(~reason::pushed);
   if (reasons == 0) return nil; // nobody pushes it any more
 
@@ -143,7 +141,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   Counters& c = *s_.counters;
   c.unsettled = false;
   if (c.work_count != 0) {
-    if (c.work_count != 1 || !retrace()) arbitrate();
+    arbitrate();
     if (c.asked_count != 0) settle_requests();
   } else if (c.touched_count != 0) { // as is what was asked for
     act_on_touched();

@@ -3,23 +3,12 @@
 
 #include "runtime/core/view.hpp"
 
-#include "runtime/core/decision.hpp"
-#include "runtime/core/recall.hpp"
-
 namespace director {
 
 RunState View::state(Index edge) const {
   const Index group = tables->edges[edge].target;
   if (granted(group) && holder(group) == edge) return RunState::running;
   return requested(edge) ? RunState::queued : RunState::none;
-}
-
-Queued View::queued(Index edge) const {
-  const Index component = tables->groups[tables->edges[edge].target].component;
-  const Recall::Part known = recall == nullptr ? Recall::Part() : recall->part(component);
-  if (!known || known.current() == Recall::unknown) return left_queued[edge];
-  const Decision decision(known.row(known.current()), tables->components[component]);
-  return decision.queued(recall->place(request[edge].situation, known));
 }
 
 Holding View::holding(Index group) const {
@@ -43,9 +32,6 @@ View View::copy(std::byte* room) const {
     array = to;
     at += count * sizeof(T);
   });
-  auto* const queued_now = const_cast<Queued*>(out.left_queued); // in the room
-  for (Index e = 0; e < tables->edges.size(); ++e) queued_now[e] = queued(e);
-  out.recall = nullptr;
   return out;
 }
 

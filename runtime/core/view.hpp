@@ -7,8 +7,6 @@
 
 namespace director {
 
-class Recall;
-
 /// Who holds a group.
 struct Holding {
   enum class By : std::uint8_t {
@@ -34,18 +32,16 @@ struct View {
   const Requested* request = nullptr;
   const StateValue* values = nullptr;
   const Standing* standing = nullptr;
-  const Queued* left_queued = nullptr; ///< by the last pass; see queued()
+  const Queued* queued_edge = nullptr; ///< by the last pass
   const Turn* turn = nullptr;
   const Bits* enabled = nullptr;
-
-  const Recall* recall = nullptr; ///< knows more than the last pass where a decision was recalled since; null: no more
 
   bool is_limbo(Index edge) const { return edge != nil && edge >= tables->edges.size(); }
   Index holder(Index group) const { return standing[group].holder; }
   bool granted(Index group) const { return standing[group].granted(); }
   bool requested(Index edge) const { return request[edge].level != nil; }
   RunState state(Index edge) const; ///< of a request: running, queued or none
-  Queued queued(Index edge) const;  ///< why it does not run
+  Queued queued(Index edge) const { return queued_edge[edge]; } ///< why it does not run
   Holding holding(Index group) const;
 
 private:
@@ -57,7 +53,7 @@ private:
   template <class Visit>
   constexpr void each(const Shape& n, Visit&& visit) {
     visit(request, n.edges), visit(values, n.states), visit(standing, n.groups);
-    visit(left_queued, n.edges), visit(turn, n.groups), visit(enabled, n.providers);
+    visit(queued_edge, n.edges), visit(turn, n.groups), visit(enabled, n.providers);
   }
 
 public:

@@ -3,7 +3,6 @@
 // The memory of an engine whose tables are known only while running, from the heap, taken once. Generated code has it
 // in its Behaviour and does not need this.
 
-#include "runtime/core/recall.hpp"
 #include "runtime/core/state.hpp"
 
 #include <cstddef>
@@ -14,17 +13,11 @@ namespace director {
 
 class EngineMemory {
 public:
-  /// Is there also memory of what was decided before?
-  enum class Recalls : bool { no, yes };
-
-  explicit EngineMemory(const Tables& tables, Recalls recalls = Recalls::yes)
-      : state_(lines(State::bytes(Shape::of(tables)))),
-        recall_(recalls == Recalls::yes ? lines(Recall::bytes(tables)) : 0) {}
+  explicit EngineMemory(const Tables& tables) : state_(lines(State::bytes(Shape::of(tables)))) {}
 
   /// What an engine is built with.
   std::span<std::byte> state() { return std::as_writable_bytes(std::span(state_)); }
   std::span<const std::byte> state() const { return std::as_bytes(std::span(state_)); }
-  std::span<std::byte> recall() { return std::as_writable_bytes(std::span(recall_)); }
 
 private:
   struct alignas(State::alignment) Line {
@@ -32,7 +25,7 @@ private:
   };
   static std::size_t lines(std::size_t bytes) { return (bytes + sizeof(Line) - 1) / sizeof(Line); }
 
-  std::vector<Line> state_, recall_;
+  std::vector<Line> state_;
 };
 
 } // namespace director

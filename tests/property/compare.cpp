@@ -40,7 +40,6 @@ public:
       step(i % steps);
       if (!out_.difference.empty()) out_.difference = "step " + std::to_string(i + 1) + ": " + out_.difference;
     }
-    show(Show::recalled, engine_.engine().recalled() > 0);
     const oracle::Notes& notes = oracle_.behaviour().notes();
     show(Show::ladder, notes.ladders > 0);
     show(Show::denial_by_an_equal, notes.denials > 0);

@@ -23,7 +23,6 @@ enum class Show {
   dropped_push,
   deferral,
   broken_promise,
-  recalled,
   count
 };
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Show::count)> show_names{
@@ -36,8 +35,7 @@ inline constexpr std::array<std::string_view, static_cast<std::size_t>(Show::cou
     "a level change",
     "a dropped push",
     "a deferral",
-    "a broken promise",
-    "a decision that was recalled"};
+    "a broken promise"};
 
 struct Verdict {
   std::string difference; ///< empty: engine and oracle agree
@@ -50,8 +48,8 @@ struct Verdict {
 /// How a scenario is played.
 enum class Manner {
   once,     ///< each due time has a step to itself, as in `directorc simulate`, which must then tell the same
-  often,    ///< the same, and then all of it thrice more, so that much was decided before
-  in_leaps, ///< time is given to the engine in leaps, so that timers are late; and it recalls nothing
+  often,    ///< the same, and then all of it thrice more, from where it ended
+  in_leaps, ///< time is given to the engine in leaps, so that timers are late
 };
 /// Of random cases.
 inline Manner manner_of(std::uint64_t seed) {

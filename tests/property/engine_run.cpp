@@ -27,8 +27,8 @@ EngineRun::EngineRun(const Compiled& compiled, bool leap)
       recorder_(compiled.model, compiled.lowered, false, sink_),
       cells_(inbox_cells),
       inbox_(cells_),
-      memory_(tables_, leap ? EngineMemory::Recalls::no : EngineMemory::Recalls::yes),
-      engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, recorder_.observer(), memory_.recall()),
+      memory_(tables_),
+      engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, recorder_.observer()),
       leap_(leap) {
   for (const compiler::Setting& given : compiled.scenario.given) {
     engine_.preset(static_cast<Index>(given.state.value), static_cast<std::int32_t>(given.value));

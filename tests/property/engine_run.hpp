@@ -35,7 +35,7 @@ private:
   compiler::Recorder recorder_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
-  EngineMemory memory_; ///< with recalling only where time does not leap
+  EngineMemory memory_;
   Engine engine_;
   bool leap_;
   Time now_ = 0, until_ = 0;

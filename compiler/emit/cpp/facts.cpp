@@ -3,7 +3,6 @@
 //
 // What the C++ compiler must know of the specification: numbers of rows, and what each body may ask for.
 #include "compiler/emit/cpp/parts.hpp"
-#include "runtime/core/recall.hpp"
 #include "runtime/core/state.hpp"
 
 #include <fmt/format.h>
@@ -109,7 +108,6 @@ void whole_facts(Code& code, const CppEmission& e) {
              fmt::format(".most_edges = {}", most_edges), fmt::format(".components = {}", components),
              fmt::format(".lacking = {}", lacking)},
             "};");
-  code.line(fmt::format("static constexpr std::size_t recall_bytes = {};", director::Recall::bytes(e.tables)));
   code.line("static const director::Tables& tables();");
   code.line("static void called_from_inside();");
   code.line(fmt::format("static constexpr std::size_t inbox_cells = {};",

@@ -234,7 +234,6 @@ Code tables_part(const CppEmission& e) {
   code.close("};");
   code.line("static_assert(director::State::bytes(director::Shape::of(rows)) == "
             "director::State::bytes(detail::Whole::shape));");
-  code.line("static_assert(director::Recall::bytes(rows) == detail::Whole::recall_bytes);");
   code.blank();
   code.line("} // namespace");
   return code;

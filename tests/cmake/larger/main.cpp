@@ -3,8 +3,4 @@
 
 #include <cstdio>
 
-int main() {
-  const Watched watched = watch();
-  std::printf("%s, decisions are %s\n", watched.events > 0 ? "events are told" : "no events",
-              watched.recalled > 0 ? "recalled" : "made anew");
-}
+int main() { std::puts(watch() > 0 ? "events are told" : "no events"); }

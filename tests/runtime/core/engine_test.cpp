@@ -316,7 +316,7 @@ TEST_CASE("data wait in the staging slot until the act is over, and stay with a 
 
 TEST_CASE("two engines on one set of tables know nothing of each other") {
   Machine machine(pair);
-  EngineMemory memory(machine.tables(), Recalls::no);
+  EngineMemory memory(machine.tables());
   std::vector<Inbox::Cell> cells(4);
   Inbox inbox(cells);
   std::vector<Outcome (*)(void*, Run&)> run(machine.tables().providers.size(),

@@ -5,11 +5,11 @@
 
 namespace director::tests {
 
-Machine::Machine(const std::string& behaviour, std::size_t inbox, Recalls recalls)
+Machine::Machine(const std::string& behaviour, std::size_t inbox)
     : compiled_(compile(behaviour)),
       lowered_(compiler::lower(compiled_.model)),
       tables_(lowered_.view()),
-      memory_(tables_, recalls),
+      memory_(tables_),
       cells_(inbox),
       inbox_(cells_) {
   run_.assign(tables_.providers.size(), [](void* self, Run& run) {
@@ -32,7 +32,7 @@ Machine::Machine(const std::string& behaviour, std::size_t inbox, Recalls recall
     machine.data_moves.push_back(std::string(names[static_cast<std::size_t>(what)]) + " " + machine.edge_name(edge));
   };
   const Observer observer{[](void* self, const Event& event) { static_cast<Machine*>(self)->tell(event); }, this};
-  engine_ = std::make_unique<Engine>(tables_, memory_.state().data(), bodies, inbox_, observer, memory_.recall());
+  engine_ = std::make_unique<Engine>(tables_, memory_.state().data(), bodies, inbox_, observer);
 }
 
 Machine& Machine::body(const std::string& provider, Body body) {

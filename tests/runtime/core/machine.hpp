@@ -20,14 +20,12 @@ namespace director::tests {
 
 using Lines = std::vector<std::string>;
 
-using Recalls = EngineMemory::Recalls;
-
 class Machine {
 public:
   using Body = std::function<Outcome(Run&)>;
   using Handler = std::function<void(Handling&)>;
 
-  explicit Machine(const std::string& behaviour, std::size_t inbox = 64, Recalls recalls = Recalls::no);
+  explicit Machine(const std::string& behaviour, std::size_t inbox = 64);
 
   /// A body for `Walk.halting` or `Kick`; without one a provider asks for all that it may, at the first level.
   Machine& body(const std::string& provider, Body body);

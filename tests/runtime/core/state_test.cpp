@@ -43,20 +43,6 @@ TEST_CASE("every array lies inside the block, aligned, behind the one before") {
   CHECK(static_cast<std::size_t>(at - reinterpret_cast<const std::byte*>(memory.data())) <= State::bytes(some));
 }
 
-TEST_CASE("in an aligned block no row lies on two lines of the cache that need not") {
-  struct alignas(line_of_cache) Line {
-    std::byte bytes[line_of_cache];
-  };
-  std::vector<Line> memory(State::bytes(some) / line_of_cache + 1);
-  State state = State::in(memory.front().bytes, some);
-  const auto lines = [](const auto& row) {
-    const auto at = reinterpret_cast<std::uintptr_t>(&row);
-    return (at + sizeof(row) - 1) / line_of_cache - at / line_of_cache + 1;
-  };
-  for (std::size_t g = 0; g < some.groups; ++g) CHECK(lines(state.turn[g]) == 1);
-  for (std::size_t s = 0; s < some.states; ++s) CHECK(lines(state.values[s]) == 1);
-}
-
 TEST_CASE("the decision state is the smaller part, and its size is known at compile time") {
   static_assert(State::decision_bytes(Shape{}) > 0);
   CHECK(State::decision_bytes(some) < State::bytes(some));

@@ -3,7 +3,6 @@
 #include "compiler/checks/analysis/plans/bounds.hpp"
 
 #include "compiler/checks/analysis/plans/plans.hpp"
-#include "runtime/core/recall.hpp"
 #include "runtime/core/state.hpp"
 
 #include <algorithm>
@@ -101,7 +100,6 @@ Bounds find_bounds(const Model& model, const Tables& tables) {
   const Shape shape = Shape::of(tables);
   out.decision_bytes = static_cast<std::int64_t>(director::State::decision_bytes(shape));
   out.engine_bytes = static_cast<std::int64_t>(director::State::bytes(shape));
-  out.recall_bytes = static_cast<std::int64_t>(director::Recall::bytes(tables));
   out.runs_waiting = static_cast<std::int64_t>(tables.groups.size());
   out.repetitions = contended(tables);
   out.to_first_run = out.calm_input = 1 + out.runs_waiting;

@@ -13,7 +13,6 @@ using namespace director::compiler;
 struct Bounds {
   std::int64_t decision_bytes = 0;   ///< RAM of the decision state
   std::int64_t engine_bytes = 0;     ///< that, and what a pass needs and forgets
-  std::int64_t recall_bytes = 0;     ///< and what was decided before
   std::int64_t runs_waiting = 0;     ///< entries of the run queue
   std::int64_t trials = 0;           ///< combinations of providers and plans for one task, or for one unit
   std::int64_t trials_in_a_pass = 0; ///< the same, for all that one pass decides
