@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is measured: a case, done by Director or by hand. Used by the benchmark, which takes the time, and by
-// count_instructions, which counts.
+// A small case, done by Director or by hand; what users do is in workload.hpp. Used by the benchmark, which takes the
+// time, and by count_instructions, which counts.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,11 +15,10 @@ class Case {
 public:
   virtual ~Case() = default;
   virtual void run(std::size_t times) = 0;
-  virtual std::uint64_t calls() const = 0;    ///< of providers, so far
-  virtual double passes() const { return 0; } ///< of arbitration a micro-step, so far
+  virtual std::uint64_t calls() const = 0; ///< of providers, so far
 };
 
-/// `It` has once() and calls(), and may have passes().
+/// `It` has once() and calls().
 template <class It>
 class Repeated final : public Case {
 public:
@@ -32,10 +31,6 @@ public:
     }
   }
   std::uint64_t calls() const override { return it_.calls(); }
-  double passes() const override {
-    if constexpr (requires { it_.passes(); }) return it_.passes();
-    return 0;
-  }
 
 private:
   It it_;
@@ -49,7 +44,6 @@ struct Entry {
   std::unique_ptr<Case> (*director)(std::size_t size) = nullptr;
   std::unique_ptr<Case> (*by_hand)(std::size_t size) = nullptr;
   std::size_t size = 0;   ///< of a case that grows
-  std::size_t round = 1;  ///< done so often, it has used all that it has
   std::string grows_from; ///< the entry that it is compared with
 };
 

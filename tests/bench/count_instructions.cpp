@@ -1,9 +1,10 @@
 // Door: this program. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// Under callgrind: does each case some times, and lets callgrind write what that took to a file of its own. Prints what
-// was done, in the order of these files: the name and how often.
+// Under callgrind: does each workload and each case some times, and lets callgrind write what that took to a file of
+// its own. Prints what was done, in the order of these files: the name and how often.
 #include "tests/bench/case.hpp"
+#include "tests/bench/workload.hpp"
 
 #include <valgrind/callgrind.h>
 
@@ -12,19 +13,38 @@
 
 namespace {
 
-void count(const std::string& name, bench::Case& it, std::size_t times) {
-  it.run(std::min<std::size_t>(times, 100)); // what is only done once is behind it
+template <class Do>
+void count(const std::string& name, std::size_t times, Do&& do_all) {
   CALLGRIND_START_INSTRUMENTATION;
   CALLGRIND_ZERO_STATS;
-  it.run(times);
+  do_all();
   CALLGRIND_DUMP_STATS_AT(name.c_str());
   CALLGRIND_STOP_INSTRUMENTATION;
   std::cout << name << " " << times << std::endl;
 }
 
+void count(const std::string& name, bench::Case& it, std::size_t times) {
+  it.run(std::min<std::size_t>(times, 100)); // what is only done once is behind it
+  count(name, times, [&] { it.run(times); });
+}
+
+void count(const bench::Workload& workload) {
+  if (workload.counted == 0) return;
+  const std::unique_ptr<bench::Playing> playing = workload.make(workload.size, 1, {});
+  count(workload.name, workload.counted, [&] {
+    for (std::size_t i = 0; i < workload.counted; ++i) {
+      CALLGRIND_TOGGLE_COLLECT;
+      playing->prepare();
+      CALLGRIND_TOGGLE_COLLECT;
+      playing->take();
+    }
+  });
+}
+
 } // namespace
 
 int main() {
+  for (const bench::Workload& each : bench::workloads()) count(each);
   for (const bench::Entry& entry : bench::entries()) {
     if (entry.counted == 0) continue;
     count(entry.name, *entry.director(entry.size), entry.counted);

@@ -3,7 +3,6 @@
 #include "tests/bench/grown_cases.hpp"
 
 #include "tests/bench/by_hand.hpp"
-#include "tests/bench/robocup.hpp"
 #include "tests/bench/table_robot.hpp"
 #include "tests/bench/texts.hpp"
 
@@ -18,57 +17,6 @@ namespace {
 void expect(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
 }
-
-/// Trees far from each other in memory come after each other: no tree is warm when its turn comes.
-constexpr std::size_t stride = 617;
-
-class Trees {
-public:
-  explicit Trees(std::size_t groups) : trees_(groups / 10), robot_(compile_text(trees(groups)), 64) {
-    for (std::size_t i = 1; i <= trees_; ++i) {
-      const std::string tree = std::to_string(i);
-      const Index pose = robot_.state("Pose_" + tree);
-      Act& walking = robot_.act("Walk_" + tree + ".walking");
-      walking.state = pose;
-      walking.value = robot_.value(pose, "moving");
-      Act& halting = robot_.act("Walk_" + tree + ".halting");
-      halting.state = pose;
-      halting.value = robot_.value(pose, "standing");
-      robot_.act("Kick_" + tree).answer = director::Outcome::Kind::done;
-      kicks_.push_back(robot_.request(robot_.root("Kick_" + tree)));
-      robot_.post(robot_.request(robot_.root("Robot_" + tree)));
-      robot_.step();
-    }
-    expect(robot_.calls() == 9 * trees_, "every robot walks");
-    once();
-    expect(robot_.calls() == 9 * trees_ + 4, "a kick is one push and one steal");
-  }
-  void once() {
-    next_ = (next_ + stride) % trees_;
-    robot_.post(kicks_[next_]);
-    robot_.step();
-  }
-  std::uint64_t calls() const { return robot_.calls(); }
-
-private:
-  std::size_t trees_, next_ = 0;
-  TableRobot robot_;
-  std::vector<director::Input> kicks_;
-};
-
-class TreesByHand {
-public:
-  explicit TreesByHand(std::size_t groups) : trees_(groups / 10), robot_(build_by_hand(groups)) {}
-  void once() {
-    next_ = (next_ + stride) % trees_;
-    take(robot_, Input::kick, 10 * next_);
-  }
-  std::uint64_t calls() const { return robot_.calls; }
-
-private:
-  std::size_t trees_, next_ = 0;
-  Robot robot_;
-};
 
 class Waiting {
 public:
@@ -162,33 +110,34 @@ public:
 } // namespace
 
 void add_grown_cases(std::vector<Entry>& entries) {
-  const auto add = [&](const std::string& family, const char* title, std::initializer_list<std::size_t> sizes,
-                       std::size_t counted, const char* aim, auto director, auto by_hand) {
-    for (const std::size_t size : sizes) {
+  struct Size {
+    std::size_t size;
+    const char* aim = "linear";
+  };
+  const auto add = [&](const std::string& family, const char* title, std::initializer_list<Size> sizes,
+                       std::size_t counted, auto director, auto by_hand) {
+    const std::size_t smallest = sizes.begin()->size;
+    for (const auto& [size, aim] : sizes) {
       Entry entry;
       entry.name = family + "/" + std::to_string(size);
       entry.title = title + (": " + std::to_string(size));
-      if (size != *sizes.begin()) entry.aim = aim;
+      if (size != smallest) entry.aim = aim;
       entry.counted = counted;
       entry.director = director;
       entry.by_hand = by_hand;
       entry.size = size;
-      if (family == "trees") entry.round = size / 10;
-      if (size != *sizes.begin()) entry.grows_from = family + "/" + std::to_string(*sizes.begin());
+      if (size != smallest) entry.grows_from = family + "/" + std::to_string(smallest);
       entries.push_back(entry);
     }
   };
-  add("trees", "groups in trees of ten, a steal and a push in one", {100, 1'000, 10'000}, 200, "1.5x",
-      make_sized<Trees>, make_sized<TreesByHand>);
-  add("waiting", "steal of a group, tasks that wait for it", {1, 10, 1'000}, 10, "linear", make_sized<Waiting>,
+  add("waiting", "steal of a group, tasks that wait for it", {{1}, {10}, {1'000, "5,000"}}, 10, make_sized<Waiting>,
       [](std::size_t) -> std::unique_ptr<Case> {
         return std::make_unique<Repeated<ByHand<Input::steal>>>(std::size_t{3});
       });
-  add("apart", "root tasks, all requested at once", {10, 100, 1'000}, 20, "linear", make_sized<Apart>,
+  add("apart", "root tasks, all requested at once", {{10}, {100}, {1'000}}, 20, make_sized<Apart>,
       make_sized<ByHand<Input::all>>);
-  add("together", "tasks of one provider, all requested at once", {10, 100, 1'000}, 20, "linear", make_sized<Together>,
+  add("together", "tasks of one provider, all requested at once", {{10}, {100}, {1'000}}, 20, make_sized<Together>,
       make_sized<AllAndOne>);
-  add_robocup(entries);
 }
 
 } // namespace bench

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Cases that grow, and a game of robocup.
+// Cases that grow.
 
 #include "tests/bench/case.hpp"
 

@@ -45,6 +45,26 @@ std::string table(const std::vector<Row>& rows) {
   return out;
 }
 
+std::string table(const std::vector<WorkloadRow>& rows) {
+  std::string out = "| workload, ns an input | mean | aim | p50 | p99 | p99.9 | max | runs | by hand | instructions |\n"
+                    "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+  for (const auto& [workload, times, instructions] : rows) {
+    out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", workload.title, number(times.mean),
+                       workload.aim, number(times.p50), number(times.p99), number(times.p999), number(times.max),
+                       number(times.calls), number(times.by_hand), or_nothing(instructions, whole(instructions)));
+  }
+  return out;
+}
+
+std::string faults_of(const std::vector<WorkloadRow>& rows) {
+  std::string out;
+  for (const WorkloadRow& row : rows) {
+    if (row.times.heap_uses > 0)
+      out += fmt::format("{}: it allocated {} times\n", row.workload.name, row.times.heap_uses);
+  }
+  return out;
+}
+
 std::string faults_of(const std::vector<Row>& rows) {
   std::string out;
   for (const Row& row : rows) {

@@ -3,6 +3,7 @@
 // What was measured, as a table for people; and whether it can be believed.
 
 #include "tests/bench/case.hpp"
+#include "tests/bench/times.hpp"
 
 #include <map>
 #include <string>
@@ -22,11 +23,19 @@ struct Row {
 /// A floor takes no more for a provider call; else it is none.
 inline constexpr double slowest_floor = 5;
 
+struct WorkloadRow {
+  const Workload& workload;
+  Times times;
+  double instructions = 0; ///< 0: not counted
+};
+
 /// In Markdown.
 std::string table(const std::vector<Row>& rows);
+std::string table(const std::vector<WorkloadRow>& rows);
 
 /// A line each; empty if there is none.
 std::string faults_of(const std::vector<Row>& rows);
+std::string faults_of(const std::vector<WorkloadRow>& rows);
 
 /// Lines of a name and a number.
 std::map<std::string, double> read_counts(const std::string& file);

@@ -1,12 +1,10 @@
-// Door: tests/bench/robocup.hpp. Test: tests/bench/CMakeLists.txt.
+// Door: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "tests/bench/robocup.hpp"
-
-#include "tests/bench/by_hand.hpp"
+//
+// behaviours/robocup plays by a script: what a robot's senses and a referee say, and bodies that take turns in what
+// their providers may ask for.
 #include "tests/bench/table_robot.hpp"
-
-#include <array>
-#include <stdexcept>
+#include "tests/bench/workload.hpp"
 
 namespace bench {
 
@@ -18,9 +16,10 @@ constexpr director::Time tick = 10'000; // us
 
 /// One tick of 10 ms. Sensors speak at each, the ball is seen at 33 Hz and the goals at 10 Hz; a half begins with
 /// READY and SET, the robot falls every two minutes and stands again four seconds later.
-class Robocup {
+class Robocup final : public Playing {
 public:
-  Robocup() : robot_(compile_file("behaviours/robocup/robocup.yaml"), 64, Play::changing) {
+  Robocup(std::size_t, std::uint64_t, director::Observer observer)
+      : robot_(compile_file("behaviours/robocup/robocup.yaml"), 64, Play::changing, observer) {
     robot_.act_length = 64;
     set("Stability", "STANDING");
     set("WalkState", "STOPPED");
@@ -29,17 +28,13 @@ public:
     robot_.step();
   }
 
-  void once() {
+  void take() override {
     const std::uint64_t second = ticks_ / 100;
     if (ticks_ % 100 == 0) every_second(second);
     fire(sensors_);
     if (ticks_ % 3 == 0) fire(ball_);
     if (ticks_ % 10 == 0) fire(goals_);
     robot_.step(static_cast<director::Time>(++ticks_) * tick);
-  }
-  std::uint64_t calls() const { return robot_.calls(); }
-  double passes() const {
-    return static_cast<double>(robot_.engine().passes()) / static_cast<double>(robot_.engine().micro_steps());
   }
 
 private:
@@ -65,13 +60,13 @@ private:
 
 } // namespace
 
-void add_robocup(std::vector<Entry>& entries) {
-  Entry entry;
-  entry.name = "robocup";
-  entry.title = "behaviours/robocup: 10 ms of a game by script";
-  entry.counted = 2'000;
-  entry.director = make<Robocup>;
-  entries.push_back(entry);
+void add_robocup(std::vector<Workload>& workloads) {
+  workloads.push_back({.name = "robocup",
+                       .title = "behaviours/robocup: 10 ms of a game by script",
+                       .aim = "2,000",
+                       .make = play<Robocup>,
+                       .inputs = 60'000,
+                       .counted = 2'000});
 }
 
 } // namespace bench

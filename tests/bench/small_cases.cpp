@@ -247,9 +247,9 @@ void add_small_cases(std::vector<Entry>& entries) {
   add("set", "set a state that changes no condition", "10", make<Set>, make<ByHand<Input::set, 1>>);
   add("again", "re-request of a running root task (one provider run)", "40", make<Again>,
       make<ByHand<Input::again, 1>>);
-  add("steal", "steal: two root tasks over one shared task (two runs)", "120", make<Steal>,
+  add("steal", "steal: two root tasks over one shared task (two runs)", "150", make<Steal>,
       make<ByHand<Input::steal, 3>>);
-  add("soft", "soft transition: kick requested, push, halted, kick, walk again (four runs)", "600", make<Walker>,
+  add("soft", "soft transition: kick requested, push, halted, kick, walk again (four runs)", "400", make<Walker>,
       make<ByHand<Input::kick, 4>>);
   add("chain", "tree: root task and a chain of 8, each re-requesting", "350", make<Chain>, make<ByHand<Input::all, 9>>);
   add("fan", "fan: one provider with 20 needs and 20 tasks, all re-requested", "900", make<Fan>,

@@ -1,9 +1,9 @@
 // Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// speed [--instructions=FILE] [OPTION OF GOOGLE BENCHMARK...]: takes the time of each case and of its floor, and prints
-// a table. Fails where a floor is none (more than 5 ns a provider call), where the two do not call as many providers,
-// and where anything is allocated.
+// speed [--instructions=FILE] [OPTION OF GOOGLE BENCHMARK...]: takes the times of each workload, and of each small case
+// and its floor, and prints two tables. Fails where the floor of a case is none (more than 5 ns a provider call), where
+// the two do not call as many providers, and where anything is allocated.
 #include "tests/bench/case.hpp"
 #include "tests/bench/report.hpp"
 #include "tests/no_heap/heap_trap.hpp"
@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <iostream>
+#include <regex>
 
 namespace {
 
@@ -23,7 +23,6 @@ using namespace bench;
 // it does is a part of each.
 constexpr int repetitions = 25;
 constexpr double seconds_each = 0.02;
-constexpr std::size_t ticks_of_an_hour = 360'000;
 
 /// Made once, for all repetitions.
 struct Measured {
@@ -36,7 +35,7 @@ void measure(benchmark::State& state, Measured& measured, std::unique_ptr<Case> 
   const bool small = make == entry.by_hand || entry.counted >= 1000;
   const std::size_t batch = small && entry.by_hand != nullptr ? 100 : 1;
   if (measured.it == nullptr) measured.it = make(entry.size);
-  measured.it->run(std::max(batch, entry.round)); // what the other cases drove out of the caches is there again
+  measured.it->run(batch); // what the other cases drove out of the caches is there again
   const std::uint64_t calls = measured.it->calls(), uses = director::tests::heap_uses();
   std::uint64_t times = 0;
   while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(batch))) {
@@ -62,25 +61,71 @@ public:
   std::map<std::string, double> nanoseconds;
 };
 
-void play_an_hour() {
-  for (const Entry& entry : entries()) {
-    if (entry.name != "robocup") continue;
-    const std::unique_ptr<Case> game = entry.director(0);
-    const std::clock_t begin = std::clock();
-    game->run(ticks_of_an_hour);
-    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    std::cout << fmt::format("\nbehaviours/robocup, a game of an hour by script: {:.1f} million runs in {:.1f} s of "
-                             "processor time, {:.0f} ns a run; {:.0f} % of the micro-steps took a pass over a "
-                             "component.\n",
-                             1e-6 * static_cast<double>(game->calls()), seconds,
-                             1e9 * seconds / static_cast<double>(game->calls()), 100 * game->passes());
+double value(const std::map<std::string, double>& from, const std::string& name) {
+  const auto found = from.find(name);
+  return found == from.end() ? 0.0 : found->second;
+}
+
+/// By the option of Google Benchmark, which looks at the small cases alone.
+bool is_wanted(const std::string& name) {
+  const std::string only = benchmark::GetBenchmarkFilter();
+  return only.empty() || std::regex_search(name, std::regex(only));
+}
+
+using Counts = std::map<std::string, double>;
+
+std::vector<WorkloadRow> play_workloads(const Counts& instructions) {
+  std::vector<WorkloadRow> rows;
+  for (const Workload& each : workloads()) {
+    if (!is_wanted(each.name)) continue;
+    rows.push_back({each, take_times(each), value(instructions, each.name)});
+    std::cerr << "." << std::flush;
   }
+  return rows;
+}
+
+std::vector<Row> measure_cases(const Counts& instructions) {
+  std::map<std::string, Measured> measured;
+  const auto add = [&](const std::string& name, const Entry& entry, std::unique_ptr<Case> (*make)(std::size_t)) {
+    if (make == nullptr || !is_wanted(name)) return;
+    Measured& to = measured[name];
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [&to, &entry, make](benchmark::State& state) { measure(state, to, make, entry); })
+        ->MinTime(seconds_each)
+        ->Repetitions(repetitions)
+        ->ReportAggregatesOnly();
+  };
+  for (const Entry& entry : entries()) {
+    add(entry.name, entry, entry.director);
+    add(entry.name + ":by_hand", entry, entry.by_hand);
+  }
+  Medians medians;
+  if (!measured.empty()) benchmark::RunSpecifiedBenchmarks(&medians);
+
+  std::vector<Row> rows;
+  for (const Entry& entry : entries()) {
+    const auto calls = [&](const std::string& name) {
+      const Measured& of = measured[name];
+      return of.times == 0 ? 0.0 : static_cast<double>(of.calls) / static_cast<double>(of.times);
+    };
+    if (!medians.nanoseconds.contains(entry.name)) continue;
+    Row row{entry};
+    row.nanoseconds = value(medians.nanoseconds, entry.name);
+    row.by_hand = value(medians.nanoseconds, entry.name + ":by_hand");
+    row.grows_from = value(medians.nanoseconds, entry.grows_from);
+    row.instructions = value(instructions, entry.name);
+    row.calls = calls(entry.name);
+    row.calls_by_hand = calls(entry.name + ":by_hand");
+    row.heap_uses = measured[entry.name].heap_uses;
+    rows.push_back(row);
+  }
+  return rows;
 }
 
 } // namespace
 
 int main(int count, char** arguments) {
-  std::map<std::string, double> instructions;
+  Counts instructions;
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];
     if (!word.starts_with("--instructions=")) continue;
@@ -97,48 +142,11 @@ int main(int count, char** arguments) {
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
 
-  std::map<std::string, Measured> measured;
-  const auto add = [&](const std::string& name, const Entry& entry, std::unique_ptr<Case> (*make)(std::size_t)) {
-    if (make == nullptr) return;
-    Measured& to = measured[name];
-    benchmark::RegisterBenchmark(name.c_str(),
-                                 [&to, &entry, make](benchmark::State& state) { measure(state, to, make, entry); })
-        ->MinTime(seconds_each)
-        ->Repetitions(repetitions)
-        ->ReportAggregatesOnly();
-  };
-  for (const Entry& entry : entries()) {
-    add(entry.name, entry, entry.director);
-    add(entry.name + ":by_hand", entry, entry.by_hand);
-  }
-  Medians medians;
-  benchmark::RunSpecifiedBenchmarks(&medians);
-  std::cerr << "\n";
-
-  std::vector<Row> rows;
-  for (const Entry& entry : entries()) {
-    const auto value = [&](const auto& from, const std::string& name) {
-      const auto found = from.find(name);
-      return found == from.end() ? 0.0 : found->second;
-    };
-    const auto calls = [&](const std::string& name) {
-      const Measured& of = measured[name];
-      return of.times == 0 ? 0.0 : static_cast<double>(of.calls) / static_cast<double>(of.times);
-    };
-    if (!medians.nanoseconds.contains(entry.name)) continue;
-    Row row{entry};
-    row.nanoseconds = value(medians.nanoseconds, entry.name);
-    row.by_hand = value(medians.nanoseconds, entry.name + ":by_hand");
-    row.grows_from = value(medians.nanoseconds, entry.grows_from);
-    row.instructions = value(instructions, entry.name);
-    row.calls = calls(entry.name);
-    row.calls_by_hand = calls(entry.name + ":by_hand");
-    row.heap_uses = measured[entry.name].heap_uses;
-    rows.push_back(row);
-  }
-  std::cout << table(rows);
-  if (medians.nanoseconds.contains("robocup")) play_an_hour();
-  const std::string faults = faults_of(rows);
-  std::cerr << faults;
+  const std::vector<WorkloadRow> played = play_workloads(instructions);
+  if (!played.empty()) std::cout << table(played) << "\n";
+  const std::vector<Row> rows = measure_cases(instructions);
+  if (!rows.empty()) std::cout << table(rows);
+  const std::string faults = faults_of(played) + faults_of(rows);
+  std::cerr << "\n" << faults;
   return faults.empty() ? 0 : 1;
 }

@@ -46,7 +46,7 @@ Compiled compile_file(const std::string& path) {
   return compile(path, files);
 }
 
-TableRobot::TableRobot(Compiled compiled, std::size_t cells, Play play)
+TableRobot::TableRobot(Compiled compiled, std::size_t cells, Play play, Observer observer)
     : compiled_(std::move(compiled)),
       tables_(compiled_.lowered.view()),
       play_(play),
@@ -57,7 +57,7 @@ TableRobot::TableRobot(Compiled compiled, std::size_t cells, Play play)
       cells_(cells),
       inbox_(cells_),
       memory_(tables_),
-      engine_(tables_, memory_.state().data(), functions(), inbox_) {
+      engine_(tables_, memory_.state().data(), functions(), inbox_, observer) {
   engine_.set_budget(1'000'000'000);
   for (const compiler::ProviderId id : model().providers.ids()) {
     first_act_.push_back(static_cast<Index>(acts_.size()));
@@ -117,8 +117,10 @@ Index TableRobot::trigger(const std::string& name) const {
   return row_of(model().triggers, name, [](const compiler::Trigger& trigger) { return trigger.name; });
 }
 
-Input TableRobot::request(Index edge) const {
-  return {.kind = Input::Kind::request, .thing = edge, .level = tables_.edges[edge].levels.begin};
+Input TableRobot::request(Index edge, Index level) const {
+  return {.kind = Input::Kind::request,
+          .thing = edge,
+          .level = static_cast<Index>(tables_.edges[edge].levels.begin + level)};
 }
 
 void TableRobot::post(std::span<const Input> records) {
@@ -137,16 +139,22 @@ Bodies TableRobot::functions() {
   return out;
 }
 
+/// In this run.
+const Act& TableRobot::act_of(Index provider, bool other) {
+  if (play_ == Play::same) return acts_[provider];
+  const Index first = first_act_[provider];
+  const std::size_t count = first_act_[provider + 1] - first;
+  if (play_ == Play::changing) return acts_[first + (count > 1 ? runs_[provider]++ / act_length % count : 0)];
+  return acts_[first + (other ? random_.below(count) : 0)];
+}
+
 Outcome TableRobot::run(Run& run) {
   ++calls_;
-  std::size_t at = run.provider();
-  if (play_ == Play::changing) {
-    at = first_act_[run.provider()];
-    const std::size_t count = first_act_[run.provider() + 1] - at;
-    if (count > 1) at += runs_[run.provider()]++ / act_length % count;
-  }
-  const Act& act = acts_[at];
-  if (act.state != nil) run.set(act.state, act.value);
+  const bool random = play_ == Play::at_random, other = random && random_.percent(10);
+  const Act& act = act_of(run.provider(), other);
+  if (act.state != nil && (!random || other || random_.percent(25))) run.set(act.state, act.value);
+  if (other && random_.percent(25)) return run.done();
+  if (other && random_.percent(12)) return run.keep();
   switch (act.answer) {
   case Outcome::Kind::done: return run.done();
   case Outcome::Kind::failed: return run.fail();

@@ -7,6 +7,7 @@
 #include "compiler/model/model.hpp"
 #include "runtime/core/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
+#include "tests/bench/random_behaviour.hpp"
 
 #include <string>
 #include <vector>
@@ -34,14 +35,16 @@ struct Act {
 
 /// What the providers do if nobody says otherwise.
 enum class Play {
-  same,    ///< each its whole first pack, in every run
-  changing ///< its packs in turn; what it promises or may set, the first value of each, in turn too
+  same,     ///< each its whole first pack, in every run
+  changing, ///< its packs in turn; what it promises or may set, the first value of each, in turn too
+  at_random ///< its first pack, and one run in four sets what it promises; in one of ten runs something else: another
+            ///< pack, and now and then it is done, or keeps what it has
 };
 
 class TableRobot {
 public:
   /// `cells`: of the inbox, a power of two.
-  TableRobot(Compiled compiled, std::size_t cells, Play play = Play::same);
+  TableRobot(Compiled compiled, std::size_t cells, Play play = Play::same, director::Observer observer = {});
   TableRobot(const TableRobot&) = delete;
   TableRobot& operator=(const TableRobot&) = delete;
 
@@ -54,7 +57,7 @@ public:
   std::int32_t value(director::Index state, const std::string& word) const;
   director::Index trigger(const std::string& name) const;
 
-  director::Input request(director::Index edge) const;
+  director::Input request(director::Index edge, director::Index level = 0) const; ///< which of its levels
   void post(std::span<const director::Input> records);
   void post(const director::Input& record) { post({&record, 1}); }
   void step(director::Time now = 0);
@@ -67,6 +70,7 @@ private:
   void add_acts(const director::compiler::Provider& provider);
   director::Bodies functions();
   director::Outcome run(director::Run& run);
+  const Act& act_of(director::Index provider, bool other);
 
   Compiled compiled_;
   const director::Tables tables_;
@@ -78,6 +82,7 @@ private:
   std::vector<Asked> edges_;
   std::vector<director::Index> first_act_; ///< of each provider, and the end of all; if they are the same, each has one
   std::vector<std::uint64_t> runs_;        ///< of each provider, if its acts change
+  Random random_{1};
   std::vector<director::Outcome (*)(void*, director::Run&)> run_table_;
   std::vector<void (*)(void*, director::Handling&)> handler_table_;
   std::vector<director::Inbox::Cell> cells_;

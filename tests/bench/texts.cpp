@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace bench {
 
 namespace {
@@ -63,6 +65,19 @@ std::string apart(std::size_t groups) {
 std::string together(std::size_t groups) {
   return head + ("roots: [All]\ngroups:\n  All:\n    tasks:\n" + rows(groups, "      Task_{}: {{}}\n")) +
          rows(groups, "  Task_{}: {{}}\n");
+}
+
+std::string wide_units(std::size_t units) {
+  std::string out = head + ("roots:\n  Holder: {priority: 1000}\n" + rows(units, "  Unit_{0}: {{priority: {0}}}\n")) +
+                    "groups:\n  Holder: {tasks: [Key]}\n  Key: {}\n" +
+                    rows(units, "  Unit_{0}: {{tasks: [Member1_{0}, Member2_{0}, Member3_{0}, Member4_{0}]}}\n");
+  for (const char* member : {"Member1", "Member2", "Member3", "Member4"}) {
+    const bool last = std::string_view(member) == "Member4";
+    std::string providers;
+    for (int i = 1; i <= 10; ++i) providers += fmt::format("{{name: way{}{}}}, ", i, last ? ", needs: [Key]" : "");
+    for (std::size_t i = 1; i <= units; ++i) out += fmt::format("  {}_{}: {{providers: [{}]}}\n", member, i, providers);
+  }
+  return out;
 }
 
 } // namespace bench

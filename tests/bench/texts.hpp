@@ -20,4 +20,8 @@ std::string apart(std::size_t groups);
 /// One root task that requests all others.
 std::string together(std::size_t groups);
 
+/// Root tasks `Unit_1` and so on, each of which requests four groups of ten providers together; whatever runs in the
+/// last of the four needs what the root task `Holder` has.
+std::string wide_units(std::size_t units);
+
 } // namespace bench

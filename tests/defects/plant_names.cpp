@@ -174,7 +174,7 @@ void sentinel_in_stay(Robot& robot, bool defect) {
 }
 void unused_state(Robot& robot, bool defect) {
   const std::string name = robot.name("Mood");
-  robot.add_state("@" + name, "{values: [good, bad], initial: good, external: true}");
+  robot.section(0, "states").add("@" + name, flow("{values: [good, bad], initial: good, external: true}"));
   if (!defect) new_root(robot, "{when: [$0 == good], allow: [uncovered_state], because: it waits}", {name});
 }
 void unused_trigger(Robot& robot, bool defect) {
@@ -187,7 +187,7 @@ void unused_layer(Robot& robot, bool defect) {
 }
 void unused_group(Robot& robot, bool defect) {
   const std::string name = robot.verb();
-  robot.add_group("@" + name, "{needs: [$0], tasks: [$0]}", {robot.parts[robot.part()]});
+  robot.section(0, "groups").add("@" + name, flow("{needs: [$0], tasks: [$0]}", {robot.parts[robot.part()]}));
   if (!defect) robot.add_root(name, robot.above());
 }
 void nobody_provides(Robot& robot, bool defect) {

@@ -47,27 +47,32 @@ void two_apart(Robot& robot, bool defect) {
 
 // starved_task, optional_never_runs, priority_without_effect
 
+/// Two new skills on a new part, which nobody else asks for.
+std::vector<std::string> two_skills(Robot& robot) {
+  const std::string part = robot.add_part();
+  return {make(robot, "{needs: [$0]}", {part}), make(robot, "{needs: [$0]}", {part})};
+}
 void always_behind(Robot& robot, bool defect) {
-  const std::size_t p = robot.skilled_part();
   make_root(robot,
             defect ? "{packs: {attack: {$0: {priority: 20, apart: true}, @$1: {priority: 10}}, rest: {}}}"
                    : "{packs: {attack: {$0: {priority: 20, apart: true}, @$1: {priority: 10}}, rest: {$1: {}}}}",
-            {robot.skills[p][0], robot.skills[p][1]});
+            two_skills(robot));
 }
 void behind_further_down(Robot& robot, bool defect) {
   const std::string legs = robot.add_part(), hip = make(robot, "{needs: [$0]}", {legs});
   const std::string walk = make(robot, "{needs: [$0]}", {legs}), balance = make(robot, "{needs: [$0]}", {hip});
-  const std::string walk_to =
-      make(robot, defect ? "{packs: {step: {$0: {}}, turn: {$0: {}}}}" : "{packs: {step: {$0: {}}, turn: {}}}", {walk});
+  const std::string walk_to = make(robot,
+                                   defect ? "{needs: [$0], packs: {step: {$0: {}}, turn: {$0: {}}}}"
+                                          : "{packs: {step: {$0: {}}, turn: {$0: {}}}}",
+                                   {walk});
   const std::string show = make(robot, "{tasks: [@$0]}", {balance});
   make_root(robot, "{packs: {attack: {$0: {priority: 20}, $1: {priority: 10}}}}", {walk_to, show});
 }
 void optional_behind(Robot& robot, bool defect) {
-  const std::size_t p = robot.skilled_part();
   make_root(robot,
             defect ? "{packs: {attack: {$0: {}, @$1: {optional: true}}}}"
                    : "{packs: {attack: {$0: {}, @$1: {optional: true}}, rest: {$1: {optional: true}}}}",
-            {robot.skills[p][0], robot.skills[p][1]});
+            two_skills(robot));
 }
 void optional_in_each_pack(Robot& robot, bool defect) {
   const std::string left = robot.add_part(), right = robot.add_part();

@@ -236,7 +236,7 @@ void no_type(Robot& robot, bool defect) {
 }
 void no_enum(Robot& robot, bool defect) {
   robot.add_state(robot.name("Gear"), "{@type: $0, values: [a, b], initial: a, external: true}",
-                  {defect ? robot.r.one_of({"int", "robot Gear", "robot::Gear*"}) : "robot::Gear"});
+                  {defect ? robot.r.one_of({"signed char", "robot Gear", "robot::Gear*"}) : "robot::Gear"});
 }
 void no_header(Robot& robot, bool defect) {
   robot.files.back().node.add(

@@ -118,7 +118,7 @@ void preferred_in_the_way(Robot& robot, bool defect) {
   const std::string wave = make(robot, "{needs: [$0]}", {left});
   make_root(robot,
             defect ? "{packs: {greet: {$0: {priority: 20}, @$1: {priority: 10}}}}"
-                   : "{packs: {greet: {$0: {priority: 10}, @$1: {priority: 20, apart: true}}}}",
+                   : "{packs: {greet: {$0: {priority: 10}, @$1: {priority: 20, apart: true}}, carry: {$0: {}}}}",
             {carry, wave});
 }
 void only_while(Robot& robot, bool defect) {
@@ -241,7 +241,7 @@ void asks_for_its_requester(Robot& robot, bool defect) {
   const std::string last = make(robot, "{}");
   const std::string middle = make(robot, "{tasks: [@$0]}", {last});
   const std::string first = make_root(robot, "{packs: {go: {@$0: {}}}}", {middle});
-  robot.group(last).add("tasks", flow(defect ? "{@$0: {}}" : "{@$0: {optional: true}}", {first}));
+  robot.group(last).add("tasks", flow("{@$0: {}}", {defect ? first : robot.add_part()}));
 }
 std::string many_ways(Robot& robot, const std::string& part) {
   const std::string name = make(robot, "{providers: []}");
