@@ -140,9 +140,9 @@ Grants::Grants(const Input& input, Takers& takers, Packmates& packmates, Provide
       pack_(&pack) {
   const Provider& provider = input.model.providers[above];
   standing_[provider.group];
-  visit(provider, pack, false);
+  visit(provider, pack, standing_of(provider.group), false);
   run();
-  visit(provider, pack, true);
+  visit(provider, pack, standing_of(provider.group), true);
   for (const auto& [group, standing] : standing_) {
     if (group != provider.group) visit(group, true);
   }
@@ -182,17 +182,18 @@ void Grants::run() {
 }
 
 void Grants::visit(GroupId group, bool last) {
+  const Standing above = standing_of(group);
   for (const ProviderId id : input_.model.groups[group].providers) {
     const Provider& provider = input_.model.providers[id];
     if (!granted_.contains(id)) continue;
-    for (const Pack& pack : provider.packs) visit(provider, pack, last);
+    for (const Pack& pack : provider.packs) visit(provider, pack, above, last);
   }
 }
 
-void Grants::visit(const Provider& provider, const Pack& pack, bool last) {
+void Grants::visit(const Provider& provider, const Pack& pack, const Standing& above, bool last) {
   ++visits_;
   const GroupId requester = provider.group;
-  const std::vector<Entry> entries = entries_of(provider, pack);
+  const std::vector<Entry> entries = entries_of(provider, pack, above);
   const bool unit_is_granted =
       !takers_.is_never_whole(pack) &&
       std::all_of(entries.begin(), entries.end(), [](const Entry& entry) { return !entry.in_unit || entry.grantable; });
@@ -226,9 +227,8 @@ Grants::Standing Grants::standing_of(GroupId group) {
   return out;
 }
 
-std::vector<Grants::Entry> Grants::entries_of(const Provider& provider, const Pack& pack) {
+std::vector<Grants::Entry> Grants::entries_of(const Provider& provider, const Pack& pack, const Standing& above) {
   const GroupId requester = provider.group;
-  const Standing above = standing_of(requester);
   std::vector<Entry> out;
   for (const PackEntry& each : packmates_.of(provider, pack)) {
     Entry entry{

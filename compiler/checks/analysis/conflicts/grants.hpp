@@ -64,9 +64,9 @@ private:
 
   void run();
   void visit(GroupId group, bool last);
-  void visit(const Provider& provider, const Pack& pack, bool last);
+  void visit(const Provider& provider, const Pack& pack, const Standing& above, bool last);
   Standing standing_of(GroupId group);
-  std::vector<Entry> entries_of(const Provider& provider, const Pack& pack);
+  std::vector<Entry> entries_of(const Provider& provider, const Pack& pack, const Standing& above);
   std::optional<Taker> find_taker(std::optional<GroupId> requester, const Task& task, ProviderId provider,
                                   const Held& held);
   bool is_grantable(std::optional<GroupId> requester, const Task& task, const Held& held);

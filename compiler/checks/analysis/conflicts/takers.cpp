@@ -44,6 +44,12 @@ bool at_all_levels(const Model& model, const Task& task, const Test& test) {
 
 bool has(const Groups& groups, GroupId group) { return std::binary_search(groups.begin(), groups.end(), group); }
 
+Groups joined(const Groups& a, const Groups& b) {
+  Groups out;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
 Groups in_common(const Groups& a, const Groups& b) {
   Groups out;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
@@ -71,9 +77,8 @@ const Groups& Takers::must(ProviderId id) {
   out.push_back(provider.group);
   for (const Use<GroupId>& need : provider.needs) {
     const auto& parts = parts_.of(need.id);
-    if (parts) out.insert(out.end(), parts->begin(), parts->end());
+    if (parts) out = joined(out, *parts);
   }
-  sort_out(out);
   return out;
 }
 

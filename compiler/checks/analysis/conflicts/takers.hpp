@@ -19,6 +19,7 @@ namespace director::checks {
 using Groups = std::vector<GroupId>; ///< sorted, each once
 
 bool has(const Groups& groups, GroupId group);
+Groups joined(const Groups& a, const Groups& b);
 Groups in_common(const Groups& a, const Groups& b);
 
 /// Entries that are granted together: the mandatory ones of a pack that are not `apart`, or one by itself.

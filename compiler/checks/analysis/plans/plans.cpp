@@ -50,11 +50,12 @@ using Parts = std::optional<std::vector<GroupId>>; ///< sorted; nothing: all gro
 Parts by_provider(const Provider& provider, const IdTable<GroupId, Parts>& parts) {
   std::vector<GroupId> out;
   for (const Use<GroupId>& need : provider.needs) {
-    if (!parts[need.id]) return std::nullopt;
-    out.insert(out.end(), parts[need.id]->begin(), parts[need.id]->end());
+    const Parts& more = parts[need.id];
+    if (!more) return std::nullopt;
+    std::vector<GroupId> both;
+    std::set_union(out.begin(), out.end(), more->begin(), more->end(), std::back_inserter(both));
+    out = std::move(both);
   }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 
