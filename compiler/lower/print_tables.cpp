@@ -101,6 +101,7 @@ private:
         accepts += fmt::format("{}{}..{}", accepts.empty() ? "" : ", ", interval.low, interval.high);
       }
       word("accepts", accepts.empty() ? "nothing" : accepts);
+      word("asked by", groups(tables_.list(row.groups)));
       word("causers", join(tables_.list(row.causers), [this](Index index) { return provider(index); }));
     }
   }
@@ -121,6 +122,8 @@ private:
       line("  {:>3}  {}", i, group(i));
       word("rows", fmt::format("providers {}, edges {}", rows(row.providers), rows(row.edges)));
       word("asked by", join(tables_.list(row.requesters), [this](Index index) { return edge(index); }));
+      const std::span<const Index> users = tables_.list(row.users);
+      if (users.size() > 1) word("used by", groups(users));
       word("slots", groups(tables_.plan_groups.subspan(row.slots.begin, row.slots.size())));
       word("listens", join(tables_.listened.subspan(row.listens.begin, row.listens.size()),
                            [this](Index index) { return trigger(index); }));

@@ -1,12 +1,14 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Arbitration: from requests, state values, enabled flags, pending reasons and the last assignment to a new assignment.
-// This is the pass from nothing, as semantics.md 4 words it, over one component of the tables: what is decided in one
-// never depends on another.
+// Arbitration: from requests, state values, enabled flags, pending reasons and the last assignment to a new assignment,
+// over one component of the tables: what is decided in one never depends on another.
 //
-// The pass is greedy along the order of edges: the first candidate takes what it needs, and nobody behind it can change
-// that. So one sweep decides, and only the rule that equals never take from each other can ask for a repetition.
-// Cost: candidates times providers and plans tried, each compared along its chain of holders.
+// The pass of semantics.md 4 is greedy along the order of edges: the first candidate takes what it needs, and nobody
+// behind it can change that. So one sweep decides, and only the rule that equals never take from each other can ask for
+// a repetition. A sweep goes along the order as the last one did and decides a unit again only where something reaches
+// it that is another than last time (trail.cpp); what is not reached stands as it stood. What comes out equals the pass
+// from nothing. Cost: some work for each group that is claimed or requested, and for each unit that is reached
+// providers and plans tried, each compared along its chain of holders.
 //
 // While it decides, a pass notes what its result may depend on besides requests, values and flags: on the assignment
 // before (then it has to be repeated on its own result), and on whose orders are outdated (then again when that
@@ -108,7 +110,8 @@ private:
   /// Nothing that the decision about it looks at is another than in the last pass.
   bool stands(Index edge) const {
     const std::uint8_t bits = s_.edge_trail[edge];
-    return (bits & (trail::reached | trail::on_stale)) == 0 && ((bits & trail::waits) == 0 || !disturbed_);
+    const bool searches = (bits & trail::waits) != 0 && disturbed_ && !planted(Fault::who_waits_is_overlooked);
+    return (bits & (trail::reached | trail::on_stale)) == 0 && !searches;
   }
   void repeat(Index edge);
   void repeat_grant(Index edge);

@@ -43,6 +43,14 @@ enum class Fault : unsigned char {
   who_is_stale_is_overlooked,
   conditions_are_overlooked,
   enabling_is_overlooked,
+  // and of what reaches units (trail.cpp): a pass overlooks this
+  other_members_are_overlooked,
+  what_is_below_is_overlooked,
+  who_uses_it_is_overlooked,
+  who_waits_is_overlooked,
+  outdated_orders_are_overlooked,
+  the_last_result_is_overlooked,
+  lost_needs_are_overlooked,
   // and of what follows from a decision (act.cpp)
   handlers_are_overlooked,
   the_order_stays,

@@ -1,7 +1,7 @@
 // Door: runtime/core/engine.hpp. Test: tests/runtime/core/engine_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// After every micro-step: arbitrate, and act. Arbitration is a pass from nothing, but only over the components whose
+// After every micro-step: arbitrate, and act. Arbitration is a pass, but only over the components whose
 // result can be another one than the last: those with a changed input, those whose last pass may decide differently on
 // its own result, and those in which it counts whose orders are outdated, when that has changed (see arbitration.hpp).
 // Everything else stays as it is, and only groups that gained a reason to run have to be looked at.

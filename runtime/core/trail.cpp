@@ -1,4 +1,4 @@
-// Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/arbitration_test.cpp.
+// Door: runtime/core/arbitration.hpp. Test: tests/runtime/core/trail_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What is decided again. A unit's decision depends on what units before it claimed, pushed and were denied, on its
@@ -41,7 +41,7 @@ void Pass::begin_trail() {
 void Pass::take_up(Index edge) {
   const Index group = target(edge), from = requester(edge);
   s_.edge_trail[edge] |= trail::reached;
-  if (from != nil) { // its unit has another member
+  if (from != nil && !planted(Fault::other_members_are_overlooked)) { // its unit has another member
     const Range edges = t_.groups[from].edges;
     for (Index e = edges.begin; e != edges.end; ++e) s_.edge_trail[e] |= trail::reached;
   }
@@ -53,6 +53,7 @@ void Pass::take_up(Index edge) {
 /// The last pass changed where the group stands. Who looks at the last result looks at another one now.
 void Pass::take_up_last(Index group) {
   disturbed_ = true;
+  if (planted(Fault::the_last_result_is_overlooked)) return;
   for (const Index user : t_.list(t_.groups[group].users)) {
     for (const Index e : t_.list(t_.groups[user].requesters)) {
       if (pushed_ || (s_.edge_trail[e] & trail::on_last) != 0) s_.edge_trail[e] |= trail::reached;
@@ -68,6 +69,7 @@ void Pass::reach(Index group) {
   s_.group_trail[group] |= trail::disturbed;
   disturbed_ = true;
   for (const Index user : t_.list(t_.groups[group].users)) {
+    if (user != group && planted(Fault::who_uses_it_is_overlooked)) continue;
     for (const Index e : t_.list(t_.groups[user].requesters)) s_.edge_trail[e] |= trail::reached;
   }
   const Index pusher = s_.last[group].push.edge;
@@ -84,7 +86,7 @@ void Pass::move(Index group) {
     s_.moved[moved_++] = g;
   };
   add(group);
-  for (Index i = begin; i < moved_; ++i) {
+  for (Index i = begin; i < moved_ && !planted(Fault::what_is_below_is_overlooked); ++i) {
     const Range edges = t_.groups[s_.moved[i]].edges;
     for (Index e = edges.begin; e != edges.end; ++e) {
       s_.edge_trail[e] |= trail::reached;

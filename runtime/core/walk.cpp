@@ -174,7 +174,7 @@ void Pass::look_ahead(Index group) {
     const Index level = s_.request[e].level;
     if (level == nil || !asks) {
       if (s_.now[t_.edges[e].target].holder != e) {
-        if (other && s_.last[t_.edges[e].target].holder == e) move(t_.edges[e].target);
+        if (other && s_.last[t_.edges[e].target].holder == e && !planted(Fault::lost_needs_are_overlooked)) move(t_.edges[e].target);
         continue;
       }
       if (level == nil) {
@@ -192,7 +192,7 @@ void Pass::look_ahead(Index group) {
       member = e;
     }
     s_.edge_marks[e] |= all;
-    if (other) s_.edge_trail[e] |= trail::reached;
+    if (other && !planted(Fault::outdated_orders_are_overlooked)) s_.edge_trail[e] |= trail::reached;
     if (row.optional) {
       postpone(e);
     } else {

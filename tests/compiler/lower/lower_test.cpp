@@ -232,3 +232,39 @@ groups:
   CHECK(provider_row(c, lowered, "Halt.idly").aims.empty());
   CHECK(lowered.wide_aims.empty());
 }
+
+TEST_CASE("a group is used by itself and by all in whose plans it may be, a condition by who waits for it") {
+  const Compiled c = compile(R"(
+behaviour: uses
+language: 1
+states:
+  Pose: {values: [lying, standing], external: true}
+  Load: {range: [0, 9], external: true}
+roots: [Kick, Halt]
+groups:
+  Kick: {when: [Pose == standing], needs: [Leg], tasks: [Leg]}
+  Halt:
+    providers:
+      - {name: softly, stay: [Pose == standing], when: [Load > 1], tasks: [Leg]}
+      - {name: idly, when: [Pose == standing]}
+  Leg: {providers: [{name: strong, when: [Load < 5], needs: [Motor]}, {name: weak}]}
+  Motor: {}
+)");
+  const Lowered lowered = lower(c.model);
+  const auto users = [&](const char* name) {
+    return groups(c, lowered.view().list(lowered.groups[c.group(name).value].users));
+  };
+  CHECK(users("Kick") == Texts{"Kick"});
+  CHECK(users("Halt") == Texts{"Halt"}); // it asks for the leg and does not need it
+  CHECK(users("Leg") == Texts{"Kick", "Leg"});
+  CHECK(users("Motor") == Texts{"Kick", "Leg", "Motor"});
+  const auto waiting = [&](const std::string& text) {
+    for (Index i = 0; i < lowered.conditions.size(); ++i) {
+      if (c.model.conditions[lowered.condition_ids[i]].text == text)
+        return groups(c, lowered.view().list(lowered.conditions[i].groups));
+    }
+    return Texts{"there is no such condition"};
+  };
+  CHECK(waiting("Pose == standing") == Texts{"Kick", "Halt"});
+  CHECK(waiting("Load < 5") == Texts{"Leg"});
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// What is decided again: only what a change reaches, however much else is in its component.
+
+#include "tests/runtime/core/machine.hpp"
+
+namespace director::tests {
+namespace {
+
+/// A player, and a crowd of skills in the same component, all of which run and none of which the player touches.
+std::string player_in_a_crowd(int others) {
+  std::string all;
+  std::string groups;
+  for (int i = 0; i < others; ++i) {
+    const std::string number = std::to_string(i);
+    all += ", Other" + number + ": {apart: true}";
+    groups += "  Other" + number + ": {when: [Phase == on], needs: [Part" + number + "], tasks: [Part" + number + "]}\n";
+    groups += "  Part" + number + ": {}\n";
+  }
+  return R"(
+behaviour: crowd
+language: 1
+states:
+  Pose: {values: [moving, standing]}
+  Ball: {values: [far, near], initial: far, external: true}
+  Phase: {values: [off, on], initial: on, external: true}
+roots: {Play: {priority: 10}, Walk: {priority: 5}, Crowd: {priority: 1}}
+groups:
+  Play: {when: [Ball == near], packs: {go: {Kick: {}, Look: {apart: true}}}}
+  Kick: {when: [Pose == standing], needs: [Legs], tasks: [Legs]}
+  Look: {}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
+  Legs: {}
+  Crowd: {packs: {all: {Look: {apart: true})" +
+         all + "}}}\n" + groups;
+}
+
+/// How many units each of a player's inputs makes the engine decide.
+std::vector<std::uint64_t> work_of(int others) {
+  Machine machine(player_in_a_crowd(others));
+  machine.body("Walk.halting", [&](Run& run) {
+    run.set(0, 1);
+    return machine.everything(run);
+  });
+  machine.request("Crowd");
+  machine.step();
+  std::vector<std::uint64_t> out;
+  const auto count = [&](bool taken) {
+    REQUIRE(taken);
+    const std::uint64_t before = machine.engine().decided();
+    machine.step();
+    out.push_back(machine.engine().decided() - before);
+  };
+  count(machine.request("Walk"));
+  count(machine.request("Play"));
+  count(machine.set("Ball", "near"));
+  count(machine.request("Play"));
+  count(machine.enable("Walk.halting", false));
+  count(machine.set("Ball", "far"));
+  count(machine.cancel("Walk"));
+  count(machine.cancel("Play"));
+  return out;
+}
+
+TEST_CASE("what nothing reaches is not decided again, however much of it there is") {
+  std::vector<std::uint64_t> few = work_of(2), many = work_of(202);
+  // Who may be pushed is not followed: when a provider is disabled, all of its component is decided again.
+  constexpr std::size_t disabled = 4;
+  CHECK(few[disabled] < many[disabled]);
+  few[disabled] = many[disabled] = 0;
+  CHECK(few == many);
+}
+
+TEST_CASE("an engine whose state was put back decides from nothing, and the same") {
+  Machine machine(player_in_a_crowd(3));
+  machine.request("Crowd");
+  machine.request("Walk");
+  machine.step();
+  machine.engine().forget_trail();
+  machine.decisions = true;
+  machine.set("Ball", "near");
+  machine.request("Play");
+  const Lines lines = machine.step();
+  Machine other(player_in_a_crowd(3));
+  other.request("Crowd");
+  other.request("Walk");
+  other.step();
+  other.decisions = true;
+  other.set("Ball", "near");
+  other.request("Play");
+  CHECK(lines == other.step());
+}
+
+} // namespace
+} // namespace director::tests
