@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/cpp_type.hpp"
 
+#include "dsl/characters.hpp"
 #include "dsl/names.hpp"
 
 #include <fmt/format.h>
@@ -46,9 +47,6 @@ static_assert(std::is_sorted(built_in.begin(), built_in.end()));
 /// Brackets within brackets; nobody has more.
 constexpr int deepest = 16;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_word_char(char c) { return is_digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 /// Also marks that turn the direction of text: with these a line reads otherwise than it is compiled. Their UTF-8
 /// begins with E2 80 or E2 81.
 bool has_controls(std::string_view text) {
@@ -64,7 +62,7 @@ class Tokens {
 public:
   explicit Tokens(std::string_view text) : text_(text) { next(); }
   std::string_view now() const { return now_; }
-  bool at_word() const { return !now_.empty() && is_word_char(now_[0]) && !is_digit(now_[0]); }
+  bool at_word() const { return !now_.empty() && is_word(now_[0]) && !is_digit(now_[0]); }
   bool at_number() const { return !now_.empty() && is_digit(now_[0]); }
   bool take(std::string_view token) {
     if (now_ != token) return false;
@@ -74,8 +72,8 @@ public:
   void next() {
     text_.remove_prefix(std::min(text_.find_first_not_of(' '), text_.size()));
     std::size_t size = std::min<std::size_t>(1, text_.size());
-    if (size == 1 && is_word_char(text_[0])) {
-      while (size < text_.size() && is_word_char(text_[size])) ++size;
+    if (size == 1 && is_word(text_[0])) {
+      while (size < text_.size() && is_word(text_[size])) ++size;
     } else if (text_.starts_with("::") || text_.starts_with("&&")) {
       size = 2;
     } else {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/read_condition.hpp"
 
+#include "dsl/characters.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,12 +44,8 @@ std::string habit_help(std::string_view token) {
 }
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_word(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
-         static_cast<unsigned char>(c) >=
-             0x80; // letters of other alphabets: no name has them, but they are no operators
-}
+/// Also letters of other alphabets: no name has them, but they are no operators.
+bool is_in_word(char c) { return is_word(c) || static_cast<unsigned char>(c) >= 0x80; }
 
 /// Bytes [begin, end) of the text.
 struct Token {
@@ -99,12 +97,12 @@ private:
     std::size_t end = begin;
     if (end == text_.size()) return {begin, end};
     const bool negative = text_[end] == '-' && end + 1 < text_.size() && is_digit(text_[end + 1]);
-    if (negative || is_word(text_[end]))
-      for (++end; end < text_.size() && is_word(text_[end]);) ++end;
+    if (negative || is_in_word(text_[end]))
+      for (++end; end < text_.size() && is_in_word(text_[end]);) ++end;
     else if (text_[end] == '|' && text_.substr(end, 2) != "||")
       ++end;
     else
-      while (end < text_.size() && !is_word(text_[end]) && !is_space(text_[end]) && (end == begin || text_[end] != '-'))
+      while (end < text_.size() && !is_in_word(text_[end]) && !is_space(text_[end]) && (end == begin || text_[end] != '-'))
         ++end;
     return {begin, end};
   }
@@ -123,7 +121,7 @@ private:
   Word word(std::string_view expected) {
     const Token token = peek();
     const bool number = token.end > token.begin + 1 && text_[token.begin] == '-';
-    if (token.begin == token.end || !(is_word(text_[token.begin]) || number))
+    if (token.begin == token.end || !(is_in_word(text_[token.begin]) || number))
       fail(token, fmt::format("expected {}, found {}", expected, found(token)), text(token) == "!" ? negated : "");
     at_ = token.end;
     return {std::string(text(token)), span(token)};
@@ -193,7 +191,7 @@ std::optional<ConditionSpec> read_condition(Reader& reader, const YamlNode& node
 namespace {
 
 /// For `when: {Phase: playing}`.
-std::string help_for_mapping(const YamlNode* node) {
+std::string help_for_conditions(const YamlNode* node) {
   if (!node || node->pairs.empty() || node->pairs.front().value.kind != YamlNode::Kind::scalar) return "";
   return fmt::format("write `[{} == {}]`", node->pairs.front().key.value, node->pairs.front().value.text);
 }
@@ -203,7 +201,7 @@ std::string help_for_mapping(const YamlNode* node) {
 std::vector<ConditionSpec> read_conditions(Reader& reader, const YamlNode* node, std::string_view subject,
                                            ConditionUse use) {
   std::vector<ConditionSpec> out;
-  if (!reader.is_list(node, subject, "a list", help_for_mapping(node))) return out;
+  if (!reader.is_list(node, subject, "a list", help_for_conditions(node))) return out;
   for (const YamlNode& item : node->items)
     if (auto condition = read_condition(reader, item, subject, use)) out.push_back(std::move(*condition));
   return out;

@@ -56,7 +56,7 @@ ProviderSpec read_provider(Reader& reader, const YamlNode& mapping) {
 }
 
 /// For `providers: {walking: {...}}` and for one provider without its dash.
-std::string help_for_mapping(const YamlNode* node) {
+std::string help_for_providers(const YamlNode* node) {
   if (!node || node->pairs.empty()) return "";
   if (node->find("name")) return "each is an entry of a list: write `- ` before its `name`";
   return fmt::format("their order is that of preference: write `- name: {}`, and its other words below",
@@ -65,7 +65,7 @@ std::string help_for_mapping(const YamlNode* node) {
 
 std::vector<ProviderSpec> read_providers(Reader& reader, const YamlNode* node) {
   std::vector<ProviderSpec> out;
-  if (!reader.is_list(node, "providers", "a list of providers", help_for_mapping(node))) return out;
+  if (!reader.is_list(node, "providers", "a list of providers", help_for_providers(node))) return out;
   for (const YamlNode& item : node->items)
     if (reader.is_mapping(&item, "providers", "a mapping such as {name: walking}"))
       out.push_back(read_provider(reader, item));

@@ -45,7 +45,7 @@ std::optional<ExpiresSpec> read_expires(Reader& reader, const YamlNode* node, co
 }
 
 /// For `Motion: [still, moving]` and `Door: bool`.
-std::string help_for_short(const YamlPair& pair) {
+std::string help_for_short_state(const YamlPair& pair) {
   if (pair.value.kind == YamlNode::Kind::list)
     return fmt::format("its values stand in `values`: `{}: {{values: [...]}}`", pair.key.value);
   const bool builtin = pair.value.kind == YamlNode::Kind::scalar && help_for_type(pair.value.text);
@@ -74,7 +74,7 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
   state.name = reader.name(pair);
   state.external.span = pair.key.span;
   const YamlNode& mapping = pair.value;
-  if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short(pair))) return state;
+  if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short_state(pair))) return state;
   const std::string thing = fmt::format("state `{}`", pair.key.value);
   reader.know_keys(mapping, thing, keys, slips_of_state());
   reader.exclude(mapping, "range", "values", "leave out one: `range` is for whole numbers, `values` is for words");

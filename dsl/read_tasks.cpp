@@ -30,7 +30,7 @@ void read_flags(Reader& reader, const YamlNode& mapping, LevelSpec& level) {
 }
 
 /// For `Walk: 10`, `Walk: optional` and `Walk: true`, of a task or a level.
-std::string help_for_short(const YamlPair& pair) {
+std::string help_for_short_task(const YamlPair& pair) {
   const YamlNode& value = pair.value;
   const std::string& name = pair.key.value;
   if (value.kind == YamlNode::Kind::list) return "tasks that belong together stand in `packs`: `packs: {go: [Walk]}`";
@@ -68,7 +68,7 @@ std::vector<LevelSpec> read_levels(Reader& reader, const YamlNode& mapping) {
   for (const YamlPair& pair : mapping.pairs) {
     LevelSpec level = level_at(pair.key.span);
     level.name = reader.name(pair);
-    if (reader.is_mapping(&pair.value, pair.key.value, "a mapping", help_for_short(pair))) {
+    if (reader.is_mapping(&pair.value, pair.key.value, "a mapping", help_for_short_task(pair))) {
       reader.know_keys(pair.value, fmt::format("level `{}`", pair.key.value), keys);
       read_priority(reader, pair.value.find("priority"), level);
       read_flags(reader, pair.value, level);
@@ -127,7 +127,7 @@ std::optional<std::vector<TaskSpec>> read_tasks(Reader& reader, const YamlNode* 
   if (node->kind == YamlNode::Kind::mapping) {
     for (const YamlPair& pair : node->pairs) {
       TaskSpec& task = add(reader.name(pair), pair.span);
-      if (reader.is_mapping(&pair.value, pair.key.value, "a mapping", help_for_short(pair)))
+      if (reader.is_mapping(&pair.value, pair.key.value, "a mapping", help_for_short_task(pair)))
         read_entry(reader, pair.value, task);
     }
     return tasks;

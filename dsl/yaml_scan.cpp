@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/yaml_scan.hpp"
 
+#include "dsl/characters.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -149,9 +151,6 @@ std::optional<BareKey> bare_key_above(std::string_view text, std::size_t at) {
 
 std::optional<BareKey> bare_key_before(std::string_view text, std::size_t at) {
   if (at >= text.size() || (text[at] != '[' && text[at] != '{')) return {};
-  const auto is_word = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-  };
   std::size_t end = at;
   while (end > 0 && is_space(text[end - 1])) --end;
   std::size_t begin = end;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/yaml_text.hpp"
 
+#include "dsl/characters.hpp"
 #include "dsl/names.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +14,6 @@
 namespace director::dsl {
 
 namespace {
-
-bool is_alphanumeric(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
 bool is_null_word(std::string_view text) {
   constexpr std::array<std::string_view, 4> words{"~", "null", "Null", "NULL"};

@@ -4,6 +4,7 @@
 
 #include "compiler/emit/sha256.hpp"
 #include "compiler/version.hpp"
+#include "dsl/characters.hpp"
 
 #include <fmt/format.h>
 
@@ -30,8 +31,7 @@ std::string uri(std::string_view path) {
   constexpr std::string_view plain = "-._~/!$&'()*+,;=@";
   std::string out;
   for (const char c : path) {
-    const bool letter = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-    if (letter || plain.find(c) != std::string_view::npos) {
+    if (dsl::is_alphanumeric(c) || plain.find(c) != std::string_view::npos) {
       out += c;
     } else {
       out += fmt::format("%{:02X}", static_cast<unsigned char>(c));

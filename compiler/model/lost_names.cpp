@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/lost_names.hpp"
 
+#include "dsl/characters.hpp"
+
 #include <algorithm>
 #include <set>
 #include <string>
@@ -26,14 +28,10 @@ constexpr std::string_view within = "within";
 
 std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
-bool is_word_char(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 void add_words(std::string_view text, std::set<std::string, std::less<>>& words) {
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
-    while (end < text.size() && is_word_char(text[end])) ++end;
+    while (end < text.size() && dsl::is_word(text[end])) ++end;
     if (end > at) words.emplace(text.substr(at, end - at));
     at = std::max(end, at + 1);
   }

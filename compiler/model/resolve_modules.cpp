@@ -1,6 +1,7 @@
 // Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_modules_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
+#include "dsl/characters.hpp"
 
 #include <fmt/format.h>
 
@@ -16,13 +17,12 @@ std::string stem_as_name(std::string_view path) {
   std::string out;
   for (const char c : stem) {
     if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) continue; // a later byte of a character
-    const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    const char next = fits ? c : '_';
+    const char next = dsl::is_word(c) ? c : '_';
     if (next == '_' && out.ends_with('_')) continue;
     if (out == "_" && next >= 'A' && next <= 'Z') out.clear();
     out += next;
   }
-  if (out.empty() || (out[0] >= '0' && out[0] <= '9')) out.insert(out.begin(), '_');
+  if (out.empty() || dsl::is_digit(out[0])) out.insert(out.begin(), '_');
   return out;
 }
 

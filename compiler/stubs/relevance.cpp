@@ -3,6 +3,7 @@
 #include "compiler/stubs/relevance.hpp"
 
 #include "compiler/stubs/merge.hpp"
+#include "dsl/characters.hpp"
 
 #include <filesystem>
 #include <string>
@@ -12,16 +13,12 @@ namespace director::compiler::stubs {
 
 namespace {
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 /// The identifiers in a text, one after another.
 template <class Use>
 void each_word(std::string_view text, Use use) {
   for (std::size_t i = 0; i < text.size();) {
     std::size_t end = i;
-    while (end < text.size() && is_letter(text[end])) ++end;
+    while (end < text.size() && dsl::is_word(text[end])) ++end;
     if (end > i && use(text.substr(i, end - i))) return;
     i = end + 1;
   }

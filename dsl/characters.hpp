@@ -1,0 +1,13 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Kinds of characters, whatever the locale says: of ASCII, the others are none of them.
+
+namespace director::dsl {
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+constexpr bool is_alphanumeric(char c) { return is_letter(c) || is_digit(c); }
+/// What a name has.
+constexpr bool is_word(char c) { return is_alphanumeric(c) || c == '_'; }
+
+} // namespace director::dsl
