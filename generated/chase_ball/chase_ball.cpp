@@ -12,8 +12,8 @@ namespace chase_ball {
 namespace {
 
 constexpr std::array<director::Group, 2> groups{{
-  {.providers = {0, 2}, .edges = {1, 2}, .requesters = {3, 4}, .listens = {0, 1}}, // ChaseBall
-  {.providers = {2, 3}, .requesters = {4, 5}}, // Wheels
+  {.providers = {0, 2}, .edges = {1, 2}, .requesters = {3, 4}, .listens = {0, 1}, .users = {12, 13}}, // ChaseBall
+  {.providers = {2, 3}, .requesters = {4, 5}, .users = {13, 14}}, // Wheels
 }};
 constexpr std::array<director::Provider, 3> providers{{
   {.when = {0, 1}, .triggers = {1, 2}}, // ChaseBall.driving
@@ -29,7 +29,7 @@ constexpr std::array<director::Level, 2> levels{{
   {}, // ChaseBall>Wheels
 }};
 constexpr std::array<director::Condition, 1> conditions{{
-  {.accepts = {0, 1}, .components = {11, 12}}, // Ball == seen
+  {.accepts = {0, 1}, .components = {11, 12}, .groups = {14, 15}}, // Ball == seen
 }};
 constexpr std::array<director::Interval, 1> intervals{{
   {.low = 1, .high = 1}, // Ball == seen
@@ -41,7 +41,7 @@ constexpr std::array<director::Trigger, 1> triggers{{
   {.listeners = {2, 3}}, // Picture
 }};
 constexpr std::array<director::Promise, 0> promises{};
-constexpr std::array<director::Index, 12> lists{0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0};
+constexpr std::array<director::Index, 15> lists{0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0};
 constexpr std::array<director::Component, 1> components{{
   {.groups = {5, 7}, .edges = {7, 9}, .conditions = {9, 10}}, // ChaseBall, Wheels
 }};

@@ -12,30 +12,30 @@ namespace soccer {
 namespace {
 
 constexpr std::array<director::Group, 24> groups{{
-  {.providers = {0, 1}, .edges = {2, 6}, .requesters = {49, 50}}, // Brace
-  {.providers = {1, 4}, .edges = {6, 10}, .requesters = {50, 51}, .owned = {51, 52}}, // GetUp
-  {.providers = {4, 7}, .edges = {10, 12}, .requesters = {52, 53}}, // FallRecovery
-  {.providers = {7, 9}, .edges = {12, 16}, .requesters = {53, 56}, .start = true, .stop = true}, // Walk
-  {.providers = {9, 10}, .edges = {16, 18}, .requesters = {56, 57}}, // Kick
-  {.providers = {10, 11}, .edges = {18, 19}, .requesters = {57, 59}}, // LookAt
-  {.providers = {11, 12}, .edges = {19, 20}, .requesters = {59, 61}}, // WalkTo
-  {.providers = {12, 13}, .edges = {20, 23}, .requesters = {61, 62}, .listens = {0, 1}}, // KickTo
-  {.providers = {13, 16}, .edges = {23, 27}, .requesters = {62, 63}}, // Striker
-  {.providers = {16, 17}, .edges = {27, 28}, .requesters = {63, 64}}, // KickToGoal
-  {.providers = {17, 20}, .edges = {28, 30}, .requesters = {64, 65}, .listens = {1, 2}}, // WalkToBall
-  {.providers = {20, 21}, .edges = {30, 31}, .requesters = {65, 66}}, // WalkToReady
-  {.providers = {21, 23}, .edges = {31, 32}, .requesters = {66, 67}, .listens = {2, 3}}, // Look
-  {.providers = {23, 24}, .requesters = {67, 70}}, // LeftArm
-  {.providers = {24, 25}, .requesters = {70, 73}}, // RightArm
-  {.providers = {25, 26}, .requesters = {73, 74}}, // Head
-  {.providers = {26, 27}, .edges = {32, 35}, .requesters = {74, 78}}, // LeftLeg
-  {.providers = {27, 28}, .edges = {35, 38}, .requesters = {78, 82}}, // RightLeg
-  {.providers = {28, 29}, .requesters = {82, 83}}, // LeftHipYaw
-  {.providers = {29, 30}, .requesters = {83, 84}}, // LeftKnee
-  {.providers = {30, 31}, .requesters = {84, 85}}, // LeftAnkle
-  {.providers = {31, 32}, .requesters = {85, 86}}, // RightHipYaw
-  {.providers = {32, 33}, .requesters = {86, 87}}, // RightKnee
-  {.providers = {33, 34}, .requesters = {87, 88}}, // RightAnkle
+  {.providers = {0, 1}, .edges = {2, 6}, .requesters = {49, 50}, .users = {187, 188}}, // Brace
+  {.providers = {1, 4}, .edges = {6, 10}, .requesters = {50, 51}, .owned = {51, 52}, .users = {188, 189}}, // GetUp
+  {.providers = {4, 7}, .edges = {10, 12}, .requesters = {52, 53}, .users = {189, 190}}, // FallRecovery
+  {.providers = {7, 9}, .edges = {12, 16}, .requesters = {53, 56}, .users = {190, 191}, .start = true, .stop = true}, // Walk
+  {.providers = {9, 10}, .edges = {16, 18}, .requesters = {56, 57}, .users = {191, 192}}, // Kick
+  {.providers = {10, 11}, .edges = {18, 19}, .requesters = {57, 59}, .users = {192, 193}}, // LookAt
+  {.providers = {11, 12}, .edges = {19, 20}, .requesters = {59, 61}, .users = {193, 194}}, // WalkTo
+  {.providers = {12, 13}, .edges = {20, 23}, .requesters = {61, 62}, .listens = {0, 1}, .users = {194, 195}}, // KickTo
+  {.providers = {13, 16}, .edges = {23, 27}, .requesters = {62, 63}, .users = {195, 196}}, // Striker
+  {.providers = {16, 17}, .edges = {27, 28}, .requesters = {63, 64}, .users = {196, 197}}, // KickToGoal
+  {.providers = {17, 20}, .edges = {28, 30}, .requesters = {64, 65}, .listens = {1, 2}, .users = {197, 198}}, // WalkToBall
+  {.providers = {20, 21}, .edges = {30, 31}, .requesters = {65, 66}, .users = {198, 199}}, // WalkToReady
+  {.providers = {21, 23}, .edges = {31, 32}, .requesters = {66, 67}, .listens = {2, 3}, .users = {199, 200}}, // Look
+  {.providers = {23, 24}, .requesters = {67, 70}, .users = {200, 203}}, // LeftArm
+  {.providers = {24, 25}, .requesters = {70, 73}, .users = {203, 206}}, // RightArm
+  {.providers = {25, 26}, .requesters = {73, 74}, .users = {206, 208}}, // Head
+  {.providers = {26, 27}, .edges = {32, 35}, .requesters = {74, 78}, .users = {208, 213}}, // LeftLeg
+  {.providers = {27, 28}, .edges = {35, 38}, .requesters = {78, 82}, .users = {213, 218}}, // RightLeg
+  {.providers = {28, 29}, .requesters = {82, 83}, .users = {218, 219}}, // LeftHipYaw
+  {.providers = {29, 30}, .requesters = {83, 84}, .users = {219, 220}}, // LeftKnee
+  {.providers = {30, 31}, .requesters = {84, 85}, .users = {220, 221}}, // LeftAnkle
+  {.providers = {31, 32}, .requesters = {85, 86}, .users = {221, 222}}, // RightHipYaw
+  {.providers = {32, 33}, .requesters = {86, 87}, .users = {222, 223}}, // RightKnee
+  {.providers = {33, 34}, .requesters = {87, 88}, .users = {223, 224}}, // RightAnkle
 }};
 constexpr std::array<director::Provider, 34> providers{{
   {.needs = {2, 6}}, // Brace
@@ -155,18 +155,18 @@ constexpr std::array<director::Level, 39> levels{{
   {}, // RightLeg>RightAnkle
 }};
 constexpr std::array<director::Condition, 12> conditions{{
-  {.state = 3, .accepts = {0, 1}, .components = {184, 185}}, // RisingStep == lying
-  {.state = 3, .accepts = {1, 2}, .components = {185, 186}}, // RisingStep == tucked
-  {.state = 3, .accepts = {2, 3}, .components = {186, 187}}, // RisingStep == kneeling
-  {.state = 1, .accepts = {3, 4}, .components = {171, 172}}, // Stability == fallen
-  {.state = 1, .accepts = {4, 5}, .components = {172, 173}}, // Stability == falling
-  {.state = 1, .accepts = {5, 6}, .causers = {0, 1}, .components = {173, 174}}, // Stability == standing
-  {.state = 1, .accepts = {6, 8}, .causers = {1, 2}, .components = {174, 175}}, // Stability != fallen|falling
-  {.accepts = {8, 9}, .components = {165, 166}}, // Phase == playing
-  {.accepts = {9, 10}, .components = {166, 167}}, // Phase == ready
-  {.state = 2, .accepts = {10, 11}, .components = {178, 179}}, // Ball == near
-  {.state = 2, .accepts = {11, 12}, .components = {179, 180}}, // Ball >= close
-  {.state = 2, .accepts = {12, 13}, .components = {180, 181}}, // Ball != lost
+  {.state = 3, .accepts = {0, 1}, .components = {184, 185}, .groups = {224, 225}}, // RisingStep == lying
+  {.state = 3, .accepts = {1, 2}, .components = {185, 186}, .groups = {225, 226}}, // RisingStep == tucked
+  {.state = 3, .accepts = {2, 3}, .components = {186, 187}, .groups = {226, 227}}, // RisingStep == kneeling
+  {.state = 1, .accepts = {3, 4}, .components = {171, 172}, .groups = {227, 228}}, // Stability == fallen
+  {.state = 1, .accepts = {4, 5}, .components = {172, 173}, .groups = {228, 229}}, // Stability == falling
+  {.state = 1, .accepts = {5, 6}, .causers = {0, 1}, .components = {173, 174}, .groups = {229, 230}}, // Stability == standing
+  {.state = 1, .accepts = {6, 8}, .causers = {1, 2}, .components = {174, 175}, .groups = {230, 231}}, // Stability != fallen|falling
+  {.accepts = {8, 9}, .components = {165, 166}, .groups = {231, 232}}, // Phase == playing
+  {.accepts = {9, 10}, .components = {166, 167}, .groups = {232, 233}}, // Phase == ready
+  {.state = 2, .accepts = {10, 11}, .components = {178, 179}, .groups = {233, 234}}, // Ball == near
+  {.state = 2, .accepts = {11, 12}, .components = {179, 180}, .groups = {234, 235}}, // Ball >= close
+  {.state = 2, .accepts = {12, 13}, .components = {180, 181}, .groups = {235, 237}}, // Ball != lost
 }};
 constexpr std::array<director::Interval, 13> intervals{{
   {}, // RisingStep == lying
@@ -195,13 +195,15 @@ constexpr std::array<director::Trigger, 1> triggers{{
 constexpr std::array<director::Promise, 1> promises{{
   {.provider = 8, .condition = 5, .within = 2000000}, // Walk.halting
 }};
-constexpr std::array<director::Index, 187> lists{
+constexpr std::array<director::Index, 237> lists{
     8, 8, 2, 3, 4, 5, 0, 6, 7, 8, 9, 1, 6, 7, 8, 9, 2, 6, 7, 8, 9, 3, 4, 12, 13, 12, 13, 5, 6, 1, 5, 6, 16, 17, 18, 0,
     7, 8, 9, 10, 0, 11, 0, 11, 0, 12, 17, 18, 21, 11, 10, 3, 0, 19, 20, 29, 21, 22, 31, 28, 30, 27, 1, 23, 24, 26, 25,
     4, 8, 14, 5, 9, 15, 18, 2, 6, 12, 16, 3, 7, 13, 17, 32, 33, 34, 35, 36, 37, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
     12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18,
     19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 8,
-    7, 8, 0, 0, 3, 4, 5, 6, 0, 0, 0, 0, 9, 10, 11, 0, 0, 0, 0, 1, 2, 0, 0, 0};
+    7, 8, 0, 0, 3, 4, 5, 6, 0, 0, 0, 0, 9, 10, 11, 0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
+    0, 1, 13, 0, 1, 14, 5, 15, 0, 1, 3, 4, 16, 0, 1, 3, 4, 17, 18, 19, 20, 21, 22, 23, 1, 1, 1, 2, 2, 4, 4, 8, 8, 10,
+    10, 10, 12};
 constexpr std::array<director::Component, 1> components{{
   {.groups = {88, 112}, .edges = {112, 150}, .conditions = {150, 162}, .causing = {162, 163}}, // Brace, GetUp, FallRecovery, Walk, Kick, LookAt, WalkTo, KickTo, ...
 }};

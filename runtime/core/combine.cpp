@@ -104,26 +104,46 @@ bool Pass::combine(Index count, bool with_conditions) {
   if (count == 1 && t_.groups[target(s_.member[0])].single_choice()) return next_choice(0, true, with_conditions, true);
   bool deniable = false;
   for (Index at = 0; at < count && !deniable; ++at) deniable = may_be_denied(s_.member[at]);
-  for (Index at = 0; deniable && at < count; ++at) {
-    // Alone on the stack: entries_begin() of a later member is where the earlier one ends.
-    if (at > 0) s_.member_entries[at - 1] = 0;
-    bool any = false;
-    for (bool fresh = true; next_choice(at, fresh, with_conditions, true); fresh = false) any = true;
-    if (!any) return false;
-  }
+  if (deniable && !each_has_choice(count, with_conditions, true)) return false;
   Index at = 0;
-  bool fresh = true;
+  bool fresh = true, known = deniable; // that each has a choice for itself
   for (;;) {
     if (next_choice(at, fresh, with_conditions, false)) {
       if (at + 1 == count) return true;
       ++at;
       fresh = true;
-    } else {
-      if (at == 0) return false;
+    } else if (at == 0) {
+      return false;
+    } else if (known) {
       --at;
       fresh = false;
+    } else { // before all choices of those before it are tried with one that has none: a sum and no product
+      leave_combination(at);
+      if (!each_has_choice(count, with_conditions, false)) return false;
+      known = true;
+      at = 0;
+      fresh = true;
     }
   }
+}
+
+/// Of the members in order, up to the first one that has none. `record`: all choices of each, for whose sake they are
+/// denied.
+bool Pass::each_has_choice(Index count, bool with_conditions, bool record) {
+  for (Index at = 0; at < count; ++at) {
+    // Alone on the stack: entries_begin() of a later member is where the earlier one ends.
+    if (at > 0) s_.member_entries[at - 1] = 0;
+    bool any = false;
+    for (bool fresh = true; next_choice(at, fresh, with_conditions, record); fresh = false) {
+      any = true;
+      if (record) continue;
+      drop_entries(0, s_.member_entries[at]);
+      s_.trial[target(s_.member[at])] = nil;
+      break;
+    }
+    if (!any) return false;
+  }
+  return true;
 }
 
 void Pass::leave_combination(Index count) {
