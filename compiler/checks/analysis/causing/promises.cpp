@@ -247,7 +247,8 @@ private:
   NeverKept make(ProviderId causer) const {
     NeverKept out;
     out.causer = causer;
-    out.pushable = !(facts_.requested.contains(model_.providers[causer].group) && facts_.capable.contains(causer));
+    out.pushable = !facts_.requested.contains(model_.providers[causer].group) || !facts_.capable.contains(causer) ||
+                   facts_.excluded.contains(causer);
     std::set<ProviderId> seen{causer};
     std::vector<ProviderId> open{causer};
     for (std::size_t next = 0; next < open.size(); ++next) {

@@ -1,12 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // What may ever happen in a deployment: the least fixed point of rules like "a provider may be active if its group may
-// be requested and its conditions may hold". It takes every state for itself and forgets order, so it errs on one side
-// only: what is not among the facts never happens, what is among them may. Method: checks.md, "When and Causing"
+// be requested and its conditions may hold there". It takes every state for itself and forgets order, so it errs on one
+// side only: what is not among the facts never happens, what is among them may. Method: checks.md, "When and Causing"
 // (Dowling and Gallier 1984).
 
 #include "compiler/checks/analysis/effort/budget.hpp"
 #include "compiler/checks/analysis/plans/plans.hpp"
+#include "compiler/checks/analysis/states/region.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 
@@ -41,10 +42,12 @@ struct Facts {
   IdTable<StateId, ValueSet> values; ///< that the state may have
   IdSet<GroupId> capable_groups;     ///< some provider is capable
   IdSet<GroupId> requested;
-  IdSet<ProviderId> capable; ///< its conditions may hold and its needs may be met
-  IdSet<ProviderId> chosen;  ///< capable, and sometimes the first that is, or it was not decided
-  IdSet<ProviderId> pushed;  ///< somebody may push it
-  IdSet<ProviderId> active;  ///< its group requested, and it is chosen or pushed and capable
+  IdTable<GroupId, Region> contexts; ///< of requested groups: around all states in which a task for it is tried
+  IdSet<ProviderId> capable;         ///< its conditions may hold, together with those of some choice for its needs
+  IdSet<ProviderId> excluded; ///< capable, its group requested, but only where its conditions, or its needs', fail
+  IdSet<ProviderId> chosen;   ///< capable, and sometimes the first that is, or it was not decided
+  IdSet<ProviderId> pushed;   ///< somebody may push it
+  IdSet<ProviderId> active;   ///< its group requested, and it is chosen or pushed and capable
 
   Budget budget; ///< what the search for all this has left to the checks
 
