@@ -202,6 +202,15 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     if (!says(finding, "never runs for") || names.size() < 2) return out;
     if (const auto edge = edge_between(model, names.back(), names[names.size() - 2]))
       out.push_back(NeverGranted{*edge});
+  } else if (id == "unused_causing" && says(finding, "no task ever pushes")) {
+    const auto causer = places.with_causing(finding.span);
+    if (!causer) return out;
+    for (const ConditionUse& promise : model.providers[*causer].causing) {
+      for (const compiler::ConditionId condition : model.conditions.ids()) {
+        if (promise.span == finding.span && model.satisfies(promise.id, condition))
+          out.push_back(NeverPushed{*causer, condition});
+      }
+    }
   } else if (id == "imprecise_causing") {
     const auto causer = places.with_causing(finding.span);
     const auto waiter = finding.notes.empty() ? std::nullopt : places.with_when(finding.notes.front().span);

@@ -64,7 +64,7 @@ private:
 
   /// One that is capable and lacks a push: on what its waiters lack besides.
   void find_unpushed(const Chains& chains) {
-    const Pushes pushes(model_, facts_, chains, causers_);
+    Pushes pushes(model_, facts_, chains, causers_);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
       PushSearch search(pushes, waiter);

@@ -263,12 +263,13 @@ private:
   /// again.
   void find_pushed() {
     const Chains chains(model_, [&](ProviderId id) { return facts_.active.contains(id); });
-    const Pushes pushes(model_, facts_, chains, causers_);
+    Pushes pushes(model_, facts_, chains, causers_);
     Explored explored(model_);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
       for (const ProviderId id : PushSearch(pushes, waiter).explore(explored)) {
         if (!facts_.pushed.add(id)) continue;
+        changed_ = true;
         ++news_;
         look_again(model_.providers[id].group);
       }
@@ -314,6 +315,14 @@ bool Facts::is_impossible(ProviderId provider, StateId state) const {
 bool Facts::may_hold(const Model& model, ProviderId provider, const ConditionUse& use) const {
   const Condition& condition = model.conditions[use.id];
   return is_impossible(provider, condition.state) || !values[condition.state].intersected(condition.accepts).empty();
+}
+
+bool Facts::holds_always(const Model& model, ConditionId id, const Region& region) const {
+  const Condition& condition = model.conditions[id];
+  const auto at = region.states.find(condition.state);
+  if (at == region.states.end())
+    return !model.states[condition.state].may_be_unset() && values[condition.state].subset_of(condition.accepts);
+  return values[condition.state].intersected(at->second).subset_of(condition.accepts);
 }
 
 Facts find_facts(const Model& model, const Graph& graph) { return FactFinder(model, graph).run(); }

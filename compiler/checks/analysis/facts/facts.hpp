@@ -56,6 +56,8 @@ struct Facts {
   bool is_impossible(ProviderId provider, StateId state) const;
   /// It may hold. True also for what is reported as impossible.
   bool may_hold(const Model& model, ProviderId provider, const ConditionUse& condition) const;
+  /// It holds wherever all states are in the region.
+  bool holds_always(const Model& model, ConditionId condition, const Region& region) const;
 };
 
 Facts find_facts(const Model& model, const Graph& graph);
