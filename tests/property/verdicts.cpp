@@ -97,6 +97,13 @@ std::vector<std::string> quoted_in(const std::string& message) {
   return out;
 }
 
+std::string note_at(const dsl::Diagnostic& finding, Span span) {
+  for (const dsl::Note& note : finding.notes) {
+    if (note.span == span) return note.message;
+  }
+  return {};
+}
+
 std::optional<EdgeId> edge_between(const Model& model, const std::string& requester, const std::string& target) {
   for (const EdgeId id : model.edges.ids()) {
     const compiler::Edge& edge = model.edges[id];
@@ -157,6 +164,16 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     return spans;
   };
   const std::string& id = finding.id;
+  // Why something never happens goes down to what never runs.
+  for (const Span span : notes_with("but never runs itself")) {
+    if (const auto entry = places.entry(span); entry && entry->provider) never_runs(*entry->provider);
+  }
+  for (const Span span : notes_with("never runs: whenever it could")) {
+    for (const ProviderId provider : places.named(span)) {
+      const std::vector<std::string> names = quoted_in(note_at(finding, span));
+      if (!names.empty() && names.front() == model.full_name(provider)) out.push_back(NeverRuns{provider});
+    }
+  }
   if (id == "contradictory_when" || id == "unreachable_when" || id == "state_without_source") {
     never_runs(places.with_when(finding.span));
     for (const Span span : notes_with("looked at here too")) never_runs(places.with_when(span));

@@ -44,7 +44,13 @@ private:
       notes_.push_back({need.span, fmt::format("it needs {}, which never can run", name_of(model_, need.id))});
       for (const ProviderId below : model_.groups[need.id].providers) explain(below, true);
     }
-    if (notes_.size() != before || (facts_.capable.contains(id) && !facts_.excluded.contains(id))) return;
+    if (notes_.size() != before) return;
+    if (facts_.requested.contains(provider.group) && facts_.capable.contains(id) && !facts_.excluded.contains(id)) {
+      // Nothing is missing: it is not chosen, and not pushed.
+      notes_.push_back({provider.span, fmt::format("{} never runs: whenever it could, others of its group come first",
+                                                   name_of(model_, id))});
+      return;
+    }
     for (Note& note : explain_exclusion(model_, facts_, id)) {
       if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(std::move(note));
     }

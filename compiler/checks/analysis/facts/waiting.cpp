@@ -71,22 +71,36 @@ bool Waiting::may_wait(GroupId group) {
   return false;
 }
 
-/// Wherever its own group is to be had, and what others in its plan hold, it can be granted as far as conditions go.
 bool Waiting::is_carefree(GroupId group, const Region& context) {
   const auto [at, is_new] = carefree_.try_emplace(group, false);
   if (!is_new) return at->second;
+  std::set<GroupId> seen, above;
+  const bool out = holds_always(group, context, seen) || can_do_without(group, context, above);
+  return carefree_[group] = out;
+}
+
+/// Wherever the groups of one of its choices are to be had, some of them are a choice whose conditions hold.
+bool Waiting::can_do_without(GroupId group, const Region& context, std::set<GroupId>& above) const {
+  if (!facts_.may_wait.contains(group)) return true;
+  if (!above.insert(group).second) return false;
   const std::vector<ProviderId>& all = model_.groups[group].providers;
-  std::vector<Region> free; // of those that need nothing
+  std::vector<Region> serving;
   for (const ProviderId id : all) {
-    if (model_.providers[id].needs.empty()) free.push_back(region_of(model_, model_.providers[id].when));
+    const Provider& provider = model_.providers[id];
+    const bool serves =
+        facts_.plans[id] == PlanVerdict::found &&
+        std::all_of(all.begin(), all.end(),
+                    [&](ProviderId other) { return needs_no_more(provider, model_.providers[other]); }) &&
+        std::all_of(provider.needs.begin(), provider.needs.end(),
+                    [&](const Use<GroupId>& need) { return can_do_without(need.id, context, above); });
+    if (serves) serving.push_back(region_of(model_, provider.when));
   }
-  bool out = std::any_of(free.begin(), free.end(), [](const Region& region) { return region.states.empty(); });
-  if (!out && !free.empty()) {
-    Budget budget = facts_.budget; // a question that nobody hears of where it stays open
-    out = find_covering(model_, facts_.values, box_of_context(facts_, context), free, budget) == Covering::covered;
-  }
-  std::set<GroupId> seen;
-  return carefree_[group] = out || holds_always(group, context, seen);
+  above.erase(group);
+  if (serving.empty()) return false;
+  if (std::any_of(serving.begin(), serving.end(), [](const Region& region) { return region.states.empty(); }))
+    return true;
+  Budget budget = facts_.budget; // a question that nobody hears of where it stays open
+  return find_covering(model_, facts_.values, box_of_context(facts_, context), serving, budget) == Covering::covered;
 }
 
 /// Every condition of it, and of what it may need.

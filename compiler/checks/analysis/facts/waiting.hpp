@@ -23,7 +23,9 @@ public:
   bool may_wait(GroupId group);
 
 private:
+  /// As far as conditions go it can be granted wherever it can be had at all.
   bool is_carefree(GroupId group, const Region& context);
+  bool can_do_without(GroupId group, const Region& context, std::set<GroupId>& above) const;
   bool holds_always(GroupId group, const Region& context, std::set<GroupId>& seen) const;
 
   const Model& model_;
