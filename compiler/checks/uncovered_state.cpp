@@ -31,6 +31,7 @@ public:
       : model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
+        grants_(input.conflicts.grants()),
         findings_(findings),
         explained_(input.shared.promises().explained) {
     for (const Imprecise& fault : shared_.imprecise()) explained_.add(fault.waiter);
@@ -48,7 +49,7 @@ public:
 
   void run() {
     for (const GroupId group : model_.groups.ids()) {
-      if (facts_.requested.contains(group)) look_at(group);
+      if (facts_.requested.contains(group) && (never_runs(group) || grants_.is_tried(group))) look_at(group);
     }
     report_all();
   }
@@ -239,6 +240,7 @@ private:
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;
+  const Grants& grants_;
   Findings& findings_;
   IdSet<ProviderId> explained_;
   std::set<std::pair<GroupId, ConditionId>> pushed_;
