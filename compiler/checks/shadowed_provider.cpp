@@ -96,6 +96,13 @@ void shadowed_provider(const Input& input, Findings& findings) {
   const IdTable<StateId, ValueSet> mended = mended_values(model, facts);
   IdSet<ProviderId> explained = input.shared.promises().explained;
   for (const Imprecise& fault : input.shared.imprecise()) explained.add(fault.causer);
+  // A condition that never holds as things stand is pushed for all the same.
+  for (const Impossible& fault : facts.impossible) {
+    if (fault.stay) continue;
+    for (const ConditionUse& use : fault.uses) {
+      for (const ProviderId causer : input.shared.causers()[use.id]) explained.add(causer);
+    }
+  }
   for (const ProviderId id : input.shared.promises().never_run) report_never(input, id, findings);
   for (const auto& [id, refused] : input.conflicts.grants().idle()) report_idle(input, id, refused, findings);
   for (const ProviderId id : model.providers.ids()) {

@@ -36,6 +36,20 @@ std::vector<const Graph::Causing*> find_waiters(const Input& input, ProviderId i
   return out;
 }
 
+/// A task that looks at the promise by way of its needs never runs for another reason, which is told; it may push all
+/// the same.
+bool has_idle_task(const Input& input, const std::vector<const Graph::Causing*>& waiters) {
+  for (const ProviderId id : input.model.providers.ids()) {
+    const GroupId group = input.model.providers[id].group;
+    if (!input.facts.requested.contains(group) || input.facts.capable.contains(id)) continue;
+    const std::vector<GroupId>& needed = input.shared.units().needed(group);
+    for (const Graph::Causing* arrow : waiters) {
+      if (std::binary_search(needed.begin(), needed.end(), input.model.providers[arrow->waiter].group)) return true;
+    }
+  }
+  return false;
+}
+
 /// Nobody who looks at it ever pushes for it: it holds, or they can do without, or they go after this group.
 void report_unpushed(const Input& input, const ConditionUse& promise, const std::vector<const Graph::Causing*>& waiters,
                      Findings& findings) {
@@ -75,9 +89,11 @@ void unused_causing(const Input& input, Findings& findings) {
         return input.facts.active.contains(arrow->waiter) || input.facts.capable.contains(arrow->waiter);
       });
       const bool any_pushes = std::any_of(waiters.begin(), waiters.end(), [&](const Graph::Causing* arrow) {
-        return pushes.count({id, arrow->condition.id}) != 0;
+        return pushes.count({id, arrow->condition.id}) != 0 ||
+               input.facts.is_impossible(arrow->waiter, model.conditions[arrow->condition.id].state);
       });
-      if (input.facts.active.contains(id) && any_runs && !any_pushes) report_unpushed(input, use, waiters, findings);
+      if (input.facts.active.contains(id) && any_runs && !any_pushes && !has_idle_task(input, waiters))
+        report_unpushed(input, use, waiters, findings);
     }
   }
 }

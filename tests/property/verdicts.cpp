@@ -225,7 +225,7 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     for (const ConditionUse& promise : model.providers[*causer].causing) {
       for (const compiler::ConditionId condition : model.conditions.ids()) {
         if (promise.span == finding.span && model.satisfies(promise.id, condition))
-          out.push_back(NeverPushed{*causer, condition});
+          out.push_back(NeverPushed{*causer, condition, true});
       }
     }
   } else if (id == "imprecise_causing") {
@@ -233,7 +233,7 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     const auto waiter = finding.notes.empty() ? std::nullopt : places.with_when(finding.notes.front().span);
     if (!causer || !waiter) return out;
     for (const ConditionUse& use : model.providers[*waiter].when) {
-      if (use.span == finding.notes.front().span) out.push_back(NeverPushed{*causer, use.id});
+      if (use.span == finding.notes.front().span) out.push_back(NeverPushed{*causer, use.id, false});
     }
   }
   return out;
@@ -266,13 +266,29 @@ std::vector<ProviderId> hints_of(const dsl::Diagnostic& finding, const Model& mo
   return out;
 }
 
+std::vector<compiler::StateId> lacking_of(const dsl::Diagnostic& finding, const Model& model) {
+  std::vector<compiler::StateId> out;
+  if (finding.id != "unreachable_when" && finding.id != "state_without_source" && finding.id != "unreachable_causing")
+    return out;
+  for (const ProviderId id : model.providers.ids()) {
+    for (const auto* list : {&model.providers[id].when, &model.providers[id].causing}) {
+      for (const ConditionUse& use : *list) {
+        if (use.span == finding.span) out.push_back(model.conditions[use.id].state);
+      }
+    }
+  }
+  return out;
+}
+
 bool is_contradicted(const Claim& claim, const Model& model, const Reached& reached) {
   struct {
     const Model& model;
     const Reached& reached;
     bool operator()(const NeverRuns& c) const { return reached.ran[c.provider.value]; }
     bool operator()(const NeverGranted& c) const { return reached.granted[c.edge.value]; }
-    bool operator()(const NeverPushed& c) const { return reached.pushed.contains({c.provider, c.condition}); }
+    bool operator()(const NeverPushed& c) const {
+      return (c.to_effect ? reached.pushed_to_effect : reached.pushed).contains({c.provider, c.condition});
+    }
     bool operator()(const NeverWhole& c) const { return reached.whole[c.pack]; }
     bool operator()(const NeverBelow& c) const {
       const std::vector<EdgeId>& edges = model.groups[model.providers[c.provider].group].edges;

@@ -26,12 +26,12 @@ public:
         graph_(graph),
         sources_(find_sources(model)),
         causers_(find_causers(model)),
-        rivals_(model, graph),
+        rivals_(model, facts_.claimable),
         contexts_(model, facts_) {
     const std::size_t groups = model.groups.size(), providers = model.providers.size();
     facts_.declared = facts_.values = IdTable<StateId, ValueSet>(model.states.size());
     facts_.plans = IdTable<ProviderId, PlanVerdict>(providers, PlanVerdict::found);
-    facts_.capable_groups = facts_.requested = IdSet<GroupId>(groups);
+    facts_.capable_groups = facts_.requested = facts_.claimable = IdSet<GroupId>(groups);
     needers_ = IdTable<GroupId, std::vector<GroupId>>(groups);
     waiters_ = IdTable<StateId, std::vector<GroupId>>(model.states.size());
     set_by_provider_ = IdTable<ProviderId, Sets>(providers);
@@ -153,8 +153,22 @@ private:
     }
   }
 
+  /// With all that it may need.
+  void claim(GroupId group) {
+    std::vector<GroupId> open{group};
+    while (!open.empty()) {
+      const GroupId next = open.back();
+      open.pop_back();
+      if (!facts_.claimable.add(next)) continue;
+      for (const ProviderId id : model_.groups[next].providers) {
+        for (const Use<GroupId>& need : model_.providers[id].needs) open.push_back(need.id);
+      }
+    }
+  }
+
   void request(GroupId group, const Region& region) {
     if (!contexts_.widen(group, region)) return;
+    claim(group);
     ++news_;
     look_again(group);
   }
@@ -214,7 +228,9 @@ private:
     const GroupId group = model_.providers[id].group;
     if (facts_.requested.contains(group)) own.meet(facts_.contexts[group]);
     std::vector<Region> others;
+    bool with_needs = false; // which others may come to hold later
     for (const ProviderId rival : rivals_.that_meet(id, own)) {
+      with_needs = with_needs || !model_.providers[rival].needs.empty();
       if (facts_.plans[rival] == PlanVerdict::found && mended_states(rival).empty())
         others.push_back(region_of(model_, model_.providers[rival].when));
     }
@@ -222,6 +238,7 @@ private:
     if (covering == Covering::undecided)
       facts_.budget.leave_open(model_.providers[id].span,
                                fmt::format("whether `{}` ever comes first", model_.full_name(id)));
+    if (covering == Covering::covered && with_needs) together_.push_back(group);
     return covering != Covering::covered;
   }
 
