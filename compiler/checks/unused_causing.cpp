@@ -50,6 +50,25 @@ bool has_idle_task(const Input& input, const std::vector<const Graph::Causing*>&
   return false;
 }
 
+/// Members of one unit push each other, although that seldom comes to anything: none is granted without the others but
+/// below a requester with new orders.
+bool is_beside(const Input& input, ProviderId id, const std::vector<const Graph::Causing*>& waiters) {
+  const GroupId group = input.model.providers[id].group;
+  bool out = false;
+  for (const GroupId task : input.model.groups.ids()) {
+    if (out || !input.facts.requested.contains(task)) continue;
+    const std::vector<GroupId>& needed = input.shared.units().needed(task);
+    const bool waits = std::any_of(waiters.begin(), waiters.end(), [&](const Graph::Causing* arrow) {
+      return std::binary_search(needed.begin(), needed.end(), input.model.providers[arrow->waiter].group);
+    });
+    if (!waits) continue;
+    input.shared.chains().visit(task, {group}, [&](const Meeting& meeting, GroupId) {
+      out = out || (meeting.one_unit() && meeting.second->target == group && meeting.first_goes_before());
+    });
+  }
+  return out;
+}
+
 /// Nobody who looks at it ever pushes for it: it holds, or they can do without, or they go after this group.
 void report_unpushed(const Input& input, const ConditionUse& promise, const std::vector<const Graph::Causing*>& waiters,
                      Findings& findings) {
@@ -92,7 +111,8 @@ void unused_causing(const Input& input, Findings& findings) {
         return pushes.count({id, arrow->condition.id}) != 0 ||
                input.facts.is_impossible(arrow->waiter, model.conditions[arrow->condition.id].state);
       });
-      if (input.facts.active.contains(id) && any_runs && !any_pushes && !has_idle_task(input, waiters))
+      if (input.facts.active.contains(id) && any_runs && !any_pushes && !has_idle_task(input, waiters) &&
+          !is_beside(input, id, waiters))
         report_unpushed(input, use, waiters, findings);
     }
   }
