@@ -52,6 +52,7 @@ public:
       if (facts_.requested.contains(group) && (never_runs(group) || grants_.is_tried(group))) look_at(group);
     }
     report_all();
+    for (const EdgeId edge : facts_.excluded_tasks) report_excluded(edge);
   }
 
 private:
@@ -198,6 +199,31 @@ private:
     });
     finding.help = excluded ? "say these conditions so that all of them can hold at once"
                             : fmt::format("request what brings that about, or leave {} out", names);
+  }
+
+  /// It runs for others, and never for this one.
+  void report_excluded(EdgeId id) {
+    const Edge& edge = model_.edges[id];
+    for (const Request& request : shared_.requests().of(edge.target)) {
+      if (!request.requester || request.task->edge != id) continue;
+      const std::string name = name_of(model_, edge.target), by = name_of(model_, *edge.requester);
+      dsl::Diagnostic& finding = findings_.add(
+          request.task->span, fmt::format("{} never runs for {}, which requests it only where it cannot", name, by));
+      std::set<StateId> states;
+      for (const ProviderId each : model_.groups[edge.target].providers) {
+        for (const ConditionUse& use : model_.providers[each].when) states.insert(model_.conditions[use.id].state);
+      }
+      for (const GroupId group : {*edge.requester, edge.target}) {
+        for (const ProviderId each : model_.groups[group].providers) {
+          for (const ConditionUse& use : model_.providers[each].when) {
+            if (states.count(model_.conditions[use.id].state) != 0)
+              finding.notes.push_back(runs_only_while(model_, each, use));
+          }
+        }
+      }
+      finding.help = fmt::format("give {} a provider that can run there, or do not ask for it", name);
+      return;
+    }
   }
 
   void add_notes(const Uncoveredness& one, bool another, dsl::Diagnostic& finding) const {

@@ -183,6 +183,8 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     for (const ProviderId provider : places.named(finding.span)) {
       if (id == "shadowed_provider" || says(finding, "can never run")) out.push_back(NeverRuns{provider});
     }
+  } else if (id == "uncovered_state" && says(finding, "only where it cannot")) {
+    if (const auto entry = places.entry(finding.span)) out.push_back(NeverGranted{entry->task->edge});
   } else if (id == "uncovered_state") {
     std::vector<GroupId> groups;
     if (const auto group = places.group(finding.span)) groups.push_back(*group);

@@ -123,6 +123,15 @@ bool Contexts::may_be(const Region& region) const {
 
 bool Contexts::can_begin(ProviderId id, Region within) {
   within.meet(own(id));
+  return has_choice(id, std::move(within));
+}
+
+bool Contexts::can_go_on(ProviderId id, Region within) {
+  within.meet(around(id, facts_.pushed.contains(id)));
+  return has_choice(id, std::move(within));
+}
+
+bool Contexts::has_choice(ProviderId id, Region within) {
   if (!may_be(within)) return false;
   const Provider& provider = model_.providers[id];
   // Needs that no plan can meet are reported as such; elsewhere they are taken for mended.

@@ -25,11 +25,14 @@ public:
   Region own(ProviderId id) const;
   /// Some choice for its needs may hold in this region.
   bool can_begin(ProviderId id, Region within);
+  /// The same for one that may run already, for somebody else.
+  bool can_go_on(ProviderId id, Region within);
 
 private:
   Region around(ProviderId id, bool pushed) const;
   const Region& around_needed(GroupId group);
   bool may_be(const Region& region) const;
+  bool has_choice(ProviderId id, Region within);
 
   friend class JointPlan;
   const Model& model_;

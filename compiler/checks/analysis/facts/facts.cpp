@@ -68,10 +68,25 @@ public:
           !contexts_.can_begin(id, facts_.contexts[group]))
         facts_.excluded.add(id);
     }
+    for (const EdgeId edge : model_.edges.ids()) {
+      if (is_excluded(edge)) facts_.excluded_tasks.push_back(edge);
+    }
     return std::move(facts_);
   }
 
 private:
+  bool is_excluded(EdgeId id) {
+    const Edge& edge = model_.edges[id];
+    if (!edge.requester || edge.levels.empty()) return false;
+    const std::optional<Region> region = contexts_.below(*edge.requester);
+    const std::vector<ProviderId>& all = model_.groups[edge.target].providers;
+    const auto runs = [&](ProviderId each) { return facts_.active.contains(each); };
+    return region && !region->states.empty() && std::any_of(all.begin(), all.end(), runs) &&
+           std::none_of(all.begin(), all.end(), [&](ProviderId each) {
+             return facts_.capable.contains(each) && contexts_.can_go_on(each, *region);
+           });
+  }
+
   void find_declared() {
     for (const StateId state : model_.states.ids()) {
       for (const Source& source : sources_[state])

@@ -47,8 +47,10 @@ struct Facts {
   IdSet<ProviderId> capable;         ///< its conditions may hold, together with those of some choice for its needs
   IdSet<ProviderId> excluded; ///< capable, its group requested, but only where its conditions, or its needs', fail
   IdSet<ProviderId> chosen;   ///< capable, and sometimes the first that is, or it was not decided
-  IdSet<ProviderId> pushed;   ///< somebody may push it
-  IdSet<ProviderId> active;   ///< its group requested, and it is chosen or pushed and capable
+  std::vector<EdgeId>
+      excluded_tasks;       ///< of groups that run for others: so is every provider where this one asks for it
+  IdSet<ProviderId> pushed; ///< somebody may push it
+  IdSet<ProviderId> active; ///< its group requested, and it is chosen or pushed and capable
 
   Budget budget; ///< what the search for all this has left to the checks
 
