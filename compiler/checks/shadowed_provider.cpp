@@ -17,7 +17,7 @@ namespace director::checks {
 namespace {
 
 /// Of many rivals the first ones have a note.
-constexpr std::size_t most_noted = 8;
+constexpr std::size_t most_culprits = 8;
 
 /// A condition of it is reported as one that never holds: that is why it never runs, and what comes before it is not.
 bool never_holds(const Facts& facts, ProviderId id) {
@@ -123,7 +123,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
             ? fmt::format("{} never runs: {} comes before it and can run whenever it can", name_of(model, id), names[0])
             : fmt::format("{} never runs: {} come before it, and one of them can run whenever it can",
                           name_of(model, id), few_of(names)));
-    for (std::size_t i = 0; i < std::min(culprits.size(), most_noted); ++i)
+    for (std::size_t i = 0; i < std::min(culprits.size(), most_culprits); ++i)
       finding.notes.push_back({model.providers[culprits[i]].span, fmt::format("{} is preferred", names[i])});
     finding.help = names.size() == 1 ? fmt::format("give {} a `when` that leaves something, or put it last", names[0])
                                      : "give one of them a `when` that leaves something, or put this one first";

@@ -23,7 +23,7 @@ namespace {
 /// Combinations of values that are listed; what comes beyond is counted.
 constexpr std::size_t most_listed = 4;
 /// ... up to so many: beyond, nobody is helped by the number.
-constexpr std::size_t most_counted = 1'000;
+constexpr std::size_t most_gaps = 1'000;
 
 class Uncovered {
 public:
@@ -132,7 +132,7 @@ private:
     for (const Request& request : requests) {
       if (is_root && request.requester) continue;
       for (const Region& region : shared_.requests().regions(request)) {
-        all = all && gaps.size() < most_counted;
+        all = all && gaps.size() < most_gaps;
         if (all || gaps.empty()) look(box_of(facts_, region), request);
       }
     }
