@@ -9,6 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 using namespace director::tests;
 
@@ -97,4 +99,15 @@ TEST_CASE("a page that says what lies beside it leads to each folder there") {
   for (const std::string& path : maps)
     for (const std::string& fault : folder_faults(path, read(path))) FAIL_CHECK(fault);
   SUCCEED();
+}
+
+TEST_CASE("the glossary explains each word once") {
+  std::set<std::string> words;
+  for (const std::string& line : read("docs/glossary.md").lines) {
+    if (!line.starts_with("| ") || line.starts_with("| word |") || line.starts_with("| --- ")) continue;
+    std::istringstream row(line.substr(2, line.find(" |") - 2));
+    for (std::string word; std::getline(row >> std::ws, word, ',');)
+      if (!words.insert(word).second) FAIL_CHECK("docs/glossary.md: `" << word << "` stands there twice");
+  }
+  CHECK(words.size() > 80);
 }
