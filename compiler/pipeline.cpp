@@ -3,12 +3,15 @@
 #include "compiler/pipeline.hpp"
 
 #include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/explore/never_runs.hpp"
 #include "compiler/explore/refuted.hpp"
 #include "compiler/graph/deep_needs.hpp"
 #include "compiler/model/lost_names.hpp"
 #include "compiler/model/named_types.hpp"
 #include "compiler/model/resolve.hpp"
 #include "dsl/read_behaviour.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
@@ -120,6 +123,15 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
     const std::vector<Verdict> verdicts = decide_assertions(out.model, states_of_check);
     append(out.findings, refuted_assertions(out.model, verdicts));
     out.undecided = undecided_assertions(out.model, verdicts);
+  }
+
+  // What only exploring tells.
+  if (options.explore > 0 && out.lowerable && is_quick_to_run(out.findings)) {
+    NeverRuns never = find_never_runs(out.model, options.explore, out.findings);
+    append(out.findings, std::move(never.findings));
+    if (!never.complete)
+      out.undecided.push_back(fmt::format(
+          "what never runs: {} states were found, and there are more; `--bound N` tries more", never.states));
   }
 
   // What of all that is reported.

@@ -10,6 +10,7 @@
 #include "dsl/source_file.hpp"
 #include "dsl/spec.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace director::compiler {
 struct CheckOptions {
   checks::Selection selection;
   bool decide = false;         ///< also whether the assertions are true
+  std::size_t explore = 0;     ///< also what never runs, as far as so many states tell; 0: not
   TypeReader* types = nullptr; ///< what C++ is read with; nothing: it cannot be read here
 };
 
@@ -29,7 +31,7 @@ struct Checked {
   bool lowerable = false;                ///< resolved, and nothing stands in the way of running it in the engine
   std::vector<dsl::Diagnostic> findings; ///< sorted by place
   std::vector<std::string> headers;      ///< the user's, that were read for their types
-  std::vector<std::string> undecided;    ///< assertions that are neither proven nor refuted, each in a line
+  std::vector<std::string> undecided;    ///< what exploring leaves open, assertions first, each in a line
 };
 
 Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sources, const CheckOptions& options = {});

@@ -43,7 +43,6 @@ std::string habit_help(std::string_view token) {
   return "";
 }
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 /// Also letters of other alphabets: no name has them, but they are no operators.
 bool is_in_word(char c) { return is_word(c) || static_cast<unsigned char>(c) >= 0x80; }
 

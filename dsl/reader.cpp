@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t longest_quote = 40;
 constexpr std::size_t most_quoted_words = 4;
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   const std::size_t line = text.find('\n');
   if (line == std::string_view::npos && text.size() <= longest_quote) return fmt::format("`{}`", text);
   std::size_t size = std::min(line, longest_quote);
@@ -36,7 +36,7 @@ std::string found(const YamlNode& node) {
   case YamlNode::Kind::mapping: return "a mapping";
   case YamlNode::Kind::scalar: break;
   }
-  return (node.quoted() ? "the text " : "") + quoted(node.text);
+  return (node.quoted() ? "the text " : "") + in_quotes(node.text);
 }
 
 std::optional<std::int64_t> parse_number(std::string_view text) {
@@ -89,7 +89,7 @@ void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Ke
   for (const YamlPair& pair : mapping.pairs) {
     const std::string& key = pair.key.value;
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    const std::string message = fmt::format("{} has no key {}", thing, quoted(key));
+    const std::string message = fmt::format("{} has no key {}", thing, in_quotes(key));
     if (const std::string* help = help_for(slips, key)) {
       error("unknown_key", pair.key.span, message, *help);
       continue;

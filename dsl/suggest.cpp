@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/suggest.hpp"
 
+#include "dsl/characters.hpp"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -11,8 +13,6 @@ namespace {
 
 /// Names of people are not longer; what is longer costs time and helps nobody.
 constexpr std::size_t longest = 100;
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 /// What an edit costs; a letter in the wrong case costs one.
 constexpr std::size_t edit = 4;

@@ -202,45 +202,74 @@ std::optional<Rivalling> look_at(const Model& model, const Together& together, c
   return std::nullopt;
 }
 
-/// So many entries of one list that compete for one group at one priority are one finding: it is one decision that
-/// nobody took, and not as many as there are pairs.
+/// So many entries of one list that compete at one priority, each with another one of them, are one finding: it is one
+/// decision that nobody took, and not as many as there are pairs.
 constexpr std::size_t many = 4;
 /// Of them so many have a note.
 constexpr std::size_t most_noted = 8;
 
-void report_many(const Model& model, const std::vector<Task>& tasks, const std::set<std::size_t>& entries,
-                 const Stake& stake, Findings& findings) {
-  std::vector<std::string> names;
-  for (const std::size_t entry : entries) names.push_back(name_of(model, tasks[entry].target));
-  const std::size_t second = *std::next(entries.begin());
-  Diagnostic& finding = findings.add(
-      tasks[second].span, fmt::format("{} have equal rank and may all want {}: who asks first keeps it, and of those "
-                                      "that ask at once the one that is declared first does",
-                                      few_of(names), name_of(model, stake.first)));
-  for (const std::size_t entry : entries) {
+/// Entries that compete at one priority, by their places, and for what.
+struct Crowd {
+  std::set<std::size_t> entries;
+  std::set<GroupId> groups;
+};
+
+void report_many(const Model& model, const std::vector<Task>& tasks, const Crowd& crowd, std::int32_t priority,
+                 Findings& findings) {
+  std::vector<std::string> names, groups;
+  for (const std::size_t entry : crowd.entries) names.push_back(name_of(model, tasks[entry].target));
+  for (const GroupId group : crowd.groups) groups.push_back(name_of(model, group));
+  const std::size_t second = *std::next(crowd.entries.begin());
+  const std::string what =
+      groups.size() == 1 ? fmt::format(" and may all want {}", groups.front())
+                         : fmt::format(", and each may want what another one of them wants, {}", few_of(groups, "or"));
+  Diagnostic& finding =
+      findings.add(tasks[second].span, fmt::format("{} have equal rank{}: who asks first keeps it, and of those that "
+                                                   "ask at once the one that is declared first does",
+                                                   few_of(names), what));
+  for (const std::size_t entry : crowd.entries) {
     if (entry == second) continue;
     if (finding.notes.size() == most_noted) break;
     finding.notes.push_back({tasks[entry].span, fmt::format("{} is requested here, with the same priority {}",
-                                                            name_of(model, tasks[entry].target), stake.second)});
+                                                            name_of(model, tasks[entry].target), priority)});
   }
   finding.help = "give them priorities that tell who goes before whom";
+}
+
+/// The pairs of one priority, put together where they have an entry in common.
+std::vector<Crowd> find_crowds(const std::vector<Rivalling>& all, std::int32_t priority) {
+  std::vector<Crowd> out;
+  for (const Rivalling& pair : all) {
+    if (pair.deadlock || pair.meeting.first_level.priority != priority) continue;
+    Crowd crowd{{pair.earlier, pair.later}, {pair.contest.group}};
+    for (auto at = out.begin(); at != out.end();) {
+      const bool meets = at->entries.count(pair.earlier) != 0 || at->entries.count(pair.later) != 0;
+      if (meets) {
+        crowd.entries.insert(at->entries.begin(), at->entries.end());
+        crowd.groups.insert(at->groups.begin(), at->groups.end());
+      }
+      at = meets ? out.erase(at) : std::next(at);
+    }
+    out.push_back(std::move(crowd));
+  }
+  return out;
 }
 
 /// Of one list.
 void report_all(const Model& model, const std::vector<Task>& tasks, const std::vector<Rivalling>& all,
                 Findings& findings) {
-  const auto stake_of = [](const Rivalling& pair) {
-    return Stake{pair.contest.group, pair.meeting.first_level.priority};
-  };
-  std::map<Stake, std::set<std::size_t>> crowds;
-  for (const Rivalling& pair : all) {
-    if (!pair.deadlock) crowds[stake_of(pair)].insert({pair.earlier, pair.later});
+  std::map<std::int32_t, std::set<std::size_t>> crowded; ///< by priority: entries of which one finding tells
+  std::set<std::int32_t> priorities;
+  for (const Rivalling& pair : all) priorities.insert(pair.meeting.first_level.priority);
+  for (const std::int32_t priority : priorities) {
+    for (const Crowd& crowd : find_crowds(all, priority)) {
+      if (crowd.entries.size() < many) continue;
+      report_many(model, tasks, crowd, priority, findings);
+      crowded[priority].insert(crowd.entries.begin(), crowd.entries.end());
+    }
   }
-  for (const auto& [stake, entries] : crowds) {
-    if (entries.size() >= many) report_many(model, tasks, entries, stake, findings);
-  }
   for (const Rivalling& pair : all) {
-    if (pair.deadlock || crowds[stake_of(pair)].size() < many)
+    if (pair.deadlock || crowded[pair.meeting.first_level.priority].count(pair.earlier) == 0)
       report(model, pair.meeting, pair.contest, pair.deadlock, findings);
   }
 }

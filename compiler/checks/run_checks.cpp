@@ -27,10 +27,11 @@ bool covers(const Allowance& allowance, const Diagnostic& finding) {
                      [&](const dsl::Note& note) { return allowance.scope.contains(note.span); });
 }
 
-/// It is for `verify`, which says nothing of what the C++ does not show.
-bool is_for_code(const Allowance& allowance) {
+/// It is for `verify`, which says nothing of what the C++ does not show, or for `--explore`.
+bool is_for_others(const Allowance& allowance) {
   const Registered* check = find_registered(allowance.id.value);
-  return check != nullptr && check->read_code != nullptr && level_of(*check) != dsl::Level::error;
+  if (check == nullptr || level_of(*check) == dsl::Level::error) return false;
+  return check->read_code != nullptr || check->id == "never_runs";
 }
 
 /// Drops what the allowances cover, and marks those that covered something.
@@ -172,7 +173,7 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
   const auto collect = [&](bool last) {
     for (std::size_t i = 0; i < used.size(); ++i) {
       const Allowance& allowance = model.allowances[i];
-      if (used[i] || is_for_code(allowance) || (allowance.id.value == "unused_allow") != last) continue;
+      if (used[i] || is_for_others(allowance) || (allowance.id.value == "unused_allow") != last) continue;
       if (!errors || names_error(allowance)) leftover.push_back(unused(allowance));
     }
   };

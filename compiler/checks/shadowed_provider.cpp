@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/checks/analysis/causing/exclusion.hpp"
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/shared.hpp"
@@ -16,7 +17,7 @@ namespace director::checks {
 namespace {
 
 /// Of many rivals the first ones have a note.
-constexpr std::size_t most_noted = 8;
+constexpr std::size_t most_culprits = 8;
 
 /// A condition of it is reported as one that never holds: that is why it never runs, and what comes before it is not.
 bool never_holds(const Facts& facts, ProviderId id) {
@@ -33,11 +34,21 @@ IdTable<StateId, ValueSet> mended_values(const Model& model, const Facts& facts)
   return out;
 }
 
+/// What the `when` of earlier ones leaves of its own, where its group is asked for.
+Covering find_choice_here(const Input& input, ProviderId id, const std::vector<ProviderId>& rivals,
+                          const IdTable<StateId, ValueSet>& values) {
+  Region own = region_of(input.model, input.model.providers[id].when);
+  own.meet(input.facts.contexts[input.model.providers[id].group]);
+  std::vector<Region> others;
+  for (const ProviderId rival : rivals) others.push_back(region_of(input.model, input.model.providers[rival].when));
+  return find_covering(input.model, own, others, values, input.shared.budget());
+}
+
 /// The rivals without which it would come first; all of them where each one is enough alone or none is.
 std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const std::vector<ProviderId>& rivals,
                                       const IdTable<StateId, ValueSet>& values) {
   for (const ProviderId rival : rivals) {
-    if (find_choice(input.model, id, {rival}, values, input.shared.budget()) == Covering::covered) return {rival};
+    if (find_choice_here(input, id, {rival}, values) == Covering::covered) return {rival};
   }
   return rivals;
 }
@@ -48,6 +59,21 @@ void report_never(const Input& input, ProviderId id, Findings& findings) {
   dsl::Diagnostic& finding = findings.add(input.model.providers[id].span, fmt::format("{} can never run", name));
   finding.notes = explain_idle(input, id);
   finding.help = fmt::format("request what brings that about, or leave {} out", name);
+}
+
+/// Where its group is asked for it cannot run, and others of the group can.
+void report_excluded(const Input& input, ProviderId id, Findings& findings) {
+  const std::string name = name_of(input.model, id), group = name_of(input.model, input.model.providers[id].group);
+  dsl::Diagnostic& finding = findings.add(
+      input.model.providers[id].span, fmt::format("{} never runs: {} is requested only where it cannot", name, group));
+  finding.notes = explain_exclusion(input.model, input.facts, id);
+  finding.help = fmt::format("request {} elsewhere too, or leave {} out", group, name);
+}
+
+/// The group has another one that may run.
+bool has_active(const Input& input, GroupId group) {
+  const std::vector<ProviderId>& all = input.model.groups[group].providers;
+  return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return input.facts.active.contains(id); });
 }
 
 /// Somebody always holds what it needs while others of its group can run.
@@ -70,15 +96,24 @@ void shadowed_provider(const Input& input, Findings& findings) {
   const IdTable<StateId, ValueSet> mended = mended_values(model, facts);
   IdSet<ProviderId> explained = input.shared.promises().explained;
   for (const Imprecise& fault : input.shared.imprecise()) explained.add(fault.causer);
+  // A condition that never holds as things stand is pushed for all the same.
+  for (const Impossible& fault : facts.impossible) {
+    if (fault.stay) continue;
+    for (const ConditionUse& use : fault.uses) {
+      for (const ProviderId causer : input.shared.causers()[use.id]) explained.add(causer);
+    }
+  }
   for (const ProviderId id : input.shared.promises().never_run) report_never(input, id, findings);
   for (const auto& [id, refused] : input.conflicts.grants().idle()) report_idle(input, id, refused, findings);
   for (const ProviderId id : model.providers.ids()) {
     const Provider& provider = model.providers[id];
     if (!facts.requested.contains(provider.group) || !facts.capable.contains(id) || facts.active.contains(id)) continue;
     if (explained.contains(id) || never_holds(facts, id)) continue;
-    if (!facts.impossible.empty() &&
-        find_choice(model, id, rivals.of(id), mended, input.shared.budget()) != Covering::covered)
+    if (facts.excluded.contains(id)) {
+      if (has_active(input, provider.group)) report_excluded(input, id, findings);
       continue;
+    }
+    if (!facts.impossible.empty() && find_choice_here(input, id, rivals.of(id), mended) != Covering::covered) continue;
     std::vector<std::string> names;
     const std::vector<ProviderId> culprits = find_culprits(input, id, rivals.of(id), mended);
     for (const ProviderId rival : culprits) names.push_back(name_of(model, rival));
@@ -88,7 +123,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
             ? fmt::format("{} never runs: {} comes before it and can run whenever it can", name_of(model, id), names[0])
             : fmt::format("{} never runs: {} come before it, and one of them can run whenever it can",
                           name_of(model, id), few_of(names)));
-    for (std::size_t i = 0; i < std::min(culprits.size(), most_noted); ++i)
+    for (std::size_t i = 0; i < std::min(culprits.size(), most_culprits); ++i)
       finding.notes.push_back({model.providers[culprits[i]].span, fmt::format("{} is preferred", names[i])});
     finding.help = names.size() == 1 ? fmt::format("give {} a `when` that leaves something, or put it last", names[0])
                                      : "give one of them a `when` that leaves something, or put this one first";

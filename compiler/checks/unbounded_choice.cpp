@@ -51,7 +51,7 @@ private:
 };
 
 /// What one decision has to choose for: a task alone, or the members of a unit.
-struct Unit {
+struct CountedUnit {
   std::vector<const Task*> members;
 };
 
@@ -62,12 +62,12 @@ bool is_member(const Model& model, const Task& task) {
   });
 }
 
-std::vector<Unit> find_units(const Model& model) {
-  std::vector<Unit> out;
+std::vector<CountedUnit> find_units(const Model& model) {
+  std::vector<CountedUnit> out;
   for (const Task& root : model.roots) out.push_back({{&root}});
   for (const Provider& provider : model.providers) {
     for (const Pack& pack : provider.packs) {
-      Unit members;
+      CountedUnit members;
       for (const Task& task : pack.tasks) {
         if (is_member(model, task)) {
           members.members.push_back(&task);
@@ -85,7 +85,7 @@ std::string amount(const WayCount& ways) {
   return fmt::format("{}{} {}", ways.complete ? "" : "at least ", ways.count, ways.count == 1 ? "way" : "ways");
 }
 
-void report(const Model& model, const Unit& unit, Counter& counter, std::int64_t product, bool complete,
+void report(const Model& model, const CountedUnit& unit, Counter& counter, std::int64_t product, bool complete,
             Findings& findings) {
   // The task with the most ways is where less would help most.
   const Task* worst = *std::max_element(unit.members.begin(), unit.members.end(), [&](const Task* a, const Task* b) {
@@ -122,7 +122,7 @@ void unbounded_choice(const Input& input, Findings& findings) {
   const Model& model = input.model;
   Budget& budget = input.shared.budget();
   Counter counter(model, budget);
-  for (const Unit& unit : find_units(model)) {
+  for (const CountedUnit& unit : find_units(model)) {
     std::int64_t product = 1;
     bool complete = true;
     for (const Task* member : unit.members) {

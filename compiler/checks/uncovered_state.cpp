@@ -1,6 +1,8 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/checks/analysis/causing/exclusion.hpp"
 #include "compiler/checks/analysis/causing/self_defeats.hpp"
+#include "compiler/checks/analysis/chains/sparse_set.hpp"
 #include "compiler/checks/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/analysis/requests/gaps.hpp"
 #include "compiler/checks/analysis/shared.hpp"
@@ -21,7 +23,7 @@ namespace {
 /// Combinations of values that are listed; what comes beyond is counted.
 constexpr std::size_t most_listed = 4;
 /// ... up to so many: beyond, nobody is helped by the number.
-constexpr std::size_t most_counted = 1'000;
+constexpr std::size_t most_gaps = 1'000;
 
 class Uncovered {
 public:
@@ -29,6 +31,7 @@ public:
       : model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
+        grants_(input.conflicts.grants()),
         findings_(findings),
         explained_(input.shared.promises().explained) {
     for (const Imprecise& fault : shared_.imprecise()) explained_.add(fault.waiter);
@@ -46,9 +49,10 @@ public:
 
   void run() {
     for (const GroupId group : model_.groups.ids()) {
-      if (facts_.requested.contains(group)) look_at(group);
+      if (facts_.requested.contains(group) && (never_runs(group) || grants_.is_tried(group))) look_at(group);
     }
     report_all();
+    for (const EdgeId edge : facts_.excluded_tasks) report_excluded(edge);
   }
 
 private:
@@ -70,11 +74,37 @@ private:
     });
   }
 
+  /// None of its providers ever runs, and that is not told of any of them.
+  bool never_runs(GroupId group) const {
+    const std::vector<ProviderId>& all = model_.groups[group].providers;
+    return std::all_of(all.begin(), all.end(), [&](ProviderId id) {
+      SparseSet<GroupId> seen;
+      return !facts_.active.contains(id) && !is_told(id, seen);
+    });
+  }
+
+  /// Something else is reported that keeps it from running, of it or of what it needs.
+  bool is_told(ProviderId id, SparseSet<GroupId>& seen) const {
+    const auto faults = facts_.impossible_of(id);
+    const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
+    return explained_.contains(id) || facts_.plans[id] != PlanVerdict::found ||
+           std::any_of(faults.begin(), faults.end(), [](const Impossible& fault) { return !fault.stay; }) ||
+           std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
+             if (facts_.capable_groups.contains(need.id) || !seen.add(need.id)) return false;
+             const std::vector<ProviderId>& below = model_.groups[need.id].providers;
+             return std::any_of(below.begin(), below.end(), [&](ProviderId each) { return is_told(each, seen); });
+           });
+  }
+
   void look_at(GroupId group) {
     Ways ways(model_, facts_, true,
               [&](ProviderId provider, const ConditionUse& use) { return counts(group, provider, use); });
     const std::vector<Region> open = ways.of(group);
-    // No way at all is a conflict of conditions within the needs.
+    if (never_runs(group)) {
+      const Request& first = shared_.requests().of(group).front();
+      found_.push_back({group, {std::string(everywhere)}, true, {}, &first});
+      return;
+    }
     if (open.empty() || std::any_of(open.begin(), open.end(), [](const Region& way) { return way.states.empty(); }))
       return;
     std::vector<std::string> gaps;
@@ -102,11 +132,10 @@ private:
     for (const Request& request : requests) {
       if (is_root && request.requester) continue;
       for (const Region& region : shared_.requests().regions(request)) {
-        all = all && gaps.size() < most_counted;
+        all = all && gaps.size() < most_gaps;
         if (all || gaps.empty()) look(box_of(facts_, region), request);
       }
     }
-    if (!gaps.empty() && !facts_.capable_groups.contains(group)) gaps = {std::string(everywhere)};
     if (!gaps.empty()) found_.push_back({group, std::move(gaps), all, std::move(states), where});
   }
 
@@ -161,7 +190,40 @@ private:
       for (dsl::Note& note : explain_idle(model_, facts_, model_.groups[one->group].providers))
         finding.notes.push_back(std::move(note));
     }
-    finding.help = fmt::format("request what brings that about, or leave {} out", names);
+    // Where a provider lacks nothing that could be brought about, conditions exclude each other.
+    const bool excluded = std::all_of(all.begin(), all.end(), [&](const Uncoveredness* one) {
+      const std::vector<ProviderId>& providers = model_.groups[one->group].providers;
+      return std::all_of(providers.begin(), providers.end(), [&](ProviderId id) {
+        return facts_.excluded.contains(id) || !explain_exclusion(model_, facts_, id).empty();
+      });
+    });
+    finding.help = excluded ? "say these conditions so that all of them can hold at once"
+                            : fmt::format("request what brings that about, or leave {} out", names);
+  }
+
+  /// It runs for others, and never for this one.
+  void report_excluded(EdgeId id) {
+    const Edge& edge = model_.edges[id];
+    for (const Request& request : shared_.requests().of(edge.target)) {
+      if (!request.requester || request.task->edge != id) continue;
+      const std::string name = name_of(model_, edge.target), by = name_of(model_, *edge.requester);
+      dsl::Diagnostic& finding = findings_.add(
+          request.task->span, fmt::format("{} never runs for {}, which requests it only where it cannot", name, by));
+      std::set<StateId> states;
+      for (const ProviderId each : model_.groups[edge.target].providers) {
+        for (const ConditionUse& use : model_.providers[each].when) states.insert(model_.conditions[use.id].state);
+      }
+      for (const GroupId group : {*edge.requester, edge.target}) {
+        for (const ProviderId each : model_.groups[group].providers) {
+          for (const ConditionUse& use : model_.providers[each].when) {
+            if (states.count(model_.conditions[use.id].state) != 0)
+              finding.notes.push_back(runs_only_while(model_, each, use));
+          }
+        }
+      }
+      finding.help = fmt::format("give {} a provider that can run there, or do not ask for it", name);
+      return;
+    }
   }
 
   void add_notes(const Uncoveredness& one, bool another, dsl::Diagnostic& finding) const {
@@ -204,6 +266,7 @@ private:
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;
+  const Grants& grants_;
   Findings& findings_;
   IdSet<ProviderId> explained_;
   std::set<std::pair<GroupId, ConditionId>> pushed_;

@@ -76,10 +76,11 @@ std::string propose(const Model& model, const std::vector<Obstacle>& obstacles) 
 void report(const Input& input, const Chains& chains, const NeverKept& promise, Findings& findings) {
   const Model& model = input.model;
   const GroupId group = model.providers[promise.causer].group;
-  Diagnostic& finding = findings.add(promise.promise.span,
-                                     fmt::format("{} could cause {}, but nothing that waits for it can ever push {}",
-                                                 name_of(model, promise.causer), name_of(model, promise.promise.id),
-                                                 name_of(model, group)));
+  Diagnostic& finding =
+      findings.add(promise.promise.span,
+                   fmt::format("{} could cause {}, but nothing that waits for it can ever push {}{}",
+                               name_of(model, promise.causer), name_of(model, promise.promise.id),
+                               name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
   std::vector<Obstacle> all;
   for (const NeverKept::Waiting& waiting : promise.waiting) {
     finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),

@@ -18,9 +18,9 @@ namespace director::checks {
 
 namespace {
 
-class Company {
+class HeldBack {
 public:
-  Company(const Input& input, Findings& findings)
+  HeldBack(const Input& input, Findings& findings)
       : input_(input),
         findings_(findings),
         ways_(input.model, input.facts, false, [](ProviderId, const ConditionUse&) { return true; }),
@@ -115,7 +115,7 @@ private:
 } // namespace
 
 void waiting_company(const Input& input, Findings& findings) {
-  Company company(input, findings);
+  HeldBack company(input, findings);
   for (const ProviderId id : input.model.providers.ids()) {
     const Provider& provider = input.model.providers[id];
     if (!provider.has_packs || !input.facts.active.contains(id)) continue;

@@ -82,6 +82,7 @@ public:
     CheckOptions options;
     options.decide = true;
     options.selection = request_.selection;
+    options.explore = request_.explore;
     const std::optional<Checked> checked = load(request_.file, options, sources_, console_, {request_.build, {}});
     if (!checked) return misused;
     if (!request_.reachable.empty()) {

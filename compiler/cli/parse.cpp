@@ -102,6 +102,16 @@ void add_build(CLI::App& app, std::string& build) {
       ->type_name("FOLDER");
 }
 
+CLI::Option* add_bound(CLI::App& app, std::size_t& bound) {
+  return app
+      .add_option("--bound", bound, "end after so many different states, a few hundred bytes each; without it 1000000")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
+}
+
+/// The check that explores.
+constexpr const char* never_runs = "never_runs";
+
 Make check_options(CLI::App& app) {
   auto request = std::make_shared<Check>();
   auto words = std::make_shared<SelectionWords>();
@@ -113,9 +123,18 @@ Make check_options(CLI::App& app) {
       ->type_name("X");
   add_build(app, request->build);
   app.add_flag("--verbose", request->verbose, "also print how much memory and work the engine may need");
+  auto explore = std::make_shared<bool>(false);
+  auto bound = std::make_shared<std::size_t>(Explore{}.bound);
+  CLI::Option* exploring =
+      app.add_flag("--explore", *explore, "try everything that can happen, and report what never runs");
+  add_bound(app, *bound)->needs(exploring);
   return [=]() -> Request {
     if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
     request->selection = selection_of(*words);
+    if (*explore || request->selection.lints.contains(never_runs)) {
+      request->selection.lints.emplace(never_runs);
+      request->explore = *bound;
+    }
     return *request;
   };
 }
@@ -217,10 +236,7 @@ Make test_options(CLI::App& app) {
 Make explore_options(CLI::App& app) {
   auto request = std::make_shared<Explore>();
   app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
-  app.add_option("--bound", request->bound,
-                 "end after so many different states, a few hundred bytes each; without it 1000000")
-      ->type_name("N")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
+  add_bound(app, request->bound);
   app.add_option("-o,--output", request->output, "folder for what is found, as scenarios")->type_name("FOLDER");
   return [=]() -> Request { return *request; };
 }

@@ -55,12 +55,61 @@ void find_unused_layers(Resolver& r) {
   }
 }
 
+/// All that leads there from these groups, by requests and needs; these included.
+std::vector<bool> led_to(const Model& model, std::vector<GroupId> open) {
+  std::vector<bool> out(model.groups.size(), false);
+  for (const GroupId id : open) out[id.value] = true;
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    for (const EdgeId edge : model.groups[open[next]].edges) {
+      const GroupId target = model.edges[edge].target;
+      if (!out[target.value]) open.push_back(target);
+      out[target.value] = true;
+    }
+  }
+  return out;
+}
+
+/// Groups to which nothing leads but each other.
+void find_unused_circles(Resolver& r) {
+  const Model& model = r.model;
+  std::vector<GroupId> from;
+  for (const Task& root : model.roots) from.push_back(root.target);
+  for (const GroupId id : model.groups.ids()) {
+    if (model.groups[id].requesters.empty()) from.push_back(id); // told of
+  }
+  const std::vector<bool> used = led_to(model, from);
+  std::vector<bool> done = used;
+  for (const GroupId id : model.groups.ids()) {
+    if (done[id.value]) continue;
+    const std::vector<bool> below = led_to(model, {id});
+    // The first of a circle to which no other circle leads.
+    const std::vector<EdgeId>& above = model.groups[id].requesters;
+    std::vector<GroupId> open;
+    for (const EdgeId edge : above) open.push_back(*model.edges[edge].requester);
+    std::vector<bool> seen(model.groups.size(), false);
+    bool is_top = true;
+    for (std::size_t next = 0; next < open.size() && is_top; ++next) {
+      if (seen[open[next].value]) continue;
+      seen[open[next].value] = true;
+      is_top = below[open[next].value];
+      for (const EdgeId edge : model.groups[open[next]].requesters) open.push_back(*model.edges[edge].requester);
+    }
+    if (!is_top) continue;
+    for (const GroupId each : model.groups.ids()) done[each.value] = done[each.value] || below[each.value];
+    const std::string& name = model.groups[id].name.value;
+    report(r, model.groups[id].name.span,
+           fmt::format("nothing requests or needs `{}` but what it leads to itself", name),
+           "remove it, or list it under `roots`, or under `tasks` or `needs` of another group");
+  }
+}
+
 void find_unused_groups(Resolver& r) {
   for (const Group& group : r.model.groups) {
     if (group.requesters.empty())
       report(r, group.name.span, fmt::format("nothing requests or needs `{}`", group.name.value),
              "remove it, or list it under `roots`, or under `tasks` or `needs` of another group");
   }
+  find_unused_circles(r);
 }
 
 } // namespace

@@ -108,7 +108,7 @@ private:
   void plan_pushes() {
     const checks::Chains chains(model_, counts_);
     const checks::Causers causers = checks::find_causers(model_);
-    const checks::Pushes pushes(model_, facts_, chains, causers);
+    checks::Pushes pushes(model_, facts_, chains, causers);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
       for (const ProviderId causer : checks::find_pushable(model_, pushes, waiter))

@@ -99,4 +99,37 @@ TEST_CASE("what is not decided within the bound is told, and nothing is generate
   CHECK(world.outputs.written.empty());
 }
 
+TEST_CASE("what only exploring tells is told where it is asked for, and how far that went where it did not end") {
+  const std::string head = "behaviour: door\nlanguage: 1\nstates: {Door: {values: [shut, open], initial: shut}, "
+                           "Lamp: {values: [dark, lit], initial: dark}}\nroots: [Enter]\ngroups:\n";
+  const std::string rest = "      - {name: opening, when: [Door == shut], sets: [Door == open]}\n"
+                           "      - {name: lighting, sets: [Lamp == lit]}\n";
+  World world;
+  world.files.add("door.yaml", head + "  Enter:\n    providers:\n" +
+                                   "      - {name: peeping, when: [Door == shut, Lamp == lit]}\n" + rest);
+  CHECK(world.directorc({"check", "door.yaml"}) == 0);
+  CHECK(world.out.empty());
+  CHECK(world.directorc({"check", "--explore", "door.yaml"}) == 0);
+  const std::string begin = "door.yaml:8:16: lint: `Enter.peeping` never runs, whatever happens [never_runs]\n";
+  CHECK(world.out.substr(0, begin.size()) == begin);
+  CHECK(world.out.ends_with("1 lint\n"));
+  const std::string text = world.out;
+  CHECK(world.directorc({"check", "--lint=never_runs", "door.yaml"}) == 0);
+  CHECK(world.out == text);
+  CHECK(world.directorc({"check", "--explore", "--bound=3", "door.yaml"}) == 3);
+  CHECK(world.out.empty());
+  CHECK(world.err == "directorc: not decided: what never runs: 8 states were found, and there are more; `--bound N` "
+                     "tries more\n");
+  CHECK(world.directorc({"check", "--bound=3", "door.yaml"}) == 2);
+  CHECK(world.err == "directorc check: --bound requires --explore\nTry `directorc check --help`.\n");
+}
+
+TEST_CASE("an `allow` of what only exploring tells is not called unused where nothing is explored") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n"
+                               "  Lamp: {allow: [never_runs], because: to try it}\n");
+  CHECK(world.directorc({"check", "--werror", "lamp.yaml"}) == 0);
+  CHECK(world.out.empty());
+}
+
 } // namespace

@@ -87,4 +87,18 @@ std::vector<std::string> name_faults(const std::string& path, const Markdown& pa
   return faults;
 }
 
+std::vector<std::string> folder_faults(const std::string& path, const Markdown& page) {
+  std::vector<std::string> faults;
+  for (const auto& entry : fs::directory_iterator((source_dir() / path).parent_path())) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_directory() || name.starts_with('.')) continue;
+    const auto leads_there = [&](const Inline& link) {
+      return *fs::path(link.text).lexically_normal().begin() == name;
+    };
+    if (std::ranges::none_of(page.links, leads_there)) faults.push_back(path + ": no link leads to " + name + "/");
+  }
+  std::ranges::sort(faults);
+  return faults;
+}
+
 } // namespace director::tests

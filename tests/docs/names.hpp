@@ -16,4 +16,7 @@ std::vector<std::string> link_faults(const std::string& path, const Markdown& pa
 /// tree; what a build makes is left alone. A command begins with `directorc`.
 std::vector<std::string> name_faults(const std::string& path, const Markdown& page);
 
+/// Folders beside the page to which none of its links leads.
+std::vector<std::string> folder_faults(const std::string& path, const Markdown& page);
+
 } // namespace director::tests

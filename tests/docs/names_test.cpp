@@ -28,3 +28,9 @@ TEST_CASE("a command that stands between backticks must exist, with its options"
                                                                  "page.md:2: `directorc check` has no option --hard",
                                                                  "page.md:2: `directorc` has no option --hard"});
 }
+
+TEST_CASE("a folder to which the page beside it does not link is found") {
+  CHECK(folder_faults("runtime/page.md",
+                      read_markdown("[a](core/tables.hpp) [b](./dds/) [c](hosted.md) [d](../hosted)\n")) ==
+        std::vector<std::string>{"runtime/page.md: no link leads to hosted/"});
+}

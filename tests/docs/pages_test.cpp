@@ -9,6 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 using namespace director::tests;
 
@@ -23,10 +25,16 @@ std::vector<std::string> pages_in(const std::string& folder) {
   return paths;
 }
 
+/// The pages that say what lies in the folders beside them.
+const std::vector<std::string> maps{"compiler/README.md", "dsl/README.md", "runtime/README.md",
+                                    "runtime/core/README.md", "tests/README.md"};
+
 std::vector<std::string> documentation() {
   std::vector<std::string> paths = pages_in("docs");
   paths.insert(paths.begin(), "README.md");
-  for (const char* path : {"CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "runtime/dds/README.md"}) paths.emplace_back(path);
+  for (const char* path : {"CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "runtime/dds/README.md"})
+    paths.emplace_back(path);
+  paths.insert(paths.end(), maps.begin(), maps.end());
   return paths;
 }
 
@@ -85,4 +93,21 @@ TEST_CASE("files and commands that the pages name exist") {
   for (const std::string& path : documentation())
     for (const std::string& fault : name_faults(path, read(path))) FAIL_CHECK(fault);
   SUCCEED();
+}
+
+TEST_CASE("a page that says what lies beside it leads to each folder there") {
+  for (const std::string& path : maps)
+    for (const std::string& fault : folder_faults(path, read(path))) FAIL_CHECK(fault);
+  SUCCEED();
+}
+
+TEST_CASE("the glossary explains each word once") {
+  std::set<std::string> words;
+  for (const std::string& line : read("docs/glossary.md").lines) {
+    if (!line.starts_with("| ") || line.starts_with("| word |") || line.starts_with("| --- ")) continue;
+    std::istringstream row(line.substr(2, line.find(" |") - 2));
+    for (std::string word; std::getline(row >> std::ws, word, ',');)
+      if (!words.insert(word).second) FAIL_CHECK("docs/glossary.md: `" << word << "` stands there twice");
+  }
+  CHECK(words.size() > 80);
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# cmake -D PROGRAM=<fuzzer> -D TARGET=<name> -D FROM=<tests/fuzz> -D WORK=<folder> -D SECONDS=<n> -P run.cmake
+# cmake -D PROGRAM=<fuzzer> -D TARGET=<name> -D FROM=<tests/fuzz> -D CORPUS=<folder> -D WORK=<folder> -D SECONDS=<n> -P run.cmake
 # Lets a fuzzer look for faults for so long, beginning with the corpus. Fails where it finds one, and where fewer edges ran than golden/edges.txt says,
 # give or take 2 %. With DIRECTOR_BLESS=1 in the environment that number is rewritten.
 cmake_policy(SET CMP0057 NEW)
@@ -7,12 +7,16 @@ set(tolerance 2)
 set(golden ${FROM}/golden/edges.txt)
 
 # What it learns goes to WORK, so that it stays out of the sources. The same seed each time: a fault of the code that is there already was found before.
+file(GLOB known_inputs ${CORPUS}/*)
+if(NOT known_inputs)
+  message(FATAL_ERROR "${CORPUS} is empty: cmake --build TREE --target fuzz_corpus unpacks it.")
+endif()
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/corpus)
 set(ENV{ASAN_OPTIONS} "detect_leaks=1:allocator_may_return_null=1")
 execute_process(
   COMMAND ${PROGRAM} -seed=1 -max_total_time=${SECONDS} -max_len=16384 -timeout=20 -rss_limit_mb=1500 -malloc_limit_mb=700 -dict=${FROM}/words.dict
-          -print_final_stats=1 -verbosity=1 -artifact_prefix=${WORK}/ ${WORK}/corpus ${FROM}/corpus/${TARGET}
+          -print_final_stats=1 -verbosity=1 -artifact_prefix=${WORK}/ ${WORK}/corpus ${CORPUS}
   OUTPUT_QUIET ERROR_VARIABLE log RESULT_VARIABLE status)
 file(WRITE ${WORK}/log.txt "${log}")
 

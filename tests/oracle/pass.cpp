@@ -223,7 +223,7 @@ void Pass::keep_serving_pushes(const Combination& combination) {
   now_.pushes.insert(serving.begin(), serving.end());
 }
 
-// Hand-over: limbo goes after everything, owns nothing against anybody, and runs nothing.
+// Limbo: it goes after everything, owns nothing against anybody, and runs nothing.
 void Pass::hand_over() {
   for (const GroupId group : last_.order) {
     if (!last_.active[group] || now_.held[group]) continue;

@@ -68,8 +68,15 @@ void Reached::look(const compiler::Machine& machine) {
   }
   for (Index g = 0; g < t.groups.size(); ++g) {
     const Push& push = s.last[g].push;
-    if (push.edge != nil) pushed.insert({ProviderId{push.provider}, ground_.lowered.condition_ids[push.condition]});
-    if (engine.granted(g)) granted_in.insert({GroupId{g}, all});
+    if (push.edge != nil) {
+      const std::pair each{ProviderId{push.provider}, ground_.lowered.condition_ids[push.condition]};
+      pushed.insert(each);
+      if (engine.granted(g) && engine.active(g) == push.provider && engine.state(push.edge) == RunState::queued)
+        pushed_to_effect.insert(each);
+    }
+    // One that is held by a push runs whatever the states are that it causes itself.
+    const bool is_held = push.edge != nil && push.provider == engine.active(g);
+    if (engine.granted(g) && !is_held) granted_in.insert({GroupId{g}, all});
   }
   for (std::size_t i = 0; i < packs_.size(); ++i) {
     const Index group = ground_.model.providers[packs_[i].provider].group.value;

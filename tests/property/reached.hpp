@@ -43,9 +43,10 @@ public:
   std::vector<bool> requested, granted; ///< edge
   std::vector<bool> whole;              ///< row of whole_packs()
   std::set<std::pair<compiler::ProviderId, compiler::ConditionId>> pushed;
-  std::vector<std::set<std::int32_t>> values; ///< state
+  std::set<std::pair<compiler::ProviderId, compiler::ConditionId>> pushed_to_effect; ///< it ran while the task waited
+  std::vector<std::set<std::int32_t>> values;                                        ///< state
   std::set<HeldBelow> held_below;
-  /// A group that is granted, and the values of all states then.
+  /// A group that is granted and not held by a push, and the values of all states then.
   std::set<std::pair<compiler::GroupId, std::vector<std::int32_t>>> granted_in;
 
 private:

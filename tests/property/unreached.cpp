@@ -35,13 +35,15 @@ public:
     begin_ = {0, model.providers.size(), 2 * model.providers.size()};
     begin_.push_back(begin_.back() + model.edges.size());
     begin_.push_back(begin_.back() + packs_.size());
-    claimed_.resize(begin_.back() + pushes_.size());
+    begin_.push_back(begin_.back() + pushes_.size());
+    claimed_.resize(begin_.back() + model.states.size());
     below_.resize(model.groups.size());
     for (const GroupId id : model.groups.ids()) find_below(id, below_[id.value]);
     for (const dsl::Diagnostic& finding : findings) {
       for (const Claim& claim : claims_of(finding, model)) take(claim);
       for (const ProviderId id : hints_of(finding, model)) claimed_[runs(id)] = true;
       for (const EdgeId id : losers_of(finding, model)) claimed_[granted(id)] = true;
+      for (const compiler::StateId id : lacking_of(finding, model)) claimed_[lacks(id)] = true;
     }
     find_ways();
     find_told();
@@ -75,6 +77,8 @@ private:
 
   Row runs(ProviderId id) const { return id.value; }
   Row can(ProviderId id) const { return begin_[1] + id.value; }
+  /// Values that it never had.
+  Row lacks(compiler::StateId id) const { return begin_[5] + id.value; }
   Row granted(EdgeId id) const { return begin_[2] + id.value; }
   bool is_task(EdgeId id) const { return !model_.edges[id].levels.empty(); }
 
@@ -160,6 +164,14 @@ private:
         ways_[row].push_back(all_run(waiters));
       ++row;
     }
+    for (const compiler::StateId id : model_.states.ids()) {
+      All setters;
+      for (const ConditionId condition : model_.conditions.ids()) {
+        if (model_.conditions[condition].state != id || held(condition)) continue;
+        for (const ProviderId setter : setters_of(condition)) setters.push_back(runs(setter));
+      }
+      if (!setters.empty()) ways_[lacks(id)].push_back(std::move(setters));
+    }
   }
 
   All all_run(const std::vector<ProviderId>& providers) const {
@@ -180,6 +192,14 @@ private:
       if (std::any_of(below.begin(), below.end(), [&](ProviderId q) { return reached_.ran[q.value]; })) continue;
       All& way = ways_[can(id)].emplace_back();
       for (const ProviderId q : below) way.push_back(can(q));
+    }
+    // Earlier ones that would leave it something if the states had values that they never have.
+    for (const ProviderId earlier : model_.groups[provider.group].providers) {
+      if (earlier == id) break;
+      for (const ConditionUse& use : model_.providers[earlier].when) {
+        if (reached_.ran[earlier.value] && always_held(use.id))
+          ways_[runs(id)].push_back({lacks(model_.conditions[use.id].state)});
+      }
     }
     All asks;
     for (const EdgeId edge : model_.groups[provider.group].requesters) {
@@ -209,6 +229,15 @@ private:
     const compiler::Condition& condition = model_.conditions[id];
     const auto& seen = reached_.values[condition.state.value];
     return std::any_of(seen.begin(), seen.end(),
+                       [&](std::int32_t value) { return value != unset && condition.accepts.contains(value); });
+  }
+
+  /// ... and would not with every value that the state might have.
+  bool always_held(ConditionId id) const {
+    const compiler::Condition& condition = model_.conditions[id];
+    const auto& seen = reached_.values[condition.state.value];
+    return !model_.states[condition.state].domain().subset_of(condition.accepts) &&
+           std::all_of(seen.begin(), seen.end(),
                        [&](std::int32_t value) { return value != unset && condition.accepts.contains(value); });
   }
 

@@ -97,6 +97,13 @@ std::vector<std::string> quoted_in(const std::string& message) {
   return out;
 }
 
+std::string note_at(const dsl::Diagnostic& finding, Span span) {
+  for (const dsl::Note& note : finding.notes) {
+    if (note.span == span) return note.message;
+  }
+  return {};
+}
+
 std::optional<EdgeId> edge_between(const Model& model, const std::string& requester, const std::string& target) {
   for (const EdgeId id : model.edges.ids()) {
     const compiler::Edge& edge = model.edges[id];
@@ -157,6 +164,16 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     return spans;
   };
   const std::string& id = finding.id;
+  // Why something never happens goes down to what never runs.
+  for (const Span span : notes_with("but never runs itself")) {
+    if (const auto entry = places.entry(span); entry && entry->provider) never_runs(*entry->provider);
+  }
+  for (const Span span : notes_with("never runs: whenever it could")) {
+    for (const ProviderId provider : places.named(span)) {
+      const std::vector<std::string> names = quoted_in(note_at(finding, span));
+      if (!names.empty() && names.front() == model.full_name(provider)) out.push_back(NeverRuns{provider});
+    }
+  }
   if (id == "contradictory_when" || id == "unreachable_when" || id == "state_without_source") {
     never_runs(places.with_when(finding.span));
     for (const Span span : notes_with("looked at here too")) never_runs(places.with_when(span));
@@ -166,6 +183,8 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     for (const ProviderId provider : places.named(finding.span)) {
       if (id == "shadowed_provider" || says(finding, "can never run")) out.push_back(NeverRuns{provider});
     }
+  } else if (id == "uncovered_state" && says(finding, "only where it cannot")) {
+    if (const auto entry = places.entry(finding.span)) out.push_back(NeverGranted{entry->task->edge});
   } else if (id == "uncovered_state") {
     std::vector<GroupId> groups;
     if (const auto group = places.group(finding.span)) groups.push_back(*group);
@@ -202,12 +221,21 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     if (!says(finding, "never runs for") || names.size() < 2) return out;
     if (const auto edge = edge_between(model, names.back(), names[names.size() - 2]))
       out.push_back(NeverGranted{*edge});
+  } else if (id == "unused_causing" && says(finding, "no task ever pushes")) {
+    const auto causer = places.with_causing(finding.span);
+    if (!causer) return out;
+    for (const ConditionUse& promise : model.providers[*causer].causing) {
+      for (const compiler::ConditionId condition : model.conditions.ids()) {
+        if (promise.span == finding.span && model.satisfies(promise.id, condition))
+          out.push_back(NeverPushed{*causer, condition, true});
+      }
+    }
   } else if (id == "imprecise_causing") {
     const auto causer = places.with_causing(finding.span);
     const auto waiter = finding.notes.empty() ? std::nullopt : places.with_when(finding.notes.front().span);
     if (!causer || !waiter) return out;
     for (const ConditionUse& use : model.providers[*waiter].when) {
-      if (use.span == finding.notes.front().span) out.push_back(NeverPushed{*causer, use.id});
+      if (use.span == finding.notes.front().span) out.push_back(NeverPushed{*causer, use.id, false});
     }
   }
   return out;
@@ -240,13 +268,29 @@ std::vector<ProviderId> hints_of(const dsl::Diagnostic& finding, const Model& mo
   return out;
 }
 
+std::vector<compiler::StateId> lacking_of(const dsl::Diagnostic& finding, const Model& model) {
+  std::vector<compiler::StateId> out;
+  if (finding.id != "unreachable_when" && finding.id != "state_without_source" && finding.id != "unreachable_causing")
+    return out;
+  for (const ProviderId id : model.providers.ids()) {
+    for (const auto* list : {&model.providers[id].when, &model.providers[id].causing}) {
+      for (const ConditionUse& use : *list) {
+        if (use.span == finding.span) out.push_back(model.conditions[use.id].state);
+      }
+    }
+  }
+  return out;
+}
+
 bool is_contradicted(const Claim& claim, const Model& model, const Reached& reached) {
   struct {
     const Model& model;
     const Reached& reached;
     bool operator()(const NeverRuns& c) const { return reached.ran[c.provider.value]; }
     bool operator()(const NeverGranted& c) const { return reached.granted[c.edge.value]; }
-    bool operator()(const NeverPushed& c) const { return reached.pushed.contains({c.provider, c.condition}); }
+    bool operator()(const NeverPushed& c) const {
+      return (c.to_effect ? reached.pushed_to_effect : reached.pushed).contains({c.provider, c.condition});
+    }
     bool operator()(const NeverWhole& c) const { return reached.whole[c.pack]; }
     bool operator()(const NeverBelow& c) const {
       const std::vector<EdgeId>& edges = model.groups[model.providers[c.provider].group].edges;

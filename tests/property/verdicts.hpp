@@ -21,10 +21,12 @@ struct NeverRuns {
 struct NeverGranted {
   compiler::EdgeId edge{};
 };
-/// The provider is never pushed for the condition.
+/// The provider is never pushed for the condition; `to_effect`: or does not run while the task waits, as where its
+/// group is in one unit with it, so that nothing comes of the push.
 struct NeverPushed {
   compiler::ProviderId provider{};
   compiler::ConditionId condition{};
+  bool to_effect = false;
 };
 /// The members of a pack, a row of whole_packs(), are never granted together.
 struct NeverWhole {
@@ -55,6 +57,9 @@ std::vector<compiler::ProviderId> hints_of(const dsl::Diagnostic& finding, const
 
 /// Tasks of which it says that somebody else keeps from them what they want, without saying never.
 std::vector<compiler::EdgeId> losers_of(const dsl::Diagnostic& finding, const compiler::Model& model);
+
+/// States of which it says that they never have some of their values.
+std::vector<compiler::StateId> lacking_of(const dsl::Diagnostic& finding, const compiler::Model& model);
 
 bool is_contradicted(const Claim& claim, const compiler::Model& model, const Reached& reached);
 std::string in_words(const Claim& claim, const compiler::Model& model);

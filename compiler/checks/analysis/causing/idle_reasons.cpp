@@ -1,5 +1,6 @@
 // Door: compiler/checks/analysis/causing/promises.hpp. Test: compiler/checks/unreachable_causing.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/checks/analysis/causing/exclusion.hpp"
 #include "compiler/checks/analysis/causing/promises.hpp"
 #include "compiler/checks/analysis/facts/facts.hpp"
 #include "compiler/checks/analysis/states/sources.hpp"
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace director::checks {
@@ -32,6 +34,7 @@ private:
   void explain(ProviderId id, bool needed = false) {
     if (facts_.active.contains(id) || !seen_.insert(id).second) return;
     const Provider& provider = model_.providers[id];
+    const std::size_t before = notes_.size();
     if (!needed && !facts_.requested.contains(provider.group)) explain_request(provider.group);
     for (const ConditionUse& use : provider.when) {
       if (!facts_.may_hold(model_, id, use)) explain_condition(use);
@@ -40,6 +43,16 @@ private:
       if (facts_.capable_groups.contains(need.id)) continue;
       notes_.push_back({need.span, fmt::format("it needs {}, which never can run", name_of(model_, need.id))});
       for (const ProviderId below : model_.groups[need.id].providers) explain(below, true);
+    }
+    if (notes_.size() != before) return;
+    if (facts_.requested.contains(provider.group) && facts_.capable.contains(id) && !facts_.excluded.contains(id)) {
+      // Nothing is missing: it is not chosen, and not pushed.
+      notes_.push_back({provider.span, fmt::format("{} never runs: whenever it could, others of its group come first",
+                                                   name_of(model_, id))});
+      return;
+    }
+    for (Note& note : explain_exclusion(model_, facts_, id)) {
+      if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(std::move(note));
     }
   }
 

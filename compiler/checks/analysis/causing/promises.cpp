@@ -8,6 +8,7 @@
 #include "compiler/graph/algorithms.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace director::checks {
@@ -64,7 +65,7 @@ private:
 
   /// One that is capable and lacks a push: on what its waiters lack besides.
   void find_unpushed(const Chains& chains) {
-    const Pushes pushes(model_, facts_, chains, causers_);
+    Pushes pushes(model_, facts_, chains, causers_);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
       PushSearch search(pushes, waiter);
@@ -131,6 +132,7 @@ public:
       : model_(model),
         graph_(graph),
         facts_(facts),
+        sources_(find_sources(model)),
         blame_(model, facts, chains),
         candidate_(model.providers.size(), false),
         arrows_of_(model.providers.size()) {
@@ -146,6 +148,7 @@ public:
       out.never_kept.push_back(make(ProviderId{circle.front()}));
     }
     out.explained = explained_by(told);
+    find_lost(out);
     out.never_run = find_never_run(out.explained);
     return out;
   }
@@ -195,6 +198,60 @@ private:
       }
     }
     return out;
+  }
+
+  /// A condition that holds at the start, that something can make false, and that nothing makes true again but a
+  /// provider that could run and is neither chosen nor pushed.
+  void find_lost(Promises& out) const {
+    IdTable<StateId, ValueSet> later(model_.states.size());
+    for (const StateId state : model_.states.ids()) {
+      for (const Source& source : sources_[state]) {
+        if (source.kind != Source::Kind::initial || model_.states[state].of)
+          later[state] = later[state].united(acts(source) ? source.values : ValueSet{});
+      }
+    }
+    std::map<ProviderId, NeverKept> lost;
+    checks::Waiting waits(model_, facts_);
+    for (const GroupId group : model_.groups.ids()) {
+      if (!facts_.requested.contains(group) || !waits.may_wait(group)) continue;
+      for (const auto& [waiter, use] : waited_conditions(model_, facts_, group)) {
+        const Condition& condition = model_.conditions[use.id];
+        const State& state = model_.states[condition.state];
+        if (!state.initial || !condition.accepts.contains(*state.initial) || !facts_.capable.contains(waiter)) continue;
+        if (!waits.may_be_first(waiter)) continue;
+        if (later[condition.state].subset_of(condition.accepts) && !(state.expires && !state.expires->to)) continue;
+        if (!later[condition.state].intersected(condition.accepts).empty()) continue;
+        for (const Graph::Causing& arrow : graph_.causing) {
+          if (arrow.waiter != waiter || arrow.condition.id != use.id || !is_passed_over(arrow.causer, waiter)) continue;
+          NeverKept& row = lost[arrow.causer];
+          if (row.waiting.empty()) row = {arrow.causer, arrow.promise, false, true, {}};
+          if (std::none_of(row.waiting.begin(), row.waiting.end(),
+                           [&](const Waiting& each) { return each.condition.span == use.span; }))
+            row.waiting.push_back({waiter, use});
+        }
+      }
+    }
+    for (auto& [causer, row] : lost) {
+      if (out.explained.contains(causer)) continue;
+      out.explained.add(causer);
+      for (const Waiting& each : row.waiting) out.explained.add(each.provider);
+      out.never_kept.push_back(std::move(row));
+    }
+    std::stable_sort(out.never_kept.begin(), out.never_kept.end(),
+                     [](const NeverKept& a, const NeverKept& b) { return a.causer < b.causer; });
+  }
+
+  bool acts(const Source& source) const {
+    if (source.provider) return facts_.active.contains(*source.provider);
+    if (!source.group) return true;
+    const std::vector<ProviderId>& all = model_.groups[*source.group].providers;
+    return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return facts_.active.contains(id); });
+  }
+
+  bool is_passed_over(ProviderId causer, ProviderId waiter) const {
+    const GroupId group = model_.providers[causer].group;
+    return group != model_.providers[waiter].group && facts_.requested.contains(group) &&
+           facts_.capable.contains(causer) && !facts_.excluded.contains(causer) && blame_.is_idle(causer);
   }
 
   /// Of what can never run for a reason that no other finding tells, the lowest. Where no provider of a requested group
@@ -247,7 +304,8 @@ private:
   NeverKept make(ProviderId causer) const {
     NeverKept out;
     out.causer = causer;
-    out.pushable = !(facts_.requested.contains(model_.providers[causer].group) && facts_.capable.contains(causer));
+    out.pushable = !facts_.requested.contains(model_.providers[causer].group) || !facts_.capable.contains(causer) ||
+                   facts_.excluded.contains(causer);
     std::set<ProviderId> seen{causer};
     std::vector<ProviderId> open{causer};
     for (std::size_t next = 0; next < open.size(); ++next) {
@@ -265,6 +323,7 @@ private:
   const Model& model_;
   const Graph& graph_;
   const Facts& facts_;
+  IdTable<StateId, std::vector<Source>> sources_;
   Blame blame_;
   IdSet<ProviderId> relevant_;
   std::vector<bool> candidate_;

@@ -14,7 +14,8 @@ namespace director::checks {
 struct NeverKept {
   ProviderId causer{};
   ConditionUse promise{};
-  bool pushable = true; ///< false: it could run, but is neither chosen nor pushed
+  bool pushable = true;  ///< false: it could run, but is neither chosen nor pushed
+  bool at_first = false; ///< what waits for it holds at the start, and never again once it is lost
 
   struct Waiting {
     ProviderId provider{};

@@ -16,7 +16,8 @@ public:
       : model_(model),
         facts_(facts),
         causers_(causers),
-        pushes_(model, facts, chains, causers) {}
+        pushes_(model, facts, chains, causers),
+        waiting_(model, facts) {}
 
   std::vector<Wanting> run() {
     for (const GroupId task : model_.groups.ids()) {
@@ -28,12 +29,13 @@ public:
 private:
   void look_at(GroupId task) {
     std::vector<Wanting> found;
+    if (!waiting_.may_wait(task)) return;
     for (const ProviderId provider : model_.groups[task].providers) {
-      if (!facts_.capable.contains(provider)) continue;
+      if (!facts_.capable.contains(provider) || !waiting_.may_be_first(provider)) continue;
       Wanting wanting{task, provider, {}};
       for (const ProviderId waiter : with_needs(provider)) {
         for (const ConditionUse& use : model_.providers[waiter].when) {
-          if (may_be_lacking(use.id)) wanting.wants.push_back({waiter, use, {}});
+          if (may_be_lacking(task, use.id)) wanting.wants.push_back({waiter, use, {}});
         }
       }
       if (!wanting.wants.empty()) found.push_back(std::move(wanting));
@@ -48,11 +50,8 @@ private:
     }
   }
 
-  bool may_be_lacking(ConditionId id) const {
-    const Condition& condition = model_.conditions[id];
-    if (causers_[id].empty()) return false;
-    return model_.states[condition.state].may_be_unset() ||
-           !facts_.values[condition.state].subset_of(condition.accepts);
+  bool may_be_lacking(GroupId task, ConditionId id) const {
+    return !causers_[id].empty() && !facts_.holds_always(model_, id, facts_.contexts[task]);
   }
 
   std::vector<ProviderId> causers_for(const Want& want, GroupId task, PushSearch& search) const {
@@ -72,8 +71,9 @@ private:
     for (std::size_t next = 0; next < out.size(); ++next) {
       for (const Use<GroupId>& need : model_.providers[out[next]].needs) {
         if (!facts_.may_wait.contains(need.id) || !seen.add(need.id)) continue;
-        const std::vector<ProviderId>& below = model_.groups[need.id].providers;
-        out.insert(out.end(), below.begin(), below.end());
+        for (const ProviderId below : model_.groups[need.id].providers) {
+          if (waiting_.may_be_first(below)) out.push_back(below);
+        }
       }
     }
     return out;
@@ -83,6 +83,7 @@ private:
   const Facts& facts_;
   const Causers& causers_;
   Pushes pushes_;
+  Waiting waiting_;
   std::vector<Wanting> out_;
 };
 

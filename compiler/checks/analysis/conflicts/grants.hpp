@@ -45,6 +45,8 @@ public:
   const std::map<EdgeId, std::vector<Refused>>& refused() const { return refused_; }
   /// Providers that never run although others of their group do, and what they lack at the first entry.
   const std::map<ProviderId, Refused>& idle() const { return idle_; }
+  /// Some request for it comes to be tried with something to be had: else it is blocked, and waits for no condition.
+  bool is_tried(GroupId group) const { return standing_.count(group) != 0; }
   /// How many packs were looked at, some of them more than once.
   std::size_t visits() const { return visits_; }
   /// The shortest chain of requests that leads to this group from the pack.

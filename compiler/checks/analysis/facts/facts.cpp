@@ -3,6 +3,7 @@
 #include "compiler/checks/analysis/facts/facts.hpp"
 
 #include "compiler/checks/analysis/chains/meetings.hpp"
+#include "compiler/checks/analysis/facts/contexts.hpp"
 #include "compiler/checks/analysis/facts/pushes.hpp"
 #include "compiler/checks/analysis/states/choice.hpp"
 #include "compiler/checks/analysis/states/region.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace director::checks {
 
@@ -24,17 +26,18 @@ public:
         graph_(graph),
         sources_(find_sources(model)),
         causers_(find_causers(model)),
-        rivals_(model, graph) {
+        rivals_(model, facts_.claimable),
+        contexts_(model, facts_) {
     const std::size_t groups = model.groups.size(), providers = model.providers.size();
     facts_.declared = facts_.values = IdTable<StateId, ValueSet>(model.states.size());
     facts_.plans = IdTable<ProviderId, PlanVerdict>(providers, PlanVerdict::found);
-    facts_.capable_groups = facts_.requested = IdSet<GroupId>(groups);
+    facts_.capable_groups = facts_.requested = facts_.claimable = IdSet<GroupId>(groups);
     needers_ = IdTable<GroupId, std::vector<GroupId>>(groups);
     waiters_ = IdTable<StateId, std::vector<GroupId>>(model.states.size());
     set_by_provider_ = IdTable<ProviderId, Sets>(providers);
     set_by_handlers_ = IdTable<GroupId, Sets>(groups);
     place_ = IdTable<GroupId, std::size_t>(groups);
-    facts_.capable = facts_.chosen = facts_.pushed = facts_.active = IdSet<ProviderId>(providers);
+    facts_.capable = facts_.chosen = facts_.pushed = facts_.active = facts_.excluded = IdSet<ProviderId>(providers);
   }
 
   Facts run() {
@@ -46,7 +49,7 @@ public:
       find_impossible(id, false);
       find_impossible(id, true);
     }
-    for (const Task& root : model_.roots) facts_.requested.add(root.target);
+    for (const Task& root : model_.roots) request(root.target, Region{});
     for (const StateId state : model_.states.ids()) {
       for (const Source& source : sources_[state]) {
         if (!source.provider && !source.group) grow(state, source.values);
@@ -55,14 +58,35 @@ public:
     for (const GroupId group : model_.groups.ids()) look_again(group);
     do {
       // Who may push whom takes the longest: it is asked only where all else has settled.
-      settle();
+      settle_all();
       changed_ = false;
       find_pushed();
-    } while (changed_);
+    } while (changed_ || (news_ != news_then_ && !together_.empty()));
+    for (const ProviderId id : model_.providers.ids()) {
+      const GroupId group = model_.providers[id].group;
+      if (facts_.requested.contains(group) && facts_.capable.contains(id) && !facts_.active.contains(id) &&
+          !contexts_.can_begin(id, facts_.contexts[group]))
+        facts_.excluded.add(id);
+    }
+    for (const EdgeId edge : model_.edges.ids()) {
+      if (is_excluded(edge)) facts_.excluded_tasks.push_back(edge);
+    }
     return std::move(facts_);
   }
 
 private:
+  bool is_excluded(EdgeId id) {
+    const Edge& edge = model_.edges[id];
+    if (!edge.requester || edge.levels.empty()) return false;
+    const std::optional<Region> region = contexts_.below(*edge.requester);
+    const std::vector<ProviderId>& all = model_.groups[edge.target].providers;
+    const auto runs = [&](ProviderId each) { return facts_.active.contains(each); };
+    return region && !region->states.empty() && std::any_of(all.begin(), all.end(), runs) &&
+           std::none_of(all.begin(), all.end(), [&](ProviderId each) {
+             return facts_.capable.contains(each) && contexts_.can_go_on(each, *region);
+           });
+  }
+
   void find_declared() {
     for (const StateId state : model_.states.ids()) {
       for (const Source& source : sources_[state])
@@ -134,6 +158,36 @@ private:
     }
   }
 
+  /// And what failed for conditions of several groups together, until that is the same with all that is known.
+  void settle_all() {
+    settle();
+    while (news_ != news_then_ && !together_.empty()) {
+      news_then_ = news_;
+      for (const GroupId group : std::exchange(together_, {})) look_again(group);
+      settle();
+    }
+  }
+
+  /// With all that it may need.
+  void claim(GroupId group) {
+    std::vector<GroupId> open{group};
+    while (!open.empty()) {
+      const GroupId next = open.back();
+      open.pop_back();
+      if (!facts_.claimable.add(next)) continue;
+      for (const ProviderId id : model_.groups[next].providers) {
+        for (const Use<GroupId>& need : model_.providers[id].needs) open.push_back(need.id);
+      }
+    }
+  }
+
+  void request(GroupId group, const Region& region) {
+    if (!contexts_.widen(group, region)) return;
+    claim(group);
+    ++news_;
+    look_again(group);
+  }
+
   void look_again(GroupId group) {
     if (waits_for_a_look_.add(group)) again_.push_back(group);
   }
@@ -142,6 +196,7 @@ private:
     ValueSet more = facts_.values[state].united(values);
     if (more == facts_.values[state]) return;
     facts_.values[state] = std::move(more);
+    ++news_;
     for (const GroupId group : waiters_[state]) look_again(group);
   }
 
@@ -156,7 +211,12 @@ private:
                                return facts_.capable_groups.contains(need.id);
                              });
       if (!has_needs) continue;
+      if (!contexts_.can_begin(id, Region{})) {
+        together_.push_back(group);
+        continue;
+      }
       facts_.capable.add(id);
+      ++news_;
       if (!facts_.capable_groups.add(group)) continue;
       for (const GroupId needer : needers_[group]) look_again(needer);
     }
@@ -179,10 +239,13 @@ private:
 
   /// Its `when` may hold while each of its rivals lacks something. Those that exclude it lack it then.
   bool may_come_first(ProviderId id) {
-    Region own = region_of(model_, model_.providers[id].when);
-    for (const StateId state : mended_states(id)) own.states.erase(state);
+    Region own = contexts_.own(id);
+    const GroupId group = model_.providers[id].group;
+    if (facts_.requested.contains(group)) own.meet(facts_.contexts[group]);
     std::vector<Region> others;
+    bool with_needs = false; // which others may come to hold later
     for (const ProviderId rival : rivals_.that_meet(id, own)) {
+      with_needs = with_needs || !model_.providers[rival].needs.empty();
       if (facts_.plans[rival] == PlanVerdict::found && mended_states(rival).empty())
         others.push_back(region_of(model_, model_.providers[rival].when));
     }
@@ -190,26 +253,40 @@ private:
     if (covering == Covering::undecided)
       facts_.budget.leave_open(model_.providers[id].span,
                                fmt::format("whether `{}` ever comes first", model_.full_name(id)));
+    if (covering == Covering::covered && with_needs) together_.push_back(group);
     return covering != Covering::covered;
   }
 
   void find_active(GroupId group) {
     for (const ProviderId id : model_.groups[group].providers) {
-      if (facts_.capable.contains(id) && !facts_.chosen.contains(id) && may_come_first(id)) facts_.chosen.add(id);
-      if (!facts_.requested.contains(group) || facts_.active.contains(id)) continue;
-      if (!facts_.capable.contains(id) || !(facts_.chosen.contains(id) || facts_.pushed.contains(id))) continue;
-      become_active(group, id);
+      const bool requested = facts_.requested.contains(group);
+      if (facts_.active.contains(id) || !facts_.capable.contains(id)) continue;
+      if (requested && !contexts_.can_begin(id, facts_.contexts[group])) {
+        together_.push_back(group);
+        continue;
+      }
+      if (!facts_.chosen.contains(id) && may_come_first(id)) facts_.chosen.add(id);
+      if (requested && (facts_.chosen.contains(id) || facts_.pushed.contains(id))) become_active(group, id);
+    }
+    ask_below(group);
+  }
+
+  /// All that its providers ask for stands while any of them runs.
+  void ask_below(GroupId group) {
+    const std::optional<Region> region = contexts_.below(group);
+    if (!region) return;
+    for (const ProviderId id : model_.groups[group].providers) {
+      if (!facts_.active.contains(id)) continue;
+      for (const Pack& pack : model_.providers[id].packs) {
+        for (const Task& task : pack.tasks) request(task.target, *region);
+      }
     }
   }
 
   void become_active(GroupId group, ProviderId id) {
     facts_.active.add(id);
     changed_ = true;
-    for (const Pack& pack : model_.providers[id].packs) {
-      for (const Task& task : pack.tasks) {
-        if (facts_.requested.add(task.target)) look_again(task.target);
-      }
-    }
+    ++news_;
     for (const auto& [state, source] : set_by_provider_[id]) grow(state, source->values);
     for (const auto& [state, source] : set_by_handlers_[group]) grow(state, source->values);
   }
@@ -218,12 +295,15 @@ private:
   /// again.
   void find_pushed() {
     const Chains chains(model_, [&](ProviderId id) { return facts_.active.contains(id); });
-    const Pushes pushes(model_, facts_, chains, causers_);
+    Pushes pushes(model_, facts_, chains, causers_);
     Explored explored(model_);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
       for (const ProviderId id : PushSearch(pushes, waiter).explore(explored)) {
-        if (facts_.pushed.add(id)) look_again(model_.providers[id].group);
+        if (!facts_.pushed.add(id)) continue;
+        changed_ = true;
+        ++news_;
+        look_again(model_.providers[id].group);
       }
       settle();
     }
@@ -239,10 +319,13 @@ private:
   using Sets = std::vector<std::pair<StateId, const Source*>>;
   IdTable<ProviderId, Sets> set_by_provider_;
   IdTable<GroupId, Sets> set_by_handlers_;
-  IdTable<GroupId, std::size_t> place_; ///< in the graph's order
-  std::vector<GroupId> again_;          ///< that a new fact concerns
-  SparseSet<GroupId> waits_for_a_look_; ///< ... each once
+  IdTable<GroupId, std::size_t> place_;  ///< in the graph's order
+  std::vector<GroupId> again_;           ///< that a new fact concerns
+  SparseSet<GroupId> waits_for_a_look_;  ///< ... each once
+  std::vector<GroupId> together_;        ///< that have a provider which may run if what others add lets it
+  std::size_t news_ = 0, news_then_ = 0; ///< facts so far, and when that was looked at
   Facts facts_;
+  Contexts contexts_;
   bool changed_ = false;
 };
 
@@ -264,6 +347,14 @@ bool Facts::is_impossible(ProviderId provider, StateId state) const {
 bool Facts::may_hold(const Model& model, ProviderId provider, const ConditionUse& use) const {
   const Condition& condition = model.conditions[use.id];
   return is_impossible(provider, condition.state) || !values[condition.state].intersected(condition.accepts).empty();
+}
+
+bool Facts::holds_always(const Model& model, ConditionId id, const Region& region) const {
+  const Condition& condition = model.conditions[id];
+  const auto at = region.states.find(condition.state);
+  if (at == region.states.end())
+    return !model.states[condition.state].may_be_unset() && values[condition.state].subset_of(condition.accepts);
+  return values[condition.state].intersected(at->second).subset_of(condition.accepts);
 }
 
 Facts find_facts(const Model& model, const Graph& graph) { return FactFinder(model, graph).run(); }

@@ -1,12 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // What may ever happen in a deployment: the least fixed point of rules like "a provider may be active if its group may
-// be requested and its conditions may hold". It takes every state for itself and forgets order, so it errs on one side
-// only: what is not among the facts never happens, what is among them may. Method: checks.md, "When and Causing"
+// be requested and its conditions may hold there". It takes every state for itself and forgets order, so it errs on one
+// side only: what is not among the facts never happens, what is among them may. Method: checks.md, "When and Causing"
 // (Dowling and Gallier 1984).
 
 #include "compiler/checks/analysis/effort/budget.hpp"
 #include "compiler/checks/analysis/plans/plans.hpp"
+#include "compiler/checks/analysis/states/region.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 
@@ -41,10 +42,15 @@ struct Facts {
   IdTable<StateId, ValueSet> values; ///< that the state may have
   IdSet<GroupId> capable_groups;     ///< some provider is capable
   IdSet<GroupId> requested;
-  IdSet<ProviderId> capable; ///< its conditions may hold and its needs may be met
-  IdSet<ProviderId> chosen;  ///< capable, and sometimes the first that is, or it was not decided
-  IdSet<ProviderId> pushed;  ///< somebody may push it
-  IdSet<ProviderId> active;  ///< its group requested, and it is chosen or pushed and capable
+  IdSet<GroupId> claimable;          ///< requested, or needed by such a one, by any of its providers
+  IdTable<GroupId, Region> contexts; ///< of requested groups: around all states in which a task for it is tried
+  IdSet<ProviderId> capable;         ///< its conditions may hold, together with those of some choice for its needs
+  IdSet<ProviderId> excluded; ///< capable, its group requested, but only where its conditions, or its needs', fail
+  IdSet<ProviderId> chosen;   ///< capable, and sometimes the first that is, or it was not decided
+  std::vector<EdgeId>
+      excluded_tasks;       ///< of groups that run for others: so is every provider where this one asks for it
+  IdSet<ProviderId> pushed; ///< somebody may push it
+  IdSet<ProviderId> active; ///< its group requested, and it is chosen or pushed and capable
 
   Budget budget; ///< what the search for all this has left to the checks
 
@@ -53,6 +59,8 @@ struct Facts {
   bool is_impossible(ProviderId provider, StateId state) const;
   /// It may hold. True also for what is reported as impossible.
   bool may_hold(const Model& model, ProviderId provider, const ConditionUse& condition) const;
+  /// It holds wherever all states are in the region.
+  bool holds_always(const Model& model, ConditionId condition, const Region& region) const;
 };
 
 Facts find_facts(const Model& model, const Graph& graph);

@@ -9,9 +9,10 @@ namespace director::checks {
 namespace {
 
 /// The providers of the group and of every group that their plans may hold, as far as one of them waits for anything.
-std::vector<ProviderId> providers_of_plans(const Model& model, const Facts& facts, GroupId waiter) {
+/// `waiting`: of those that are never what it waits for none; nothing: these too.
+std::vector<ProviderId> providers_of_plans(const Model& model, const Facts& facts, Waiting* waiting, GroupId waiter) {
   std::vector<ProviderId> out;
-  if (!facts.may_wait.contains(waiter)) return out;
+  if (!facts.may_wait.contains(waiter) || (waiting != nullptr && !waiting->may_wait(waiter))) return out;
   std::vector<GroupId> open{waiter};
   SparseSet<GroupId> seen;
   seen.add(waiter);
@@ -19,6 +20,7 @@ std::vector<ProviderId> providers_of_plans(const Model& model, const Facts& fact
     const GroupId group = open.back();
     open.pop_back();
     for (const ProviderId id : model.groups[group].providers) {
+      if (waiting != nullptr && !waiting->may_be_first(id)) continue;
       out.push_back(id);
       for (const Use<GroupId>& need : model.providers[id].needs) {
         if (facts.may_wait.contains(need.id) && seen.add(need.id)) open.push_back(need.id);
@@ -53,6 +55,7 @@ Pushes::Pushes(const Model& model, const Facts& facts, const Chains& chains, con
       facts_(facts),
       chains_(chains),
       causers_(causers),
+      waiting_(model, facts),
       hopeful_(model.providers.size()) {
   find_hopeful();
 }
@@ -102,10 +105,10 @@ void Pushes::find_hopeful() {
   }
 }
 
-PushSearch::PushSearch(const Pushes& all, GroupId waiter)
+PushSearch::PushSearch(Pushes& all, GroupId waiter)
     : all_(all),
       waiter_(waiter),
-      providers_(providers_of_plans(all.model_, all.facts_, waiter)) {}
+      providers_(providers_of_plans(all.model_, all.facts_, &all.waiting_, waiter)) {}
 
 bool PushSearch::beats(GroupId group) {
   if (!compared_.add(group)) return beaten_.contains(group);
@@ -206,7 +209,7 @@ std::vector<ProviderId> PushSearch::explore(Explored& explored) {
   return out;
 }
 
-std::vector<ProviderId> find_pushable(const Model& model, const Pushes& all, GroupId waiter) {
+std::vector<ProviderId> find_pushable(const Model& model, Pushes& all, GroupId waiter) {
   Explored explored(model);
   std::vector<ProviderId> out = PushSearch(all, waiter).explore(explored);
   std::sort(out.begin(), out.end());
@@ -216,7 +219,7 @@ std::vector<ProviderId> find_pushable(const Model& model, const Pushes& all, Gro
 std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, const Facts& facts,
                                                                    GroupId waiter) {
   std::vector<std::pair<ProviderId, ConditionUse>> out;
-  for (const ProviderId id : providers_of_plans(model, facts, waiter)) {
+  for (const ProviderId id : providers_of_plans(model, facts, nullptr, waiter)) {
     for (const ConditionUse& use : model.providers[id].when) out.emplace_back(id, use);
   }
   return out;

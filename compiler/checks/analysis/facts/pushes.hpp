@@ -5,6 +5,7 @@
 #include "compiler/checks/analysis/chains/meetings.hpp"
 #include "compiler/checks/analysis/chains/sparse_set.hpp"
 #include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/checks/analysis/facts/waiting.hpp"
 
 #include <optional>
 
@@ -29,6 +30,7 @@ private:
   const Facts& facts_;
   const Chains& chains_;
   const Causers& causers_;
+  Waiting waiting_;
   IdSet<ProviderId> hopeful_; ///< causing providers that could be pushed by one who goes before everybody
 };
 
@@ -44,7 +46,7 @@ struct Explored {
 class PushSearch {
 public:
   /// `waiter` is a requested group.
-  PushSearch(const Pushes& all, GroupId waiter);
+  PushSearch(Pushes& all, GroupId waiter);
 
   /// It may go before the group of this causing provider.
   bool beats(GroupId group);
@@ -61,7 +63,7 @@ private:
   bool can_be_completed(ProviderId provider);
   void settle(ConditionId id);
 
-  const Pushes& all_;
+  Pushes& all_;
   GroupId waiter_;
   std::vector<ProviderId> providers_;
   SparseSet<GroupId> beaten_, compared_;
@@ -70,7 +72,7 @@ private:
 };
 
 /// In order of id.
-std::vector<ProviderId> find_pushable(const Model& model, const Pushes& all, GroupId waiter);
+std::vector<ProviderId> find_pushable(const Model& model, Pushes& all, GroupId waiter);
 
 /// What a task for this group may wait for: the conditions of its providers and of those in their plans.
 std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, const Facts& facts,

@@ -8,22 +8,6 @@ namespace director::checks {
 
 namespace {
 
-/// Groups that something alive may hold: the roots and all that they may request or need.
-IdSet<GroupId> find_claimable(const Model& model, const Graph& graph) {
-  IdSet<GroupId> out(model.groups.size());
-  std::vector<GroupId> open;
-  const auto reach = [&](GroupId group) {
-    if (out.add(group)) open.push_back(group);
-  };
-  for (const Task& root : model.roots) reach(root.target);
-  while (!open.empty()) {
-    const GroupId group = open.back();
-    open.pop_back();
-    for (const Node next : graph.claims[group.value]) reach(GroupId{next});
-  }
-  return out;
-}
-
 struct Availability {
   const Model& model;
   const IdSet<GroupId>& claimable;
@@ -64,16 +48,12 @@ struct Availability {
 
 } // namespace
 
-Rivals::Rivals(const Model& model, const Graph& graph)
+Rivals::Rivals(const Model& model, const IdSet<GroupId>& claimable)
     : model_(model),
-      claimable_(find_claimable(model, graph)),
-      needed_(model.groups.size()),
+      claimable_(claimable),
       place_(model.providers.size()) {
   for (const GroupId id : model.groups.ids()) {
     const Group& group = model.groups[id];
-    if (std::any_of(group.requesters.begin(), group.requesters.end(),
-                    [&](EdgeId edge) { return model.edges[edge].needed; }))
-      needed_.add(id);
     std::vector<Region> regions;
     for (std::size_t place = 0; place < group.providers.size(); ++place) {
       place_[group.providers[place]] = place;
@@ -83,6 +63,14 @@ Rivals::Rivals(const Model& model, const Graph& graph)
   }
 }
 
+bool Rivals::is_needed(GroupId group) const {
+  const std::vector<EdgeId>& all = model_.groups[group].requesters;
+  return std::any_of(all.begin(), all.end(), [&](EdgeId id) {
+    const Edge& edge = model_.edges[id];
+    return edge.needed && claimable_.contains(*edge.requester);
+  });
+}
+
 std::vector<ProviderId> Rivals::that_meet(ProviderId provider, const Region& region) const {
   const Availability availability{model_, claimable_};
   const GroupId group = model_.providers[provider].group;
@@ -90,7 +78,7 @@ std::vector<ProviderId> Rivals::that_meet(ProviderId provider, const Region& reg
   for (const std::size_t place : regions_[group].meeting(region, place_[provider])) {
     const ProviderId rival = model_.groups[group].providers[place];
     // Two needs of one provider may come down to the same thing, and then a later choice has to serve.
-    if (needed_.contains(group) && !model_.providers[rival].needs.empty()) continue;
+    if (is_needed(group) && !model_.providers[rival].needs.empty()) continue;
     std::vector<GroupId> path{group};
     if (availability.is_free(rival, provider, path)) out.push_back(rival);
   }

@@ -4,7 +4,7 @@
 
 #include "compiler/checks/analysis/states/covering.hpp"
 #include "compiler/checks/analysis/states/region_index.hpp"
-#include "compiler/graph/graph.hpp"
+#include "compiler/model/model.hpp"
 
 #include <vector>
 
@@ -14,16 +14,18 @@ namespace director::checks {
 /// they need nobody else can hold, or this one needs it itself.
 class Rivals {
 public:
-  Rivals(const Model& model, const Graph& graph);
+  /// `claimable`: groups that something alive may hold; it may grow.
+  Rivals(const Model& model, const IdSet<GroupId>& claimable);
 
   std::vector<ProviderId> of(ProviderId provider) const { return that_meet(provider, {}); }
   /// Those whose `when` may hold within the region. The others lack something there anyway.
   std::vector<ProviderId> that_meet(ProviderId provider, const Region& region) const;
 
 private:
+  bool is_needed(GroupId group) const;
+
   const Model& model_;
-  IdSet<GroupId> claimable_;
-  IdSet<GroupId> needed_;
+  const IdSet<GroupId>& claimable_;
   IdTable<ProviderId, std::size_t> place_; ///< among those of its group
   IdTable<GroupId, RegionIndex> regions_;  ///< of its providers, by `when`
 };

@@ -15,7 +15,7 @@ bool comes_first(const std::string& text, const char* name) {
   for (const StateId id : test.model.states.ids()) values[id] = test.model.states[id].domain();
   const ProviderId provider = test.provider(name);
   Budget budget;
-  return find_choice(test.model, provider, Rivals(test.model, test.graph).of(provider), values, budget) ==
+  return find_choice(test.model, provider, Rivals(test.model, test.facts.claimable).of(provider), values, budget) ==
          Covering::open;
 }
 

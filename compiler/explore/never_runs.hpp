@@ -1,0 +1,24 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What an exploration of everything never came to, as findings. Its page: compiler/checks/never_runs.md.
+
+#include "compiler/model/model.hpp"
+#include "dsl/diagnostic.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+struct NeverRuns {
+  std::vector<dsl::Diagnostic> findings; ///< never_runs; none unless `complete`
+  bool complete = false;
+  std::size_t states = 0; ///< that were found
+};
+
+/// Explores the behaviour, at most `bound` states of it. `told`: findings; what they tell is not told again, nor what
+/// follows from that.
+NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<dsl::Diagnostic>& told);
+
+} // namespace director::compiler

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/explore/never_runs.hpp"
+#include "tests/compiler/support/checked.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using compiler::NeverRuns;
+
+/// Two states whose values never come together as `Enter.peeping` wants them.
+const std::string door =
+    "states: {Door: {values: [shut, open], initial: shut}, Lamp: {values: [dark, lit], initial: dark}}\n"
+    "roots: [Enter]\ngroups:\n  Enter:\n    providers:\n"
+    "      - {name: peeping, when: [Door == shut, Lamp == lit], tasks: [Look]}\n"
+    "      - {name: opening, when: [Door == shut], sets: [Door == open]}\n"
+    "      - {name: lighting, sets: [Lamp == lit]}\n"
+    "  Look: {}\n";
+
+std::vector<std::string> messages(const NeverRuns& never) {
+  std::vector<std::string> out;
+  for (const dsl::Diagnostic& finding : never.findings) out.push_back(finding.message);
+  return out;
+}
+
+NeverRuns explore(const std::string& text, std::size_t bound = 100'000) {
+  const tests::CheckedText checked = tests::check_text(text);
+  REQUIRE(checked.checked.lowerable);
+  return compiler::find_never_runs(checked.checked.model, bound, checked.checked.findings);
+}
+
+TEST_CASE("what never ran is told, and not what only that would have asked for") {
+  const NeverRuns never = explore(door);
+  CHECK(never.complete);
+  CHECK(messages(never) == std::vector<std::string>{"`Enter.peeping` never runs, whatever happens"});
+}
+
+TEST_CASE("where there are more states than the bound nothing is told") {
+  const NeverRuns never = explore(door, 2);
+  CHECK_FALSE(never.complete);
+  CHECK(never.states >= 2);
+  CHECK(never.findings.empty());
+}
+
+TEST_CASE("what another finding tells is not told again") {
+  const NeverRuns never = explore("states: {Door: {values: [shut, open], initial: shut}}\nroots: [Enter]\ngroups:\n"
+                                  "  Enter:\n    providers:\n      - {name: entering, when: [Door == open]}\n"
+                                  "      - {name: knocking}\n");
+  CHECK(never.complete);
+  CHECK(messages(never).empty());
+}
+
+TEST_CASE("a task that runs for others is told of at the entry where it never does") {
+  // Nothing tells of a root task, which the program may as well not request; here the findings are left out.
+  const tests::CheckedText checked =
+      tests::check_text("roots: [Plan, Walk]\ngroups:\n  Plan: {needs: [Legs], packs: {go: {Step: {}}}}\n"
+                        "  Step: {packs: {go: {Legs: {}}}}\n  Walk: {tasks: [Legs]}\n  Legs: {}\n");
+  REQUIRE(checked.checked.lowerable);
+  CHECK(messages(compiler::find_never_runs(checked.checked.model, 100'000, {})) ==
+        std::vector<std::string>{"`Legs` never runs for `Step`, whatever happens"});
+  CHECK(messages(compiler::find_never_runs(checked.checked.model, 100'000, checked.checked.findings)).empty());
+}
+
+} // namespace
