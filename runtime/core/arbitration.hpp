@@ -40,7 +40,7 @@ public:
 
   /// The pass that was made last has left the group as it was, but for what follows when all is claimed.
   bool as_before(Index group) const {
-    return (s_.group_trail[group] & trail::disturbed) == 0 && (s_.group_marks[group] & mark::listed) == 0 &&
+    return !whole_ && (s_.group_trail[group] & trail::disturbed) == 0 && (s_.group_marks[group] & mark::listed) == 0 &&
            (s_.now[group].flags & flag::needed) == 0 && s_.now[group].holder == s_.last[group].holder;
   }
   /// A plan of some group may pick one provider or another.
@@ -110,6 +110,7 @@ private:
   void reach_pushes_of(Index edge);
   /// Nothing that the decision about it looks at is another than in the last pass.
   bool stands(Index edge) const {
+    if (whole_) return false;
     const std::uint8_t bits = s_.edge_trail[edge];
     const bool searches = (bits & trail::waits) != 0 && disturbed_ && !planted(Fault::who_waits_is_overlooked);
     return (bits & (trail::reached | trail::on_stale)) == 0 && !searches;
@@ -209,8 +210,10 @@ private:
   bool pushing_ = false; ///< there are in this one
   bool needs_ = false;   ///< something is held for a need
   bool limbo_ = false;   ///< or in limbo
+  bool whole_ = false;     ///< all of it is decided
   bool disturbed_ = false; ///< something is, or may be, another than in the last pass
   bool on_last_ = false, on_stale_ = false; ///< of the units decided before the one in hand
+  Index disturbed_count_ = 0; ///< rows of State::disturbed in use
   Index moved_ = 0;           ///< rows of State::moved in use
   Index pushed_count_ = 0;    ///< rows of State::pushed in use
   std::uint64_t decided_ = 0; ///< units

@@ -39,10 +39,12 @@ inline constexpr std::uint8_t changed = 2;  ///< since the last pass it is reque
 inline constexpr std::uint8_t on_last = 4;  ///< its decision may be another one when the last result is its own
 inline constexpr std::uint8_t on_stale = 8; ///< or when the orders of others are outdated: it is decided in every pass
 inline constexpr std::uint8_t waits = 16;   ///< it searched for somebody to push
+inline constexpr std::uint8_t kept = on_last | on_stale | waits;
 // Bits of State::group_trail.
 inline constexpr std::uint8_t disturbed = 1; ///< its holder, provider, plan or push may be another than last time
 inline constexpr std::uint8_t moved = 2;     ///< its place in the order may be another than last time
 inline constexpr std::uint8_t touched = 4;   ///< since the last pass a condition of a provider flipped
+inline constexpr std::uint8_t news = disturbed | moved | touched;
 inline constexpr std::uint8_t stale = 8;     ///< its orders were outdated in the last pass
 inline constexpr std::uint8_t asks = 16;     ///< what it requests was looked at in the last pass
 } // namespace trail

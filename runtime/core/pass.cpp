@@ -13,11 +13,13 @@ void Pass::decide(Index component) {
   component_ = component;
   equals_ = (s_.component_traits[component] & trait::equals) != 0;
   depends_on_stale_ = limbo_ = false;
-  pushed_count_ = 0;
+  pushed_count_ = disturbed_count_ = 0;
+  whole_ = s_.known[component] == 0;
   for (const Index g : t_.list(c_.groups)) {
     s_.group_marks[g] = 0;
     s_.turn[g].counts = 0;
     if (s_.last[g].push.edge != nil) list_push(g);
+    if ((s_.group_trail[g] & trail::news) != 0) s_.disturbed[disturbed_count_++] = g;
     s_.now[g] = Standing{};
   }
   pushed_ = pushed_count_ != 0;

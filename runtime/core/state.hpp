@@ -271,6 +271,7 @@ struct State {
   Index* lacked = nullptr;          ///< conditions that the chain in search may have to make true
   Index* causers = nullptr;         ///< providers that cause one of them
   Bits* provider_marks = nullptr;   ///< provider: bits of `mark`
+  Index* disturbed = nullptr;       ///< groups that the last pass, or something since, disturbed or touched
   Index* moved = nullptr;           ///< groups: work list of those that are in another place of the order
 
   /// Calls visit(pointer to member, count) for every array; `scratch()` between the decision state and the rest.
@@ -307,7 +308,7 @@ struct State {
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
     visit(s.edge_trail, n.edges), visit(s.group_trail, n.groups), visit(s.known, n.components);
     visit(s.pushed, n.groups), visit(s.lacked, n.conditions), visit(s.causers, n.providers);
-    visit(s.provider_marks, n.providers), visit(s.moved, n.groups);
+    visit(s.provider_marks, n.providers), visit(s.disturbed, n.groups), visit(s.moved, n.groups);
   }
 
   /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.

@@ -12,22 +12,27 @@
 
 namespace director {
 
+namespace {
+/// To find out what a change reaches in a component of so few groups costs more than to decide all of it.
+constexpr Index most_decided_whole = 16;
+} // namespace
+
 /// From what changed since the last pass to the units that it reaches.
 void Pass::begin_trail() {
   disturbed_ = false;
   moved_ = 0;
-  if (s_.known[component_] == 0) {
+  if (whole_) {
+    s_.known[component_] = c_.groups.size() > most_decided_whole ? 1 : 0;
     for (const Index g : t_.list(c_.groups)) s_.group_trail[g] = 0;
-    for (const Index e : t_.list(c_.edges)) s_.edge_trail[e] = trail::reached;
-    s_.known[component_] = 1;
     return;
   }
-  for (const Index g : t_.list(c_.groups)) {
-    const std::uint8_t bits = s_.group_trail[g];
+  // The last result first: what is reached now belongs to the next one.
+  const std::span<const Index> groups{s_.disturbed, disturbed_count_};
+  for (const Index g : groups) {
+    if ((s_.group_trail[g] & trail::disturbed) != 0) take_up_last(g);
     s_.group_trail[g] &= static_cast<std::uint8_t>(~(trail::disturbed | trail::moved));
-    if ((bits & trail::disturbed) != 0) take_up_last(g);
   }
-  for (const Index g : t_.list(c_.groups)) {
+  for (const Index g : groups) {
     if ((s_.group_trail[g] & trail::touched) == 0) continue;
     s_.group_trail[g] &= static_cast<std::uint8_t>(~trail::touched);
     reach(g);
@@ -149,6 +154,11 @@ void Pass::begin_decision(Index count) {
 
 /// What the decision rests on is noted, and what came out otherwise than in the last pass reaches others.
 void Pass::end_decision(Index count) {
+  if (s_.known[component_] == 0) { // the next pass decides all again
+    depends_on_last_ = depends_on_last_ || on_last_;
+    depends_on_stale_ = depends_on_stale_ || on_stale_;
+    return;
+  }
   const auto bits = static_cast<std::uint8_t>((depends_on_last_ ? trail::on_last : 0) |
                                               (depends_on_stale_ ? trail::on_stale : 0));
   depends_on_last_ = depends_on_last_ || on_last_;
@@ -209,7 +219,7 @@ void Pass::end_trail() {
   }
   for (const Index e : t_.list(c_.edges)) {
     if ((s_.edge_marks[e] & mark::visited) == 0) s_.queued[e] = Queued{};
-    s_.edge_trail[e] &= static_cast<std::uint8_t>(~(trail::reached | trail::changed));
+    s_.edge_trail[e] &= trail::kept;
   }
 }
 
