@@ -13,7 +13,6 @@ namespace director::dsl::yaml_scan {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 std::size_t line_begin(std::string_view text, std::size_t at) {
   const std::size_t newline = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
