@@ -118,8 +118,11 @@ private:
   void repeat(Index edge);
   void repeat_grant(Index edge);
   void begin_decision(Index count);
-  void end_decision(Index count);
-  void compare_with_last(Index edge);
+  void end_decision(Index count) {
+    if (followed_) compare_with_last(count);
+  }
+  void compare_with_last(Index count);
+  void compare_member(Index edge);
   void compare_claim(Index group);
 
   // units.cpp: what becomes of a unit
@@ -156,6 +159,7 @@ private:
   void look_ahead(Index group);
   bool look_ahead_to(Index edge, Index base);
   void try_unit(Index edge, bool outdated);
+  bool runs_on(Index edge) const;
   void try_alone(Index edge, bool outdated);
   void decide_alone(Index edge, bool outdated);
   enum class Tried : std::uint8_t { granted, refused, unclear };
@@ -211,6 +215,7 @@ private:
   bool needs_ = false;   ///< something is held for a need
   bool limbo_ = false;   ///< or in limbo
   bool whole_ = false;     ///< all of it is decided
+  bool followed_ = false;  ///< and what comes out is compared, for the next pass
   bool disturbed_ = false; ///< something is, or may be, another than in the last pass
   bool on_last_ = false, on_stale_ = false; ///< of the units decided before the one in hand
   Index disturbed_count_ = 0; ///< rows of State::disturbed in use
@@ -247,6 +252,19 @@ inline void Pass::now_granted(Index edge, Index provider) {
     return;
   s_.group_marks[group] |= mark::outdated;
   ++stale_granted_;
+}
+
+inline void Pass::begin_decision(Index count) {
+  ++decided_;
+  for (Index at = 0; at < count; ++at) {
+    s_.edge_marks[s_.unit[at]] |= mark::visited;
+    s_.queued[s_.unit[at]] = Queued{};
+  }
+  if (!followed_) return;
+  on_last_ = depends_on_last_, on_stale_ = depends_on_stale_;
+  depends_on_last_ = depends_on_stale_ = false;
+  for (Index at = 0; at < count; ++at)
+    s_.edge_trail[s_.unit[at]] &= static_cast<std::uint8_t>(~trail::kept);
 }
 
 } // namespace director

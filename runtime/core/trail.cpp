@@ -21,8 +21,9 @@ constexpr Index most_decided_whole = 16;
 void Pass::begin_trail() {
   disturbed_ = false;
   moved_ = 0;
+  followed_ = c_.groups.size() > most_decided_whole;
   if (whole_) {
-    s_.known[component_] = c_.groups.size() > most_decided_whole ? 1 : 0;
+    s_.known[component_] = followed_ ? 1 : 0;
     for (const Index g : t_.list(c_.groups)) s_.group_trail[g] = 0;
     return;
   }
@@ -140,25 +141,8 @@ void Pass::repeat_grant(Index edge) {
   }
 }
 
-void Pass::begin_decision(Index count) {
-  ++decided_;
-  on_last_ = depends_on_last_, on_stale_ = depends_on_stale_;
-  depends_on_last_ = depends_on_stale_ = false;
-  for (Index at = 0; at < count; ++at) {
-    const Index edge = s_.unit[at];
-    s_.edge_trail[edge] &= static_cast<std::uint8_t>(~(trail::on_last | trail::on_stale | trail::waits));
-    s_.edge_marks[edge] |= mark::visited;
-    s_.queued[edge] = Queued{};
-  }
-}
-
 /// What the decision rests on is noted, and what came out otherwise than in the last pass reaches others.
-void Pass::end_decision(Index count) {
-  if (s_.known[component_] == 0) { // the next pass decides all again
-    depends_on_last_ = depends_on_last_ || on_last_;
-    depends_on_stale_ = depends_on_stale_ || on_stale_;
-    return;
-  }
+void Pass::compare_with_last(Index count) {
   const auto bits = static_cast<std::uint8_t>((depends_on_last_ ? trail::on_last : 0) |
                                               (depends_on_stale_ ? trail::on_stale : 0));
   depends_on_last_ = depends_on_last_ || on_last_;
@@ -168,7 +152,7 @@ void Pass::end_decision(Index count) {
     const Index edge = s_.unit[at];
     s_.edge_trail[edge] |= bits;
     pushing = pushing || (s_.edge_marks[edge] & mark::pushes) != 0;
-    compare_with_last(edge);
+    compare_member(edge);
   }
   if (!pushing && !pushing_) return;
   const auto ours = [&](Index edge) {
@@ -183,7 +167,7 @@ void Pass::end_decision(Index count) {
   }
 }
 
-void Pass::compare_with_last(Index edge) {
+void Pass::compare_member(Index edge) {
   const Index group = target(edge);
   const Standing &now = s_.now[group], &last = s_.last[group];
   const bool runs = now.holder == edge && now.granted(), ran = runs_for_now(edge);

@@ -91,7 +91,7 @@ inline void Pass::visit(Index edge, std::uint8_t marks) {
   if ((marks & mark::tried) == 0 && s_.request[edge].level != nil) {
     if ((marks & mark::alone) == 0) {
       try_unit(edge, (marks & mark::below_stale) != 0);
-    } else if (stands(edge)) {
+    } else if (stands(edge) || runs_on(edge)) {
       repeat(edge);
     } else {
       s_.unit[0] = edge;
@@ -101,13 +101,22 @@ inline void Pass::visit(Index edge, std::uint8_t marks) {
   if (s_.now[group].holder == edge) place(group);
 }
 
-void Pass::try_alone(Index edge, bool outdated) {
+/// It was granted, there is one way to grant it, which has no conditions and needs nothing, and nothing is in its way.
+inline bool Pass::runs_on(Index edge) const {
+  const Index group = t_.edges[edge].target;
+  const Standing& now = s_.now[group];
+  return s_.traits[group] == (trait::flat | trait::simple) && runs_for_now(edge) &&
+         (now.holder == nil || now.holder == edge) && (s_.edge_marks[edge] & mark::pushes) == 0 &&
+         s_.enabled[t_.groups[group].providers.begin] != 0;
+}
+
+inline void Pass::try_alone(Index edge, bool outdated) {
   begin_decision(1);
   decide_alone(edge, outdated);
   end_decision(1);
 }
 
-void Pass::decide_alone(Index edge, bool outdated) {
+inline void Pass::decide_alone(Index edge, bool outdated) {
   s_.member[0] = edge;
   switch (try_plain(edge, outdated)) {
   case Tried::granted: return;
