@@ -13,7 +13,6 @@ namespace director::dsl::yaml_scan {
 
 namespace {
 
-
 std::size_t line_begin(std::string_view text, std::size_t at) {
   const std::size_t newline = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
   return newline == std::string_view::npos ? 0 : newline + 1;
