@@ -12,7 +12,7 @@ namespace director::compiler {
 
 namespace {
 
-struct Edit {
+struct LineEdit {
   std::size_t begin = 0, end = 0;
   std::string text;
 };
@@ -47,7 +47,7 @@ public:
       : text_(text),
         newline_(text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n") {}
 
-  Edit edit(const ScenarioStep& step, const std::vector<std::string>& lines) const {
+  LineEdit edit(const ScenarioStep& step, const std::vector<std::string>& lines) const {
     const std::size_t begin = step.span.begin, end = step.span.end;
     const bool flow = text_[begin] == '{';
     const std::size_t indent = column(text_, begin);
@@ -92,7 +92,7 @@ Updated write_expect(const std::string& text, const Scenario& scenario, const Sc
   out.steps.assign(steps.begin(), steps.end());
   const Writing writing(text);
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) { // from the last: what stands before keeps its place
-    const Edit edit = writing.edit(scenario.steps[*step - 1], result.happened[*step - 1]);
+    const LineEdit edit = writing.edit(scenario.steps[*step - 1], result.happened[*step - 1]);
     out.text.replace(edit.begin, edit.end - edit.begin, edit.text);
   }
   return out;

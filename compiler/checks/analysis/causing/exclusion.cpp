@@ -18,7 +18,7 @@ namespace {
 using dsl::Note;
 
 /// Of many who ask for a group the first ones have a note.
-constexpr std::size_t most_noted = 8;
+constexpr std::size_t most_notes = 8;
 
 class Exclusion {
 public:
@@ -90,7 +90,7 @@ private:
     std::vector<GroupId> open{model_.providers[id_].group};
     SparseSet<GroupId> seen;
     seen.add(open.front());
-    for (std::size_t next = 0; next < open.size() && notes_.size() < most_noted; ++next) {
+    for (std::size_t next = 0; next < open.size() && notes_.size() < most_notes; ++next) {
       for (const EdgeId edge : model_.groups[open[next]].requesters) {
         const auto requester = model_.edges[edge].requester;
         if (!requester) continue;

@@ -124,7 +124,7 @@ private:
   Arrows arrows_;
 };
 
-using Waiting = NeverKept::Waiting;
+using Waiter = NeverKept::Waiting;
 
 class PromiseSearch {
 public:
@@ -226,7 +226,7 @@ private:
           NeverKept& row = lost[arrow.causer];
           if (row.waiting.empty()) row = {arrow.causer, arrow.promise, false, true, {}};
           if (std::none_of(row.waiting.begin(), row.waiting.end(),
-                           [&](const Waiting& each) { return each.condition.span == use.span; }))
+                           [&](const Waiter& each) { return each.condition.span == use.span; }))
             row.waiting.push_back({waiter, use});
         }
       }
@@ -234,7 +234,7 @@ private:
     for (auto& [causer, row] : lost) {
       if (out.explained.contains(causer)) continue;
       out.explained.add(causer);
-      for (const Waiting& each : row.waiting) out.explained.add(each.provider);
+      for (const Waiter& each : row.waiting) out.explained.add(each.provider);
       out.never_kept.push_back(std::move(row));
     }
     std::stable_sort(out.never_kept.begin(), out.never_kept.end(),

@@ -18,7 +18,7 @@ namespace {
 using Entry = Chains::Entry;
 
 /// So many are looked at closely for one group; those with the shortest chains come first.
-constexpr std::size_t most_candidates = 8;
+constexpr std::size_t most_candidates_kept = 8;
 /// So many are collected, in the order in which they are written.
 constexpr std::size_t most_collected = 64;
 
@@ -45,7 +45,7 @@ public:
     }
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.steps < b.steps; });
-    if (candidates_.size() > most_candidates) candidates_.resize(most_candidates);
+    if (candidates_.size() > most_candidates_kept) candidates_.resize(most_candidates_kept);
     for (const Candidate& candidate : candidates_) {
       if (auto contender = confirm(candidate)) return contender;
     }

@@ -16,7 +16,7 @@ namespace director::checks {
 namespace {
 
 /// Of more ways than this to grant a unit only what its members must have is told.
-constexpr std::size_t most_ways = 64;
+constexpr std::size_t most_ways_known = 64;
 
 void sort_out(Groups& groups) {
   std::sort(groups.begin(), groups.end());
@@ -156,7 +156,7 @@ const UnitTakes& Takers::takes(GroupId requester, const Unit& unit) {
     ways.push_back(std::move(way));
     regions.push_back(std::move(region));
     if (!first_ones && covers(here, regions)) first_ones = ways.size();
-    return ways.size() <= most_ways;
+    return ways.size() <= most_ways_known;
   });
   UnitTakes out;
   const auto common = [&](std::size_t count) {
@@ -166,7 +166,7 @@ const UnitTakes& Takers::takes(GroupId requester, const Unit& unit) {
     }
     return all;
   };
-  const bool has_all = complete && !ways.empty() && ways.size() <= most_ways;
+  const bool has_all = complete && !ways.empty() && ways.size() <= most_ways_known;
   if (has_all) {
     out.always = common(ways.size());
   } else {

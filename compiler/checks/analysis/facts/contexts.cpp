@@ -15,9 +15,9 @@ namespace director::checks {
 namespace {
 
 /// More combinations than this are taken to leave one that serves.
-constexpr std::int64_t most_steps = 20'000;
+constexpr std::int64_t most_context_steps = 20'000;
 /// Of the budget of a run: with each pick goes a region.
-constexpr std::int64_t step_cost = 20;
+constexpr std::int64_t context_step_cost = 20;
 
 } // namespace
 
@@ -137,11 +137,11 @@ bool Contexts::has_choice(ProviderId id, Region within) {
   // Needs that no plan can meet are reported as such; elsewhere they are taken for mended.
   if (provider.needs.empty() || facts_.plans[id] != PlanVerdict::found) return true;
   JointPlan plan(*this, std::move(within));
-  const std::int64_t granted = facts_.budget.grant(most_steps * step_cost) / step_cost;
+  const std::int64_t granted = facts_.budget.grant(most_context_steps * context_step_cost) / context_step_cost;
   ChoiceSearch search(model_, granted, plan);
   search.hold(provider.group);
   const bool complete = search.run(provider.needs);
-  facts_.budget.spend((granted - search.steps_left()) * step_cost);
+  facts_.budget.spend((granted - search.steps_left()) * context_step_cost);
   return plan.found() || !complete;
 }
 

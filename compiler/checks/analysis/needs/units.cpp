@@ -14,7 +14,7 @@ namespace director::checks {
 namespace {
 
 /// Of the budget of a run: with each pick goes a region.
-constexpr std::int64_t step_cost = 20;
+constexpr std::int64_t unit_step_cost = 20;
 
 /// The choice so far, with what its conditions leave.
 class Combining {
@@ -139,10 +139,10 @@ bool Units::visit(const std::vector<GroupId>& members, bool by_groups_alone,
   std::vector<Use<GroupId>> needs;
   for (const GroupId member : members) needs.push_back({member, {}});
   Combining combining(model_, facts_, *this, by_groups_alone, visitor);
-  const std::int64_t granted = budget_.grant(most_steps * step_cost) / step_cost;
+  const std::int64_t granted = budget_.grant(most_steps * unit_step_cost) / unit_step_cost;
   ChoiceSearch search(model_, granted, combining);
   const bool complete = search.run(needs);
-  budget_.spend((granted - search.steps_left()) * step_cost);
+  budget_.spend((granted - search.steps_left()) * unit_step_cost);
   return complete;
 }
 

@@ -14,7 +14,7 @@ namespace director::checks {
 namespace {
 
 /// Of the budget of a run: to pick a provider takes longer than to look at a condition.
-constexpr std::int64_t step_cost = 4;
+constexpr std::int64_t plan_step_cost = 4;
 
 class PlanCounter {
 public:
@@ -36,11 +36,11 @@ private:
 PlanCount count(const Model& model, ProviderId provider, std::int64_t most, Budget& budget,
                 const IdSet<ProviderId>* mended) {
   PlanCounter counter(most, mended);
-  const std::int64_t granted = budget.grant(plan_steps * step_cost) / step_cost;
+  const std::int64_t granted = budget.grant(plan_steps * plan_step_cost) / plan_step_cost;
   ChoiceSearch search(model, granted, counter);
   search.hold(model.providers[provider].group);
   const bool finished = search.run(model.providers[provider].needs);
-  budget.spend((granted - search.steps_left()) * step_cost);
+  budget.spend((granted - search.steps_left()) * plan_step_cost);
   return {counter.plans(), finished && counter.plans() < most};
 }
 

@@ -15,7 +15,7 @@ namespace {
 /// More would be no help to anybody who reads them.
 constexpr std::size_t most_boxes = 256;
 /// A group with more different ways to run is taken to be able to run always.
-constexpr std::size_t most_ways = 512;
+constexpr std::size_t most_open_ways = 512;
 /// The same of a provider with more combinations of its own ways and those of what it needs.
 constexpr std::size_t most_combined = 4'096;
 
@@ -154,8 +154,8 @@ const std::vector<Region>& Ways::of(GroupId group) {
   std::vector<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
     for (Region& way : of(id)) add_way(out, std::move(way));
-    if (out.size() > most_ways) unite(out);
-    if (out.size() > most_ways) {
+    if (out.size() > most_open_ways) unite(out);
+    if (out.size() > most_open_ways) {
       out = {Region{}};
       break;
     }
@@ -192,8 +192,8 @@ std::vector<Region> Ways::of(ProviderId id) {
         add_way(both, std::move(way));
       }
     }
-    if (both.size() > most_ways) unite(both);
-    if (both.size() > most_ways) return {Region{}};
+    if (both.size() > most_open_ways) unite(both);
+    if (both.size() > most_open_ways) return {Region{}};
     out = std::move(both);
   }
   return out;

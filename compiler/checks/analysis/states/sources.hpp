@@ -29,6 +29,6 @@ IdTable<StateId, std::vector<Source>> find_sources(const Model& model);
 const ConditionUse& promise_of(const Model& model, ProviderId causer, ConditionId condition);
 
 /// Every value that a provider may set, with a promise or without.
-ValueSet values_set_by(const Model& model, const Provider& provider, StateId state);
+ValueSet values_set_by(const Model& model, const compiler::Provider& provider, StateId state);
 
 } // namespace director::checks

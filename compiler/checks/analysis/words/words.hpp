@@ -24,7 +24,7 @@ std::string list_of(const std::vector<std::string>& things, std::string_view las
 std::string few_of(const std::vector<std::string>& things, std::string_view last = "and");
 
 /// Values in plain words: "fallen or standing", "0 to 10, 50 or unset"; nothing: "nothing".
-std::string values_in_words(const State& state, const ValueSet& values, bool unset = false);
+std::string values_in_words(const compiler::State& state, const ValueSet& values, bool unset = false);
 
 /// A group that leads to the next one, over needs or requests: "`A` needs `B`, which needs `C`".
 std::string chain_in_words(const Model& model, const std::vector<GroupId>& chain, std::string_view verb);
