@@ -33,6 +33,11 @@ public:
   void forget_trail() {
     for (Index c = 0; c < t_.components.size(); ++c) s_.known[c] = 0;
   }
+  /// A component of at most so many groups is decided whole. To find out what a change reaches costs more there.
+  void set_most_decided_whole(Index groups) {
+    most_decided_whole_ = groups;
+    forget_trail();
+  }
   std::uint64_t decided() const { return decided_; } ///< units so far, again where a pass is repeated
 
   /// Writes State::traits and component_traits, which follow from the tables. Once, before the first pass.
@@ -214,6 +219,7 @@ private:
   bool pushing_ = false; ///< there are in this one
   bool needs_ = false;   ///< something is held for a need
   bool limbo_ = false;   ///< or in limbo
+  Index most_decided_whole_ = 16;
   bool whole_ = false;     ///< all of it is decided
   bool followed_ = false;  ///< and what comes out is compared, for the next pass
   bool disturbed_ = false; ///< something is, or may be, another than in the last pass

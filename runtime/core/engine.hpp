@@ -25,6 +25,7 @@ public:
 
   using Pass::decided;
   using Pass::forget_trail;
+  using Pass::set_most_decided_whole;
 
   /// Back to the start: initial values, every provider enabled, nothing requested. What waits in the inbox stays.
   void reset();

@@ -12,16 +12,11 @@
 
 namespace director {
 
-namespace {
-/// To find out what a change reaches in a component of so few groups costs more than to decide all of it.
-constexpr Index most_decided_whole = 16;
-} // namespace
-
 /// From what changed since the last pass to the units that it reaches.
 void Pass::begin_trail() {
   disturbed_ = false;
   moved_ = 0;
-  followed_ = c_.groups.size() > most_decided_whole;
+  followed_ = c_.groups.size() > most_decided_whole_;
   if (whole_) {
     s_.known[component_] = followed_ ? 1 : 0;
     for (const Index g : t_.list(c_.groups)) s_.group_trail[g] = 0;

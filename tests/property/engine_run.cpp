@@ -33,6 +33,7 @@ EngineRun::EngineRun(const Compiled& compiled, bool leap)
   for (const compiler::Setting& given : compiled.scenario.given) {
     engine_.preset(static_cast<Index>(given.state.value), static_cast<std::int32_t>(given.value));
   }
+  if (!leap) engine_.set_most_decided_whole(0); // few cases have components as large as these mostly are
   engine_.step(0);
   engine_.set_budget(1);
 }

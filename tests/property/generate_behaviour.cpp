@@ -352,7 +352,7 @@ BehaviourDraft random_behaviour(Random& random, const Flavour& flavour, std::siz
 Documents generate(std::uint64_t seed) {
   Random random(seed);
   const Flavour flavour = random_flavour(random);
-  const auto groups = static_cast<std::size_t>(random.chance(0.025) ? 30 : random.between(3, 15));
+  const auto groups = static_cast<std::size_t>(random.chance(0.03) ? random.between(20, 60) : random.between(3, 15));
   const BehaviourDraft behaviour = random_behaviour(random, flavour, groups);
   return {to_document(behaviour), random_scenario(random, flavour, behaviour)};
 }
