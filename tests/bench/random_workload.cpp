@@ -59,7 +59,7 @@ void add_random(std::vector<Workload>& workloads) {
     const char* aim;
   };
   for (const Row& row : {Row{20, 10'000, 1'000, "1,000, p99 10,000"}, Row{60, 10'000, 1'000, "2,500, p99 25,000"},
-                         Row{200, 2'500, 100, "7,000, p99 70,000"}, Row{400, 1'000, 20, "13,000, p99 130,000"}})
+                         Row{200, 5'000, 500, "7,000, p99 70,000"}, Row{400, 2'500, 100, "13,000, p99 130,000"}})
     workloads.push_back({.name = "random/" + std::to_string(row.groups),
                          .title = "random behaviours, groups of one component: " + std::to_string(row.groups),
                          .aim = row.aim,

@@ -50,7 +50,8 @@ void add_wide(std::vector<Workload>& workloads) {
                        .aim = "100,000",
                        .make = play<Wide>,
                        .size = 50,
-                       .inputs = 20});
+                       .inputs = 1'000,
+                       .counted = 100});
 }
 
 } // namespace bench

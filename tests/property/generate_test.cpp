@@ -25,7 +25,7 @@ TEST_CASE("random behaviours and scenarios have no mistake in them") {
     largest = std::max(largest, result.compiled->model.groups.size());
     smallest = std::min(smallest, result.compiled->model.groups.size());
   }
-  CHECK(largest == 30);
+  CHECK(largest > 30);
   CHECK(smallest == 3);
 }
 
