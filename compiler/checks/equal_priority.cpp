@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <list>
 #include <map>
 #include <set>
 
@@ -237,20 +238,25 @@ void report_many(const Model& model, const std::vector<Task>& tasks, const Crowd
 }
 
 /// The pairs of one priority, put together where they have an entry in common.
-std::vector<Crowd> find_crowds(const std::vector<Rivalling>& all, std::int32_t priority) {
-  std::vector<Crowd> out;
+std::list<Crowd> find_crowds(const std::vector<Rivalling>& all, std::int32_t priority) {
+  std::list<Crowd> out;
   for (const Rivalling& pair : all) {
     if (pair.deadlock || pair.meeting.first_level.priority != priority) continue;
-    Crowd crowd{{pair.earlier, pair.later}, {pair.contest.group}};
+    Crowd* home = nullptr;
     for (auto at = out.begin(); at != out.end();) {
       const bool meets = at->entries.count(pair.earlier) != 0 || at->entries.count(pair.later) != 0;
-      if (meets) {
-        crowd.entries.insert(at->entries.begin(), at->entries.end());
-        crowd.groups.insert(at->groups.begin(), at->groups.end());
+      if (meets && home != nullptr) {
+        home->entries.merge(at->entries);
+        home->groups.merge(at->groups);
+        at = out.erase(at);
+        continue;
       }
-      at = meets ? out.erase(at) : std::next(at);
+      if (meets) home = &*at;
+      ++at;
     }
-    out.push_back(std::move(crowd));
+    if (home == nullptr) home = &out.emplace_back();
+    home->entries.insert({pair.earlier, pair.later});
+    home->groups.insert(pair.contest.group);
   }
   return out;
 }

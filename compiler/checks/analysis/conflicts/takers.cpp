@@ -107,9 +107,18 @@ Groups Takers::held_by(GroupId group, const std::vector<ProviderId>& running) {
 Groups Takers::needers(GroupId holder, GroupId group) {
   const Groups& all = input_.shared.units().needed(holder);
   Groups out;
-  for (const EdgeId id : input_.model.groups[group].requesters) {
+  const std::vector<EdgeId>& requesters = input_.model.groups[group].requesters;
+  const auto look = [&](EdgeId id) {
     const Edge& edge = input_.model.edges[id];
-    if (edge.needed && has(all, *edge.requester)) out.push_back(*edge.requester);
+    if (edge.needed && edge.target == group && has(all, *edge.requester)) out.push_back(*edge.requester);
+  };
+  if (requesters.size() <= all.size()) {
+    std::for_each(requesters.begin(), requesters.end(), look);
+  } else {
+    for (const GroupId each : all) {
+      const std::vector<EdgeId>& edges = input_.model.groups[each].edges;
+      std::for_each(edges.begin(), edges.end(), look);
+    }
   }
   sort_out(out);
   return out;

@@ -8,6 +8,7 @@
 #include "compiler/checks/analysis/plans/choices.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace director::checks {
@@ -29,14 +30,17 @@ public:
   bool pick(ProviderId provider) {
     const Facts& facts = contexts_.facts_;
     if (!facts.capable.contains(provider)) return false;
+    const Provider& row = contexts_.model_.providers[provider];
+    before_.emplace_back();
+    if (row.when.empty() && row.stay.empty()) return true;
     Region both = now_;
     both.meet(contexts_.around(provider, facts.pushed.contains(provider)));
-    if (!contexts_.may_be(both)) return false;
-    before_.push_back(std::exchange(now_, std::move(both)));
+    if (!contexts_.may_be(both)) return before_.pop_back(), false;
+    before_.back() = std::exchange(now_, std::move(both));
     return true;
   }
   void drop() {
-    now_ = std::move(before_.back());
+    if (before_.back()) now_ = std::move(*before_.back());
     before_.pop_back();
   }
   /// A provider without a plan is reported as such; here it is taken to need nothing.
@@ -50,7 +54,7 @@ public:
 private:
   const Contexts& contexts_;
   Region now_;
-  std::vector<Region> before_; ///< each pick
+  std::vector<std::optional<Region>> before_; ///< each pick; nothing: it left all as it was
   bool found_ = false;
 };
 
@@ -131,11 +135,30 @@ bool Contexts::can_go_on(ProviderId id, Region within) {
   return has_choice(id, std::move(within));
 }
 
+/// Nothing that it may need has a condition, or can never run: then any plan serves.
+bool Contexts::always_has_needs(const Provider& provider) const {
+  IdSet<GroupId> seen(model_.groups.size());
+  std::vector<const Provider*> open{&provider};
+  while (!open.empty()) {
+    const Provider& now = *open.back();
+    open.pop_back();
+    for (const Use<GroupId>& need : now.needs) {
+      if (facts_.may_wait.contains(need.id)) return false;
+      if (!seen.add(need.id)) continue;
+      for (const ProviderId each : model_.groups[need.id].providers) {
+        if (!facts_.capable.contains(each)) return false;
+        open.push_back(&model_.providers[each]);
+      }
+    }
+  }
+  return true;
+}
+
 bool Contexts::has_choice(ProviderId id, Region within) {
   if (!may_be(within)) return false;
   const Provider& provider = model_.providers[id];
   // Needs that no plan can meet are reported as such; elsewhere they are taken for mended.
-  if (provider.needs.empty() || facts_.plans[id] != PlanVerdict::found) return true;
+  if (provider.needs.empty() || facts_.plans[id] != PlanVerdict::found || always_has_needs(provider)) return true;
   JointPlan plan(*this, std::move(within));
   const std::int64_t granted = facts_.budget.grant(most_context_steps * context_step_cost) / context_step_cost;
   ChoiceSearch search(model_, granted, plan);

@@ -32,6 +32,7 @@ private:
   Region around(ProviderId id, bool pushed) const;
   const Region& around_needed(GroupId group);
   bool may_be(const Region& region) const;
+  bool always_has_needs(const compiler::Provider& provider) const;
   bool has_choice(ProviderId id, Region within);
 
   friend class JointPlan;

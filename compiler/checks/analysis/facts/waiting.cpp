@@ -45,30 +45,36 @@ bool Waiting::may_be_first(ProviderId id) const {
   return true;
 }
 
+Waiting::Waiting(const Model& model, const Facts& facts) : model_(model), facts_(facts) {
+  for (const ProviderId id : model.providers.ids()) {
+    for (const Pack& pack : model.providers[id].packs) {
+      for (const Task& task : pack.tasks) entries_[task.edge].push_back({id, &pack, is_member(model, task)});
+    }
+  }
+}
+
 bool Waiting::may_wait(GroupId group) {
   for (const EdgeId edge : model_.groups[group].requesters) {
-    const std::optional<GroupId> requester = model_.edges[edge].requester;
     if (model_.edges[edge].levels.empty()) continue;
-    if (!requester) {
+    if (!model_.edges[edge].requester) {
       if (!is_carefree(group, facts_.contexts[group])) return true;
       continue;
     }
-    for (const ProviderId id : model_.groups[*requester].providers) {
-      if (!facts_.active.contains(id)) continue;
-      for (const Pack& pack : model_.providers[id].packs) {
-        const auto own =
-            std::find_if(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) { return task.target == group; });
-        if (own == pack.tasks.end()) continue;
-        if (!is_carefree(group, facts_.contexts[group])) return true;
-        const bool in_unit = is_member(model_, *own);
-        const bool waits = in_unit && std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
-                             return is_member(model_, task) && !is_carefree(task.target, facts_.contexts[task.target]);
-                           });
-        if (waits) return true;
-      }
+    for (const Entry& entry : entries_[edge]) {
+      if (!facts_.active.contains(entry.provider)) continue;
+      if (!is_carefree(group, facts_.contexts[group]) || (entry.in_unit && unit_waits(*entry.pack))) return true;
     }
   }
   return false;
+}
+
+bool Waiting::unit_waits(const Pack& pack) {
+  const auto [at, is_new] = unit_waits_.try_emplace(&pack, false);
+  if (!is_new) return at->second;
+  const bool out = std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
+    return is_member(model_, task) && !is_carefree(task.target, facts_.contexts[task.target]);
+  });
+  return unit_waits_[&pack] = out;
 }
 
 bool Waiting::is_carefree(GroupId group, const Region& context) {
@@ -85,12 +91,16 @@ bool Waiting::can_do_without(GroupId group, const Region& context, std::set<Grou
   if (!above.insert(group).second) return false;
   const std::vector<ProviderId>& all = model_.groups[group].providers;
   std::vector<Region> serving;
+  const Provider* fewest = nullptr; ///< whose needs all others have, if anybody's
+  for (const ProviderId id : all) {
+    if (fewest == nullptr || model_.providers[id].needs.size() < fewest->needs.size()) fewest = &model_.providers[id];
+  }
+  const bool common = std::all_of(all.begin(), all.end(),
+                                  [&](ProviderId id) { return needs_no_more(*fewest, model_.providers[id]); });
   for (const ProviderId id : all) {
     const Provider& provider = model_.providers[id];
     const bool serves =
-        facts_.plans[id] == PlanVerdict::found &&
-        std::all_of(all.begin(), all.end(),
-                    [&](ProviderId other) { return needs_no_more(provider, model_.providers[other]); }) &&
+        common && facts_.plans[id] == PlanVerdict::found && needs_no_more(provider, *fewest) &&
         std::all_of(provider.needs.begin(), provider.needs.end(),
                     [&](const Use<GroupId>& need) { return can_do_without(need.id, context, above); });
     if (serves) serving.push_back(region_of(model_, provider.when));

@@ -7,13 +7,15 @@
 
 #include <map>
 #include <set>
+#include <unordered_map>
+#include <vector>
 
 namespace director::checks {
 
 /// Of one moment: what the facts allow when it is asked.
 class Waiting {
 public:
-  Waiting(const Model& model, const Facts& facts) : model_(model), facts_(facts) {}
+  Waiting(const Model& model, const Facts& facts);
 
   /// Its conditions may be what a task for its group waits for. Not where an earlier one needs nothing that it does not
   /// need too, unless a push moves it to the front.
@@ -23,6 +25,15 @@ public:
   bool may_wait(GroupId group);
 
 private:
+  /// Where a task is asked for.
+  struct Entry {
+    ProviderId provider{};
+    const Pack* pack = nullptr;
+    bool in_unit = false;
+  };
+
+  /// A member of its unit may be refused for a condition.
+  bool unit_waits(const Pack& pack);
   /// As far as conditions go it can be granted wherever it can be had at all.
   bool is_carefree(GroupId group, const Region& context);
   bool can_do_without(GroupId group, const Region& context, std::set<GroupId>& above) const;
@@ -30,6 +41,8 @@ private:
 
   const Model& model_;
   const Facts& facts_;
+  std::unordered_map<EdgeId, std::vector<Entry>> entries_;
+  std::unordered_map<const Pack*, bool> unit_waits_;
   std::map<GroupId, bool> carefree_; ///< in its own context
 };
 

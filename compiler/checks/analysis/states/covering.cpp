@@ -153,8 +153,12 @@ private:
     const Column& column = columns_[place];
     const std::size_t mask = masks_.size();
     masks_.resize(mask + column.words, 0);
-    for (std::size_t i = 0; i < column.cells.size(); ++i) {
-      if (accepted.contains(column.cells[i].low)) set_bit(masks_, mask, i);
+    // A cell lies wholly within an interval that is accepted, or wholly outside.
+    for (const ValueSet::Interval& each : accepted.intervals()) {
+      const auto begins_before = [](const ValueSet::Interval& cell, std::int64_t low) { return cell.low < low; };
+      auto cell = std::lower_bound(column.cells.begin(), column.cells.end(), each.low, begins_before);
+      for (; cell != column.cells.end() && cell->low <= each.high; ++cell)
+        set_bit(masks_, mask, static_cast<std::size_t>(cell - column.cells.begin()));
     }
     entries_.push_back({place, mask});
   }
