@@ -78,7 +78,9 @@ void below_the_task(Robot& robot, bool defect) {
       robot, "{providers: [{name: going, sets: [$0 == moving]}, {name: coming, causing: [@$0 == standing]}]}", {state});
   make_root(robot, "{providers: [{name: kicking, when: [$0 == standing]}, {name: stepping, tasks: [$1]}]}",
             {state, walk});
-  if (!defect) robot.add_root(walk, robot.below());
+  if (defect) return;
+  robot.add_root(walk, robot.below());
+  make_root(robot, "{when: [$0 == standing]}", {state}); // that one steps where it could wait
 }
 void siblings_of_one_pack(Robot& robot, bool defect) {
   const std::string state = make_state(robot, "moving", "standing");

@@ -72,8 +72,8 @@ int main() {
 namespace {
 
 /// Generates from a behaviour, writes the first files for it, and compiles them all together.
-void check_compiles(const std::string& from, const std::string& headers) {
-  const fs::path folder = binary_dir() / "tests/stubs-compiled";
+void check_compiles(const std::string& name, const std::string& from, const std::string& headers) {
+  const fs::path folder = binary_dir() / ("tests/stubs-compiled-" + name); // tests run side by side
   fs::remove_all(folder);
   fs::create_directories(folder);
   const std::string to = folder.string();
@@ -102,7 +102,7 @@ void check_compiles(const std::string& from, const std::string& headers) {
 } // namespace
 
 TEST_CASE("what is written first compiles at once with strict warnings") {
-  check_compiles((source_dir() / "tests/docs/rover/rover.yaml").string(), "");
+  check_compiles("rover", (source_dir() / "tests/docs/rover/rover.yaml").string(), "");
 }
 
 TEST_CASE("what is written first compiles where a module is called like a type of C, or like the namespace") {
@@ -110,7 +110,7 @@ TEST_CASE("what is written first compiles where a module is called like a type o
   for (const char* name_space : {"Legs", "Legs::FILE", "provide", "start"}) {
     std::ofstream(from) << "behaviour: b\nlanguage: 1\nroots: [A, _]\ncpp: {namespace: '" << name_space
                         << "'}\ngroups:\n  A: {module: legs, start: true, stop: true}\n  _: {module: FILE}\n";
-    check_compiles(from, "#include <cstdio>\n");
+    check_compiles("names", from, "#include <cstdio>\n");
   }
   fs::remove(from);
 }
