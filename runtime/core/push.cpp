@@ -131,6 +131,8 @@ void Pass::push_for(Index count, Index unmet) {
     s_.first[g] = Push{};
     s_.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
   };
+  // It looks at the requests, claims and pushes of many.
+  for (Index at = 0; at < count; ++at) s_.edge_trail[s_.member[at]] |= trail::waits;
   for (const Index g : pushed_groups()) begin(g);
   bool all_served = true;
   for (Index i = 0; i < unmet; ++i) {
@@ -142,7 +144,6 @@ void Pass::push_for(Index count, Index unmet) {
     }
     Push push;
     if (served) continue;
-    for (Index at = 0; at < count; ++at) s_.edge_trail[s_.member[at]] |= trail::waits;
     if (!find_chain(s_.unmet[i], s_.unmet_member[i], push)) {
       all_served = false;
       continue;

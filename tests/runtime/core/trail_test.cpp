@@ -3,6 +3,8 @@
 
 #include "tests/runtime/core/machine.hpp"
 
+#include <algorithm>
+
 namespace director::tests {
 namespace {
 
@@ -71,6 +73,43 @@ TEST_CASE("what nothing reaches is not decided again, however much of it there i
   CHECK(few[disabled] < many[disabled]);
   few[disabled] = many[disabled] = 0;
   CHECK(few == many);
+}
+
+/// What happens where two wait for one condition, and the push of the first one serves both until it is dropped.
+Lines served_by_another(Index most_decided_whole) {
+  Machine machine(R"(
+behaviour: pushes
+language: 1
+states: {Pose: {range: [0, 2], external: true, expires: 50 ms}}
+roots: {Kick: {}, Play: {}}
+groups:
+  Kick: {when: [Pose < 1]}
+  Play: {tasks: {Plan: {}, Look: {}}}
+  Plan: {packs: {whole: {Step: {}}}}
+  Step: {tasks: {Walk: {optional: true}}}
+  Look: {providers: [{name: down, when: [Pose == 0]}, {name: up, when: [Pose != 0]}]}
+  Walk: {causing: [Pose == 0]}
+)");
+  machine.engine().set_most_decided_whole(most_decided_whole);
+  machine.decisions = true;
+  Lines all;
+  const auto step = [&](Time now) {
+    for (const std::string& line : machine.step(now)) all.push_back(line);
+  };
+  for (Time now = 0; now < 300'000; now += 100'000) {
+    machine.request("Play");
+    step(now);
+    machine.request("Kick");
+    machine.set("Pose", "2");
+    step(now + 10'000);
+  }
+  return all;
+}
+
+TEST_CASE("who relied on another's push is asked again when that is dropped") {
+  const Lines followed = served_by_another(0);
+  CHECK(followed == served_by_another(1'000));
+  CHECK(std::count(followed.begin(), followed.end(), "push Walk for root>Kick") == 2);
 }
 
 TEST_CASE("an engine whose state was put back decides from nothing, and the same") {
