@@ -109,7 +109,7 @@ groups:
 TEST_CASE("who relied on another's push is asked again when that is dropped") {
   const Lines followed = served_by_another(0);
   CHECK(followed == served_by_another(1'000));
-  CHECK(std::count(followed.begin(), followed.end(), "push Walk for root>Kick") == 2);
+  CHECK(std::count(followed.begin(), followed.end(), "push Walk for root>Kick") == 3);
 }
 
 TEST_CASE("an engine whose state was put back decides from nothing, and the same") {
