@@ -54,7 +54,7 @@ private:
 template <TaskType Task, std::size_t places>
 class Slots {
   static_assert(has_data<Task>, "`data: void`: a task without data has no `data`");
-  using Data = typename TaskBase<Task>::Type;
+  using Data = typename TaskBase<Task>::data_type;
 
 public:
   void stage(Index place, Data&& data) noexcept { staged_[place].put(std::move(data)); }
@@ -79,7 +79,7 @@ private:
 /// needs. First the places of those that wait in the inbox, then one for each place of the task's last word.
 template <TaskType Task>
 class Waiting {
-  using Data = typename TaskBase<Task>::Type;
+  using Data = typename TaskBase<Task>::data_type;
 
 public:
   /// From any thread: a place for the data of a request that is to go into the inbox, or nil if all are taken.

@@ -34,7 +34,7 @@ struct Task {
                 "the data of a task are kept without heap: their destructor must be public and noexcept");
   static_assert(std::is_nothrow_move_constructible_v<Data>,
                 "the data of a task are kept without heap: their move constructor must be noexcept");
-  using Type = Data;
+  using data_type = Data;
   explicit Task(Data given, LevelOf<Self> at = {}) : data(std::move(given)), level(at) {}
   Data data;
   LevelOf<Self> level;
@@ -43,7 +43,7 @@ struct Task {
 /// Base of a task type without data: `soccer::Look{}`, `soccer::Look{soccer::Look::urgent}`.
 template <class Self>
 struct Task<Self, void> {
-  using Type = void;
+  using data_type = void;
   constexpr Task() = default;
   constexpr explicit Task(LevelOf<Self> at) : level(at) {}
   LevelOf<Self> level{};
@@ -86,7 +86,7 @@ template <TaskType T>
 using TaskBase = decltype(detail::base_of(std::declval<const T&>()));
 
 template <TaskType T>
-inline constexpr bool has_data = !std::is_void_v<typename TaskBase<T>::Type>;
+inline constexpr bool has_data = !std::is_void_v<typename TaskBase<T>::data_type>;
 
 /// The task type of what a body hands to a request: `T`, or `Kept<T>`.
 template <class Given>

@@ -233,7 +233,7 @@ class Trial {
   using Facts = decltype(detail::facts_of(std::declval<const Context&>()));
   using Whole = typename Facts::Behaviour;
   using Task = typename Facts::Task;
-  using Data = typename TaskBase<Task>::Type;
+  using Data = typename TaskBase<Task>::data_type;
   static constexpr bool handler = detail::IsHandler<Context>;
 
 public:
