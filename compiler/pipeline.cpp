@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
 
-#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/facts.hpp"
 #include "compiler/explore/never_runs.hpp"
 #include "compiler/explore/refuted.hpp"
 #include "compiler/graph/deep_needs.hpp"
@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace director::compiler {
@@ -34,40 +33,42 @@ std::vector<std::string> ids_of_checks() {
   return out;
 }
 
-/// Errors that leave nothing to run: a provider without a plan of its needs, a group that would wait for itself.
-bool stops_lowering(const Model& model, const Diagnostics& findings) {
-  const auto is_fatal = [](const dsl::Diagnostic& finding) {
-    return finding.id == "needs_cycle" || finding.id == "needs_conflict";
-  };
-  const auto asks_for_itself = [](const Edge& edge) { return edge.requester == edge.target; };
-  return std::any_of(findings.begin(), findings.end(), is_fatal) ||
-         std::any_of(model.edges.begin(), model.edges.end(), asks_for_itself);
+bool has(const dsl::Diagnostic& finding, checks::Consequence consequence) {
+  const checks::Registered* check = checks::find_registered(finding.id);
+  return check != nullptr && checks::consequence_of(*check) == consequence;
 }
 
-/// Where a provider is missing the model has one that stands in for it.
+bool any_has(const Diagnostics& findings, checks::Consequence consequence) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [&](const dsl::Diagnostic& finding) { return has(finding, consequence); });
+}
+
+/// Errors that leave nothing to run: among them a group that would wait for itself.
+bool stops_lowering(const Model& model, const Diagnostics& findings) {
+  return any_has(findings, checks::Consequence::nothing_runs) ||
+         std::any_of(model.edges.begin(), model.edges.end(),
+                     [](const Edge& edge) { return edge.requester == edge.target; });
+}
+
 bool has_all_but_providers(const Diagnostics& findings) {
   return std::all_of(findings.begin(), findings.end(), [](const dsl::Diagnostic& finding) {
-    return finding.level != dsl::Level::error || finding.id == "unprovided_task";
+    return finding.level != dsl::Level::error || has(finding, checks::Consequence::stand_in);
   });
 }
 
-/// It says that nothing ever brings something about. What is missing might.
 bool says_never(const dsl::Diagnostic& finding) {
-  static constexpr std::string_view ids[] = {"causer_not_running", "shadowed_provider",  "state_without_source",
-                                             "uncovered_state",    "unpushable_causing", "unreachable_causing",
-                                             "unreachable_when",   "unused_causing"};
-  return std::find(std::begin(ids), std::end(ids), finding.id) != std::end(ids);
+  const checks::Registered* check = checks::find_registered(finding.id);
+  return check != nullptr && checks::says_never(*check);
 }
 
 /// What is found of something that only stands in for what is missing is not true of the file.
 Diagnostics without_stand_ins(const Diagnostics& before, Diagnostics found) {
   const auto is_missing = [&](dsl::Span span) {
     return std::any_of(before.begin(), before.end(), [&](const dsl::Diagnostic& finding) {
-      return finding.id == "unprovided_task" && finding.span == span;
+      return has(finding, checks::Consequence::stand_in) && finding.span == span;
     });
   };
-  const bool any_missing = std::any_of(before.begin(), before.end(),
-                                       [](const dsl::Diagnostic& finding) { return finding.id == "unprovided_task"; });
+  const bool any_missing = any_has(before, checks::Consequence::stand_in);
   std::erase_if(found, [&](const dsl::Diagnostic& finding) {
     if (any_missing && says_never(finding)) return true;
     return is_missing(finding.span) || std::any_of(finding.notes.begin(), finding.notes.end(),
@@ -78,8 +79,7 @@ Diagnostics without_stand_ins(const Diagnostics& before, Diagnostics found) {
 
 /// One decision of it does not try more than anybody waits for.
 bool is_quick_to_run(const Diagnostics& findings) {
-  return std::none_of(findings.begin(), findings.end(),
-                      [](const dsl::Diagnostic& finding) { return finding.id == "unbounded_choice"; });
+  return !any_has(findings, checks::Consequence::nothing_is_explored);
 }
 
 } // namespace
@@ -112,7 +112,7 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   // Whether it makes sense. Only a deployment is a closed world.
   const bool checkable = has_all_but_providers(out.findings) && out.model.deployment;
   if (checkable) {
-    const checks::Facts facts = checks::find_facts(out.model, out.graph);
+    const analysis::Facts facts = analysis::find_facts(out.model, out.graph);
     append(out.findings,
            without_stand_ins(out.findings, checks::run_checks(out.model, out.graph, facts, options.selection)));
   }

@@ -1,15 +1,15 @@
-// Door: compiler/verify.hpp. Test: tests/clang/faults_test.cpp.
+// Door: compiler/verify.hpp. Test: tests/compiler/clang/faults_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/verify.hpp"
 
 #include "compiler/checks/code_check.hpp"
 #include "compiler/emit/emit.hpp"
-#include "compiler/emit/notice.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/facts/includes.hpp"
 #include "compiler/facts/scanner.hpp"
 #include "compiler/lower/lower.hpp"
-#include "compiler/version.hpp"
+#include "compiler/base/version.hpp"
 #include "dsl/load_file.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ public:
     }
     while (!wanted.empty()) {
       if (!scan(wanted)) return std::move(out_);
-      wanted = helpers(checks::look_below(checked_.model, code_));
+      wanted = helpers(analysis::look_below(checked_.model, code_));
     }
     judge(scope.build);
     return std::move(out_);
@@ -159,7 +159,7 @@ private:
       all_fresh = all_fresh && fresh;
       if (!fresh) code_.headers.push_back({code_files_.of(each.header), false});
     }
-    if (!all_fresh) out_.findings = checks::run_code_checks(checks::look_below(checked_.model, code_));
+    if (!all_fresh) out_.findings = checks::run_code_checks(analysis::look_below(checked_.model, code_));
     return all_fresh;
   }
 
@@ -224,11 +224,11 @@ private:
   }
 
   /// Files that may have the bodies of functions that are called and matter: called like the header that declares them.
-  std::vector<Candidate*> helpers(const checks::CodeInput& input) {
+  std::vector<Candidate*> helpers(const analysis::CodeInput& input) {
     std::set<std::string> stems;
-    for (const checks::Body& body : input.bodies) {
+    for (const analysis::Body& body : input.bodies) {
       const bool realtime = checked_.model.groups[body.of.group].realtime;
-      for (const checks::Unseen& each : body.unseen) {
+      for (const analysis::Unseen& each : body.unseen) {
         if (!each.declared_in.empty() && (each.carries || realtime))
           stems.insert(fs::path(each.declared_in).stem().string());
       }
@@ -244,13 +244,13 @@ private:
   }
 
   void judge(const std::string& build) {
-    const checks::CodeInput input = checks::look_below(checked_.model, code_);
+    const analysis::CodeInput input = analysis::look_below(checked_.model, code_);
     out_.findings = checks::run_code_checks(input);
     std::set<std::string> seen;
-    for (const checks::Body& body : input.bodies) {
+    for (const analysis::Body& body : input.bodies) {
       seen.insert(body.function->context);
       note_unseen(body);
-      if (body.is_unwritten()) out_.unwritten.push_back(checks::name_of(checked_.model, body.of));
+      if (body.is_unwritten()) out_.unwritten.push_back(analysis::name_of(checked_.model, body.of));
     }
     out_.bodies = input.names.contexts.size();
     out_.seen = seen.size();
@@ -262,20 +262,20 @@ private:
     }
     std::vector<std::string> missing;
     for (const auto& [context, of] : input.names.contexts) {
-      if (seen.count(context) == 0) missing.push_back(checks::name_of(checked_.model, of));
+      if (seen.count(context) == 0) missing.push_back(analysis::name_of(checked_.model, of));
     }
     if (!missing.empty()) out_.not_decided.push_back(fmt::format("no body was found for {}", fmt::join(missing, ", ")));
   }
 
-  void note_unseen(const checks::Body& body) {
+  void note_unseen(const analysis::Body& body) {
     const bool realtime = checked_.model.groups[body.of.group].realtime;
     std::set<std::string> told;
-    for (const checks::Unseen& each : body.unseen) {
+    for (const analysis::Unseen& each : body.unseen) {
       if ((!each.carries && !realtime) || !told.insert(each.what).second) continue;
       const dsl::SourceFile& file = sources_[each.span.file];
       const dsl::Place place = file.place(each.span.begin);
       out_.not_decided.push_back(fmt::format("{}: nobody can see {}: {}:{}:{}: {}",
-                                             checks::name_of(checked_.model, body.of),
+                                             analysis::name_of(checked_.model, body.of),
                                              each.carries ? "what else it may ask for" : "whether it blocks",
                                              file.path(), place.line, place.column, each.what));
     }

@@ -1,4 +1,4 @@
-// Door: behaviours/team/arguments.hpp. Test: tests/dds/team_test.cpp.
+// Door: behaviours/team/arguments.hpp. Test: tests/runtime/dds/team_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "behaviours/team/arguments.hpp"
 

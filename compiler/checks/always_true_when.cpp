@@ -1,6 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/always_true_when.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

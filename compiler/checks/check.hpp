@@ -4,51 +4,16 @@
 // this folder: the function is called like the file, the page's first block says the level, and nothing else has to be
 // touched.
 
-#include "compiler/graph/graph.hpp"
-#include "compiler/model/model.hpp"
-#include "dsl/diagnostic.hpp"
+#include "compiler/analysis/findings.hpp"
+#include "compiler/analysis/input.hpp"
 
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace director::checks {
 
-using namespace director::compiler; // a check speaks of nothing but groups, providers, states
-
-struct Facts;
-struct CodeInput;
-class Shared;
-class Conflicts;
-
-/// What every check sees. The facts are computed once for all of them, and so is what is shared and what is in
-/// conflict, if somebody asks.
-struct Input {
-  const Model& model;
-  const Graph& graph;
-  const Facts& facts;
-  const Shared& shared;
-  const Conflicts& conflicts;
-};
-
-/// Takes what one check finds.
-class Findings {
-public:
-  Findings(std::string_view id, dsl::Level level) : id_(id), level_(level) {}
-
-  dsl::Diagnostic& add(dsl::Span span, std::string message) {
-    found_.push_back({id_, level_, span, std::move(message), {}, {}});
-    return found_.back();
-  }
-  std::vector<dsl::Diagnostic> take() { return std::move(found_); }
-
-private:
-  std::string id_;
-  dsl::Level level_;
-  std::vector<dsl::Diagnostic> found_;
-};
+using namespace director::analysis; // a check asks what the analyses know, in their words
 
 struct Registered {
   std::string_view id;
@@ -68,6 +33,18 @@ dsl::Level level_of(const Registered& check);
 
 /// What it says behind `Certainty:`: `exact`, `may miss`, `may over-report`, or both of these. The page says why.
 std::string_view certainty_of(const Registered& check);
+
+/// What an error means for what comes after it, as the page says behind `Consequence:`.
+enum class Consequence {
+  none,
+  stand_in,           ///< the model has a provider in place of the missing one, and the checks go on
+  nothing_runs,       ///< a provider without a plan of its needs: there are no tables for it
+  nothing_is_explored ///< one decision may try more than anybody waits for
+};
+Consequence consequence_of(const Registered& check);
+
+/// It says that something never happens, as the page says behind `Says:`. What is missing might bring it about.
+bool says_never(const Registered& check);
 
 /// The first sentence of the page.
 std::string summary_of(const Registered& check);

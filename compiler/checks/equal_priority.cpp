@@ -1,10 +1,10 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/conflicts/conflicts.hpp"
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words/notes.hpp"
-#include "compiler/checks/analysis/words/told.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

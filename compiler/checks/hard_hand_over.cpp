@@ -1,9 +1,9 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/hard_hand_over.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/states/choice.hpp"
-#include "compiler/checks/analysis/words/notes.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/choice.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

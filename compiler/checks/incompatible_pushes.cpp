@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/incompatible_pushes.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/conflicts/conflicts.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

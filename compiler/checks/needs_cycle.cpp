@@ -1,9 +1,9 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/needs_cycle.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/needs/needs.hpp"
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words/notes.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

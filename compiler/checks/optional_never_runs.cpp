@@ -1,6 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/optional_never_runs.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/check.hpp"
 
 namespace director::checks {

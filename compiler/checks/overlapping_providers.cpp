@@ -1,8 +1,8 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/overlapping_providers.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/facts/facts.hpp"
-#include "compiler/checks/analysis/states/region.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/pack_conflict.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/conflicts/conflicts.hpp"
-#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/shared/shared.hpp"
 #include "compiler/checks/check.hpp"
 
 namespace director::checks {

@@ -1,11 +1,11 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/possible_pack_conflict.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/conflicts/conflicts.hpp"
-#include "compiler/checks/analysis/needs/needs.hpp"
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/states/choice.hpp"
-#include "compiler/checks/analysis/words/told.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/choice.hpp"
+#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

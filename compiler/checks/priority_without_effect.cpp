@@ -1,8 +1,8 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/priority_without_effect.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/facts/pushes.hpp"
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/facts/pushes.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

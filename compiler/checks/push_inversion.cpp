@@ -1,8 +1,8 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/push_inversion.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/requests/company.hpp"
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/requests/company.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

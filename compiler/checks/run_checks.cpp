@@ -1,15 +1,14 @@
-// Door: compiler/checks/run_checks.hpp. Test: tests/checks/run_checks_test.cpp.
+// Door: compiler/checks/run_checks.hpp. Test: tests/compiler/checks/run_checks_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/checks/run_checks.hpp"
 
-#include "compiler/checks/analysis/conflicts/conflicts.hpp"
-#include "compiler/checks/analysis/shared.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/shared/shared.hpp"
 #include "compiler/checks/code_check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace director::checks {
 
@@ -91,14 +90,6 @@ bool is_wanted(const Registered& check, const Selection& selection, const Model&
                      [&](const Allowance& allowance) { return allowance.id.value == check.id; });
 }
 
-/// The rest of the line of the page's head that begins like this.
-std::string_view header_of(const Registered& check, std::string_view label) {
-  const std::size_t at = check.page.find(label);
-  if (at == std::string_view::npos) return {};
-  const std::string_view rest = check.page.substr(at + label.size());
-  return rest.substr(0, rest.find('\n'));
-}
-
 } // namespace
 
 const Registered* find_registered(std::string_view id) {
@@ -106,32 +97,6 @@ const Registered* find_registered(std::string_view id) {
     if (check.id == id) return &check;
   }
   return nullptr;
-}
-
-dsl::Level level_of(const Registered& check) {
-  const std::string_view text = header_of(check, "\nLevel: ");
-  for (const dsl::Level level : {dsl::Level::error, dsl::Level::warning, dsl::Level::lint}) {
-    if (text == dsl::name_of(level)) return level;
-  }
-  throw std::logic_error(fmt::format("{}.md says no level", check.id));
-}
-
-std::string_view certainty_of(const Registered& check) {
-  const std::string_view text = header_of(check, "\nCertainty: ");
-  for (const std::string_view known : {"exact", "may miss", "may over-report", "may miss, may over-report"}) {
-    if (text == known) return text;
-  }
-  throw std::logic_error(fmt::format("{}.md does not say how certain it is", check.id));
-}
-
-std::string summary_of(const Registered& check) {
-  // The first paragraph behind the title and what is said in one word.
-  const std::size_t begin = check.page.find("\n\n");
-  const std::string_view rest = begin == std::string_view::npos ? "" : check.page.substr(begin + 2);
-  std::string out(rest.substr(0, rest.find("\n\n")));
-  std::replace(out.begin(), out.end(), '\n', ' ');
-  const std::size_t stop = out.find(". ");
-  return stop == std::string::npos ? out : out.substr(0, stop + 1);
 }
 
 std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts,

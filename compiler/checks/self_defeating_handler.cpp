@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/self_defeating_handler.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/causing/self_defeats.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/causing/self_defeats.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

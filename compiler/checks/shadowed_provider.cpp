@@ -1,11 +1,11 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/causing/exclusion.hpp"
-#include "compiler/checks/analysis/conflicts/conflicts.hpp"
-#include "compiler/checks/analysis/facts/facts.hpp"
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/states/choice.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/causing/exclusion.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/choice.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

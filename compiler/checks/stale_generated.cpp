@@ -1,6 +1,6 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/stale_generated.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/stay_adds_nothing.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/states/region.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

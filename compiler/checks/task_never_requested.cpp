@@ -1,7 +1,7 @@
 // Door: compiler/checks/code_check.hpp. Test: compiler/checks/task_never_requested.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/code/code_words.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/code/code_words.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
 
 #include <fmt/format.h>

@@ -1,13 +1,13 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/causing/exclusion.hpp"
-#include "compiler/checks/analysis/causing/self_defeats.hpp"
-#include "compiler/checks/analysis/chains/sparse_set.hpp"
-#include "compiler/checks/analysis/conflicts/conflicts.hpp"
-#include "compiler/checks/analysis/requests/gaps.hpp"
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words/notes.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/causing/exclusion.hpp"
+#include "compiler/analysis/causing/self_defeats.hpp"
+#include "compiler/analysis/chains/sparse_set.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/requests/gaps.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unpushable_causing.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/chains/meetings.hpp"
-#include "compiler/checks/analysis/facts/facts.hpp"
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/chains/meetings.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unset_is_false.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/facts/facts.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unused_causing.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -1,12 +1,12 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/waiting_company.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/conflicts/conflicts.hpp"
-#include "compiler/checks/analysis/needs/needs.hpp"
-#include "compiler/checks/analysis/requests/gaps.hpp"
-#include "compiler/checks/analysis/shared.hpp"
-#include "compiler/checks/analysis/states/choice.hpp"
-#include "compiler/checks/analysis/words/notes.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/requests/gaps.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/choice.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // What is known of a program after some units, for `declarations`: rows of JSON by place. A place that several units
 // see counts once.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 
 #include <clang/Basic/SourceManager.h>
 

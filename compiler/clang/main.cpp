@@ -1,10 +1,10 @@
-// Door: the command line of director-clang. Test: tests/clang.
+// Door: the command line of director-clang. Test: tests/compiler/clang.
 // SPDX-License-Identifier: MIT
 //
 // Reads C++ for directorc, which calls it; nobody else has to. A word says what is asked, the rest is JSON on standard
 // input and output.
 #include "compiler/clang/subcommands.hpp"
-#include "compiler/version.hpp"
+#include "compiler/base/version.hpp"
 
 #include <array>
 #include <exception>

@@ -3,7 +3,7 @@
 // What is said of a unit: names and places in it, in JSON. A place is [file, begin, end]: the file's row in a table of
 // absolute paths, and offsets in bytes, the end exclusive.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 
 #include <clang/AST/Decl.h>
 #include <clang/Basic/SourceManager.h>

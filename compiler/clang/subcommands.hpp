@@ -3,7 +3,7 @@
 // What director-clang can be asked. Each takes the JSON that stands on the standard input and gives what goes to the
 // standard output: an object, with the key `error` alone where it cannot be answered. One file each.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 
 namespace director::scanning {
 

@@ -3,7 +3,7 @@
 // Units in JSON: as requests name them, and what is told of how one was read.
 
 #include "compiler/clang/parse.hpp"
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 
 namespace director::scanning {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Files of the user with something put into them, which is not on the disk.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "compiler/stubs/insertion.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
-// Door: compiler/clang/subcommands.hpp. Test: tests/clang/faults_test.cpp.
+// Door: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/faults_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/version.hpp"
+#include "compiler/base/version.hpp"
 
 #include "compiler/clang/subcommands.hpp"
 

@@ -1,7 +1,7 @@
-// Door: compiler/cli/commands.hpp. Test: tests/cli/check_test.cpp.
+// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/check_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/analysis/causing/promises.hpp"
-#include "compiler/checks/analysis/states/sources.hpp"
+#include "compiler/analysis/causing/promises.hpp"
+#include "compiler/analysis/states/sources.hpp"
 #include "compiler/cli/goal.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/print_bounds.hpp"
@@ -30,13 +30,13 @@ struct Explained {
 };
 
 /// What keeps the goal from being: whoever could bring it about never runs.
-std::vector<dsl::Note> missing_for(const Model& model, const checks::Facts& facts, const checks::Goal& goal) {
+std::vector<dsl::Note> missing_for(const Model& model, const analysis::Facts& facts, const analysis::Goal& goal) {
   std::vector<ProviderId> providers;
   if (const auto* group = std::get_if<GroupId>(&goal)) providers = model.groups[*group].providers;
   if (const auto* provider = std::get_if<ProviderId>(&goal)) providers = {*provider};
-  if (const auto* value = std::get_if<checks::StateValue>(&goal)) {
-    const auto sources = checks::find_sources(model);
-    for (const checks::Source& source : sources[value->state]) {
+  if (const auto* value = std::get_if<analysis::StateValue>(&goal)) {
+    const auto sources = analysis::find_sources(model);
+    for (const analysis::Source& source : sources[value->state]) {
       if (source.values.intersected(ValueSet::single(value->value)).empty()) continue;
       if (source.provider) providers.push_back(*source.provider);
       if (!source.group) continue;
@@ -48,7 +48,7 @@ std::vector<dsl::Note> missing_for(const Model& model, const checks::Facts& fact
       return {{state.name.span,
                fmt::format("nothing causes or sets `{} == {}`", state.name.value, state.value_text(value->value))}};
   }
-  return checks::explain_idle(model, facts, providers);
+  return analysis::explain_idle(model, facts, providers);
 }
 
 std::string to_text(const Explained& explained, const dsl::Sources& sources) {
@@ -92,7 +92,7 @@ public:
       }
     }
     if (request_.verbose && checked->lowerable)
-      bounds_ = checks::find_bounds(checked->model, lower(checked->model).view());
+      bounds_ = analysis::find_bounds(checked->model, lower(checked->model).view());
     print(*checked);
     const bool unreachable = explained_ && !explained_->steps;
     if (dsl::has_errors(checked->findings) || unreachable) return found;
@@ -108,8 +108,8 @@ private:
                          request_.file);
     const ParsedGoal parsed = parse_goal(checked.model, request_.reachable);
     if (!parsed.goal) return parsed.wrong;
-    const checks::Facts facts = checks::find_facts(checked.model, checked.graph);
-    explained_ = Explained{request_.reachable, checks::find_witness(checked.model, facts, *parsed.goal), {}};
+    const analysis::Facts facts = analysis::find_facts(checked.model, checked.graph);
+    explained_ = Explained{request_.reachable, analysis::find_witness(checked.model, facts, *parsed.goal), {}};
     if (!explained_->steps) explained_->missing = missing_for(checked.model, facts, *parsed.goal);
     return {};
   }
@@ -140,7 +140,7 @@ private:
   Console& console_;
   dsl::Sources sources_;
   std::optional<Explained> explained_;
-  std::optional<checks::Bounds> bounds_;
+  std::optional<analysis::Bounds> bounds_;
 };
 
 } // namespace

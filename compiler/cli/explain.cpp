@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/cli/scenario_test.cpp.
+// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/commands.hpp"
 #include "compiler/reference/explain_key.hpp"

@@ -1,7 +1,7 @@
-// Door: compiler/cli/commands.hpp. Test: tests/cli/explore_test.cpp.
+// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/explore_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
-#include "compiler/emit/notice.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/explore/report.hpp"
 
 #include <fmt/format.h>

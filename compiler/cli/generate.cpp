@@ -1,9 +1,9 @@
-// Door: compiler/cli/commands.hpp. Test: tests/cli/generate_test.cpp.
+// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/generate_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 #include "compiler/emit/depfile.hpp"
 #include "compiler/emit/emit.hpp"
-#include "compiler/emit/notice.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/lower/lower.hpp"
 
 #include <fmt/format.h>

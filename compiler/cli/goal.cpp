@@ -1,4 +1,4 @@
-// Door: compiler/cli/goal.hpp. Test: tests/cli/reachable_test.cpp.
+// Door: compiler/cli/goal.hpp. Test: tests/compiler/cli/reachable_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/goal.hpp"
 
@@ -19,7 +19,7 @@ class Lookup {
 public:
   Lookup(const Model& model, std::string_view words) : model_(model), words_(words), names_(model, findings) {}
 
-  std::optional<checks::Goal> goal() {
+  std::optional<analysis::Goal> goal() {
     if (words_.find_first_of("=<>!|&") != std::string::npos) return value();
     if (const auto state = model_.find_state(words_); state && !model_.find_group(words_)) {
       names_.error("bad_condition", {}, fmt::format("`{}` is a state", words_),
@@ -31,14 +31,14 @@ public:
     if (!group) return std::nullopt;
     if (dot == words_.size()) return *group;
     const auto provider = names_.provider(*group, {words_.substr(dot + 1), {}});
-    return provider ? std::optional<checks::Goal>(*provider) : std::nullopt;
+    return provider ? std::optional<analysis::Goal>(*provider) : std::nullopt;
   }
 
   std::vector<Diagnostic> findings;
 
 private:
   /// `Pose == standing`, read as the language reads a condition.
-  std::optional<checks::Goal> value() {
+  std::optional<analysis::Goal> value() {
     dsl::YamlNode node;
     node.kind = dsl::YamlNode::Kind::scalar;
     node.text = words_;
@@ -53,7 +53,7 @@ private:
       return std::nullopt;
     }
     const auto number = names_.value(*state, condition->values.front());
-    return number ? std::optional<checks::Goal>(checks::StateValue{*state, *number}) : std::nullopt;
+    return number ? std::optional<analysis::Goal>(analysis::StateValue{*state, *number}) : std::nullopt;
   }
 
   std::string example(StateId id) const {

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 // What `--explain-reachable` is asked about: `Kick`, `Walk.halting`, `Pose == standing`.
 
-#include "compiler/checks/analysis/facts/witness.hpp"
+#include "compiler/analysis/facts/witness.hpp"
 
 #include <string>
 
 namespace director::compiler::cli {
 
 struct ParsedGoal {
-  std::optional<checks::Goal> goal;
+  std::optional<analysis::Goal> goal;
   std::string wrong; ///< why there is none
 };
 

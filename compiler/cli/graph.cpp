@@ -1,8 +1,8 @@
-// Door: compiler/cli/commands.hpp. Test: tests/cli/graph_test.cpp.
+// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 #include "compiler/emit/graph/formats.hpp"
-#include "compiler/emit/notice.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 
 #include <fmt/format.h>
 

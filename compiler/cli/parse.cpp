@@ -1,11 +1,11 @@
-// Door: compiler/cli/parse.hpp. Test: tests/cli/parse_test.cpp.
+// Door: compiler/cli/parse.hpp. Test: tests/compiler/cli/parse_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The only place with CLI11. A row of the table is a subcommand: its name, its line in the help, and a function that
 // adds its options and says how they become a request.
 #include "compiler/cli/parse.hpp"
 
-#include "compiler/version.hpp"
+#include "compiler/base/version.hpp"
 #include "dsl/duration.hpp"
 #include "dsl/suggest.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/print_bounds.hpp. Test: tests/cli/bounds_test.cpp.
+// Door: compiler/cli/print_bounds.hpp. Test: tests/compiler/cli/bounds_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/print_bounds.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace director::compiler::cli {
 
-std::string bounds_text(const checks::Bounds& bounds, std::int64_t limit, const std::string& file) {
+std::string bounds_text(const analysis::Bounds& bounds, std::int64_t limit, const std::string& file) {
   std::string out = fmt::format("memory and bounds of {}\n", file);
   const auto line = [&](std::string_view what, std::int64_t number, std::string_view unit, const std::string& more) {
     out += fmt::format("  {:<17}{:>8} {}{}{}\n", what, number, unit, more.empty() ? "" : "; ", more);
@@ -29,7 +29,7 @@ std::string bounds_text(const checks::Bounds& bounds, std::int64_t limit, const 
   return out;
 }
 
-Json bounds_json(const checks::Bounds& bounds) {
+Json bounds_json(const analysis::Bounds& bounds) {
   Json out = Json::object({{"decision_state_bytes", Json::number(bounds.decision_bytes)},
                            {"engine_bytes", Json::number(bounds.engine_bytes)},
                            {"waiting_runs", Json::number(bounds.runs_waiting)},

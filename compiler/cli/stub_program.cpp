@@ -1,8 +1,8 @@
-// Door: compiler/cli/stub_program.hpp. Test: tests/clang/stubs/command_test.cpp.
+// Door: compiler/cli/stub_program.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/stub_program.hpp"
 
-#include "compiler/emit/notice.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/stubs/merge.hpp"
 #include "dsl/load_file.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/cli/why_test.cpp.
+// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/why_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 
-#include "compiler/emit/artefact.hpp"
-#include "compiler/emit/deployment.hpp"
+#include "compiler/emit/artefact/artefact.hpp"
+#include "compiler/emit/artefact/deployment.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Findings as other programs read them: lines and columns from 1, columns in UTF-8 bytes, ends exclusive.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "dsl/diagnostic.hpp"
 #include "dsl/source_file.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_sarif.hpp"
 
-#include "compiler/emit/sha256.hpp"
-#include "compiler/version.hpp"
+#include "compiler/base/sha256.hpp"
+#include "compiler/base/version.hpp"
 #include "dsl/characters.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Findings as SARIF 2.1.0, for services that show them beside a change. Source: the OASIS standard of that name.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "dsl/diagnostic.hpp"
 #include "dsl/source_file.hpp"
 

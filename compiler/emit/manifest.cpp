@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/manifest.hpp"
 
-#include "compiler/checks/analysis/plans/bounds.hpp"
-#include "compiler/emit/json.hpp"
-#include "compiler/emit/notice.hpp"
-#include "compiler/emit/sha256.hpp"
-#include "compiler/version.hpp"
+#include "compiler/analysis/plans/bounds.hpp"
+#include "compiler/base/json.hpp"
+#include "compiler/emit/artefact/notice.hpp"
+#include "compiler/base/sha256.hpp"
+#include "compiler/base/version.hpp"
 #include "runtime/core/state.hpp"
 
 namespace director::compiler {
@@ -35,7 +35,7 @@ Json memory(const Tables& tables) {
 
 /// What `directorc check --verbose` prints; docs/integration.md says why each is a bound.
 Json bounds(const Deployment& from, const Tables& tables) {
-  const checks::Bounds bounds = checks::find_bounds(from.model, tables);
+  const analysis::Bounds bounds = analysis::find_bounds(from.model, tables);
   return Json::object({{"runs_waiting", Json::number(bounds.runs_waiting)},
                        {"trials_for_a_decision", Json::number(bounds.trials)},
                        {"trials_in_a_pass", Json::number(bounds.trials_in_a_pass)},

@@ -3,8 +3,8 @@
 // What was made from what: for tools that need to know whether the generated code is up to date, where a line of it
 // comes from, and what memory a behaviour takes.
 
-#include "compiler/emit/code.hpp"
-#include "compiler/emit/deployment.hpp"
+#include "compiler/emit/artefact/code.hpp"
+#include "compiler/emit/artefact/deployment.hpp"
 
 #include <string>
 #include <vector>

@@ -23,8 +23,8 @@
 // before anything else is decided.
 //
 // can_run: the facts of the checks say of every provider whether it may ever run, and err on that side only.
-#include "compiler/checks/analysis/facts/facts.hpp"
-#include "compiler/checks/analysis/plans/plans.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/plans/plans.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/lower/plans.hpp"
@@ -52,7 +52,7 @@ Verdict proven(std::string why) {
 std::string quoted(const Model& model, GroupId group) { return fmt::format("`{}`", model.groups[group].name.value); }
 
 /// What both can only be granted with; nothing where there is no such thing.
-std::optional<GroupId> shared_part(const Model& model, const checks::Indispensable& parts, GroupId a, GroupId b) {
+std::optional<GroupId> shared_part(const Model& model, const analysis::Indispensable& parts, GroupId a, GroupId b) {
   if (has(needed_by(model, a), b) || has(needed_by(model, b), a)) return {};
   if (!parts.of(a) || !parts.of(b)) return {};
   for (const GroupId part : *parts.of(a)) {
@@ -100,7 +100,7 @@ bool exclude(const Model& model, GroupId a, GroupId b) {
 }
 
 std::optional<Verdict> never_together(const Assertion& assertion, const Model& model) {
-  const checks::Indispensable parts(model);
+  const analysis::Indispensable parts(model);
   std::vector<std::string> shared;
   bool excluded = false;
   for (std::size_t i = 0; i < assertion.groups.size(); ++i) {
@@ -225,7 +225,7 @@ std::optional<Verdict> latch(const Model& model, GroupId from, GroupId to) {
 /// What may ever happen tells what never does; that something may is no proof that it does.
 std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
   const GroupId group = assertion.groups.front().id;
-  const checks::Facts facts = checks::find_facts(model, make_graph(model));
+  const analysis::Facts facts = analysis::find_facts(model, make_graph(model));
   const std::vector<ProviderId>& providers = model.groups[group].providers;
   if (std::any_of(providers.begin(), providers.end(), [&](ProviderId id) { return facts.active.contains(id); }))
     return {};

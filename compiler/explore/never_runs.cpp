@@ -6,8 +6,8 @@
 // provider of a requested group ever ran, the group has the finding.
 #include "compiler/explore/never_runs.hpp"
 
-#include "compiler/checks/analysis/states/sources.hpp"
-#include "compiler/checks/analysis/words/words.hpp"
+#include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/explore/search.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@ namespace director::compiler {
 
 namespace {
 
-using checks::name_of;
-using checks::Source;
+using analysis::name_of;
+using analysis::Source;
 using dsl::Diagnostic;
 
 /// These say that something never happens, of what they stand at and of what their notes stand at.
@@ -43,7 +43,7 @@ public:
   Silences(const Model& model, const Happened& happened, const std::vector<Diagnostic>& told)
       : model_(model),
         happened_(happened),
-        sources_(checks::find_sources(model)) {
+        sources_(analysis::find_sources(model)) {
     for (const Diagnostic& finding : told) {
       if (!says_never(finding)) continue;
       told_.insert(finding.span);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/cache.hpp"
 
-#include "compiler/emit/sha256.hpp"
+#include "compiler/base/sha256.hpp"
 #include "dsl/load_file.hpp"
 
 namespace director::compiler {

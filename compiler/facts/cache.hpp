@@ -5,7 +5,7 @@
 // content, those of the system by size and time. What cannot be read, or says something odd, is only not found. An
 // answer with errors in it is not kept: the file that was missing might be there by now.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "dsl/file_access.hpp"
 
 #include <map>

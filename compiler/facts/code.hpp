@@ -5,7 +5,7 @@
 // are what may happen in it, in no order and under no condition; what the text of the function rules out, as a constant
 // condition or a `return` before it does, is not counted.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "dsl/file_access.hpp"
 #include "dsl/source_file.hpp"
 

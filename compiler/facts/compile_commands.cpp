@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/compile_commands.hpp"
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "dsl/load_file.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/scanned_types.hpp"
 
-#include "compiler/version.hpp"
+#include "compiler/base/version.hpp"
 #include "dsl/load_file.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/scanner.hpp"
 
-#include "compiler/version.hpp"
+#include "compiler/base/version.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // JSON on its standard output: compiler/clang has the other end. It is a program and a package of its own, since what
 // it links is a hundred times larger than directorc, and most runs need nothing of it.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "compiler/facts/programs.hpp"
 #include "dsl/result.hpp"
 

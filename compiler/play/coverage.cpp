@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/coverage.hpp"
 
-#include "compiler/checks/analysis/chains/claims.hpp"
-#include "compiler/checks/analysis/chains/meetings.hpp"
-#include "compiler/checks/analysis/facts/facts.hpp"
-#include "compiler/checks/analysis/facts/pushes.hpp"
+#include "compiler/analysis/chains/claims.hpp"
+#include "compiler/analysis/chains/meetings.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/pushes.hpp"
 
 #include <algorithm>
 #include <map>
@@ -19,7 +19,7 @@ namespace {
 using Kind = CoveragePoint::Kind;
 
 /// Granted whole, or not at all.
-bool in_unit(const checks::Together& together, const Level& level) {
+bool in_unit(const analysis::Together& together, const Level& level) {
   return together.provider && !level.optional && !level.apart;
 }
 
@@ -27,7 +27,7 @@ class Planner {
 public:
   Planner(const Model& model, const Graph& graph)
       : model_(model),
-        facts_(checks::find_facts(model, graph)),
+        facts_(analysis::find_facts(model, graph)),
         counts_([this](ProviderId id) {
           return facts_.capable.contains(id) && facts_.requested.contains(model_.providers[id].group);
         }),
@@ -41,7 +41,7 @@ public:
     plan_levels();
     plan_conditions();
     plan_pushes();
-    for (const checks::Together& together : checks::find_together(model_, counts_)) plan_take_overs(together);
+    for (const analysis::Together& together : analysis::find_together(model_, counts_)) plan_take_overs(together);
     return std::move(out_);
   }
 
@@ -59,7 +59,7 @@ private:
   }
 
   void plan_levels() {
-    for (const checks::Together& together : checks::find_together(model_, counts_)) {
+    for (const analysis::Together& together : analysis::find_together(model_, counts_)) {
       for (const Task& task : *together.tasks) {
         for (const Task::NamedLevel& level : task.levels) add({Kind::level, task.edge.value, level.level}, task.span);
       }
@@ -106,23 +106,23 @@ private:
   }
 
   void plan_pushes() {
-    const checks::Chains chains(model_, counts_);
-    const checks::Causers causers = checks::find_causers(model_);
-    checks::Pushes pushes(model_, facts_, chains, causers);
+    const analysis::Chains chains(model_, counts_);
+    const analysis::Causers causers = analysis::find_causers(model_);
+    analysis::Pushes pushes(model_, facts_, chains, causers);
     for (const GroupId waiter : model_.groups.ids()) {
       if (!facts_.requested.contains(waiter)) continue;
-      for (const ProviderId causer : checks::find_pushable(model_, pushes, waiter))
+      for (const ProviderId causer : analysis::find_pushable(model_, pushes, waiter))
         add({Kind::push, waiter.value, causer.value}, model_.providers[causer].span);
     }
   }
 
-  const checks::Claims& claims(GroupId task) {
-    std::unique_ptr<checks::Claims>& out = claims_[task];
-    if (!out) out = std::make_unique<checks::Claims>(branches_, task);
+  const analysis::Claims& claims(GroupId task) {
+    std::unique_ptr<analysis::Claims>& out = claims_[task];
+    if (!out) out = std::make_unique<analysis::Claims>(branches_, task);
     return *out;
   }
 
-  void plan_take_overs(const checks::Together& together) {
+  void plan_take_overs(const analysis::Together& together) {
     for (const Task& taker : *together.tasks) {
       for (const Task& loser : *together.tasks) {
         if (taker.edge != loser.edge && may_take(together, taker, loser))
@@ -131,13 +131,13 @@ private:
     }
   }
 
-  bool may_take(const checks::Together& together, const Task& taker, const Task& loser) {
-    const checks::Claims &of_taker = claims(taker.target), &of_loser = claims(loser.target);
+  bool may_take(const analysis::Together& together, const Task& taker, const Task& loser) {
+    const analysis::Claims &of_taker = claims(taker.target), &of_loser = claims(loser.target);
     for (const GroupId group : of_taker.groups()) {
-      for (const checks::Reach takes : checks::all_reaches) {
-        for (const checks::Reach loses : checks::all_reaches) {
-          const checks::Claim *first = of_taker.find(group, takes), *second = of_loser.find(group, loses);
-          if (first == nullptr || second == nullptr || !checks::compatible(first->region, second->region)) continue;
+      for (const analysis::Reach takes : analysis::all_reaches) {
+        for (const analysis::Reach loses : analysis::all_reaches) {
+          const analysis::Claim *first = of_taker.find(group, takes), *second = of_loser.find(group, loses);
+          if (first == nullptr || second == nullptr || !analysis::compatible(first->region, second->region)) continue;
           if (goes_before(together, taker, takes, loser, loses)) return true;
         }
       }
@@ -146,9 +146,9 @@ private:
   }
 
   /// At some of their levels. In a unit nothing is taken from what is granted with it.
-  bool goes_before(const checks::Together& together, const Task& taker, checks::Reach takes, const Task& loser,
-                   checks::Reach loses) const {
-    using checks::Reach;
+  bool goes_before(const analysis::Together& together, const Task& taker, analysis::Reach takes, const Task& loser,
+                   analysis::Reach loses) const {
+    using analysis::Reach;
     for (const Task::NamedLevel& a : taker.levels) {
       for (const Task::NamedLevel& b : loser.levels) {
         const Level &first = model_.edges[taker.edge].levels[a.level],
@@ -164,10 +164,10 @@ private:
   }
 
   const Model& model_;
-  const checks::Facts facts_;
+  const analysis::Facts facts_;
   const std::function<bool(ProviderId)> counts_;
-  const checks::Branches branches_;
-  std::map<GroupId, std::unique_ptr<checks::Claims>> claims_;
+  const analysis::Branches branches_;
+  std::map<GroupId, std::unique_ptr<analysis::Claims>> claims_;
   std::set<CoveragePoint::Key> seen_;
   Coverage out_;
 };

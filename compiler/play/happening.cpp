@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/happening.hpp"
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 
 #include <fmt/format.h>
@@ -68,8 +68,8 @@ std::string line_of(const Happening& happening) {
 
 std::string to_text(const Happening& happening, ShowTimes times) {
   if (times == ShowTimes::no) return line_of(happening);
-  std::array<char, 40> room{};
-  return time_text(happening.time, room) + line_of(happening);
+  std::array<char, 40> buffer{};
+  return time_text(happening.time, buffer) + line_of(happening);
 }
 
 std::string to_json(const Happening& happening, ShowTimes times) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Coverage for people and for programs.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "compiler/play/coverage.hpp"
 #include "dsl/source_file.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Does a scenario happen as it expects? What is compared are the lines of `expect`, step by step.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "compiler/play/play.hpp"
 #include "dsl/source_file.hpp"
 

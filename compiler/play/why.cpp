@@ -1,4 +1,4 @@
-// Door: compiler/play/why.hpp. Test: tests/cli/why_test.cpp.
+// Door: compiler/play/why.hpp. Test: tests/compiler/cli/why_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
@@ -170,11 +170,11 @@ std::string place(const Span& span, const dsl::Sources& sources) {
 Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered) {
   const Because because = why(view, static_cast<Index>(group.value));
   const RowNames names(model, lowered);
-  std::string room(4096, '\0');
+  std::string buffer(4096, '\0');
   Reasoning out;
   out.group = model.groups[group].name.value;
   out.kind = kinds[static_cast<std::size_t>(because.kind)];
-  out.text = to_text(because, names.names(), room);
+  out.text = to_text(because, names.names(), buffer);
   out.notes = Reasoner(view, model, lowered).notes(because);
   return out;
 }

@@ -3,7 +3,7 @@
 // Why a group runs, or does not: what the engine finds (runtime/core/why.hpp), in the words of the specification and
 // with its places.
 
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/source_file.hpp"

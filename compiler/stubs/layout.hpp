@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // How a stub is written, before anybody's .clang-format has been at it.
 
-#include "compiler/emit/artefact.hpp"
-#include "compiler/emit/code.hpp"
+#include "compiler/emit/artefact/artefact.hpp"
+#include "compiler/emit/artefact/code.hpp"
 #include "compiler/stubs/wanted.hpp"
 
 #include <string>

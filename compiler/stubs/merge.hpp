@@ -3,7 +3,7 @@
 // What a behaviour wants, put beside what its program has: where to insert what is missing, and what is left over.
 // Declared places only: behind another function of the module, at the end of its class, at the end of a source file.
 
-#include "compiler/emit/artefact.hpp"
+#include "compiler/emit/artefact/artefact.hpp"
 #include "compiler/stubs/found.hpp"
 #include "compiler/stubs/insertion.hpp"
 #include "compiler/stubs/wanted.hpp"

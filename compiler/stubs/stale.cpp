@@ -1,8 +1,8 @@
-// Door: compiler/stubs/stale.hpp. Test: tests/stubs/stale_test.cpp.
+// Door: compiler/stubs/stale.hpp. Test: tests/compiler/stubs/stale_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/stale.hpp"
 
-#include "compiler/emit/code.hpp"
+#include "compiler/emit/artefact/code.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // What a behaviour wants its program to implement: for each module a class, for each provider and handler a function of
 // it. A value made of the Model alone, whatever the program has already.
 
-#include "compiler/emit/deployment.hpp"
+#include "compiler/emit/artefact/deployment.hpp"
 
 #include <string>
 #include <string_view>

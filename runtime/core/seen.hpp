@@ -68,33 +68,33 @@ public:
     Look(const Look&) = delete;
     Look& operator=(const Look&) = delete;
     ~Look() {
-      if (room_ != nil) of_.rooms_.leave(room_);
+      if (buffer_ != nil) of_.buffers_.leave(buffer_);
     }
-    explicit operator bool() const { return room_ != nil; } ///< false: nothing was shown yet
-    Seen<Facts> operator*() const { return Seen<Facts>(of_.views_[room_]); }
+    explicit operator bool() const { return buffer_ != nil; } ///< false: nothing was shown yet
+    Seen<Facts> operator*() const { return Seen<Facts>(of_.views_[buffer_]); }
 
   private:
     friend Snapshot;
-    explicit Look(const Snapshot& of) : of_(of), room_(of.rooms_.enter()) {}
+    explicit Look(const Snapshot& of) : of_(of), buffer_(of.buffers_.enter()) {}
     const Snapshot& of_;
-    Index room_;
+    Index buffer_;
   };
   Look look() const { return Look(*this); }
 
   /// From the thread that calls step(). False: there is still a look at the older copy; nothing changes.
   bool show(const View& view) {
-    const Index room = rooms_.begin();
-    if (room == nil) return false;
-    views_[room] = view.copy(memory_[room].data());
-    rooms_.finish(room);
+    const Index buffer = buffers_.begin();
+    if (buffer == nil) return false;
+    views_[buffer] = view.copy(memory_[buffer].data());
+    buffers_.finish(buffer);
     return true;
   }
 
 private:
-  struct alignas(8) Room : std::array<std::byte, View::bytes(Facts::shape)> {};
-  mutable TwoRooms rooms_;
+  struct alignas(8) Buffer : std::array<std::byte, View::bytes(Facts::shape)> {};
+  mutable DoubleBuffer buffers_;
   std::array<View, 2> views_;
-  std::array<Room, 2> memory_;
+  std::array<Buffer, 2> memory_;
 };
 
 } // namespace director

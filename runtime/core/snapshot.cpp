@@ -1,7 +1,7 @@
 // Door: runtime/core/snapshot.hpp. Test: tests/runtime/core/snapshot_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Readers only ever enter the room that was finished last, so the other one becomes empty by itself.
+// Readers only ever enter the buffer that was finished last, so the other one becomes empty by itself.
 
 #include "runtime/core/snapshot.hpp"
 
@@ -9,39 +9,39 @@ namespace director {
 
 namespace {
 
-constexpr std::uint32_t one_reader(Index room) { return 0x100U << (8 * room); }
-constexpr std::uint32_t readers(std::uint32_t state, Index room) { return state >> (8 + 8 * room) & 0xFFU; }
+constexpr std::uint32_t one_reader(Index buffer) { return 0x100U << (8 * buffer); }
+constexpr std::uint32_t readers(std::uint32_t state, Index buffer) { return state >> (8 + 8 * buffer) & 0xFFU; }
 constexpr std::uint32_t last(std::uint32_t state) { return state & 3U; }
-constexpr std::uint32_t with_last(std::uint32_t state, Index room) { return (state & ~3U) | (room + 1U); }
+constexpr std::uint32_t with_last(std::uint32_t state, Index buffer) { return (state & ~3U) | (buffer + 1U); }
 
 } // namespace
 
-Index TwoRooms::begin() {
+Index DoubleBuffer::begin() {
   const std::uint32_t now = state_.load(std::memory_order_acquire);
   const Index spare = last(now) == 1 ? 1 : 0;
   return readers(now, spare) == 0 ? spare : nil;
 }
 
-void TwoRooms::finish(Index room) {
+void DoubleBuffer::finish(Index buffer) {
   std::uint32_t now = state_.load(std::memory_order_relaxed);
   while (
-      !state_.compare_exchange_weak(now, with_last(now, room), std::memory_order_acq_rel, std::memory_order_relaxed)) {}
+      !state_.compare_exchange_weak(now, with_last(now, buffer), std::memory_order_acq_rel, std::memory_order_relaxed)) {}
 }
 
-Index TwoRooms::enter() {
+Index DoubleBuffer::enter() {
   std::uint32_t now = state_.load(std::memory_order_relaxed);
   for (;;) {
     if (last(now) == 0) return nil;
-    const auto room = static_cast<Index>(last(now) - 1);
-    if (readers(now, room) == 0xFF) return nil;
-    if (state_.compare_exchange_weak(now, now + one_reader(room), std::memory_order_acquire, std::memory_order_relaxed))
-      return room;
+    const auto buffer = static_cast<Index>(last(now) - 1);
+    if (readers(now, buffer) == 0xFF) return nil;
+    if (state_.compare_exchange_weak(now, now + one_reader(buffer), std::memory_order_acquire, std::memory_order_relaxed))
+      return buffer;
   }
 }
 
-void TwoRooms::leave(Index room) {
+void DoubleBuffer::leave(Index buffer) {
   std::uint32_t now = state_.load(std::memory_order_relaxed);
-  while (!state_.compare_exchange_weak(now, now - one_reader(room), std::memory_order_release,
+  while (!state_.compare_exchange_weak(now, now - one_reader(buffer), std::memory_order_release,
                                        std::memory_order_relaxed)) {}
 }
 

@@ -22,12 +22,12 @@ Holding View::holding(Index group) const {
           .granted = granted(group)};
 }
 
-View View::copy(std::byte* room) const {
+View View::copy(std::byte* buffer) const {
   View out = *this;
   std::size_t at = 0;
   out.each(Shape::of(*tables), [&]<class T>(const T*& array, std::size_t count) {
     at = aligned<T>(at);
-    T* const to = reinterpret_cast<T*>(room + at); // the room's bytes become these arrays
+    T* const to = reinterpret_cast<T*>(buffer + at); // the buffer's bytes become these arrays
     for (std::size_t i = 0; i < count; ++i) to[i] = array[i];
     array = to;
     at += count * sizeof(T);

@@ -64,8 +64,8 @@ public:
     view.each(shape, [&]<class T>(const T*, std::size_t count) { size = aligned<T>(size) + count * sizeof(T); });
     return (size + 7) / 8 * 8;
   }
-  /// A view of a copy in a room of that many bytes.
-  View copy(std::byte* room) const;
+  /// A view of a copy in a buffer of that many bytes.
+  View copy(std::byte* buffer) const;
 };
 
 } // namespace director

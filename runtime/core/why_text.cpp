@@ -1,4 +1,4 @@
-// Door: runtime/core/why_text.hpp. Test: tests/runtime/core/why_test.cpp, tests/api/outside_test.cpp.
+// Door: runtime/core/why_text.hpp. Test: tests/runtime/core/why_test.cpp, tests/system/api/outside_test.cpp.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/why_text.hpp"
@@ -11,11 +11,11 @@ using Kind = Because::Kind;
 
 class Writing {
 public:
-  Writing(const Names& names, std::span<char> room) : names_(names), room_(room) {}
+  Writing(const Names& names, std::span<char> buffer) : names_(names), buffer_(buffer) {}
 
   Writing& operator<<(const char* text) {
-    for (; *text != 0 && at_ + 1 < room_.size(); ++text) room_[at_++] = *text;
-    room_[at_] = 0;
+    for (; *text != 0 && at_ + 1 < buffer_.size(); ++text) buffer_[at_++] = *text;
+    buffer_[at_] = 0;
     return *this;
   }
   Writing& operator<<(std::int32_t number) {
@@ -91,15 +91,15 @@ private:
   }
 
   const Names& names_;
-  std::span<char> room_;
+  std::span<char> buffer_;
   std::size_t at_ = 0;
 };
 
 } // namespace
 
-const char* to_text(const Because& because, const Names& names, std::span<char> room) {
-  Writing(names, room).tell(because);
-  return room.data();
+const char* to_text(const Because& because, const Names& names, std::span<char> buffer) {
+  Writing(names, buffer).tell(because);
+  return buffer.data();
 }
 
 } // namespace director

@@ -19,7 +19,7 @@ struct Names {
 };
 
 /// One line without an end of line, such as `Kick waits (root>Kick): until Stability == standing, which Walk.halting
-/// could cause`. Written into `room`, which it returns; cut off where that is too small (at least one byte).
-const char* to_text(const Because& because, const Names& names, std::span<char> room);
+/// could cause`. Written into `buffer`, which it returns; cut off where that is too small (at least one byte).
+const char* to_text(const Because& because, const Names& names, std::span<char> buffer);
 
 } // namespace director

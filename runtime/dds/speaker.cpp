@@ -1,4 +1,4 @@
-// Door: runtime/dds/speaker.hpp. Test: tests/dds/bridge_test.cpp.
+// Door: runtime/dds/speaker.hpp. Test: tests/runtime/dds/bridge_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/speaker.hpp"
 

@@ -19,13 +19,13 @@ constexpr std::size_t longest_line = 1000; ///< names of people, several in a li
 
 class Line {
 public:
-  explicit Line(std::span<char> room) : room_(room) { room_[0] = '\0'; }
+  explicit Line(std::span<char> buffer) : buffer_(buffer) { buffer_[0] = '\0'; }
 
   Line& operator<<(std::string_view text) {
-    const std::size_t size = std::min(text.size(), room_.size() - 1 - size_);
-    std::copy_n(text.data(), size, room_.data() + size_);
+    const std::size_t size = std::min(text.size(), buffer_.size() - 1 - size_);
+    std::copy_n(text.data(), size, buffer_.data() + size_);
     size_ += size;
-    room_[size_] = '\0';
+    buffer_[size_] = '\0';
     return *this;
   }
   Line& operator<<(std::int32_t number) {
@@ -35,13 +35,13 @@ public:
   }
 
 private:
-  std::span<char> room_;
+  std::span<char> buffer_;
   std::size_t size_ = 0;
 };
 
 class Words {
 public:
-  Words(const Event& event, const Names& names, std::span<char> room) : e_(event), n_(names), line_(room) {}
+  Words(const Event& event, const Names& names, std::span<char> buffer) : e_(event), n_(names), line_(buffer) {}
 
   void write() {
     switch (e_.kind) {
@@ -157,14 +157,14 @@ private:
 
 } // namespace
 
-const char* to_text(const Event& event, const Names& names, std::span<char> room) {
-  Words(event, names, room).write();
-  return room.data();
+const char* to_text(const Event& event, const Names& names, std::span<char> buffer) {
+  Words(event, names, buffer).write();
+  return buffer.data();
 }
 
-const char* time_text(Time time, std::span<char> room) {
-  std::snprintf(room.data(), room.size(), "[%5" PRId64 ".%06" PRId64 "] ", time / per_second, time % per_second);
-  return room.data();
+const char* time_text(Time time, std::span<char> buffer) {
+  std::snprintf(buffer.data(), buffer.size(), "[%5" PRId64 ".%06" PRId64 "] ", time / per_second, time % per_second);
+  return buffer.data();
 }
 
 Observer DecisionPrinter::observer() {

@@ -18,8 +18,8 @@
 namespace director {
 
 /// One event as a line, without an end of line; empty where `simulate` has none: what tasks are granted and asked for,
-/// and timers. Written into `room`, which it returns; cut off where that is too small (at least one byte).
-const char* to_text(const Event& event, const Names& names, std::span<char> room);
+/// and timers. Written into `buffer`, which it returns; cut off where that is too small (at least one byte).
+const char* to_text(const Event& event, const Names& names, std::span<char> buffer);
 
 class DecisionPrinter {
 public:
@@ -45,8 +45,8 @@ private:
   Times times_;
 };
 
-/// How the line of something that happened at this time begins: `[    1.500000] `, in seconds. Written into `room`,
+/// How the line of something that happened at this time begins: `[    1.500000] `, in seconds. Written into `buffer`,
 /// which it returns.
-const char* time_text(Time time, std::span<char> room);
+const char* time_text(Time time, std::span<char> buffer);
 
 } // namespace director

@@ -6,7 +6,7 @@
 // the two do not call as many providers, and where anything is allocated.
 #include "tests/bench/case.hpp"
 #include "tests/bench/report.hpp"
-#include "tests/no_heap/heap_trap.hpp"
+#include "tests/system/no_heap/heap_trap.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/times.hpp"
 
-#include "tests/no_heap/heap_trap.hpp"
+#include "tests/system/no_heap/heap_trap.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/version.hpp"
+#include "compiler/base/version.hpp"
 
 #include <catch2/catch.hpp>
 

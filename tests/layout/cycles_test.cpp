@@ -13,59 +13,64 @@ using namespace director::tests;
 
 namespace {
 
-using Rooms = std::map<std::string, std::set<std::string>>; // each with those whose headers it includes
+using Folders = std::map<std::string, std::set<std::string>>; // each with those whose headers its files include
 
-const std::string analysis = "compiler/checks/analysis/";
-
-/// `facts` of compiler/checks/analysis/facts/pushes.hpp; what lies beside the rooms is one of its own.
-std::string room_of(const std::string& path) {
-  if (!path.starts_with(analysis)) return {};
-  const std::string below = path.substr(analysis.size());
-  const std::size_t end = below.find('/');
-  return end == std::string::npos ? "analysis" : below.substr(0, end);
+std::string folder_of(const std::string& path) {
+  const std::size_t end = path.rfind('/');
+  return end == std::string::npos ? "" : path.substr(0, end);
 }
 
-Rooms rooms_of(const std::vector<ProjectFile>& files) {
-  Rooms out;
+/// What the libraries and programs consist of; a folder and one within it are two.
+bool is_product(const std::string& path) {
+  return path.starts_with("dsl/") || path.starts_with("compiler/") || path.starts_with("runtime/");
+}
+
+Folders folders_of(const std::vector<ProjectFile>& files) {
+  Folders out;
   for (const ProjectFile& file : files) {
-    const std::string from = room_of(file.path);
-    if (from.empty()) continue;
-    for (const std::string& header : project_includes(file.lines)) {
-      const std::string to = room_of(header);
-      if (!to.empty() && to != from) out[from].insert(to);
-    }
+    if (!is_product(file.path)) continue;
+    const std::string from = folder_of(file.path);
+    for (const std::string& header : project_includes(file.lines))
+      if (const std::string to = folder_of(header); is_product(header) && to != from) out[from].insert(to);
   }
   return out;
 }
 
-/// Rooms that lead back to themselves: what is left when those that know none of the others are taken away.
-std::set<std::string> in_circles(Rooms rooms) {
+/// The folders on a cycle, or between two: what is left when those that include nothing of the others, and those that
+/// none of the others includes, are taken away.
+Folders cyclic(Folders folders) {
   for (bool changed = true; changed;) {
     changed = false;
-    for (auto room = rooms.begin(); room != rooms.end();) {
-      const auto is_left = [&](const std::string& other) { return rooms.count(other) != 0; };
-      const bool ends = std::none_of(room->second.begin(), room->second.end(), is_left);
+    std::set<std::string> included;
+    for (const auto& [folder, others] : folders) included.insert(others.begin(), others.end());
+    for (auto each = folders.begin(); each != folders.end();) {
+      std::erase_if(each->second, [&](const std::string& other) { return folders.count(other) == 0; });
+      const bool ends = each->second.empty() || included.count(each->first) == 0;
       changed = changed || ends;
-      room = ends ? rooms.erase(room) : std::next(room);
+      each = ends ? folders.erase(each) : std::next(each);
     }
   }
-  std::set<std::string> out;
-  for (const auto& [room, others] : rooms) out.insert(room);
-  return out;
+  return folders;
 }
 
 } // namespace
 
-TEST_CASE("the rooms of the analysis know each other one way only") {
-  const Rooms rooms = rooms_of(project_files());
-  CHECK(rooms.count("facts") == 1);
-  CHECK(in_circles(rooms) == std::set<std::string>{});
+TEST_CASE("no folder includes, by way of others, what includes it") {
+  const Folders folders = folders_of(project_files());
+  CHECK(folders.count("compiler/analysis/facts") == 1);
+  CHECK(cyclic(folders) == Folders{});
 }
 
-TEST_CASE("rooms that lead back to themselves are found") {
-  const ProjectFile up{analysis + "a/up.cpp", {"#include \"" + analysis + "b/b.hpp\""}};
-  const ProjectFile down{analysis + "b/down.cpp", {"#include \"" + analysis + "a/a.hpp\"", "#include <map>"}};
-  const ProjectFile beside{analysis + "beside.cpp", {"#include \"" + analysis + "c/c.hpp\""}};
-  CHECK(in_circles(rooms_of({up, down, beside})) == std::set<std::string>{"a", "b"});
-  CHECK(in_circles(rooms_of({up, beside})) == std::set<std::string>{});
+TEST_CASE("folders that include each other are found, and those beside them are not blamed") {
+  const ProjectFile up{"dsl/a/up.cpp", {"#include \"dsl/b/b.hpp\""}};
+  const ProjectFile down{"dsl/b/down.cpp", {"#include \"dsl/a/a.hpp\"", "#include <map>", "#include \"dsl/c/c.hpp\""}};
+  const ProjectFile beside{"dsl/beside.cpp", {"#include \"dsl/a/a.hpp\""}};
+  CHECK(cyclic(folders_of({up, down, beside})) == Folders{{"dsl/a", {"dsl/b"}}, {"dsl/b", {"dsl/a"}}});
+  CHECK(cyclic(folders_of({up, beside})) == Folders{});
+}
+
+TEST_CASE("a folder and one within it are two") {
+  const ProjectFile outer{"runtime/outer.hpp", {"#include \"runtime/inner/inner.hpp\""}};
+  const ProjectFile inner{"runtime/inner/inner.hpp", {"#include \"runtime/outer.hpp\""}};
+  CHECK(cyclic(folders_of({outer, inner})).size() == 2);
 }

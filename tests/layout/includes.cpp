@@ -12,15 +12,15 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-struct Room {
+struct Component {
   std::string_view folder; // of the files that the row is about; the first row that fits counts
-  Names rooms;             // the folders whose headers these may include
+  Names allowed;           // dependencies: the folders whose headers these may include
 };
 
 // One way only. Generated code includes its own header by its bare name, and so do the behaviours that are written
 // against it.
-const std::vector<Room>& rooms() {
-  static const std::vector<Room> all{
+const std::vector<Component>& components() {
+  static const std::vector<Component> all{
       {"runtime/core/", {"runtime/core/"}},
       {"runtime/hosted/", {"runtime/core/", "runtime/hosted/"}},
       {"runtime/dds/", {"runtime/core/", "runtime/dds/"}},
@@ -46,14 +46,14 @@ const std::vector<Library>& libraries() {
       {"yaml-cpp/", {"dsl/yaml_tree.cpp"}},
       {"fmt/", {"dsl/", "compiler/", "tests/"}},
       {"CLI/", {"compiler/cli/"}},
-      {"nlohmann/", {"compiler/emit/json.hpp", "compiler/emit/json.cpp"}},
+      {"nlohmann/", {"compiler/base/json.hpp", "compiler/base/json.cpp"}},
       {"boost/", {"compiler/graph/"}},
       {"clang/", {"compiler/clang/"}},
       {"llvm/", {"compiler/clang/"}},
       {"catch2/", {"tests/"}},
       {"rapidcheck", {"tests/"}},
       {"benchmark/", {"tests/bench/"}},
-      {"dds/", {"runtime/dds/", "tests/dds/"}},
+      {"dds/", {"runtime/dds/", "tests/runtime/dds/"}},
   };
   return all;
 }
@@ -88,19 +88,21 @@ std::string angled_fault(std::string_view path, std::string_view name) {
   if (starts_with_one_of(path, {"dsl/file_access.cpp", "compiler/cli/", "runtime/hosted/", "runtime/dds/",
                                 "behaviours/soccer/program.hpp", "tests/"}))
     return {};
-  return header + " belongs to no library that this room may know";
+  return header + " is of no library among the allowed dependencies of this component";
 }
 
 std::string quoted_fault(std::string_view path, std::string_view name) {
   const std::string header = "\"" + std::string(name) + "\"";
-  const auto room = std::ranges::find_if(rooms(), [path](const Room& each) { return path.starts_with(each.folder); });
-  if (room == rooms().end()) return "this folder is not a room of the project, so it includes nothing";
+  const auto component =
+      std::ranges::find_if(components(), [path](const Component& each) { return path.starts_with(each.folder); });
+  if (component == components().end()) return "this folder is no component of the project, so it includes nothing";
   if (name.find('/') == std::string_view::npos) {
     if (starts_with_one_of(path, {"generated/", "behaviours/", "tests/"})) return {};
     return header + " must be written from the root of the project";
   }
-  if (starts_with_one_of(name, room->rooms)) return {};
-  return header + " is a room that " + std::string(room->folder.substr(0, room->folder.size() - 1)) + " must not know";
+  if (starts_with_one_of(name, component->allowed)) return {};
+  return header + " is not among the allowed dependencies of " +
+         std::string(component->folder.substr(0, component->folder.size() - 1));
 }
 
 // What stands before the name, and the name.

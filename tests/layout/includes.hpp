@@ -8,8 +8,8 @@
 namespace director::tests {
 
 // Says what is wrong with the include `name` (written in <> or "") in the file at `path` (from the root of the
-// project); empty where nothing is. The rules are the rooms' own: who may know whom, and in which place each library is
-// known.
+// project); empty where nothing is. The rules: the allowed dependencies of each component, and the place of each
+// library.
 std::string include_fault(std::string_view path, std::string_view name, bool angled);
 
 // All faults of a file, as "path:line: fault".

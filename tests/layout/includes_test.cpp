@@ -14,7 +14,7 @@ namespace {
 bool is_cpp(const std::string& path) { return path.ends_with(".cpp") || path.ends_with(".hpp"); }
 
 // Code that is wrong on purpose, or is written by a program in a language of its own layout.
-bool is_specimen(const std::string& path) { return path.starts_with("tests/compile_fail/"); }
+bool is_specimen(const std::string& path) { return path.starts_with("tests/system/compile_fail/"); }
 
 } // namespace
 
@@ -40,30 +40,30 @@ TEST_CASE("a library that costs the compiler much is included by one file") {
   }
 }
 
-TEST_CASE("the include rules know each room") {
+TEST_CASE("the include rules know the allowed dependencies of each component") {
   const auto quoted = [](std::string_view path, std::string_view name) { return include_fault(path, name, false); };
   CHECK(quoted("runtime/core/step.hpp", "runtime/core/tables.hpp").empty());
   CHECK(quoted("runtime/core/step.hpp", "runtime/hosted/trace.hpp") ==
-        "\"runtime/hosted/trace.hpp\" is a room that runtime/core must not know");
+        "\"runtime/hosted/trace.hpp\" is not among the allowed dependencies of runtime/core");
   CHECK(quoted("runtime/hosted/trace.hpp", "runtime/dds/bridge.hpp") ==
-        "\"runtime/dds/bridge.hpp\" is a room that runtime/hosted must not know");
+        "\"runtime/dds/bridge.hpp\" is not among the allowed dependencies of runtime/hosted");
   CHECK(quoted("dsl/spec.cpp", "compiler/model/ids.hpp") ==
-        "\"compiler/model/ids.hpp\" is a room that dsl must not know");
+        "\"compiler/model/ids.hpp\" is not among the allowed dependencies of dsl");
   CHECK(quoted("compiler/pipeline.cpp", "dsl/spec.hpp").empty());
   CHECK(quoted("compiler/pipeline.cpp", "tests/support/golden.hpp") ==
-        "\"tests/support/golden.hpp\" is a room that compiler must not know");
+        "\"tests/support/golden.hpp\" is not among the allowed dependencies of compiler");
   CHECK(quoted("compiler/pipeline.cpp", "pipeline.hpp") ==
         "\"pipeline.hpp\" must be written from the root of the project");
   CHECK(quoted("behaviours/soccer/striker.hpp", "soccer.hpp").empty());
   CHECK(quoted("behaviours/soccer/striker.hpp", "compiler/pipeline.hpp") ==
-        "\"compiler/pipeline.hpp\" is a room that behaviours must not know");
+        "\"compiler/pipeline.hpp\" is not among the allowed dependencies of behaviours");
   CHECK(quoted("tests/oracle/oracle.cpp", "compiler/lower/lower.hpp") ==
-        "\"compiler/lower/lower.hpp\" is a room that tests/oracle must not know");
+        "\"compiler/lower/lower.hpp\" is not among the allowed dependencies of tests/oracle");
   CHECK(quoted("tests/oracle/oracle.cpp", "runtime/core/step.hpp") ==
-        "\"runtime/core/step.hpp\" is a room that tests/oracle must not know");
+        "\"runtime/core/step.hpp\" is not among the allowed dependencies of tests/oracle");
   CHECK(quoted("tests/runtime/step_test.cpp", "runtime/core/step.hpp").empty());
   CHECK(quoted("docs/example.cpp", "runtime/core/step.hpp") ==
-        "this folder is not a room of the project, so it includes nothing");
+        "this folder is no component of the project, so it includes nothing");
 }
 
 TEST_CASE("the include rules know where each library lives") {
@@ -82,10 +82,10 @@ TEST_CASE("the include rules know where each library lives") {
   CHECK(angled("runtime/dds/entity.hpp", "dds/dds.h").empty());
   CHECK(angled("behaviours/team/main.cpp", "dds/dds.h") == "<dds/dds.h> may be included only in runtime/dds/");
   CHECK(angled("compiler/cli/child.cpp", "sys/wait.h").empty());
-  CHECK(angled("dsl/spec.cpp", "unistd.h") == "<unistd.h> belongs to no library that this room may know");
+  CHECK(angled("dsl/spec.cpp", "unistd.h") == "<unistd.h> is of no library among the allowed dependencies of this component");
 }
 
 TEST_CASE("a fault names the file and the line") {
   CHECK(include_faults("dsl/spec.cpp", {"// one", "#include <vector>", "#  include \"runtime/core/ids.hpp\""}) ==
-        std::vector<std::string>{"dsl/spec.cpp:3: \"runtime/core/ids.hpp\" is a room that dsl must not know"});
+        std::vector<std::string>{"dsl/spec.cpp:3: \"runtime/core/ids.hpp\" is not among the allowed dependencies of dsl"});
 }

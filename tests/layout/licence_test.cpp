@@ -21,12 +21,12 @@ bool is_source(const ProjectFile& file) {
   return is_script(file);
 }
 
-/// Projects as users have them, with what a user would write and no more. Beside those of tests/cmake lies what runs
+/// Projects as users have them, with what a user would write and no more. Beside those of tests/system/cmake lies what runs
 /// them.
 bool is_a_users(const std::string& path) {
-  const std::string cmake = "tests/cmake/";
+  const std::string cmake = "tests/system/cmake/";
   if (path.starts_with(cmake)) return path.find('/', cmake.size()) != std::string::npos;
-  return path.starts_with("tests/arm/consumer/") || path.starts_with("tests/dds/consumer/");
+  return path.starts_with("tests/system/arm/consumer/") || path.starts_with("tests/runtime/dds/consumer/");
 }
 
 bool names_its_licence(const ProjectFile& file) {
@@ -51,6 +51,6 @@ TEST_CASE("a licence counts in the first lines, of all but users' projects") {
   CHECK(is_source({"tests/x/CMakeLists.txt", {}}));
   CHECK(is_source({"start", {"#!/bin/bash"}}));
   CHECK_FALSE(is_source({"docs/page.md", {"# Page"}}));
-  CHECK(is_a_users("tests/cmake/consumer/main.cpp"));
-  CHECK_FALSE(is_a_users("tests/cmake/consumer.cmake"));
+  CHECK(is_a_users("tests/system/cmake/consumer/main.cpp"));
+  CHECK_FALSE(is_a_users("tests/system/cmake/consumer.cmake"));
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/property/compare.hpp"
 
-#include "compiler/checks/analysis/plans/bounds.hpp"
+#include "compiler/analysis/plans/bounds.hpp"
 #include "compiler/play/play.hpp"
 #include "tests/oracle/scripted.hpp"
 #include "tests/property/engine_run.hpp"
@@ -30,7 +30,7 @@ public:
         oracle_(compiled.model, compiled.spec, manner == Manner::in_leaps),
         engine_(compiled, manner == Manner::in_leaps),
         rounds_(manner == Manner::often ? 4 : 1),
-        bounds_(checks::find_bounds(compiled.model, compiled.lowered.view())) {
+        bounds_(analysis::find_bounds(compiled.model, compiled.lowered.view())) {
     last_ = snapshot_of(oracle_.behaviour());
   }
 
@@ -163,7 +163,7 @@ private:
   oracle::Player oracle_;
   EngineRun engine_;
   std::size_t rounds_; ///< how often the scenario is played
-  const checks::Bounds bounds_;
+  const analysis::Bounds bounds_;
   Snapshot last_;
   Verdict out_;
 };

@@ -5,7 +5,7 @@
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many, instead of as many as take half a minute
-#include "compiler/checks/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/facts.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/explore/write_scenario.hpp"
 #include "tests/property/engine_run.hpp"
@@ -119,7 +119,7 @@ TEST_CASE("explorations agree with the checks, with proofs, and with what is pla
     complete += searched.complete ? 1 : 0;
     states += searched.states;
 
-    const checks::Facts facts = checks::find_facts(model, compiler::make_graph(model));
+    const analysis::Facts facts = analysis::find_facts(model, compiler::make_graph(model));
     for (const compiler::ProviderId id : model.providers.ids()) {
       if (!searched.happened.ran[id.value]) continue;
       INFO(model.full_name(id) << " ran");

@@ -3,7 +3,7 @@
 #include "tests/schemas/corpus.hpp"
 
 #include "dsl/yaml_tree.hpp"
-#include "tests/checks/page.hpp"
+#include "tests/compiler/checks/page.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 //
 // Prints one JSON object a line for each file of the corpus: what it is, and the ids of the errors that the reader
 // finds.
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 #include "dsl/read_behaviour.hpp"
 #include "dsl/read_scenario.hpp"
 #include "tests/schemas/corpus.hpp"

@@ -3,8 +3,8 @@
 // The generated C++: a header with the types that bodies and programs use, a source with the tables and what the engine
 // calls.
 
-#include "compiler/emit/code.hpp"
-#include "compiler/emit/deployment.hpp"
+#include "compiler/emit/artefact/code.hpp"
+#include "compiler/emit/artefact/deployment.hpp"
 
 namespace director::compiler {
 

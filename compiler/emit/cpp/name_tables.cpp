@@ -58,8 +58,8 @@ using director::name_of;                    // of kinds of events and inputs, of
 /// All of them, for what prints the events of any behaviour.
 const director::Names& all();
 
-/// What `why` answered, as a line for people. Written into `room`, cut off where that is too small.
-const char* why(const director::Because& because, std::span<char> room);
+/// What `why` answered, as a line for people. Written into `buffer`, cut off where that is too small.
+const char* why(const director::Because& because, std::span<char> buffer);
 } // namespace names
 )");
   return code;
@@ -94,9 +94,9 @@ Code name_definitions(const CppEmission& e) {
     functions.push_back(fmt::format(".{} = [](const void*, director::Index row) {{ return {}(row); }}", word, word));
   };
   for (const std::string_view word : {"group", "provider", "edge", "condition"}) add(word);
-  code.open("const char* why(const director::Because& because, std::span<char> room) {");
+  code.open("const char* why(const director::Because& because, std::span<char> buffer) {");
   code.list("static constexpr director::Names some{", functions, "};");
-  code.line("return director::to_text(because, some, room);");
+  code.line("return director::to_text(because, some, buffer);");
   code.close("}");
   code.blank();
   add("state");

@@ -3,7 +3,7 @@
 #include "dsl/names.hpp"
 
 #include "compiler/emit/cpp/parts.hpp"
-#include "compiler/emit/notice.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 
 #include <fmt/format.h>
 
@@ -52,27 +52,6 @@ bool hidden_in(const CppEmission& e, const Provider& context, const std::string&
 std::string first_line(const CppEmission& e) {
   return fmt::format("// {}", notice_words(portable_path(e.from, e.model.name_span.file)));
 }
-
-std::string type_name(std::string_view name) { return dsl::capitalised(name); }
-
-std::string context_name(const Provider& provider) { return type_name(provider.name); }
-
-std::string group_name(const Model& model, GroupId group) { return type_name(model.groups[group].name.value); }
-
-std::string provider_name(const Model& model, ProviderId provider) {
-  const Provider& row = model.providers[provider];
-  return fmt::format("{}::{}", group_name(model, row.group), context_name(row));
-}
-
-std::string module_type(const Model& model, ModuleId module) { return type_name(model.modules[module].name); }
-
-std::string trigger_type(const Model& model, TriggerId trigger) {
-  const Trigger& row = model.triggers[trigger];
-  if (row.promise) return fmt::format("director::Broken<{}>", provider_name(model, *row.promise));
-  return type_name(row.name);
-}
-
-std::string state_type(const Model& model, StateId state) { return type_name(model.states[state].name.value); }
 
 std::string group_in(const Model& model, GroupId group) { return inside(model, group_name(model, group)); }
 

@@ -4,9 +4,9 @@
 // source.cpp put the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp,
 // body.hpp, post.hpp, seen.hpp, program.hpp.
 
-#include "compiler/emit/code.hpp"
-#include "compiler/emit/cpp/names.hpp"
-#include "compiler/emit/deployment.hpp"
+#include "compiler/emit/artefact/code.hpp"
+#include "compiler/model/cpp_names.hpp"
+#include "compiler/emit/artefact/deployment.hpp"
 
 #include <string>
 #include <string_view>

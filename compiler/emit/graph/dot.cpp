@@ -1,9 +1,9 @@
-// Door: compiler/emit/graph/formats.hpp. Test: tests/cli/graph_test.cpp.
+// Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A group is an HTML table: its rows are ports from which a provider's own arrows leave. Layers are ranks of their own,
 // held in order by a chain of names down the left side. `newrank` lets the legend, a cluster, take part in that order.
-#include "compiler/emit/code.hpp"
+#include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // A picture in the formats that other programs draw or read.
 
 #include "compiler/emit/graph/picture.hpp"
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 
 #include <string>
 

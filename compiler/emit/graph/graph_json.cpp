@@ -1,7 +1,7 @@
-// Door: compiler/emit/graph/formats.hpp. Test: tests/cli/graph_test.cpp.
+// Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/formats.hpp"
-#include "compiler/emit/notice.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 
 namespace director::compiler {
 

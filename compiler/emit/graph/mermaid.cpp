@@ -1,6 +1,6 @@
-// Door: compiler/emit/graph/formats.hpp. Test: tests/cli/graph_test.cpp.
+// Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/code.hpp"
+#include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Door: compiler/emit/graph/picture.hpp. Test: tests/cli/graph_test.cpp.
+// Door: compiler/emit/graph/picture.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/picture.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/code.hpp"
+#include "compiler/emit/artefact/code.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/json.hpp"
+#include "compiler/base/json.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/sha256.hpp"
+#include "compiler/base/sha256.hpp"
 
 #include <catch2/catch.hpp>
 

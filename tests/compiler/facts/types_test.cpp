@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/scanned_types.hpp"
-#include "compiler/version.hpp"
+#include "compiler/base/version.hpp"
 #include "tests/compiler/support/memory_facts.hpp"
 
 #include <catch2/catch.hpp>

@@ -119,8 +119,8 @@ TEST_CASE("the rover of the pages says why it takes no picture, also to another 
   behaviour.request<rover::Photograph>();
   behaviour.step(1s);
 
-  char room[200];
-  const std::string words = rover::names::why(behaviour.why<rover::Photograph>(), room);
+  char buffer[200];
+  const std::string words = rover::names::why(behaviour.why<rover::Photograph>(), buffer);
   CHECK(words == "Photograph waits (root>Photograph): until Motion == still, which only the outside can make true");
 
   bool rolling = false;

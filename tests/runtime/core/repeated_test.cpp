@@ -62,8 +62,8 @@ TEST_CASE("why a task is queued follows who takes turns; a copy of what stands k
   begin(machine);
   turns(machine, 1);
   const View view = machine.engine().view();
-  std::vector<std::uint64_t> room(View::bytes(Shape::of(machine.tables())) / sizeof(std::uint64_t));
-  const View copy = view.copy(reinterpret_cast<std::byte*>(room.data()));
+  std::vector<std::uint64_t> buffer(View::bytes(Shape::of(machine.tables())) / sizeof(std::uint64_t));
+  const View copy = view.copy(reinterpret_cast<std::byte*>(buffer.data()));
   const auto left_runs = [&](const View& each) {
     CHECK(each.queued(machine.edge("Left>Shared")) == Queued{});
     CHECK(each.queued(machine.edge("Right>Shared")).why == Why::blocked);

@@ -12,53 +12,53 @@
 namespace director::tests {
 namespace {
 
-TEST_CASE("readers enter the room that was finished last, and none before there is one") {
-  TwoRooms rooms;
-  CHECK(rooms.enter() == nil);
-  const Index first = rooms.begin();
-  CHECK(rooms.enter() == nil);
-  rooms.finish(first);
-  CHECK(rooms.enter() == first);
-  const Index second = rooms.begin();
+TEST_CASE("readers enter the buffer that was finished last, and none before there is one") {
+  DoubleBuffer buffers;
+  CHECK(buffers.enter() == nil);
+  const Index first = buffers.begin();
+  CHECK(buffers.enter() == nil);
+  buffers.finish(first);
+  CHECK(buffers.enter() == first);
+  const Index second = buffers.begin();
   CHECK(second != first);
-  rooms.finish(second);
-  CHECK(rooms.enter() == second);
+  buffers.finish(second);
+  CHECK(buffers.enter() == second);
 }
 
-TEST_CASE("a room with a reader is not written, and the writer does without until it is empty") {
-  TwoRooms rooms;
-  rooms.finish(rooms.begin());
-  const Index slow = rooms.enter();
-  rooms.finish(rooms.begin());
-  CHECK(rooms.enter() != slow);
-  CHECK(rooms.begin() == nil);
-  rooms.leave(slow);
-  CHECK(rooms.begin() == slow);
+TEST_CASE("a buffer with a reader is not written, and the writer does without until it is empty") {
+  DoubleBuffer buffers;
+  buffers.finish(buffers.begin());
+  const Index slow = buffers.enter();
+  buffers.finish(buffers.begin());
+  CHECK(buffers.enter() != slow);
+  CHECK(buffers.begin() == nil);
+  buffers.leave(slow);
+  CHECK(buffers.begin() == slow);
 }
 
 TEST_CASE("what readers see is whole while the writer goes on") {
-  TwoRooms rooms;
+  DoubleBuffer buffers;
   std::array<std::array<int, 32>, 2> contents{};
   std::atomic<bool> stop{false}, torn{false};
   std::vector<std::thread> readers;
   for (int i = 0; i < 2; ++i) {
     readers.emplace_back([&] {
       for (int newest = 0; !stop;) {
-        const Index room = rooms.enter();
-        if (room == nil) continue;
-        const int first = contents[room][0];
-        for (const int each : contents[room]) torn = torn || each != first;
+        const Index buffer = buffers.enter();
+        if (buffer == nil) continue;
+        const int first = contents[buffer][0];
+        for (const int each : contents[buffer]) torn = torn || each != first;
         torn = torn || first < newest; // time goes on
         newest = first;
-        rooms.leave(room);
+        buffers.leave(buffer);
       }
     });
   }
   for (int i = 1; i <= 20'000; ++i) {
-    const Index room = rooms.begin();
-    if (room == nil) continue;
-    contents[room].fill(i);
-    rooms.finish(room);
+    const Index buffer = buffers.begin();
+    if (buffer == nil) continue;
+    contents[buffer].fill(i);
+    buffers.finish(buffer);
   }
   stop = true;
   for (std::thread& reader : readers) reader.join();
@@ -71,8 +71,8 @@ TEST_CASE("a copy of a view says what the view said when it was made") {
   machine.request("A");
   machine.step();
   const Shape shape = Shape::of(machine.tables());
-  std::vector<std::uint64_t> room(View::bytes(shape) / sizeof(std::uint64_t));
-  const View then = machine.engine().view().copy(reinterpret_cast<std::byte*>(room.data()));
+  std::vector<std::uint64_t> buffer(View::bytes(shape) / sizeof(std::uint64_t));
+  const View then = machine.engine().view().copy(reinterpret_cast<std::byte*>(buffer.data()));
   machine.cancel("A");
   machine.set("S", "y");
   machine.step(7);

@@ -18,7 +18,7 @@ const char* kept(std::string text) {
   return (ring[at++ % ring.size()] = std::move(text)).c_str();
 }
 
-std::string why(const Machine& machine, const std::string& group, std::size_t room_size = 300) {
+std::string why(const Machine& machine, const std::string& group, std::size_t buffer_size = 300) {
   const Names names{
       .self = &machine,
       .group = [](const void* self,
@@ -35,8 +35,8 @@ std::string why(const Machine& machine, const std::string& group, std::size_t ro
             return kept(state.name.value + " == " + state.value_text(low));
           },
   };
-  std::string room(room_size, '?');
-  return to_text(why(machine.engine().view(), machine.group(group)), names, room);
+  std::string buffer(buffer_size, '?');
+  return to_text(why(machine.engine().view(), machine.group(group)), names, buffer);
 }
 
 constexpr auto robot = R"(

@@ -61,8 +61,8 @@ struct Printing {
   std::vector<std::string>* lines;
   static void tell(void* self, const Event& event) {
     const auto& printing = *static_cast<Printing*>(self);
-    std::array<char, 1000> room{};
-    const std::string line = to_text(event, printing.names, room);
+    std::array<char, 1000> buffer{};
+    const std::string line = to_text(event, printing.names, buffer);
     if (!line.empty() && !line.starts_with(">")) printing.lines->push_back(line);
   }
 };
@@ -119,8 +119,8 @@ TEST_CASE("inputs are printed as steps of a scenario have them") {
     event.input = input;
     event.group = event.provider = event.state = event.trigger = 0;
     event.value = value;
-    std::array<char, 100> room{};
-    return std::string(to_text(event, names, room));
+    std::array<char, 100> buffer{};
+    return std::string(to_text(event, names, buffer));
   };
   CHECK(line(Event::Input::request) == "> request x");
   CHECK(line(Event::Input::cancel) == "> cancel x");
@@ -138,17 +138,17 @@ TEST_CASE("a line that does not fit is cut off") {
   event.group = 0;
   Names names;
   names.group = word;
-  std::array<char, 4> room{'?', '?', '?', '?'};
-  CHECK(std::string(to_text(event, names, room)) == "don");
+  std::array<char, 4> buffer{'?', '?', '?', '?'};
+  CHECK(std::string(to_text(event, names, buffer)) == "don");
   std::array<char, 1> none{'?'};
   CHECK(std::string(to_text(event, names, none)).empty());
 }
 
 TEST_CASE("the time stands before a line in seconds") {
-  std::array<char, 40> room{};
-  CHECK(std::string(time_text(0, room)) == "[    0.000000] ");
-  CHECK(std::string(time_text(1'500'007, room)) == "[    1.500007] ");
-  CHECK(std::string(time_text(1'000'000'000'000'000, room)) == "[1000000000.000000] ");
+  std::array<char, 40> buffer{};
+  CHECK(std::string(time_text(0, buffer)) == "[    0.000000] ");
+  CHECK(std::string(time_text(1'500'007, buffer)) == "[    1.500007] ");
+  CHECK(std::string(time_text(1'000'000'000'000'000, buffer)) == "[1000000000.000000] ");
 }
 
 TEST_CASE("each word of an event has a name of its own") {

@@ -1,0 +1,165 @@
+// Door: compiler/analysis/causing/exclusion.hpp. Test: compiler/checks/uncovered_state.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/exclusion.hpp"
+
+#include "compiler/analysis/chains/sparse_set.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::analysis {
+
+namespace {
+
+using dsl::Note;
+
+/// Of many who ask for a group the first ones have a note.
+constexpr std::size_t most_notes = 8;
+
+class Exclusion {
+public:
+  Exclusion(const Model& model, const Facts& facts, ProviderId id) : model_(model), facts_(facts), id_(id) {}
+
+  std::vector<Note> run() {
+    find_needed();
+    find_states();
+    if (states_.empty()) return {};
+    if (facts_.excluded.contains(id_)) tell_above();
+    tell_conditions(id_);
+    for (const GroupId group : needed_) {
+      for (const ProviderId id : model_.groups[group].providers) tell_conditions(id);
+    }
+    return std::move(notes_);
+  }
+
+private:
+  /// What its needs may come down to, the nearest first.
+  void find_needed() {
+    SparseSet<GroupId> seen;
+    const auto add = [&](ProviderId id) {
+      for (const Use<GroupId>& need : model_.providers[id].needs) {
+        if (seen.add(need.id)) needed_.push_back(need.id);
+      }
+    };
+    add(id_);
+    for (std::size_t next = 0; next < needed_.size(); ++next) {
+      for (const ProviderId id : model_.groups[needed_[next]].providers) add(id);
+    }
+  }
+
+  Region mended(ProviderId id) const {
+    Region out = region_of(model_, model_.providers[id].when);
+    for (const Impossible& fault : facts_.impossible_of(id)) out.states.erase(fault.state);
+    return out;
+  }
+
+  /// Those of which two parties accept nothing in common; where more than two it takes, those of which two speak.
+  void find_states() {
+    std::vector<std::vector<Region>> parties{{mended(id_)}};
+    if (facts_.excluded.contains(id_)) parties.push_back({facts_.contexts[model_.providers[id_].group]});
+    for (const GroupId group : needed_) {
+      std::vector<Region>& party = parties.emplace_back();
+      for (const ProviderId id : model_.groups[group].providers) party.push_back(mended(id));
+    }
+    std::set<StateId> shared;
+    for (std::size_t i = 0; i < parties.size(); ++i) {
+      for (std::size_t j = i + 1; j < parties.size(); ++j) {
+        for (const Region& a : parties[i]) {
+          for (const Region& b : parties[j]) compare(a, b, shared);
+        }
+      }
+    }
+    if (states_.empty()) states_ = std::move(shared);
+  }
+
+  void compare(const Region& a, const Region& b, std::set<StateId>& shared) {
+    for (const auto& [state, values] : a.states) {
+      const auto at = b.states.find(state);
+      if (at == b.states.end()) continue;
+      shared.insert(state);
+      if (values.intersected(at->second).intersected(facts_.values[state]).empty()) states_.insert(state);
+    }
+  }
+
+  /// Who asks for it, and what those above it that speak of these states run under.
+  void tell_above() {
+    std::vector<GroupId> open{model_.providers[id_].group};
+    SparseSet<GroupId> seen;
+    seen.add(open.front());
+    for (std::size_t next = 0; next < open.size() && notes_.size() < most_notes; ++next) {
+      for (const EdgeId edge : model_.groups[open[next]].requesters) {
+        const auto requester = model_.edges[edge].requester;
+        if (!requester) continue;
+        bool asks = false;
+        for (const ProviderId id : model_.groups[*requester].providers) {
+          if (!facts_.active.contains(id)) continue;
+          asks = tell_request(id, open[next]) || asks;
+          tell_conditions(id);
+        }
+        if (asks && seen.add(*requester)) open.push_back(*requester);
+      }
+    }
+  }
+
+  bool tell_request(ProviderId id, GroupId group) {
+    for (const Pack& pack : model_.providers[id].packs) {
+      for (const Task& task : pack.tasks) {
+        if (task.target != group) continue;
+        notes_.push_back({task.span, fmt::format("{} requests {}", name_of(model_, id), name_of(model_, group))});
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void tell_conditions(ProviderId id) {
+    if (!told_.insert(id).second) return;
+    for (const ConditionUse& use : model_.providers[id].when) {
+      if (states_.count(model_.conditions[use.id].state) != 0) notes_.push_back(runs_only_while(model_, id, use));
+    }
+    const bool needs =
+        id == id_ || std::find(needed_.begin(), needed_.end(), model_.providers[id].group) != needed_.end();
+    for (const Use<GroupId>& need : model_.providers[id].needs) {
+      if (needs && speaks(need.id))
+        notes_.push_back({need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))});
+    }
+  }
+
+  /// One of its providers, or of those below, looks at these states.
+  bool speaks(GroupId group) const {
+    std::vector<GroupId> open{group};
+    SparseSet<GroupId> seen;
+    seen.add(group);
+    for (std::size_t next = 0; next < open.size(); ++next) {
+      for (const ProviderId id : model_.groups[open[next]].providers) {
+        for (const ConditionUse& use : model_.providers[id].when) {
+          if (states_.count(model_.conditions[use.id].state) != 0) return true;
+        }
+        for (const Use<GroupId>& need : model_.providers[id].needs) {
+          if (seen.add(need.id)) open.push_back(need.id);
+        }
+      }
+    }
+    return false;
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  ProviderId id_;
+  std::vector<GroupId> needed_;
+  std::set<StateId> states_;
+  std::set<ProviderId> told_;
+  std::vector<Note> notes_;
+};
+
+} // namespace
+
+std::vector<Note> explain_exclusion(const Model& model, const Facts& facts, ProviderId provider) {
+  return Exclusion(model, facts, provider).run();
+}
+
+} // namespace director::analysis

@@ -1,0 +1,126 @@
+// Door: compiler/analysis/causing/promises.hpp. Test: compiler/checks/unreachable_causing.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/exclusion.hpp"
+#include "compiler/analysis/causing/promises.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::analysis {
+
+namespace {
+
+using dsl::Note;
+
+/// Goes down from a provider that never runs, and says at each step what is missing there.
+class IdleReasons {
+public:
+  IdleReasons(const Model& model, const Facts& facts) : model_(model), facts_(facts), sources_(find_sources(model)) {}
+
+  std::vector<Note> run(ProviderId id) { return run(std::vector{id}); }
+
+  std::vector<Note> run(const std::vector<ProviderId>& providers) {
+    for (const ProviderId id : providers) explain(id);
+    return std::move(notes_);
+  }
+
+private:
+  /// `needed`: it lacks no request.
+  void explain(ProviderId id, bool needed = false) {
+    if (facts_.active.contains(id) || !seen_.insert(id).second) return;
+    const Provider& provider = model_.providers[id];
+    const std::size_t before = notes_.size();
+    if (!needed && !facts_.requested.contains(provider.group)) explain_request(provider.group);
+    for (const ConditionUse& use : provider.when) {
+      if (!facts_.may_hold(model_, id, use)) explain_condition(use);
+    }
+    for (const Use<GroupId>& need : provider.needs) {
+      if (facts_.capable_groups.contains(need.id)) continue;
+      notes_.push_back({need.span, fmt::format("it needs {}, which never can run", name_of(model_, need.id))});
+      for (const ProviderId below : model_.groups[need.id].providers) explain(below, true);
+    }
+    if (notes_.size() != before) return;
+    if (facts_.requested.contains(provider.group) && facts_.capable.contains(id) && !facts_.excluded.contains(id)) {
+      // Nothing is missing: it is not chosen, and not pushed.
+      notes_.push_back({provider.span, fmt::format("{} never runs: whenever it could, others of its group come first",
+                                                   name_of(model_, id))});
+      return;
+    }
+    for (Note& note : explain_exclusion(model_, facts_, id)) {
+      if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(std::move(note));
+    }
+  }
+
+  void explain_request(GroupId group) {
+    if (!groups_.insert(group).second) return;
+    std::vector<ProviderId> next;
+    bool asked = false;
+    for (const EdgeId edge : model_.groups[group].requesters) {
+      if (!model_.edges[edge].requester || model_.edges[edge].levels.empty()) continue;
+      for (const ProviderId id : model_.groups[*model_.edges[edge].requester].providers) {
+        const Span entry = entry_of(id, group);
+        if (entry == Span{}) continue;
+        asked = true;
+        notes_.push_back(
+            {entry, fmt::format("{} requests {}, but never runs itself", name_of(model_, id), name_of(model_, group))});
+        next.push_back(id);
+      }
+    }
+    if (!asked)
+      notes_.push_back({model_.groups[group].name.span, fmt::format("nothing requests {}", name_of(model_, group))});
+    for (const ProviderId id : next) explain(id);
+  }
+
+  Span entry_of(ProviderId id, GroupId target) const {
+    for (const Pack& pack : model_.providers[id].packs) {
+      for (const Task& task : pack.tasks) {
+        if (task.target == target) return task.span;
+      }
+    }
+    return {};
+  }
+
+  void explain_condition(const ConditionUse& use) {
+    const Condition& condition = model_.conditions[use.id];
+    std::vector<std::string> who;
+    std::vector<ProviderId> next;
+    for (const Source& source : sources_[condition.state]) {
+      if (source.values.intersected(condition.accepts).empty()) continue;
+      if (source.provider) {
+        who.push_back(name_of(model_, *source.provider));
+        next.push_back(*source.provider);
+      } else if (source.group) {
+        who.push_back(fmt::format("the {} of {}", source.kind == Source::Kind::start ? "start" : "stop",
+                                  name_of(model_, *source.group)));
+        for (const ProviderId id : model_.groups[*source.group].providers) next.push_back(id);
+      }
+    }
+    notes_.push_back({use.span, fmt::format("it waits for {}, and only {} could set that", name_of(model_, use.id),
+                                            list_of(who, "or"))});
+    for (const ProviderId id : next) explain(id);
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  IdTable<StateId, std::vector<Source>> sources_;
+  std::vector<Note> notes_;
+  std::set<ProviderId> seen_;
+  std::set<GroupId> groups_;
+};
+
+} // namespace
+
+std::vector<Note> explain_idle(const Input& input, ProviderId provider) {
+  return IdleReasons(input.model, input.facts).run(provider);
+}
+
+std::vector<Note> explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers) {
+  return IdleReasons(model, facts).run(providers);
+}
+
+} // namespace director::analysis

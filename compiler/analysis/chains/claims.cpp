@@ -1,0 +1,125 @@
+// Door: compiler/analysis/chains/claims.hpp. Test: compiler/checks/equal_priority.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/chains/claims.hpp"
+
+#include <algorithm>
+#include <deque>
+
+namespace director::analysis {
+
+namespace {
+
+using Filter = Branches::Filter;
+
+/// A group that is only needed holds what it needs itself, and requests nothing.
+std::vector<Branch> branches_of(const Model& model, GroupId group, const Filter& runs, const Filter& is_picked) {
+  std::vector<Branch> out;
+  for (const ProviderId id : model.groups[group].providers) {
+    const bool may_run = runs(id);
+    if (!may_run && !is_picked(id)) continue;
+    const Provider& provider = model.providers[id];
+    const Region region = active_region(model, provider);
+    for (const Use<GroupId>& need : provider.needs) out.push_back({need.id, true, false, false, need.span, region});
+    if (!may_run) continue;
+    for (const Pack& pack : provider.packs) {
+      for (const Task& task : pack.tasks) {
+        Branch branch{task.target, false, false, false, task.span, region};
+        for (const Task::NamedLevel& level : task.levels)
+          (model.edges[task.edge].levels[level.level].optional ? branch.optional : branch.mandatory) = true;
+        out.push_back(std::move(branch));
+      }
+    }
+  }
+  return out;
+}
+
+/// Where some provider of the group that counts can be active.
+Region grantable_region(const Model& model, GroupId group, const Filter& runs, const Filter& is_picked) {
+  std::optional<Region> out;
+  for (const ProviderId id : model.groups[group].providers) {
+    if (!runs(id) && !is_picked(id)) continue;
+    const Region region = active_region(model, model.providers[id]);
+    out = out ? hull(*out, region) : region;
+  }
+  return out.value_or(Region{});
+}
+
+} // namespace
+
+Branches::Branches(const Model& model, Filter runs, Filter is_picked)
+    : model_(model),
+      runs_(std::move(runs)),
+      is_picked_(std::move(is_picked)),
+      from_(model.groups.size()),
+      grantable_(model.groups.size()) {}
+
+const std::vector<Branch>& Branches::from(GroupId group) const {
+  if (!from_[group]) from_[group] = branches_of(model_, group, runs_, is_picked_);
+  return *from_[group];
+}
+
+const Region& Branches::grantable(GroupId group) const {
+  if (!grantable_[group]) grantable_[group] = grantable_region(model_, group, runs_, is_picked_);
+  return *grantable_[group];
+}
+
+Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without, const Enough& enough) {
+  std::deque<std::pair<GroupId, Reach>> open;
+
+  // First in, first out: the first way to a group is a shortest one. A group whose region grows is gone through again.
+  claims_[0].emplace(task, Claim{branches.grantable(task), 0, {}, false, {}, Reach::own});
+  open.emplace_back(task, Reach::own);
+  bool ended = enough && enough(task, Reach::own, claims_[0].at(task));
+  while (!open.empty() && !ended) {
+    const auto [group, reach] = open.front();
+    open.pop_front();
+    const Claim here = *find(group, reach); // a copy: it may grow on the way round
+    const auto go = [&](const Branch& branch, Reach next) {
+      ++effort_;
+      Region region = here.region;
+      region.meet(branch.region);
+      region.meet(branches.grantable(branch.to));
+      if (region.empty()) return;
+      const auto [at, is_new] = claims_[static_cast<std::size_t>(next)].try_emplace(branch.to);
+      Claim& there = at->second;
+      if (is_new) {
+        there = Claim{std::move(region), here.steps + 1, group, branch.by_need, branch.span, reach};
+        open.emplace_back(branch.to, next);
+        ended = ended || (enough && enough(branch.to, next, there));
+        return;
+      }
+      Region more = hull(there.region, region);
+      if (more.states == there.region.states) return;
+      there.region = std::move(more);
+      open.emplace_back(branch.to, next);
+      ended = ended || (enough && enough(branch.to, next, there));
+    };
+    for (const Branch& branch : branches.from(group)) {
+      if (branch.to == group || std::find(without.begin(), without.end(), branch.to) != without.end()) continue;
+      if (branch.by_need) go(branch, reach);
+      if (branch.mandatory) go(branch, reach == Reach::optional ? Reach::optional : Reach::mandatory);
+      if (branch.optional) go(branch, Reach::optional);
+    }
+  }
+
+  for (const auto& claims : claims_) {
+    for (const auto& [group, claim] : claims) groups_.push_back(group);
+  }
+  std::sort(groups_.begin(), groups_.end());
+  groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
+}
+
+std::vector<ChainStep> Claims::path(GroupId group, Reach reach) const {
+  std::vector<ChainStep> out;
+  // Ends at the task itself, also where needs lead back to it.
+  for (const Claim* claim = find(group, reach); claim != nullptr && claim->steps > 0;) {
+    const GroupId from = claim->from;
+    out.push_back({from, group, claim->by_need, claim->span});
+    group = from;
+    claim = find(group, reach = claim->reach_from);
+  }
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
+} // namespace director::analysis

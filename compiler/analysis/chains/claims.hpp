@@ -1,0 +1,88 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What a task may come to hold: its group, what that needs, what it requests, and so on down. For each group the states
+// under which that can happen, as far as one state at a time tells.
+
+#include "compiler/analysis/chains/step.hpp"
+#include "compiler/analysis/states/region.hpp"
+#include "compiler/model/model.hpp"
+
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace director::analysis {
+
+/// How a group is reached from the task.
+enum class Reach {
+  own,       ///< the task's group, or by needs alone: held from the moment the task is granted
+  mandatory, ///< by a request, and none on the way is optional
+  optional   ///< some request on the way is
+};
+inline constexpr Reach all_reaches[] = {Reach::own, Reach::mandatory, Reach::optional};
+
+struct Claim {
+  Region region;                 ///< under which it may happen
+  std::size_t steps = 0;         ///< on a shortest way; 0: the task's own
+  GroupId from{};                ///< the last step of that way
+  bool by_need = false;          ///< it needs the group; else requests it
+  Span span{};                   ///< where it does
+  Reach reach_from = Reach::own; ///< how it is reached
+};
+
+/// One way down from a group, and the states under which it is open.
+struct Branch {
+  GroupId to{};
+  bool by_need = false;
+  bool mandatory = false, optional = false; ///< levels of a request; a need is neither
+  Span span{};
+  Region region;
+};
+
+/// The ways down from each group, found when they are asked for.
+class Branches {
+public:
+  using Filter = std::function<bool(ProviderId)>;
+  /// By providers that may run for a task, or at least be picked for a need.
+  Branches(const Model& model, Filter runs, Filter is_picked);
+  Branches(const Model& model, const Filter& counts) : Branches(model, counts, counts) {}
+  const std::vector<Branch>& from(GroupId group) const;
+  /// Where some provider of the group that counts can be active.
+  const Region& grantable(GroupId group) const;
+
+private:
+  const Model& model_;
+  Filter runs_, is_picked_;
+  mutable IdTable<GroupId, std::optional<std::vector<Branch>>> from_;
+  mutable IdTable<GroupId, std::optional<Region>> grantable_;
+};
+
+class Claims {
+public:
+  /// Ends the search early: of a group, how it is reached, and its claim, which may grow if it goes on.
+  using Enough = std::function<bool(GroupId, Reach, const Claim&)>;
+
+  /// Through no group of `without`.
+  Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without = {}, const Enough& enough = {});
+
+  /// Nothing: never.
+  const Claim* find(GroupId group, Reach reach) const {
+    const auto& claims = claims_[static_cast<std::size_t>(reach)];
+    const auto at = claims.find(group);
+    return at == claims.end() ? nullptr : &at->second;
+  }
+  /// All that there is a claim to, in order.
+  const std::vector<GroupId>& groups() const { return groups_; }
+  /// How many ways down were gone.
+  std::size_t effort() const { return effort_; }
+  /// A shortest way to the group; empty for the task's own.
+  std::vector<ChainStep> path(GroupId group, Reach reach) const;
+
+private:
+  std::unordered_map<GroupId, Claim> claims_[3];
+  std::vector<GroupId> groups_;
+  std::size_t effort_ = 0;
+};
+
+} // namespace director::analysis

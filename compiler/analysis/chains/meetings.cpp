@@ -1,0 +1,168 @@
+// Door: compiler/analysis/chains/meetings.hpp. Test: tests/compiler/analysis/chains/meetings_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/chains/meetings.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace director::analysis {
+
+namespace {
+
+bool has_mandatory(const Edge& edge) {
+  return std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return !level.optional; });
+}
+bool has_optional(const Edge& edge) {
+  return std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return level.optional; });
+}
+
+} // namespace
+
+std::vector<Together> find_together(const Model& model, const std::function<bool(ProviderId)>& counts) {
+  std::vector<Together> out;
+  if (!model.roots.empty()) out.push_back({std::nullopt, &model.roots, {}, false});
+  for (const ProviderId id : model.providers.ids()) {
+    if (!counts(id)) continue;
+    const Provider& provider = model.providers[id];
+    for (const Pack& pack : provider.packs) out.push_back({id, &pack.tasks, pack.name, provider.has_packs});
+  }
+  return out;
+}
+
+Chains::Chains(const Model& model, std::function<bool(ProviderId)> counts)
+    : model_(model),
+      counts_(std::move(counts)),
+      together_(find_together(model, counts_)),
+      entries_(model.groups.size()) {
+  for (const Together& together : together_) {
+    for (const Task& task : *together.tasks) entries_[task.target.value].emplace_back(&together, &task);
+  }
+}
+
+std::vector<Chains::Above> Chains::above(GroupId waiter, bool held) const {
+  std::vector<Above> out{{waiter, false}};
+  SparseSet<GroupId> seen[2];
+  seen[0].add(waiter);
+  for (std::size_t next = 0; next < out.size(); ++next) {
+    const Above here = out[next];
+    const auto reach = [&](GroupId group, bool optional) {
+      if (seen[optional ? 1 : 0].add(group)) out.push_back({group, optional});
+    };
+    for (const auto& [together, task] : entries_[here.group.value]) {
+      if (!together->provider) continue;
+      const GroupId requester = model_.providers[*together->provider].group;
+      const Edge& edge = model_.edges[task->edge];
+      if (has_mandatory(edge)) reach(requester, here.optional);
+      if (has_optional(edge)) reach(requester, true);
+    }
+    if (here.group == waiter && !held) continue; // a task that waits was requested, not only needed
+    // What is needed leads on as well: it may still run for an older request.
+    for (const EdgeId id : model_.groups[here.group].requesters) {
+      if (model_.edges[id].needed) reach(*model_.edges[id].requester, here.optional);
+    }
+  }
+  return out;
+}
+
+const std::vector<Chains::Entry>& Chains::entries_above(GroupId group, bool held) const {
+  const auto [at, is_new] = entries_above_[held ? 1 : 0].try_emplace(group);
+  std::vector<Entry>& out = at->second;
+  if (!is_new) return out;
+  for (const Above& here : above(group, held)) {
+    for (const auto& [together, task] : entries_[here.group.value]) {
+      if (together->tasks->size() > 1) out.push_back({together, task, !here.optional, here.optional});
+    }
+  }
+  std::sort(out.begin(), out.end(),
+            [](const Entry& a, const Entry& b) { return std::tie(a.together, a.task) < std::tie(b.together, b.task); });
+  const auto merge = [&](Entry& kept, const Entry& next) {
+    if (kept.together != next.together || kept.task != next.task) return false;
+    kept.mandatory = kept.mandatory || next.mandatory;
+    kept.optional = kept.optional || next.optional;
+    return true;
+  };
+  std::size_t count = 0;
+  for (const Entry& entry : out) {
+    if (count == 0 || !merge(out[count - 1], entry)) out[count++] = entry;
+  }
+  out.resize(count);
+  return out;
+}
+
+/// At one level of each entry.
+void Chains::visit_pair(Meeting& meeting, bool optional_above, const Entry& second, GroupId other,
+                        const std::function<void(const Meeting&, GroupId other)>& visitor) const {
+  meeting.first_optional = optional_above || meeting.first_level.optional;
+  if (second.mandatory) {
+    meeting.second_optional = meeting.second_level.optional;
+    visitor(meeting, other);
+  }
+  if (second.optional) {
+    meeting.second_optional = true;
+    visitor(meeting, other);
+  }
+}
+
+std::vector<std::pair<const Chains::Entry*, GroupId>>
+Chains::siblings(const Together& together, const Task& task, GroupId waiter, const std::vector<GroupId>& others) const {
+  std::vector<std::pair<const Entry*, GroupId>> out;
+  for (const GroupId other : others) {
+    if (other == waiter) continue;
+    const std::vector<Entry>& entries = entries_above(other);
+    auto at = std::lower_bound(entries.begin(), entries.end(), &together,
+                               [](const Entry& entry, const Together* place) { return entry.together < place; });
+    for (; at != entries.end() && at->together == &together; ++at) {
+      if (at->task->target != task.target) out.emplace_back(&*at, other);
+    }
+  }
+  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.first->task < b.first->task; });
+  return out;
+}
+
+void Chains::visit(GroupId waiter, const std::vector<GroupId>& others,
+                   const std::function<void(const Meeting&, GroupId other)>& visitor) const {
+  for (const Above& here : above(waiter, false)) {
+    for (const auto& [together, first] : entries_[here.group.value]) {
+      for (const auto& [second, other] : siblings(*together, *first, waiter, others)) {
+        for (const Task::NamedLevel& a : first->levels) {
+          for (const Task::NamedLevel& b : second->task->levels) {
+            Meeting meeting{together, first, second->task, model_.edges[first->edge].levels[a.level],
+                            model_.edges[second->task->edge].levels[b.level]};
+            visit_pair(meeting, here.optional, *second, other, visitor);
+          }
+        }
+      }
+    }
+  }
+}
+
+bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) const {
+  for (const Task::NamedLevel& a : waiting.task->levels) {
+    for (const Task::NamedLevel& b : entry.task->levels) {
+      Meeting meeting{waiting.together, waiting.task, entry.task, model_.edges[waiting.task->edge].levels[a.level],
+                      model_.edges[entry.task->edge].levels[b.level]};
+      if (other == entry.task->target && meeting.one_unit()) continue;
+      // To have no optional edge above it only helps the one, and one only helps the other.
+      meeting.first_optional = meeting.first_level.optional || !waiting.mandatory;
+      meeting.second_optional = meeting.second_level.optional || entry.optional;
+      if (meeting.first_goes_before()) return true;
+    }
+  }
+  return false;
+}
+
+bool Chains::may_beat(GroupId waiter, GroupId other) const {
+  if (other == waiter) return false;
+  const std::vector<Entry>& ours = entries_above(waiter);
+  const std::vector<Entry>& theirs = entries_above(other);
+  auto first = theirs.begin();
+  for (const Entry& waiting : ours) {
+    while (first != theirs.end() && first->together < waiting.together) ++first;
+    for (auto at = first; at != theirs.end() && at->together == waiting.together; ++at) {
+      if (at->task->target != waiting.task->target && beats(waiting, *at, other)) return true;
+    }
+  }
+  return false;
+}
+
+} // namespace director::analysis

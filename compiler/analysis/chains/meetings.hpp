@@ -1,0 +1,97 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Who goes before whom (semantics.md, 4.1, rules 1 to 4): two tasks meet below their closest common requester, at two
+// entries of one pack, of one flat list, or of the roots, and the ranks of these two decide.
+
+#include "compiler/analysis/chains/sparse_set.hpp"
+#include "compiler/model/model.hpp"
+
+#include <functional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace director::analysis {
+
+using namespace director::compiler;
+
+/// Entries that may be requested at the same time.
+struct Together {
+  std::optional<ProviderId> provider; ///< nothing: the roots
+  const std::vector<Task>* tasks = nullptr;
+  std::string_view pack; ///< empty for roots and flat `tasks`
+  bool whole = false;    ///< a named pack: if one of them, then all
+};
+
+/// Every pack and list of these providers, and the roots, first.
+std::vector<Together> find_together(const Model& model, const std::function<bool(ProviderId)>& counts);
+
+/// Two entries and what one of their levels says of each.
+struct Meeting {
+  const Together* together = nullptr;
+  const Task* first = nullptr;
+  const Task* second = nullptr;
+  Level first_level, second_level;
+  bool first_optional = false; ///< some edge of the first's chain is, this entry or one below
+  bool second_optional = false;
+
+  /// Members of one unit: granted whole, or not at all.
+  bool one_unit() const {
+    const auto is_member = [](const Level& level) { return !level.optional && !level.apart; };
+    return together->provider && is_member(first_level) && is_member(second_level);
+  }
+  bool first_goes_before() const {
+    if (first_optional != second_optional) return second_optional;
+    return first_level.priority > second_level.priority;
+  }
+  bool equal() const { return first_optional == second_optional && first_level.priority == second_level.priority; }
+};
+
+/// What chains of requests can lead to, each provider of a chain being one of those that count.
+class Chains {
+public:
+  /// An entry from which a chain leads to a group: without an optional edge below it, with one, or both.
+  struct Entry {
+    const Together* together = nullptr;
+    const Task* task = nullptr;
+    bool mandatory = false, optional = false;
+  };
+
+  /// Of places where something else is asked for too, in order of place and task. `held`: also chains at whose end the
+  /// group is only needed.
+  const std::vector<Entry>& entries_above(GroupId group, bool held = false) const;
+
+  Chains(const Model& model, std::function<bool(ProviderId)> counts);
+
+  /// Every way in which a task for `waiter` and a request for one of `others` meet.
+  void visit(GroupId waiter, const std::vector<GroupId>& others,
+             const std::function<void(const Meeting&, GroupId other)>& visitor) const;
+
+  /// A task for `waiter` may push the other group: that is requested by an edge that it may go before, and not granted
+  /// with it or with what is above it in one unit. Never itself.
+  bool may_beat(GroupId waiter, GroupId other) const;
+
+  const std::vector<Together>& together() const { return together_; }
+
+private:
+  /// A group from which a chain leads to another one.
+  struct Above {
+    GroupId group{};
+    bool optional = false; ///< an edge between the two is
+  };
+  std::vector<Above> above(GroupId group, bool held) const;
+  bool beats(const Entry& waiting, const Entry& entry, GroupId other) const;
+  /// The entries beside this one that lead to one of `others`, in order of the entries.
+  std::vector<std::pair<const Entry*, GroupId>> siblings(const Together& together, const Task& task, GroupId waiter,
+                                                         const std::vector<GroupId>& others) const;
+  void visit_pair(Meeting& meeting, bool optional_above, const Entry& second, GroupId other,
+                  const std::function<void(const Meeting&, GroupId other)>& visitor) const;
+
+  const Model& model_;
+  std::function<bool(ProviderId)> counts_;
+  std::vector<Together> together_;
+  std::vector<std::vector<std::pair<const Together*, const Task*>>> entries_; ///< by target
+  mutable std::unordered_map<GroupId, std::vector<Entry>> entries_above_[2];
+};
+
+} // namespace director::analysis

@@ -1,0 +1,189 @@
+// Door: compiler/analysis/clashes/clashes.hpp. Test: compiler/checks/push_cycle.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/clashes/clashes.hpp"
+
+#include "compiler/analysis/clashes/exclusions.hpp"
+#include "compiler/analysis/clashes/losses.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace director::analysis {
+
+namespace {
+
+using dsl::Note;
+
+class ClashSearch {
+public:
+  ClashSearch(const Model& model, const Graph& graph, const Facts& facts, const Shared& shared)
+      : model_(model),
+        shared_(shared),
+        losses_(model, graph, facts, shared) {}
+
+  std::vector<Clash> run() {
+    for (const Wanting& wanting : shared_.wants()) {
+      for (const Want& want : wanting.wants) look_above(wanting.task, want);
+      for (std::size_t first = 0; first < wanting.wants.size(); ++first) {
+        for (std::size_t second = first + 1; second < wanting.wants.size(); ++second)
+          look_at(wanting, wanting.wants[first], wanting.wants[second]);
+      }
+    }
+    return std::move(out_);
+  }
+
+private:
+  const Provider& row(ProviderId id) const { return model_.providers[id]; }
+  const Condition& condition(const ConditionUse& use) const { return model_.conditions[use.id]; }
+
+  void look_at(const Wanting& wanting, const Want& first, const Want& second) {
+    if (condition(first.condition).state == condition(second.condition).state) return;
+    // Two providers of one group are no parts of one plan.
+    if (first.waiter != second.waiter && row(first.waiter).group == row(second.waiter).group) return;
+    const bool both = std::any_of(first.causers.begin(), first.causers.end(), [&](ProviderId id) {
+      return std::find(second.causers.begin(), second.causers.end(), id) != second.causers.end();
+    });
+    if (both || seen_.count({first.condition.span, second.condition.span}) != 0) return;
+    std::optional<Clash> clash = find_incompatible(first, second);
+    if (!clash) clash = find_cycle(first, second);
+    if (!clash) clash = find_vain(first, second);
+    if (!clash) clash = find_vain(second, first);
+    if (!clash) return;
+    seen_.insert({first.condition.span, second.condition.span});
+    clash->task = wanting.task;
+    out_.push_back(std::move(*clash));
+  }
+
+  /// No push of it is ever made where the groups above the task keep what it needs.
+  void look_above(GroupId task, const Want& want) {
+    std::vector<Note> because;
+    for (const ProviderId causer : want.causers) {
+      std::optional<std::vector<Note>> notes = losses_.held_above(task, causer);
+      if (!notes) return;
+      because = std::move(*notes);
+    }
+    if (losses_.comes_otherwise(want) || !seen_.insert({want.condition.span, want.condition.span}).second) return;
+    Clash clash = make(Clash::Kind::vain, want, want);
+    clash.loss = Clash::Loss::held;
+    clash.task = task;
+    clash.because = std::move(because);
+    out_.push_back(std::move(clash));
+  }
+
+  static Clash make(Clash::Kind kind, const Want& first, const Want& second) {
+    Clash out;
+    out.kind = kind;
+    out.first_waiter = first.waiter;
+    out.second_waiter = second.waiter;
+    out.first = first.condition;
+    out.second = second.condition;
+    out.first_causer = first.causers.front();
+    out.second_causer = second.causers.front();
+    return out;
+  }
+
+  template <class Find>
+  static auto for_each_pair(const Want& first, const Want& second, const Find& find) {
+    decltype(find(first.causers.front(), second.causers.front())) out;
+    for (const ProviderId a : first.causers) {
+      for (const ProviderId b : second.causers) {
+        auto found = find(a, b);
+        if (!found) return decltype(found){};
+        if (!out) out = std::move(found);
+      }
+    }
+    return out;
+  }
+
+  std::optional<Clash> find_incompatible(const Want& first, const Want& second) const {
+    const GroupId group = row(first.causers.front()).group;
+    const auto is_elsewhere = [&](ProviderId id) { return row(id).group != group; };
+    if (std::any_of(first.causers.begin(), first.causers.end(), is_elsewhere) ||
+        std::any_of(second.causers.begin(), second.causers.end(), is_elsewhere))
+      return std::nullopt;
+    const auto because = for_each_pair(first, second, [&](ProviderId a, ProviderId b) {
+      std::optional<std::vector<Note>> out;
+      const auto there = excludes(model_, a, b), back = excludes(model_, b, a);
+      if (there && back) out = {*there, *back};
+      return out;
+    });
+    if (!because) return std::nullopt;
+    Clash out = make(Clash::Kind::incompatible, first, second);
+    out.because = *because;
+    return out;
+  }
+
+  std::optional<Clash> find_cycle(const Want& first, const Want& second) const {
+    Clash out = make(Clash::Kind::cycle, first, second);
+    const auto mutual = for_each_pair(first, second, [&](ProviderId a, ProviderId b) {
+      std::optional<std::vector<Note>> notes;
+      const auto there = undoes(model_, a, second.condition), back = undoes(model_, b, first.condition);
+      if (there && back) notes = {*there, *back};
+      return notes;
+    });
+    if (mutual) {
+      out.because = *mutual;
+      return out;
+    }
+    for (const bool swapped : {false, true}) {
+      const Want& held = swapped ? second : first;
+      const Want& late = swapped ? first : second;
+      const auto one_way =
+          for_each_pair(held, late, [&](ProviderId, ProviderId b) { return runs_without(model_, b, held.condition); });
+      if (!one_way) continue;
+      out.because = {*one_way};
+      return out;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Clash> find_vain(const Want& first, const Want& second) const {
+    if (losses_.comes_otherwise(second)) return std::nullopt;
+    Clash out = make(Clash::Kind::vain, first, second);
+    using Find = Losses::Because (Losses::*)(ProviderId, ProviderId) const;
+    const std::pair<Clash::Loss, Find> losses[] = {{Clash::Loss::request, &Losses::lost_request},
+                                                   {Clash::Loss::group, &Losses::lost_group},
+                                                   {Clash::Loss::provider, &Losses::lost_provider}};
+    for (const auto& [loss, find] : losses) {
+      const auto because =
+          for_each_pair(first, second, [&, how = find](ProviderId a, ProviderId b) { return (losses_.*how)(a, b); });
+      if (!because) continue;
+      out.loss = loss;
+      out.because = *because;
+      return out;
+    }
+    return std::nullopt;
+  }
+
+  const Model& model_;
+  const Shared& shared_;
+  Losses losses_;
+  std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+  std::vector<Clash> out_;
+};
+
+} // namespace
+
+std::vector<Clash> find_clashes(const Model& model, const Graph& graph, const Facts& facts, const Shared& shared) {
+  return ClashSearch(model, graph, facts, shared).run();
+}
+
+void add_parties(const Model& model, const Clash& clash, dsl::Diagnostic& finding) {
+  std::vector<std::pair<ProviderId, ConditionUse>> promises{{clash.second_causer, clash.second}};
+  if (clash.first.span != clash.second.span) {
+    finding.notes.push_back(
+        {clash.first.span,
+         fmt::format("{} waits for {} as well", name_of(model, clash.first_waiter), name_of(model, clash.first.id))});
+    promises.insert(promises.begin(), {clash.first_causer, clash.first});
+  }
+  for (const auto& [causer, condition] : promises) finding.notes.push_back(causes(model, causer, condition.id));
+  finding.notes.insert(finding.notes.end(), clash.because.begin(), clash.because.end());
+}
+
+} // namespace director::analysis

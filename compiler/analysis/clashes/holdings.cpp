@@ -1,0 +1,66 @@
+// Door: compiler/analysis/clashes/holdings.hpp. Test: compiler/checks/push_in_vain.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/clashes/holdings.hpp"
+
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+/// Whichever pack is chosen, it asks for the same group as a mandatory task.
+bool is_in_every_pack(const Model& model, const std::vector<Pack>& packs, const Task& task) {
+  return std::all_of(packs.begin(), packs.end(), [&](const Pack& pack) {
+    return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& other) {
+      return other.target == task.target && !model.edges[other.edge].levels[other.levels.front().level].optional;
+    });
+  });
+}
+
+} // namespace
+
+std::vector<Holding> holdings_of(const Model& model, const Shared& shared, ProviderId id) {
+  const Provider& provider = model.providers[id];
+  std::vector<Holding> out;
+  const auto take = [&](GroupId group, dsl::Span span, bool by_need) {
+    const std::string verb = by_need ? "needs" : "requests";
+    const auto& parts = shared.indispensable().of(group);
+    for (const GroupId part : parts ? *parts : std::vector<GroupId>{group}) {
+      const std::string by = part == group ? "" : fmt::format(", which cannot do without {}", name_of(model, part));
+      out.push_back(
+          {part, {span, fmt::format("{} {} {}{}", name_of(model, id), verb, name_of(model, group), by)}, by_need});
+    }
+  };
+  for (const Use<GroupId>& need : provider.needs) take(need.id, need.span, true);
+  if (provider.packs.empty()) return out;
+  for (const Task& task : provider.packs.front().tasks) {
+    if (is_in_every_pack(model, provider.packs, task)) take(task.target, task.span, false);
+  }
+  return out;
+}
+
+const Task* entry_for(const Model& model, ProviderId provider, GroupId group) {
+  for (const Pack& pack : model.providers[provider].packs) {
+    for (const Task& task : pack.tasks) {
+      if (task.target == group) return &task;
+    }
+  }
+  return nullptr;
+}
+
+bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group) {
+  for (const Pack& pack : model.providers[provider].packs) {
+    for (const Task& task : pack.tasks) {
+      const std::vector<GroupId>& below = shared.claims(task.target).groups();
+      if (task.target == group || std::binary_search(below.begin(), below.end(), group)) return true;
+    }
+  }
+  return false;
+}
+
+} // namespace director::analysis

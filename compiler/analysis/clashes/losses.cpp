@@ -1,0 +1,115 @@
+// Door: compiler/analysis/clashes/losses.hpp. Test: compiler/checks/push_in_vain.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/clashes/losses.hpp"
+
+#include "compiler/analysis/clashes/holdings.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::analysis {
+
+using dsl::Note;
+
+Losses::Because Losses::lost_request(ProviderId a, ProviderId b) const {
+  const GroupId from = row(a).group, to = row(b).group;
+  std::optional<GroupId> gate = graph_.gate[to];
+  while (gate && *gate != from) gate = graph_.gate[*gate];
+  if (!gate || leads_to(model_, shared_, a, to)) return std::nullopt;
+  std::vector<Note> out;
+  for (const EdgeId edge : model_.groups[to].requesters) {
+    const std::optional<GroupId> requester = model_.edges[edge].requester;
+    if (!requester || model_.edges[edge].levels.empty()) continue;
+    for (const ProviderId id : model_.groups[*requester].providers) {
+      const Task* task = entry_for(model_, id, to);
+      if (task == nullptr || !facts_.active.contains(id)) continue;
+      out.push_back({task->span, fmt::format("{} requests {}", name_of(model_, id), name_of(model_, to))});
+    }
+  }
+  return out;
+}
+
+Losses::Because Losses::lost_group(ProviderId a, ProviderId b) const {
+  if (row(a).group == row(b).group) return std::nullopt;
+  const GroupId victim = row(b).group;
+  for (const Holding& taken : holdings_of(model_, shared_, a)) {
+    if (taken.group == victim && taken.by_need && entry_for(model_, a, victim) == nullptr)
+      return std::vector<Note>{taken.note};
+    for (const Holding& wanted : holdings_of(model_, shared_, b)) {
+      if (wanted.group != taken.group || !wanted.by_need) continue;
+      const bool first_wins = shared_.chains().may_beat(row(a).group, victim);
+      const bool second_wins = shared_.chains().may_beat(victim, row(a).group);
+      if (first_wins || (taken.by_need && !second_wins)) return std::vector<Note>{taken.note, wanted.note};
+    }
+  }
+  return std::nullopt;
+}
+
+Losses::Because Losses::lost_provider(ProviderId a, ProviderId b) const {
+  for (const auto& [state, accepted] : region_of(model_, row(b).when).states) {
+    const ValueSet set = values_set_by(model_, row(a), state);
+    if (set.empty() || !set.intersected(accepted).empty() || comes_from_others(state, accepted, a)) continue;
+    std::vector<Note> out;
+    for (const std::vector<ConditionUse>* uses : {&row(a).causing, &row(a).sets}) {
+      for (const ConditionUse& use : *uses) {
+        if (model_.conditions[use.id].state != state) continue;
+        out.push_back({use.span, fmt::format("{} makes {}", name_of(model_, a), name_of(model_, use.id))});
+      }
+    }
+    for (const ConditionUse& use : row(b).when) {
+      if (model_.conditions[use.id].state != state) continue;
+      out.push_back(runs_only_while(model_, b, use));
+    }
+    return out;
+  }
+  return std::nullopt;
+}
+
+Losses::Because Losses::held_above(GroupId task, ProviderId causer) const {
+  for (const Holding& wanted : holdings_of(model_, shared_, causer)) {
+    if (!wanted.by_need) continue;
+    for (std::optional<GroupId> above = graph_.gate[task]; above; above = graph_.gate[*above]) {
+      const std::optional<Note> keeps = always_keeps(*above, task, wanted.group);
+      if (keeps) return std::vector<Note>{wanted.note, *keeps};
+    }
+  }
+  return std::nullopt;
+}
+
+bool Losses::comes_otherwise(const Want& want) const {
+  const Condition& wanted = model_.conditions[want.condition.id];
+  const std::vector<Source>& sources = sources_[wanted.state];
+  return std::any_of(sources.begin(), sources.end(), [&](const Source& source) {
+    if (source.kind == Source::Kind::initial || source.values.intersected(wanted.accepts).empty()) return false;
+    if (!source.provider) return true;
+    const bool is_causer = std::find(want.causers.begin(), want.causers.end(), *source.provider) != want.causers.end();
+    return !is_causer && facts_.active.contains(*source.provider);
+  });
+}
+
+std::optional<Note> Losses::always_keeps(GroupId group, GroupId task, GroupId kept) const {
+  std::optional<Note> out;
+  for (const ProviderId id : model_.groups[group].providers) {
+    if (!facts_.active.contains(id) || !leads_to(model_, shared_, id, task)) continue;
+    const std::vector<Holding> taken = holdings_of(model_, shared_, id);
+    const auto at =
+        std::find_if(taken.begin(), taken.end(), [&](const Holding& one) { return one.by_need && one.group == kept; });
+    if (at == taken.end()) return std::nullopt;
+    if (!out) out = at->note;
+  }
+  return out;
+}
+
+bool Losses::comes_from_others(StateId state, const ValueSet& values, ProviderId but) const {
+  return std::any_of(sources_[state].begin(), sources_[state].end(), [&](const Source& source) {
+    return source.kind != Source::Kind::initial && source.provider != but && !source.values.intersected(values).empty();
+  });
+}
+
+} // namespace director::analysis

@@ -1,0 +1,52 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What a push takes away from another provider, so that this one is pushed in vain: the places that show it. Nothing:
+// it takes nothing away.
+
+#include "compiler/analysis/causing/wants.hpp"
+#include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/input.hpp"
+#include "dsl/diagnostic.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace director::analysis {
+
+class Losses {
+public:
+  using Because = std::optional<std::vector<dsl::Note>>;
+
+  Losses(const Model& model, const Graph& graph, const Facts& facts, const Shared& shared)
+      : model_(model),
+        graph_(graph),
+        facts_(facts),
+        shared_(shared),
+        sources_(find_sources(model)) {}
+
+  /// Only the group of `a` leads to that of `b`, and `a` does not.
+  Because lost_request(ProviderId a, ProviderId b) const;
+  /// The one holds what the other cannot do without, or both want the same.
+  Because lost_group(ProviderId a, ProviderId b) const;
+  /// What the one sets makes a condition of the other one false, and nothing else makes it true again.
+  Because lost_provider(ProviderId a, ProviderId b) const;
+  /// What `causer` needs is kept by a group above the task.
+  Because held_above(GroupId task, ProviderId causer) const;
+
+  /// Something that no push is needed for may make the condition true.
+  bool comes_otherwise(const Want& want) const;
+
+private:
+  const Provider& row(ProviderId id) const { return model_.providers[id]; }
+  /// Every provider of the group that leads to the task needs the other group.
+  std::optional<dsl::Note> always_keeps(GroupId group, GroupId task, GroupId kept) const;
+  bool comes_from_others(StateId state, const ValueSet& values, ProviderId but) const;
+
+  const Model& model_;
+  const Graph& graph_;
+  const Facts& facts_;
+  const Shared& shared_;
+  IdTable<StateId, std::vector<Source>> sources_;
+};
+
+} // namespace director::analysis

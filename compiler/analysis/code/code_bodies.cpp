@@ -1,0 +1,204 @@
+// Door: compiler/analysis/code/code.hpp. Test: tests/compiler/checks/code_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// Two walks from each body over the calls. What it may ask for: over all calls, also of a lambda that somebody may
+// call; too much is no harm there, since the rules ask for what is never said. Whether it blocks: only over calls that
+// are made where they stand, and breadth first, so that the chain that is shown is a shortest one.
+#include "compiler/analysis/words/words.hpp"
+#include "compiler/analysis/code/code.hpp"
+#include "compiler/model/cpp_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <deque>
+#include <set>
+
+namespace director::analysis {
+
+namespace {
+
+std::string without_blanks(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  return text.starts_with("::") ? text.substr(2) : text;
+}
+
+/// Who may be called where a virtual function is.
+using Overriders = std::map<std::string, std::vector<const CodeFunction*>, std::less<>>;
+
+Overriders find_overriders(const CodeFacts& code) {
+  Overriders out;
+  for (const CodeFunction& each : code.functions) {
+    for (const std::string& above : each.overrides) out[above].push_back(&each);
+  }
+  return out;
+}
+
+class Walk {
+public:
+  Walk(const CodeFacts& code, const Overriders& overriders) : code_(code), overriders_(overriders) {}
+
+  void words_of(Body& body) const {
+    std::set<const CodeFunction*> seen{body.function};
+    std::deque<const CodeFunction*> waiting{body.function};
+    while (!waiting.empty()) {
+      const CodeFunction& at = *waiting.front();
+      waiting.pop_front();
+      body.doubtful = body.doubtful || at.doubtful;
+      if (at.open_end) body.open_ends.push_back(&at);
+      for (const CodeWord& word : at.words) {
+        if (word.context == body.function->context) body.words.push_back(&word);
+      }
+      for (const CodeHidden& hidden : at.hidden) body.unseen.push_back({hidden.what, hidden.span, {}, hidden.carries});
+      for (const CodeCall& call : at.calls) {
+        for (const CodeFunction* next : targets(call)) {
+          if (seen.insert(next).second) waiting.push_back(next);
+        }
+        if (call.is_virtual)
+          body.unseen.push_back({fmt::format("`{}`, which is virtual", call.name), call.span, {}, call.carries});
+        if (!call.is_virtual && code_.find(call.to) == nullptr && !call.declared_in.empty())
+          body.unseen.push_back({fmt::format("`{}`", call.name), call.span, call.declared_in, call.carries});
+      }
+    }
+  }
+
+  void blocks_of(Body& body) const {
+    struct Step {
+      const CodeFunction* at;
+      std::vector<const CodeCall*> chain;
+    };
+    std::set<const CodeFunction*> seen{body.function};
+    std::deque<Step> waiting{{body.function, {}}};
+    while (!waiting.empty()) {
+      const Step step = std::move(waiting.front());
+      waiting.pop_front();
+      for (const CodeBlock& block : step.at->blocks) body.blocks.push_back({&block, step.chain});
+      for (const CodeCall& call : step.at->calls) {
+        if (call.maybe) continue;
+        for (const CodeFunction* next : targets(call)) {
+          if (!seen.insert(next).second) continue;
+          waiting.push_back({next, step.chain});
+          waiting.back().chain.push_back(&call);
+        }
+      }
+    }
+  }
+
+private:
+  std::vector<const CodeFunction*> targets(const CodeCall& call) const {
+    std::vector<const CodeFunction*> out;
+    if (const CodeFunction* direct = code_.find(call.to)) out.push_back(direct);
+    if (call.is_virtual) add_overriders(call.to, out);
+    return out;
+  }
+
+  void add_overriders(const std::string& key, std::vector<const CodeFunction*>& out) const {
+    const auto at = overriders_.find(key);
+    if (at == overriders_.end()) return;
+    for (const CodeFunction* each : at->second) {
+      if (std::find(out.begin(), out.end(), each) != out.end()) continue;
+      out.push_back(each);
+      add_overriders(each->key, out);
+    }
+  }
+
+  const CodeFacts& code_;
+  const Overriders& overriders_;
+};
+
+} // namespace
+
+CodeNames::CodeNames(const Model& model, const CodeFacts& code) {
+  const auto full = [&](const std::string& name) { return model.name_space + "::" + name; };
+  for (const GroupId id : model.groups.ids()) {
+    const Group& group = model.groups[id];
+    const std::string name = full(group_name(model, id));
+    tasks.emplace(name, id);
+    for (const ProviderId provider : group.providers)
+      contexts.emplace(full(provider_name(model, provider)), BodyOf{BodyOf::Kind::provider, id, provider});
+    if (group.start) contexts.emplace(name + "::Start", BodyOf{BodyOf::Kind::start, id, {}});
+    if (group.stop) contexts.emplace(name + "::Stop", BodyOf{BodyOf::Kind::stop, id, {}});
+  }
+  for (const StateId id : model.states.ids()) {
+    const std::string name = full(state_type(model, id));
+    states.emplace(name, id);
+    const auto alias = code.aliases.find(name);
+    if (alias != code.aliases.end()) states.emplace(alias->second, id);
+    if (model.states[id].type) states.emplace(without_blanks(*model.states[id].type), id);
+  }
+  for (const ModuleId id : model.modules.ids()) modules.emplace(full(module_type(model, id)), id);
+}
+
+std::string CodeNames::context(const Model& model, const BodyOf& body) const {
+  if (body.provider) return model.name_space + "::" + provider_name(model, *body.provider);
+  const std::string group = model.name_space + "::" + group_name(model, body.group);
+  return group + (body.kind == BodyOf::Kind::start ? "::Start" : "::Stop");
+}
+
+bool Body::is_whole() const {
+  return !doubtful && std::none_of(unseen.begin(), unseen.end(), [](const Unseen& each) { return each.carries; });
+}
+
+CodeInput look_below(const Model& model, const CodeFacts& code) {
+  CodeInput out{model, code, CodeNames(model, code), {}};
+  const Overriders overriders = find_overriders(code);
+  const Walk walk(code, overriders);
+  for (const CodeFunction& function : code.functions) {
+    const auto of = out.names.contexts.find(function.context);
+    if (function.context.empty() || of == out.names.contexts.end()) continue;
+    Body body{of->second, &function, {}, {}, {}, {}, false};
+    walk.words_of(body);
+    walk.blocks_of(body);
+    out.bodies.push_back(std::move(body));
+  }
+  const auto order = [](const Body& body) {
+    return std::tuple(body.of.group, body.of.kind, body.of.provider.value_or(ProviderId{}), body.function->span);
+  };
+  std::sort(out.bodies.begin(), out.bodies.end(), [&](const Body& a, const Body& b) { return order(a) < order(b); });
+  return out;
+}
+
+std::string name_of(const Model& model, const BodyOf& body) {
+  if (body.provider) return name_of(model, *body.provider);
+  return fmt::format("the {} handler of `{}`", body.kind == BodyOf::Kind::start ? "start" : "stop",
+                     model.groups[body.group].name.value);
+}
+
+dsl::Span span_of(const Model& model, const BodyOf& body) {
+  if (body.provider) return model.providers[*body.provider].span;
+  const Group& group = model.groups[body.group];
+  return body.kind == BodyOf::Kind::start ? group.start->span : group.stop->span;
+}
+
+std::string declaration_of(const BodyOf& body, const std::string& context) {
+  const std::string_view word = body.provider                      ? "director::Outcome provide"
+                                : body.kind == BodyOf::Kind::start ? "void start"
+                                                                   : "void stop";
+  return fmt::format("{}({}& run) override;", word, context);
+}
+
+std::vector<ConditionUse> declared_by(const Model& model, const BodyOf& body) {
+  if (!body.provider) {
+    const Group& group = model.groups[body.group];
+    return body.kind == BodyOf::Kind::start ? group.start->sets : group.stop->sets;
+  }
+  const Provider& provider = model.providers[*body.provider];
+  std::vector<ConditionUse> out = provider.causing;
+  out.insert(out.end(), provider.sets.begin(), provider.sets.end());
+  return out;
+}
+
+std::optional<std::int64_t> value_of(const State& state, const std::string& name) {
+  if (state.is_range) {
+    std::int64_t number = 0;
+    const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (fault != std::errc() || end != name.data() + name.size()) return {};
+    return number;
+  }
+  const auto at = std::find(state.values.begin(), state.values.end(), name);
+  if (at == state.values.end()) return {};
+  return at - state.values.begin();
+}
+
+} // namespace director::analysis

@@ -1,0 +1,44 @@
+// Door: compiler/analysis/conflicts/conflicts.hpp. Test: tests/compiler/checks/pages_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/conflicts/conflicts.hpp"
+
+#include "compiler/analysis/shared/shared.hpp"
+
+namespace director::analysis {
+
+const std::vector<Clash>& Conflicts::clashes() const {
+  if (!clashes_) clashes_ = find_clashes(input_.model, input_.graph, input_.facts, input_.shared);
+  return *clashes_;
+}
+
+const std::vector<PackConflict>& Conflicts::pack_conflicts() const {
+  if (!pack_conflicts_) pack_conflicts_ = find_pack_conflicts(input_.model, input_.shared.units());
+  return *pack_conflicts_;
+}
+
+Takers& Conflicts::takers() const {
+  if (!takers_) takers_.emplace(input_);
+  return *takers_;
+}
+
+Packmates& Conflicts::packmates() const {
+  if (!packmates_) packmates_.emplace(input_, takers());
+  return *packmates_;
+}
+
+const Grants& Conflicts::grants() const {
+  if (!grants_) grants_.emplace(input_, takers(), packmates());
+  return *grants_;
+}
+
+const std::vector<Loser>& Conflicts::losers() const {
+  if (!losers_) losers_ = find_losers(input_, takers(), packmates());
+  return *losers_;
+}
+
+const std::vector<StarvingTask>& Conflicts::starving_tasks() const {
+  if (!starving_tasks_) starving_tasks_ = find_starving_tasks(input_);
+  return *starving_tasks_;
+}
+
+} // namespace director::analysis

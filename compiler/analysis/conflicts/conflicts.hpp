@@ -1,0 +1,50 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What excludes each other, which more than one check asks for: found when the first one does and kept for the run, as
+// what is shared is, from which it follows.
+
+#include "compiler/analysis/clashes/clashes.hpp"
+#include "compiler/analysis/conflicts/grants.hpp"
+#include "compiler/analysis/conflicts/losers.hpp"
+#include "compiler/analysis/conflicts/pack_conflicts.hpp"
+#include "compiler/analysis/conflicts/starving.hpp"
+#include "compiler/analysis/input.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace director::analysis {
+
+class Conflicts {
+public:
+  Conflicts(const Model& model, const Graph& graph, const Facts& facts, const Shared& shared)
+      : input_{model, graph, facts, shared, *this} {}
+  Conflicts(const Conflicts&) = delete;
+  Conflicts& operator=(const Conflicts&) = delete;
+
+  /// All that a check sees.
+  const Input& input() const { return input_; }
+
+  const std::vector<Clash>& clashes() const;
+  /// Of all packs and flat lists.
+  const std::vector<PackConflict>& pack_conflicts() const;
+  /// Below all roots.
+  const Grants& grants() const;
+  const std::vector<Loser>& losers() const;
+  const std::vector<StarvingTask>& starving_tasks() const;
+
+private:
+  Input input_;
+  mutable std::optional<std::vector<Clash>> clashes_;
+  mutable std::optional<std::vector<PackConflict>> pack_conflicts_;
+  Takers& takers() const;
+  Packmates& packmates() const;
+
+  mutable std::optional<Takers> takers_;
+  mutable std::optional<Packmates> packmates_;
+  mutable std::optional<Grants> grants_;
+  mutable std::optional<std::vector<Loser>> losers_;
+  mutable std::optional<std::vector<StarvingTask>> starving_tasks_;
+};
+
+} // namespace director::analysis

@@ -1,0 +1,305 @@
+// Door: compiler/analysis/conflicts/grants.hpp. Test: compiler/checks/self_conflict.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/conflicts/grants.hpp"
+
+#include "compiler/analysis/conflicts/spoilers.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+/// Whether something that a provider takes can be had while others hold something, and else one of these.
+class Trial {
+public:
+  /// `only_steady`: also of a unit.
+  Trial(const Input& input, const Takers& takers, const Task& task, const Held& held, const Groups& must,
+        bool only_steady)
+      : input_(input),
+        takers_(takers),
+        task_(task),
+        held_(held),
+        must_(must),
+        is_needed_(input.model.edges[task.edge].needed),
+        only_steady_(only_steady) {}
+
+  /// A claim to the group by a request or need of `by`. `whole`: with some way to meet what it needs.
+  bool can_have(std::optional<GroupId> by, GroupId group) {
+    const auto at = held_.find(group);
+    if (at == held_.end() || !counts(at->second) || (by && has(at->second.needers, *by))) return true;
+    if (!taker_) taker_ = at->second;
+    return false;
+  }
+
+  bool can_meet(const Provider& provider) {
+    return std::all_of(provider.needs.begin(), provider.needs.end(),
+                       [&](const Use<GroupId>& need) { return can_meet(provider.group, need.id); });
+  }
+
+  const std::optional<Taker>& taker() const { return taker_; }
+
+private:
+  bool can_meet(GroupId by, GroupId group) {
+    if (!can_have(by, group)) return false;
+    const auto [at, is_new] = met_.try_emplace(group, false); // on the way round a circle: no
+    if (!is_new) return at->second;
+    bool out = false;
+    for (const ProviderId id : input_.model.groups[group].providers) {
+      if (!out && input_.facts.capable.contains(id)) out = can_meet(input_.model.providers[id]);
+    }
+    return met_[group] = out;
+  }
+
+  bool counts(const Taker& taker) const {
+    if (taker.steady) return true;
+    if (taker.kind == Taker::Kind::unit || taker.kind == Taker::Kind::above) return !only_steady_;
+    // Beside an entry of the same group that has new orders nothing new is granted either. Where somebody else keeps
+    // the taker from something, the task has its chance, unless it must have that too; and it has that if its requester
+    // needs it.
+    return taker.over == &task_ && !is_needed_ &&
+           std::includes(must_.begin(), must_.end(), taker.spoilers.begin(), taker.spoilers.end()) &&
+           std::none_of(taker.spoilers.begin(), taker.spoilers.end(),
+                        [&](GroupId group) { return may_inherit(group); });
+  }
+
+  /// Somebody else may run what needs the group for the task, and when the one changes hands so does the other.
+  bool may_inherit(GroupId group) const {
+    const Groups& needed = input_.shared.units().needed(task_.target);
+    const std::vector<EdgeId>& all = input_.model.groups[group].requesters;
+    return std::any_of(all.begin(), all.end(), [&](EdgeId id) {
+      const Edge& edge = input_.model.edges[id];
+      if (!edge.needed || !has(needed, *edge.requester)) return false;
+      const std::vector<EdgeId>& above = input_.model.groups[*edge.requester].requesters;
+      return std::count_if(above.begin(), above.end(), [&](EdgeId each) { return takers_.is_alive(each); }) > 1;
+    });
+  }
+
+  const Input& input_;
+  const Takers& takers_;
+  const Task& task_;
+  const Held& held_;
+  const Groups& must_;
+  bool is_needed_, only_steady_;
+  std::map<GroupId, bool> met_;
+  std::optional<Taker> taker_;
+};
+
+void put(Held& into, const Taker& taker) {
+  const auto [at, is_new] = into.try_emplace(taker.group, taker);
+  if (!is_new && !at->second.steady && taker.steady) at->second = taker;
+}
+
+/// What both hold. False: `into` is what it was.
+bool meet(Held& into, const Held& other) {
+  bool changed = false;
+  for (auto at = into.begin(); at != into.end();) {
+    const auto same = other.find(at->first);
+    if (same == other.end()) {
+      at = into.erase(at);
+      changed = true;
+      continue;
+    }
+    const auto add = [&](Groups& to, const Groups& from) {
+      for (const GroupId group : from) {
+        const auto place = std::lower_bound(to.begin(), to.end(), group);
+        if (place != to.end() && *place == group) continue;
+        to.insert(place, group);
+        changed = true;
+      }
+    };
+    add(at->second.needers, same->second.needers);
+    add(at->second.spoilers, same->second.spoilers);
+    changed = changed || (at->second.steady && !same->second.steady);
+    at->second.steady = at->second.steady && same->second.steady;
+    ++at;
+  }
+  return changed;
+}
+
+} // namespace
+
+Grants::Grants(const Input& input, Takers& takers, Packmates& packmates)
+    : input_(input),
+      takers_(takers),
+      packmates_(packmates) {
+  for (const Task& task : input.model.roots) {
+    const Entry entry{&task, false, is_grantable(std::nullopt, task, {}), {}, {}};
+    if (entry.grantable) enter(std::nullopt, entry);
+  }
+  run();
+  for (const auto& [group, standing] : standing_) visit(group, true);
+}
+
+Grants::Grants(const Input& input, Takers& takers, Packmates& packmates, ProviderId above, const Pack& pack)
+    : input_(input),
+      takers_(takers),
+      packmates_(packmates),
+      origin_(above),
+      pack_(&pack) {
+  const Provider& provider = input.model.providers[above];
+  standing_[provider.group];
+  visit(provider, pack, standing_of(provider.group), false);
+  run();
+  visit(provider, pack, standing_of(provider.group), true);
+  for (const auto& [group, standing] : standing_) {
+    if (group != provider.group) visit(group, true);
+  }
+}
+
+std::vector<ChainStep> Grants::chain_to(GroupId group) const {
+  if (!origin_) return {};
+  const GroupId begin = input_.model.providers[*origin_].group;
+  std::map<GroupId, ChainStep> first; ///< by which it is reached
+  std::vector<GroupId> open{begin};
+  for (std::size_t next = 0; next < open.size() && first.count(group) == 0; ++next) {
+    for (const ProviderId id : input_.model.groups[open[next]].providers) {
+      if (open[next] == begin ? id != *origin_ : !granted_.contains(id)) continue;
+      for (const Pack& pack : input_.model.providers[id].packs) {
+        if (open[next] == begin && &pack != pack_) continue;
+        for (const Task& task : pack.tasks) {
+          if (fed_.contains(task.edge) && task.target != begin &&
+              first.try_emplace(task.target, ChainStep{open[next], task.target, false, task.span}).second)
+            open.push_back(task.target);
+        }
+      }
+    }
+  }
+  std::vector<ChainStep> out;
+  for (auto at = first.find(group); at != first.end(); at = first.find(at->second.from)) out.push_back(at->second);
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
+void Grants::run() {
+  // Requesters first, so that most are looked at once.
+  while (!open_.empty()) {
+    const GroupId group = open_.begin()->second;
+    open_.erase(open_.begin());
+    visit(group, false);
+  }
+}
+
+void Grants::visit(GroupId group, bool last) {
+  const Standing above = standing_of(group);
+  for (const ProviderId id : input_.model.groups[group].providers) {
+    const Provider& provider = input_.model.providers[id];
+    if (!granted_.contains(id)) continue;
+    for (const Pack& pack : provider.packs) visit(provider, pack, above, last);
+  }
+}
+
+void Grants::visit(const Provider& provider, const Pack& pack, const Standing& above, bool last) {
+  ++visits_;
+  const GroupId requester = provider.group;
+  const std::vector<Entry> entries = entries_of(provider, pack, above);
+  const bool unit_is_granted =
+      !takers_.is_never_whole(pack) &&
+      std::all_of(entries.begin(), entries.end(), [](const Entry& entry) { return !entry.in_unit || entry.grantable; });
+  for (const Entry& entry : entries) {
+    if (last) {
+      refuse(requester, entry);
+    } else if (entry.grantable && (!entry.in_unit || unit_is_granted)) {
+      enter(requester, entry);
+    }
+  }
+}
+
+/// With what the group itself holds as long as it runs, whichever of its providers does: what it requested stands until
+/// another one requests something else.
+Grants::Standing Grants::standing_of(GroupId group) {
+  Standing out = standing_[group];
+  std::vector<ProviderId> running;
+  for (const ProviderId id : input_.model.groups[group].providers) {
+    const bool is_origin = origin_ && input_.model.providers[*origin_].group == group;
+    if (is_origin ? id == *origin_ : granted_.contains(id)) running.push_back(id);
+  }
+  for (const GroupId taken : takers_.held_by(group, running)) {
+    if (!takers_.is_contested(taken)) continue;
+    Taker taker;
+    taker.group = taken;
+    taker.holder = group;
+    if (taken != group) taker.needers = takers_.needers(group, taken);
+    out.held.insert_or_assign(taken, taker);
+    out.optional.insert_or_assign(taken, std::move(taker));
+  }
+  return out;
+}
+
+std::vector<Grants::Entry> Grants::entries_of(const Provider& provider, const Pack& pack, const Standing& above) {
+  const GroupId requester = provider.group;
+  std::vector<Entry> out;
+  for (const PackEntry& each : packmates_.of(provider, pack)) {
+    Entry entry{
+        each.task, each.unit != nullptr, false, takers_.is_optional(*each.task) ? above.optional : above.held, {}};
+    entry.below = {entry.held, above.optional};
+    for (const Packmate& mate : each.mates) {
+      if (each.unit != mate.unit) {
+        if (!std::all_of(mate.unit->begin(), mate.unit->end(),
+                         [&](const Task* member) { return is_grantable(requester, *member, above.held); }))
+          continue;
+      }
+      if (mate.from_entry) put(entry.held, mate.taker);
+      if (mate.from_below) put(entry.below.held, mate.taker);
+      put(entry.below.optional, mate.taker);
+    }
+    entry.grantable = is_grantable(requester, *each.task, entry.held);
+    out.push_back(std::move(entry));
+  }
+  return out;
+}
+
+std::optional<Taker> Grants::find_taker(std::optional<GroupId> requester, const Task& task, ProviderId id,
+                                        const Held& held) {
+  if (held.empty()) return std::nullopt;
+  Trial trial(input_, takers_, task, held, takers_.must(id), !origin_);
+  if (trial.can_have(requester, task.target) && trial.can_meet(input_.model.providers[id])) return std::nullopt;
+  return trial.taker();
+}
+
+bool Grants::is_grantable(std::optional<GroupId> requester, const Task& task, const Held& held) {
+  const std::vector<ProviderId>& all = input_.model.groups[task.target].providers;
+  return std::any_of(all.begin(), all.end(), [&](ProviderId id) {
+    return input_.facts.active.contains(id) && !find_taker(requester, task, id, held);
+  });
+}
+
+void Grants::enter(std::optional<GroupId> requester, const Entry& entry) {
+  const GroupId target = entry.task->target;
+  fed_.add(entry.task->edge);
+  bool changed = false;
+  for (const ProviderId id : input_.model.groups[target].providers) {
+    if (input_.facts.active.contains(id) && !granted_.contains(id) &&
+        !find_taker(requester, *entry.task, id, entry.held))
+      changed = granted_.add(id);
+  }
+  const auto [at, is_new] = standing_.try_emplace(target, entry.below);
+  Standing& standing = at->second;
+  if (is_new) {
+    changed = true;
+  } else {
+    changed = meet(standing.held, entry.below.held) || changed;
+    changed = meet(standing.optional, entry.below.optional) || changed;
+  }
+  if (changed) open_.emplace(takers_.place_of(target), target);
+}
+
+/// When all is known.
+void Grants::refuse(std::optional<GroupId> requester, const Entry& entry) {
+  const std::vector<ProviderId>& all = input_.model.groups[entry.task->target].providers;
+  const bool runs = std::any_of(all.begin(), all.end(), [&](ProviderId id) { return granted_.contains(id); });
+  Refused refused{requester, entry.task, {}};
+  for (const ProviderId id : all) {
+    if (!input_.facts.active.contains(id)) continue;
+    auto taker = find_taker(requester, *entry.task, id, entry.held);
+    if (!taker) continue;
+    refused.refusals.push_back({id, *taker});
+    if (runs && !granted_.contains(id))
+      idle_.try_emplace(id, Refused{requester, entry.task, {{id, std::move(*taker)}}});
+  }
+  if (!fed_.contains(entry.task->edge) && !entry.grantable && !refused.refusals.empty())
+    refused_[entry.task->edge].push_back(std::move(refused));
+}
+
+} // namespace director::analysis

@@ -1,0 +1,88 @@
+// Door: compiler/analysis/conflicts/losers.hpp. Test: compiler/checks/self_conflict.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/conflicts/losers.hpp"
+
+#include "compiler/analysis/shared/shared.hpp"
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+/// So many packs are looked at below all others. A behaviour of 10,000 groups, as people write them, takes a tenth.
+constexpr std::size_t most_visits = 100'000;
+
+/// Something that is held from the beginning may be wanted once more further down.
+bool is_worth_a_look(const Input& input, Takers& takers, ProviderId id, const Pack& pack) {
+  const Provider& provider = input.model.providers[id];
+  std::map<GroupId, const Task*> held; ///< by which entry, if by one alone
+  for (const GroupId group : takers.must(id)) {
+    if (takers.is_contested(group)) held[group] = nullptr;
+  }
+  if (provider.has_packs && pack.tasks.size() > 1) {
+    const Unit unit = unit_members(input.model, pack);
+    for (const Task* member : unit) {
+      for (const GroupId group : takers.must(member->target)) {
+        if (unit.size() > 1 && takers.is_contested(group) && !held.try_emplace(group, member).second)
+          held[group] = nullptr;
+      }
+    }
+  }
+  return !held.empty() && std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
+    const Groups& wanted = input.shared.claims(task.target).groups();
+    return std::any_of(held.begin(), held.end(),
+                       [&](const auto& entry) { return entry.second != &task && has(wanted, entry.first); });
+  });
+}
+
+/// The fault of this pack, or of whose it is; nothing: of none of the two.
+const Taker* find_own(const Refused& refused, GroupId above, const Pack& pack) {
+  for (const Refusal& refusal : refused.refusals) {
+    const Taker& taker = refusal.taker;
+    if (taker.kind == Taker::Kind::before) continue;
+    const bool is_ours =
+        taker.kind == Taker::Kind::above
+            ? taker.holder == above
+            : std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) { return &task == taker.by; });
+    if (is_ours) return &taker;
+  }
+  return nullptr;
+}
+
+} // namespace
+
+std::vector<Loser> find_losers(const Input& input, Takers& takers, Packmates& packmates) {
+  std::size_t visits = 0;
+  const Model& model = input.model;
+  std::vector<Loser> out;
+  for (const ProviderId id : model.providers.ids()) {
+    if (!input.facts.active.contains(id)) continue;
+    const GroupId group = model.providers[id].group;
+    for (const Pack& pack : model.providers[id].packs) {
+      if (!is_worth_a_look(input, takers, id, pack)) continue;
+      if (visits > most_visits) continue;
+      const Grants grants(input, takers, packmates, id, pack);
+      visits += grants.visits();
+      for (const auto& [edge, all] : grants.refused()) {
+        for (const Refused& refused : all) {
+          const Taker* taker = find_own(refused, group, pack);
+          if (taker == nullptr) continue;
+          Loser loser{id, nullptr, refused, *taker, {}};
+          if (refused.requester != group) loser.chain = grants.chain_to(*refused.requester);
+          loser.chain.push_back({*refused.requester, refused.task->target, false, refused.task->span});
+          const GroupId first = loser.chain.front().to;
+          loser.entry = &*std::find_if(pack.tasks.begin(), pack.tasks.end(),
+                                       [&](const Task& task) { return task.target == first; });
+          out.push_back(std::move(loser));
+          break;
+        }
+      }
+    }
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Loser& a, const Loser& b) { return a.chain.size() < b.chain.size(); });
+  return out;
+}
+
+} // namespace director::analysis

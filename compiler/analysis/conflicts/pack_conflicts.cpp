@@ -1,0 +1,172 @@
+// Door: compiler/analysis/conflicts/pack_conflicts.hpp. Test: compiler/checks/pack_conflict.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/conflicts/pack_conflicts.hpp"
+
+#include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+using dsl::Diagnostic;
+
+std::vector<GroupId> targets_of(const std::vector<const Task*>& members) {
+  std::vector<GroupId> out;
+  for (const Task* member : members) out.push_back(member->target);
+  return out;
+}
+
+/// A group that two tasks cannot do without, by the shortest chains.
+struct SharedGroup {
+  GroupId group{};
+  std::vector<ChainStep> first, second;
+};
+
+std::optional<SharedGroup> find_shared_group(const Input& input, GroupId a, GroupId b) {
+  std::optional<SharedGroup> best;
+  for (const GroupId group : input.shared.indispensable().in_common(a, b)) {
+    SharedGroup shared{group, need_path(input.model, a, group), need_path(input.model, b, group)};
+    if (!best || shared.first.size() + shared.second.size() < best->first.size() + best->second.size())
+      best = std::move(shared);
+  }
+  return best;
+}
+
+/// A state that the two can never agree about.
+std::optional<StateId> find_split_state(Units& units, GroupId a, GroupId b) {
+  const Region first = units.region_at_best(a), second = units.region_at_best(b);
+  for (const auto& [state, values] : first.states) {
+    const auto at = second.states.find(state);
+    if (at != second.states.end() && values.intersected(at->second).empty()) return state;
+  }
+  return std::nullopt;
+}
+
+void add_conditions(const Model& model, Units& units, GroupId member, StateId state, Diagnostic& finding) {
+  const auto add = [&](ProviderId id, const std::vector<ConditionUse>& uses, std::string_view word) {
+    for (const ConditionUse& use : uses) {
+      if (model.conditions[use.id].state == state)
+        finding.notes.push_back({use.span, fmt::format("{} {} {}", name_of(model, id), word, name_of(model, use.id))});
+    }
+  };
+  for (const GroupId group : units.needed(member)) {
+    for (const ProviderId id : model.groups[group].providers) {
+      add(id, model.providers[id].when, "runs when");
+      add(id, model.providers[id].stay, "stays while");
+    }
+  }
+}
+
+/// What each choice takes and where it runs, for a conflict that no single group or state explains.
+void add_choices(const Model& model, const std::vector<const Task*>& members, Diagnostic& finding) {
+  for (const Task* member : members) {
+    for (const ProviderId id : model.groups[member->target].providers) {
+      const Provider& provider = model.providers[id];
+      std::vector<std::string> needs, conditions;
+      for (const Use<GroupId>& need : provider.needs) needs.push_back(name_of(model, need.id));
+      for (const ConditionUse& use : provider.when) conditions.push_back(name_of(model, use.id));
+      std::string text;
+      if (!needs.empty()) text = fmt::format("takes {}", list_of(needs));
+      if (!conditions.empty()) text += fmt::format("{}runs when {}", text.empty() ? "" : " and ", list_of(conditions));
+      if (!text.empty()) finding.notes.push_back({provider.span, fmt::format("{} {}", name_of(model, id), text)});
+    }
+  }
+}
+
+std::string propose(const Model& model, const PackConflict& conflict) {
+  if (!model.providers[conflict.provider].has_packs)
+    return "give the provider `packs`, one for each course of action: a flat list says that all may be asked for at "
+           "once";
+  return conflict.members.size() == 2
+             ? fmt::format("ask for them in two packs, or make {} `apart`, so that it waits for itself alone",
+                           name_of(model, conflict.members[1]->target))
+             : "ask for them in two packs, or make one of them `apart`, so that it waits for itself alone";
+}
+
+} // namespace
+
+std::string members_in_words(const Model& model, const std::vector<const Task*>& members) {
+  std::vector<std::string> names;
+  for (const Task* member : members) names.push_back(name_of(model, member->target));
+  return list_of(names);
+}
+
+std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) {
+  std::vector<PackConflict> out;
+  for (const ProviderId id : model.providers.ids()) {
+    for (const Pack& pack : model.providers[id].packs) {
+      const std::vector<const Task*> members = unit_members(model, pack);
+      if (members.size() < 2) continue;
+      const UnitVerdict whole = units.verdict(targets_of(members));
+      if (whole == UnitVerdict::possible) continue;
+      const std::size_t before = out.size();
+      for (std::size_t j = 1; j < members.size(); ++j) {
+        for (std::size_t i = 0; i < j; ++i) {
+          const GroupId a = members[i]->target, b = members[j]->target;
+          if (a == b || units.verdict({a, b}) != UnitVerdict::impossible) continue;
+          out.push_back({id, &pack, {members[i], members[j]}, UnitVerdict::impossible});
+          if (members.size() > told_in_pairs) break; // each but the first is told of once
+        }
+      }
+      if (out.size() == before && model.providers[id].has_packs) out.push_back({id, &pack, members, whole});
+    }
+  }
+  return out;
+}
+
+void report_pack_conflict(const Input& input, Units& units, const PackConflict& conflict, Findings& findings) {
+  const Model& model = input.model;
+  const std::vector<const Task*>& members = conflict.members;
+  const std::string names = members_in_words(model, members);
+  const Span place = members.back()->span;
+  if (conflict.verdict == UnitVerdict::undecided) {
+    findings
+        .add(place, fmt::format("whether {} can ever be granted together was not decided within {} steps", names,
+                                Units::most_steps))
+        .help = "with fewer alternatives it would be: give the groups below fewer providers, or fewer needs";
+    return;
+  }
+  const std::string begin = fmt::format("{} can never be granted together", names);
+  const GroupId a = members[0]->target, b = members[1]->target;
+  const auto shared = members.size() == 2 ? find_shared_group(input, a, b) : std::nullopt;
+  const auto state = members.size() == 2 && !shared ? find_split_state(units, a, b) : std::nullopt;
+  Diagnostic* finding = nullptr;
+  const auto add_other_members = [&] {
+    for (std::size_t i = 0; i + 1 < members.size(); ++i)
+      finding->notes.push_back(
+          {members[i]->span, fmt::format("{} is asked for in the same unit", name_of(model, members[i]->target))});
+  };
+  if (shared && (shared->group == a || shared->group == b)) {
+    const bool of_first = shared->group == b;
+    finding = &findings.add(place, fmt::format("{}: {} holds {} for itself", begin, name_of(model, of_first ? a : b),
+                                               name_of(model, of_first ? b : a)));
+  } else if (shared) {
+    finding = &findings.add(place, fmt::format("{}: both come down to {}", begin, name_of(model, shared->group)));
+  } else if (state) {
+    finding = &findings.add(
+        place, fmt::format("{}: what they accept of {} excludes each other", begin, name_of(model, *state)));
+  } else {
+    finding = &findings.add(place, fmt::format("{}: no choice of providers serves all of them at once", begin));
+  }
+  add_other_members();
+  if (shared) {
+    add_chain(model, shared->first, finding->notes);
+    add_chain(model, shared->second, finding->notes);
+  } else if (state) {
+    add_conditions(model, units, a, *state, *finding);
+    add_conditions(model, units, b, *state, *finding);
+  } else {
+    add_choices(model, members, *finding);
+  }
+  finding->help = propose(model, conflict);
+}
+
+} // namespace director::analysis

@@ -1,0 +1,32 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Members of a pack that can never be granted together, and why.
+
+#include "compiler/analysis/needs/units.hpp"
+#include "compiler/analysis/plans/plans.hpp"
+#include "compiler/analysis/findings.hpp"
+#include "compiler/analysis/input.hpp"
+
+#include <vector>
+
+namespace director::analysis {
+
+/// The fewest members that exclude each other: two, or the whole unit.
+struct PackConflict {
+  ProviderId provider{};
+  const Pack* pack = nullptr;
+  std::vector<const Task*> members; ///< in the order written
+  UnitVerdict verdict = UnitVerdict::impossible;
+};
+
+/// Of every pack and flat list of every provider; of a flat list only pairs, since nobody says that all is asked for.
+/// Of long ones each member is told of once, with the first that it excludes.
+std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units);
+
+/// Says what excludes what, to the bottom. `at`: the last member.
+void report_pack_conflict(const Input& input, Units& units, const PackConflict& conflict, Findings& findings);
+
+/// "`A` and `B`".
+std::string members_in_words(const Model& model, const std::vector<const Task*>& members);
+
+} // namespace director::analysis

@@ -1,0 +1,115 @@
+// Door: compiler/analysis/conflicts/packmates.hpp. Test: compiler/checks/starved_task.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/conflicts/packmates.hpp"
+
+#include "compiler/analysis/shared/shared.hpp"
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+/// So many that may take one group are looked at for one entry; those of the highest rank come first.
+constexpr std::size_t most_rivals = 8;
+
+bool is_in(const Unit& unit, const Task* task) { return std::find(unit.begin(), unit.end(), task) != unit.end(); }
+
+} // namespace
+
+const std::vector<PackEntry>& Packmates::of(const Provider& provider, const Pack& pack) {
+  const auto [at, is_new] = entries_.try_emplace(&pack);
+  std::vector<PackEntry>& out = at->second;
+  if (!is_new) return out;
+  // Who says that all of a list is asked for together: its mandatory entries, those that are `apart` each by itself.
+  const Unit& unit = units_.emplace_back(provider.has_packs ? unit_members(input_.model, pack) : Unit{});
+  ByTaken by_taken;
+  if (provider.has_packs && pack.tasks.size() > 1) {
+    // At other levels others may be members too, and then it waits for them.
+    const bool is_all = std::all_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
+      return is_in(unit, &task) || takers_.is_optional(task) || (takers_.is_mandatory(task) && takers_.is_apart(task));
+    });
+    if (!unit.empty() && !takers_.is_never_whole(pack)) add_rivals(provider.group, unit, is_all, by_taken);
+    for (const Task& task : pack.tasks) {
+      if (takers_.is_mandatory(task) && takers_.is_apart(task))
+        add_rivals(provider.group, units_.emplace_back(Unit{&task}), true, by_taken);
+    }
+  }
+  const auto rank = [&](const Rival& rival) {
+    return input_.model.edges[rival.task->edge].levels[rival.task->levels[0].level].priority;
+  };
+  for (auto& [group, rivals] : by_taken)
+    std::stable_sort(rivals.begin(), rivals.end(), [&](const Rival& a, const Rival& b) { return rank(a) > rank(b); });
+  for (const Task& task : pack.tasks) {
+    PackEntry entry{&task, is_in(unit, &task) ? &unit : nullptr, {}};
+    if (!by_taken.empty()) add_mates(provider.group, by_taken, entry);
+    out.push_back(std::move(entry));
+  }
+  return out;
+}
+
+void Packmates::add_rivals(GroupId requester, const Unit& unit, bool is_all, ByTaken& to) {
+  const UnitTakes& takes = takers_.takes(requester, unit);
+  const bool at_first = is_all && !takes.at_first.empty();
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const Groups& groups = at_first ? takes.at_first[i] : takes.always[i]; // the more
+    for (const GroupId group : groups) {
+      if (takers_.is_contested(group)) to[group].push_back({unit[i], &unit, has(takes.always[i], group), at_first});
+    }
+  }
+}
+
+void Packmates::add_mates(GroupId requester, const ByTaken& by_taken, PackEntry& entry) {
+  const Groups& wanted = input_.shared.claims(entry.task->target).groups();
+  for (const auto& [group, rivals] : by_taken) {
+    if (!has(wanted, group)) continue;
+    std::size_t tried = 0;
+    for (const Rival& rival : rivals) {
+      if (rival.task == entry.task) continue;
+      if (++tried > most_rivals) break;
+      auto mate = find_mate(requester, rival, group, entry);
+      if (!mate) continue;
+      const bool is_enough = mate->taker.steady && mate->from_below && (mate->from_entry || entry.unit != nullptr);
+      entry.mates.push_back(std::move(*mate));
+      if (is_enough) break;
+    }
+  }
+}
+
+std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& rival, GroupId group,
+                                             const PackEntry& entry) {
+  const Task &by = *rival.task, &over = *entry.task;
+  const Beside beside{requester, rival.unit, &by, &over};
+  const bool before = takers_.always_before(by, over);
+  const bool first = before || takers_.always_first_of_equals(requester, by, over);
+  Packmate out{
+      {before ? Taker::Kind::before : Taker::Kind::unit, group, {}, &by, &over, {}, {}, true}, rival.unit, false, true};
+  if (is_in(*rival.unit, &over)) {
+    if (!rival.always) return std::nullopt;
+    out.taker.steady =
+        takers_.is_unconditional(by.target) && spoilers(beside).of(input_.shared.units().needed(by.target)).empty();
+    if (!out.taker.steady) out.taker.kind = Taker::Kind::unit; // then the others wait with it
+    return out;
+  }
+  out.from_below = first;
+  // A unit is tried in the place of the first of its members.
+  out.from_entry =
+      first && (entry.unit == nullptr || std::all_of(entry.unit->begin(), entry.unit->end(), [&](const Task* each) {
+                  return takers_.always_before(by, *each) || takers_.always_first_of_equals(requester, by, *each);
+                }));
+  if (!rival.at_first || (!first && !takers_.is_mandatory(over))) return std::nullopt;
+  out.taker.kind = Taker::Kind::before;
+  out.taker.spoilers = spoilers(beside).of(takers_.takes(requester, *rival.unit).maybe);
+  out.taker.steady = out.taker.spoilers.empty() && takers_.is_unconditional(by.target);
+  return out;
+}
+
+const Spoilers& Packmates::spoilers(const Beside& beside) {
+  const bool differs = !is_in(*beside.unit, beside.over) &&
+                       (!takers_.always_before(*beside.by, *beside.over) || takers_.is_member(*beside.over));
+  std::unique_ptr<Spoilers>& out = spoilers_[{beside.by, differs ? beside.over : nullptr}];
+  if (!out) out = std::make_unique<Spoilers>(input_, takers_, beside);
+  return *out;
+}
+
+} // namespace director::analysis

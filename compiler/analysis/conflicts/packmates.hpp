@@ -1,0 +1,60 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What the other entries of a pack take from one of them, and from all that is below it.
+
+#include "compiler/analysis/conflicts/spoilers.hpp"
+#include "compiler/analysis/conflicts/takers.hpp"
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace director::analysis {
+
+/// Another entry of the pack that takes something.
+struct Packmate {
+  Taker taker;
+  const Unit* unit = nullptr; ///< in which it is granted
+  bool from_entry = false;    ///< the entry itself finds it taken
+  bool from_below = false;    ///< so does what is below it; if not, what is optional there
+};
+
+/// One entry of a pack.
+struct PackEntry {
+  const Task* task = nullptr;
+  const Unit* unit = nullptr; ///< that it is a member of, if of any
+  std::vector<Packmate> mates;
+};
+
+/// Found when it is asked for, and kept.
+class Packmates {
+public:
+  Packmates(const Input& input, Takers& takers) : input_(input), takers_(takers) {}
+
+  /// Of the provider's. Of a flat list, of which any part may be asked for, each entry is alone.
+  const std::vector<PackEntry>& of(const Provider& provider, const Pack& pack);
+
+private:
+  struct Rival {
+    const Task* task = nullptr;
+    const Unit* unit = nullptr;
+    bool always = false, at_first = false; ///< UnitTakes
+  };
+  using ByTaken = std::map<GroupId, std::vector<Rival>>;
+
+  void add_rivals(GroupId requester, const Unit& unit, bool is_all, ByTaken& to);
+  void add_mates(GroupId requester, const ByTaken& by_taken, PackEntry& entry);
+  std::optional<Packmate> find_mate(GroupId requester, const Rival& rival, GroupId group, const PackEntry& entry);
+  const Spoilers& spoilers(const Beside& beside);
+
+  const Input& input_;
+  Takers& takers_;
+  std::unordered_map<const Pack*, std::vector<PackEntry>> entries_;
+  std::deque<Unit> units_;                                                            ///< where they are they stay
+  std::map<std::pair<const Task*, const Task*>, std::unique_ptr<Spoilers>> spoilers_; ///< all that go after: null
+};
+
+} // namespace director::analysis

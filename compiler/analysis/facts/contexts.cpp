@@ -1,0 +1,171 @@
+// Door: compiler/analysis/facts/contexts.hpp. Test: tests/compiler/analysis/facts/contexts_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// What runs already may go on by its `stay`, and one that was pushed without the conditions on what it causes itself;
+// what begins does so by its `when`.
+#include "compiler/analysis/facts/contexts.hpp"
+
+#include "compiler/analysis/plans/choices.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace director::analysis {
+
+namespace {
+
+/// More combinations than this are taken to leave one that serves.
+constexpr std::int64_t most_context_steps = 20'000;
+/// Of the budget of a run: with each pick goes a region.
+constexpr std::int64_t context_step_cost = 20;
+
+} // namespace
+
+/// The choice so far, with what its conditions leave.
+class JointPlan {
+public:
+  JointPlan(const Contexts& contexts, Region within) : contexts_(contexts), now_(std::move(within)) {}
+
+  bool pick(ProviderId provider) {
+    const Facts& facts = contexts_.facts_;
+    if (!facts.capable.contains(provider)) return false;
+    const Provider& row = contexts_.model_.providers[provider];
+    before_.emplace_back();
+    if (row.when.empty() && row.stay.empty()) return true;
+    Region both = now_;
+    both.meet(contexts_.around(provider, facts.pushed.contains(provider)));
+    if (!contexts_.may_be(both)) return before_.pop_back(), false;
+    before_.back() = std::exchange(now_, std::move(both));
+    return true;
+  }
+  void drop() {
+    if (before_.back()) now_ = std::move(*before_.back());
+    before_.pop_back();
+  }
+  /// A provider without a plan is reported as such; here it is taken to need nothing.
+  bool leave_needs(ProviderId provider) const { return contexts_.facts_.plans[provider] != PlanVerdict::found; }
+  bool complete() {
+    found_ = true;
+    return false;
+  }
+  bool found() const { return found_; }
+
+private:
+  const Contexts& contexts_;
+  Region now_;
+  std::vector<std::optional<Region>> before_; ///< each pick; nothing: it left all as it was
+  bool found_ = false;
+};
+
+Contexts::Contexts(const Model& model, Facts& facts) : model_(model), facts_(facts) {
+  facts.contexts = IdTable<GroupId, Region>(model.groups.size());
+}
+
+bool Contexts::widen(GroupId group, const Region& region) {
+  Region& here = facts_.contexts[group];
+  if (facts_.requested.add(group)) {
+    here = region;
+    return true;
+  }
+  Region both = hull(here, region);
+  if (both.states == here.states) return false;
+  here = std::move(both);
+  return true;
+}
+
+std::optional<Region> Contexts::below(GroupId group) {
+  std::optional<Region> out;
+  for (const ProviderId id : model_.groups[group].providers) {
+    if (!facts_.active.contains(id)) continue;
+    Region region = facts_.contexts[group];
+    region.meet(around(id, facts_.pushed.contains(id)));
+    if (facts_.plans[id] == PlanVerdict::found) {
+      for (const Use<GroupId>& need : model_.providers[id].needs) region.meet(around_needed(need.id));
+    }
+    out = out ? hull(*out, region) : region;
+  }
+  return out;
+}
+
+const Region& Contexts::around_needed(GroupId group) {
+  const auto [at, is_new] = needed_.try_emplace(group); // in a circle of needs: anywhere
+  if (!is_new || !facts_.may_wait.contains(group)) return at->second;
+  std::optional<Region> out;
+  for (const ProviderId id : model_.groups[group].providers) {
+    Region region = around(id, true);
+    if (facts_.plans[id] == PlanVerdict::found) {
+      for (const Use<GroupId>& need : model_.providers[id].needs) region.meet(around_needed(need.id));
+    }
+    if (!region.empty()) out = out ? hull(*out, region) : region;
+  }
+  return needed_[group] = out.value_or(Region{});
+}
+
+Region Contexts::own(ProviderId id) const {
+  Region out = region_of(model_, model_.providers[id].when);
+  for (const Impossible& fault : facts_.impossible_of(id)) {
+    if (!fault.stay) out.states.erase(fault.state);
+  }
+  return out;
+}
+
+Region Contexts::around(ProviderId id, bool pushed) const {
+  Region out = active_region(model_, model_.providers[id]);
+  for (const Impossible& fault : facts_.impossible_of(id)) out.states.erase(fault.state);
+  if (pushed) {
+    for (const ConditionUse& promise : model_.providers[id].causing)
+      out.states.erase(model_.conditions[promise.id].state);
+  }
+  return out;
+}
+
+bool Contexts::may_be(const Region& region) const {
+  return std::all_of(region.states.begin(), region.states.end(),
+                     [&](const auto& entry) { return !entry.second.intersected(facts_.values[entry.first]).empty(); });
+}
+
+bool Contexts::can_begin(ProviderId id, Region within) {
+  within.meet(own(id));
+  return has_choice(id, std::move(within));
+}
+
+bool Contexts::can_go_on(ProviderId id, Region within) {
+  within.meet(around(id, facts_.pushed.contains(id)));
+  return has_choice(id, std::move(within));
+}
+
+/// Nothing that it may need has a condition, or can never run: then any plan serves.
+bool Contexts::always_has_needs(const Provider& provider) const {
+  IdSet<GroupId> seen(model_.groups.size());
+  std::vector<const Provider*> open{&provider};
+  while (!open.empty()) {
+    const Provider& now = *open.back();
+    open.pop_back();
+    for (const Use<GroupId>& need : now.needs) {
+      if (facts_.may_wait.contains(need.id)) return false;
+      if (!seen.add(need.id)) continue;
+      for (const ProviderId each : model_.groups[need.id].providers) {
+        if (!facts_.capable.contains(each)) return false;
+        open.push_back(&model_.providers[each]);
+      }
+    }
+  }
+  return true;
+}
+
+bool Contexts::has_choice(ProviderId id, Region within) {
+  if (!may_be(within)) return false;
+  const Provider& provider = model_.providers[id];
+  // Needs that no plan can meet are reported as such; elsewhere they are taken for mended.
+  if (provider.needs.empty() || facts_.plans[id] != PlanVerdict::found || always_has_needs(provider)) return true;
+  JointPlan plan(*this, std::move(within));
+  const std::int64_t granted = facts_.budget.grant(most_context_steps * context_step_cost) / context_step_cost;
+  ChoiceSearch search(model_, granted, plan);
+  search.hold(provider.group);
+  const bool complete = search.run(provider.needs);
+  facts_.budget.spend((granted - search.steps_left()) * context_step_cost);
+  return plan.found() || !complete;
+}
+
+} // namespace director::analysis

@@ -1,0 +1,362 @@
+// Door: compiler/analysis/facts/facts.hpp. Test: tests/compiler/analysis/facts/facts_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/facts/facts.hpp"
+
+#include "compiler/analysis/chains/meetings.hpp"
+#include "compiler/analysis/facts/contexts.hpp"
+#include "compiler/analysis/facts/pushes.hpp"
+#include "compiler/analysis/states/choice.hpp"
+#include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/states/sources.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace director::analysis {
+
+namespace {
+
+class FactFinder {
+public:
+  FactFinder(const Model& model, const Graph& graph)
+      : model_(model),
+        graph_(graph),
+        sources_(find_sources(model)),
+        causers_(find_causers(model)),
+        rivals_(model, facts_.claimable),
+        contexts_(model, facts_) {
+    const std::size_t groups = model.groups.size(), providers = model.providers.size();
+    facts_.declared = facts_.values = IdTable<StateId, ValueSet>(model.states.size());
+    facts_.plans = IdTable<ProviderId, PlanVerdict>(providers, PlanVerdict::found);
+    facts_.capable_groups = facts_.requested = facts_.claimable = IdSet<GroupId>(groups);
+    needers_ = IdTable<GroupId, std::vector<GroupId>>(groups);
+    waiters_ = IdTable<StateId, std::vector<GroupId>>(model.states.size());
+    set_by_provider_ = IdTable<ProviderId, Sets>(providers);
+    set_by_handlers_ = IdTable<GroupId, Sets>(groups);
+    place_ = IdTable<GroupId, std::size_t>(groups);
+    facts_.capable = facts_.chosen = facts_.pushed = facts_.active = facts_.excluded = IdSet<ProviderId>(providers);
+  }
+
+  Facts run() {
+    find_declared();
+    find_concerned();
+    find_waiting();
+    for (const ProviderId id : model_.providers.ids()) {
+      facts_.plans[id] = find_plan(model_, id, facts_.budget);
+      find_impossible(id, false);
+      find_impossible(id, true);
+    }
+    for (const Task& root : model_.roots) request(root.target, Region{});
+    for (const StateId state : model_.states.ids()) {
+      for (const Source& source : sources_[state]) {
+        if (!source.provider && !source.group) grow(state, source.values);
+      }
+    }
+    for (const GroupId group : model_.groups.ids()) look_again(group);
+    do {
+      // Who may push whom takes the longest: it is asked only where all else has settled.
+      settle_all();
+      changed_ = false;
+      find_pushed();
+    } while (changed_ || (news_ != news_then_ && !together_.empty()));
+    for (const ProviderId id : model_.providers.ids()) {
+      const GroupId group = model_.providers[id].group;
+      if (facts_.requested.contains(group) && facts_.capable.contains(id) && !facts_.active.contains(id) &&
+          !contexts_.can_begin(id, facts_.contexts[group]))
+        facts_.excluded.add(id);
+    }
+    for (const EdgeId edge : model_.edges.ids()) {
+      if (is_excluded(edge)) facts_.excluded_tasks.push_back(edge);
+    }
+    return std::move(facts_);
+  }
+
+private:
+  bool is_excluded(EdgeId id) {
+    const Edge& edge = model_.edges[id];
+    if (!edge.requester || edge.levels.empty()) return false;
+    const std::optional<Region> region = contexts_.below(*edge.requester);
+    const std::vector<ProviderId>& all = model_.groups[edge.target].providers;
+    const auto runs = [&](ProviderId each) { return facts_.active.contains(each); };
+    return region && !region->states.empty() && std::any_of(all.begin(), all.end(), runs) &&
+           std::none_of(all.begin(), all.end(), [&](ProviderId each) {
+             return facts_.capable.contains(each) && contexts_.can_go_on(each, *region);
+           });
+  }
+
+  void find_declared() {
+    for (const StateId state : model_.states.ids()) {
+      for (const Source& source : sources_[state])
+        facts_.declared[state] = facts_.declared[state].united(source.values);
+    }
+  }
+
+  /// Whom a new fact may concern.
+  void find_concerned() {
+    for (const GroupId group : model_.groups.ids()) {
+      for (const ProviderId id : model_.groups[group].providers) {
+        for (const Use<GroupId>& need : model_.providers[id].needs) needers_[need.id].push_back(group);
+        for (const ConditionUse& use : model_.providers[id].when) {
+          std::vector<GroupId>& waiters = waiters_[model_.conditions[use.id].state];
+          if (waiters.empty() || waiters.back() != group) waiters.push_back(group);
+        }
+      }
+    }
+    for (const StateId state : model_.states.ids()) {
+      for (const Source& source : sources_[state]) {
+        if (source.provider) set_by_provider_[*source.provider].emplace_back(state, &source);
+        if (source.group) set_by_handlers_[*source.group].emplace_back(state, &source);
+      }
+    }
+    for (std::size_t place = 0; place < graph_.order.size(); ++place) place_[GroupId{graph_.order[place]}] = place;
+  }
+
+  /// From each group with a condition up to all that may need it.
+  void find_waiting() {
+    std::vector<GroupId> open;
+    for (const Provider& provider : model_.providers) {
+      if (!provider.when.empty()) open.push_back(provider.group);
+    }
+    facts_.may_wait = IdSet<GroupId>(model_.groups.size());
+    while (!open.empty()) {
+      const GroupId group = open.back();
+      open.pop_back();
+      if (facts_.may_wait.add(group)) open.insert(open.end(), needers_[group].begin(), needers_[group].end());
+    }
+  }
+
+  void find_impossible(ProviderId id, bool stay) {
+    const Provider& provider = model_.providers[id];
+    const std::vector<ConditionUse>& conditions = stay ? provider.stay : provider.when;
+    for (const auto& [state, accepted] : region_of(model_, conditions).states) {
+      Impossible fault{id, stay, state, Impossible::Why::contradictory, {}};
+      if (!accepted.empty()) {
+        if (!accepted.intersected(facts_.declared[state]).empty()) continue;
+        fault.why = sources_[state].empty() ? Impossible::Why::without_source : Impossible::Why::unreachable;
+      }
+      for (const ConditionUse& use : conditions) {
+        if (model_.conditions[use.id].state == state) fault.uses.push_back(use);
+      }
+      facts_.impossible.push_back(std::move(fault));
+    }
+  }
+
+  /// All that follows without a push. Each round looks where the one before changed something: requesters come before
+  /// what they request, so few rounds do; but a chain of causes takes as many as it has links.
+  void settle() {
+    while (!again_.empty()) {
+      std::vector<GroupId> groups = std::move(again_);
+      again_.clear();
+      for (const GroupId group : groups) waits_for_a_look_.remove(group);
+      std::sort(groups.begin(), groups.end(), [&](GroupId a, GroupId b) { return place_[a] < place_[b]; });
+      // What is needed comes last in the graph's order, and its capability first.
+      for (auto group = groups.rbegin(); group != groups.rend(); ++group) find_capable(*group);
+      for (const GroupId group : groups) find_active(group);
+    }
+  }
+
+  /// And what failed for conditions of several groups together, until that is the same with all that is known.
+  void settle_all() {
+    settle();
+    while (news_ != news_then_ && !together_.empty()) {
+      news_then_ = news_;
+      for (const GroupId group : std::exchange(together_, {})) look_again(group);
+      settle();
+    }
+  }
+
+  /// With all that it may need.
+  void claim(GroupId group) {
+    std::vector<GroupId> open{group};
+    while (!open.empty()) {
+      const GroupId next = open.back();
+      open.pop_back();
+      if (!facts_.claimable.add(next)) continue;
+      for (const ProviderId id : model_.groups[next].providers) {
+        for (const Use<GroupId>& need : model_.providers[id].needs) open.push_back(need.id);
+      }
+    }
+  }
+
+  void request(GroupId group, const Region& region) {
+    if (!contexts_.widen(group, region)) return;
+    claim(group);
+    ++news_;
+    look_again(group);
+  }
+
+  void look_again(GroupId group) {
+    if (waits_for_a_look_.add(group)) again_.push_back(group);
+  }
+
+  void grow(StateId state, const ValueSet& values) {
+    ValueSet more = facts_.values[state].united(values);
+    if (more == facts_.values[state]) return;
+    facts_.values[state] = std::move(more);
+    ++news_;
+    for (const GroupId group : waiters_[state]) look_again(group);
+  }
+
+  void find_capable(GroupId group) {
+    for (const ProviderId id : model_.groups[group].providers) {
+      if (facts_.capable.contains(id)) continue;
+      const Provider& provider = model_.providers[id];
+      if (!conditions_may_hold(id)) continue;
+      // Needs that no plan can meet are reported as such; elsewhere they are taken for mended.
+      const bool has_needs = facts_.plans[id] != PlanVerdict::found ||
+                             std::all_of(provider.needs.begin(), provider.needs.end(), [&](const Use<GroupId>& need) {
+                               return facts_.capable_groups.contains(need.id);
+                             });
+      if (!has_needs) continue;
+      if (!contexts_.can_begin(id, Region{})) {
+        together_.push_back(group);
+        continue;
+      }
+      facts_.capable.add(id);
+      ++news_;
+      if (!facts_.capable_groups.add(group)) continue;
+      for (const GroupId needer : needers_[group]) look_again(needer);
+    }
+  }
+
+  bool conditions_may_hold(ProviderId id) const {
+    const Region region = region_of(model_, model_.providers[id].when);
+    return std::all_of(region.states.begin(), region.states.end(), [&](const auto& entry) {
+      return !entry.second.intersected(facts_.values[entry.first]).empty() || facts_.is_impossible(id, entry.first);
+    });
+  }
+
+  std::vector<StateId> mended_states(ProviderId id) const {
+    std::vector<StateId> out;
+    for (const Impossible& fault : facts_.impossible_of(id)) {
+      if (!fault.stay) out.push_back(fault.state);
+    }
+    return out;
+  }
+
+  /// Its `when` may hold while each of its rivals lacks something. Those that exclude it lack it then.
+  bool may_come_first(ProviderId id) {
+    Region own = contexts_.own(id);
+    const GroupId group = model_.providers[id].group;
+    if (facts_.requested.contains(group)) own.meet(facts_.contexts[group]);
+    std::vector<Region> others;
+    bool with_needs = false; // which others may come to hold later
+    for (const ProviderId rival : rivals_.that_meet(id, own)) {
+      with_needs = with_needs || !model_.providers[rival].needs.empty();
+      if (facts_.plans[rival] == PlanVerdict::found && mended_states(rival).empty())
+        others.push_back(region_of(model_, model_.providers[rival].when));
+    }
+    const Covering covering = find_covering(model_, own, others, facts_.values, facts_.budget);
+    if (covering == Covering::undecided)
+      facts_.budget.leave_open(model_.providers[id].span,
+                               fmt::format("whether `{}` ever comes first", model_.full_name(id)));
+    if (covering == Covering::covered && with_needs) together_.push_back(group);
+    return covering != Covering::covered;
+  }
+
+  void find_active(GroupId group) {
+    for (const ProviderId id : model_.groups[group].providers) {
+      const bool requested = facts_.requested.contains(group);
+      if (facts_.active.contains(id) || !facts_.capable.contains(id)) continue;
+      if (requested && !contexts_.can_begin(id, facts_.contexts[group])) {
+        together_.push_back(group);
+        continue;
+      }
+      if (!facts_.chosen.contains(id) && may_come_first(id)) facts_.chosen.add(id);
+      if (requested && (facts_.chosen.contains(id) || facts_.pushed.contains(id))) become_active(group, id);
+    }
+    ask_below(group);
+  }
+
+  /// All that its providers ask for stands while any of them runs.
+  void ask_below(GroupId group) {
+    const std::optional<Region> region = contexts_.below(group);
+    if (!region) return;
+    for (const ProviderId id : model_.groups[group].providers) {
+      if (!facts_.active.contains(id)) continue;
+      for (const Pack& pack : model_.providers[id].packs) {
+        for (const Task& task : pack.tasks) request(task.target, *region);
+      }
+    }
+  }
+
+  void become_active(GroupId group, ProviderId id) {
+    facts_.active.add(id);
+    changed_ = true;
+    ++news_;
+    for (const auto& [state, source] : set_by_provider_[id]) grow(state, source->values);
+    for (const auto& [state, source] : set_by_handlers_[group]) grow(state, source->values);
+  }
+
+  /// What a push leads to is followed at once, so that whoever waits behind it need not look down the whole chain
+  /// again.
+  void find_pushed() {
+    const Chains chains(model_, [&](ProviderId id) { return facts_.active.contains(id); });
+    Pushes pushes(model_, facts_, chains, causers_);
+    Explored explored(model_);
+    for (const GroupId waiter : model_.groups.ids()) {
+      if (!facts_.requested.contains(waiter)) continue;
+      for (const ProviderId id : PushSearch(pushes, waiter).explore(explored)) {
+        if (!facts_.pushed.add(id)) continue;
+        changed_ = true;
+        ++news_;
+        look_again(model_.providers[id].group);
+      }
+      settle();
+    }
+  }
+
+  const Model& model_;
+  const Graph& graph_;
+  IdTable<StateId, std::vector<Source>> sources_;
+  Causers causers_;
+  Rivals rivals_;
+  IdTable<GroupId, std::vector<GroupId>> needers_;
+  IdTable<StateId, std::vector<GroupId>> waiters_;
+  using Sets = std::vector<std::pair<StateId, const Source*>>;
+  IdTable<ProviderId, Sets> set_by_provider_;
+  IdTable<GroupId, Sets> set_by_handlers_;
+  IdTable<GroupId, std::size_t> place_;  ///< in the graph's order
+  std::vector<GroupId> again_;           ///< that a new fact concerns
+  SparseSet<GroupId> waits_for_a_look_;  ///< ... each once
+  std::vector<GroupId> together_;        ///< that have a provider which may run if what others add lets it
+  std::size_t news_ = 0, news_then_ = 0; ///< facts so far, and when that was looked at
+  Facts facts_;
+  Contexts contexts_;
+  bool changed_ = false;
+};
+
+} // namespace
+
+std::span<const Impossible> Facts::impossible_of(ProviderId provider) const {
+  const auto [first, last] =
+      std::equal_range(impossible.begin(), impossible.end(), Impossible{provider, false, {}, {}, {}},
+                       [](const Impossible& a, const Impossible& b) { return a.provider < b.provider; });
+  return {first, last};
+}
+
+bool Facts::is_impossible(ProviderId provider, StateId state) const {
+  const std::span<const Impossible> faults = impossible_of(provider);
+  return std::any_of(faults.begin(), faults.end(),
+                     [&](const Impossible& fault) { return !fault.stay && fault.state == state; });
+}
+
+bool Facts::may_hold(const Model& model, ProviderId provider, const ConditionUse& use) const {
+  const Condition& condition = model.conditions[use.id];
+  return is_impossible(provider, condition.state) || !values[condition.state].intersected(condition.accepts).empty();
+}
+
+bool Facts::holds_always(const Model& model, ConditionId id, const Region& region) const {
+  const Condition& condition = model.conditions[id];
+  const auto at = region.states.find(condition.state);
+  if (at == region.states.end())
+    return !model.states[condition.state].may_be_unset() && values[condition.state].subset_of(condition.accepts);
+  return values[condition.state].intersected(at->second).subset_of(condition.accepts);
+}
+
+Facts find_facts(const Model& model, const Graph& graph) { return FactFinder(model, graph).run(); }
+
+} // namespace director::analysis

@@ -1,0 +1,228 @@
+// Door: compiler/analysis/facts/pushes.hpp. Test: tests/compiler/analysis/facts/facts_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/facts/pushes.hpp"
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+/// The providers of the group and of every group that their plans may hold, as far as one of them waits for anything.
+/// `waiting`: of those that are never what it waits for none; nothing: these too.
+std::vector<ProviderId> providers_of_plans(const Model& model, const Facts& facts, Waiting* waiting, GroupId waiter) {
+  std::vector<ProviderId> out;
+  if (!facts.may_wait.contains(waiter) || (waiting != nullptr && !waiting->may_wait(waiter))) return out;
+  std::vector<GroupId> open{waiter};
+  SparseSet<GroupId> seen;
+  seen.add(waiter);
+  while (!open.empty()) {
+    const GroupId group = open.back();
+    open.pop_back();
+    for (const ProviderId id : model.groups[group].providers) {
+      if (waiting != nullptr && !waiting->may_be_first(id)) continue;
+      out.push_back(id);
+      for (const Use<GroupId>& need : model.providers[id].needs) {
+        if (facts.may_wait.contains(need.id) && seen.add(need.id)) open.push_back(need.id);
+      }
+    }
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+} // namespace
+
+Causers find_causers(const Model& model) {
+  IdTable<StateId, std::vector<ProviderId>> by_state(model.states.size());
+  for (const ProviderId id : model.providers.ids()) {
+    for (const ConditionUse& promise : model.providers[id].causing) {
+      std::vector<ProviderId>& row = by_state[model.conditions[promise.id].state];
+      if (row.empty() || row.back() != id) row.push_back(id);
+    }
+  }
+  Causers out(model.conditions.size());
+  for (const ConditionId condition : model.conditions.ids()) {
+    for (const ProviderId causer : by_state[model.conditions[condition].state]) {
+      if (model.causes(causer, condition)) out[condition].push_back(causer);
+    }
+  }
+  return out;
+}
+
+Pushes::Pushes(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers)
+    : model_(model),
+      facts_(facts),
+      chains_(chains),
+      causers_(causers),
+      waiting_(model, facts),
+      hopeful_(model.providers.size()) {
+  find_hopeful();
+}
+
+bool Pushes::may_hold(ConditionId id) const {
+  const Condition& condition = model_.conditions[id];
+  return !facts_.values[condition.state].intersected(condition.accepts).empty();
+}
+
+/// What is reported as impossible is taken for mended.
+bool Pushes::is_mended(ProviderId provider, ConditionId id) const {
+  return facts_.is_impossible(provider, model_.conditions[id].state);
+}
+
+/// Each provider counts the conditions that it lacks, and each condition wakes those that wait for it.
+void Pushes::find_hopeful() {
+  IdTable<ConditionId, std::vector<ProviderId>> waiting(model_.conditions.size());
+  IdTable<ProviderId, std::size_t> lacking(model_.providers.size(), 0);
+  std::vector<ProviderId> open;
+  for (const ProviderId id : model_.providers.ids()) {
+    const Provider& provider = model_.providers[id];
+    if (provider.causing.empty() || !facts_.requested.contains(provider.group)) continue;
+    for (const ConditionUse& use : provider.when) {
+      if (may_hold(use.id) || is_mended(id, use.id)) continue;
+      waiting[use.id].push_back(id);
+      ++lacking[id];
+    }
+    if (lacking[id] == 0) open.push_back(id);
+  }
+  IdTable<StateId, std::vector<ConditionId>> by_state(model_.states.size());
+  for (const ConditionId id : model_.conditions.ids()) {
+    if (!waiting[id].empty()) by_state[model_.conditions[id].state].push_back(id);
+  }
+  while (!open.empty()) {
+    const ProviderId causer = open.back();
+    open.pop_back();
+    if (!hopeful_.add(causer)) continue;
+    for (const ConditionUse& promise : model_.providers[causer].causing) {
+      for (const ConditionId id : by_state[model_.conditions[promise.id].state]) {
+        if (waiting[id].empty() || !model_.causes(causer, id)) continue;
+        for (const ProviderId waiter : waiting[id]) {
+          if (--lacking[waiter] == 0) open.push_back(waiter);
+        }
+        waiting[id].clear();
+      }
+    }
+  }
+}
+
+PushSearch::PushSearch(Pushes& all, GroupId waiter)
+    : all_(all),
+      waiter_(waiter),
+      providers_(providers_of_plans(all.model_, all.facts_, &all.waiting_, waiter)) {}
+
+bool PushSearch::beats(GroupId group) {
+  if (!compared_.add(group)) return beaten_.contains(group);
+  return all_.chains_.may_beat(waiter_, group) && beaten_.add(group);
+}
+
+bool PushSearch::is_servable(ConditionId id) {
+  if (all_.may_hold(id)) return true;
+  if (!settled_.contains(id)) settle(id);
+  return servable_.contains(id);
+}
+
+/// Collects what the condition waits for by way of causing providers and theirs, as far as it does not hold anyway, and
+/// decides all of it.
+void PushSearch::settle(ConditionId id) {
+  std::vector<ConditionId> open{id};
+  settled_.add(id);
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    for (const ProviderId causer : all_.causers_[open[next]]) {
+      if (!may_serve(causer)) continue;
+      for (const ConditionUse& use : all_.model_.providers[causer].when) {
+        if (!all_.may_hold(use.id) && !all_.is_mended(causer, use.id) && settled_.add(use.id)) open.push_back(use.id);
+      }
+    }
+  }
+  // Backwards: what a condition waits for was collected behind it.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto at = open.rbegin(); at != open.rend(); ++at) {
+      if (servable_.contains(*at)) continue;
+      const std::vector<ProviderId>& causers = all_.causers_[*at];
+      if (std::any_of(causers.begin(), causers.end(), [&](ProviderId causer) { return serves(causer); }))
+        changed = servable_.add(*at);
+    }
+  }
+}
+
+bool PushSearch::may_serve(ProviderId causer) {
+  return all_.hopeful_.contains(causer) && beats(all_.model_.providers[causer].group);
+}
+
+/// A soft transition is begun only when it can be completed.
+bool PushSearch::can_be_completed(ProviderId provider) {
+  const std::vector<ConditionUse>& when = all_.model_.providers[provider].when;
+  return std::all_of(when.begin(), when.end(),
+                     [&](const ConditionUse& use) { return all_.is_mended(provider, use.id) || is_servable(use.id); });
+}
+
+bool PushSearch::serves(ProviderId causer) { return may_serve(causer) && can_be_completed(causer); }
+
+bool PushSearch::may_push(ProviderId causer, ConditionId condition) {
+  if (!wanted_) {
+    wanted_.emplace();
+    for (const ProviderId provider : providers_) {
+      if (!can_be_completed(provider)) continue;
+      for (const ConditionUse& use : all_.model_.providers[provider].when) {
+        if (!all_.is_mended(provider, use.id)) wanted_->add(use.id);
+      }
+    }
+  }
+  return wanted_->contains(condition) && serves(causer);
+}
+
+std::vector<ProviderId> PushSearch::explore(Explored& explored) {
+  std::vector<ProviderId> out;
+  std::vector<ConditionId> wanted;
+  SparseSet<ConditionId> seen;
+  SparseSet<ProviderId> passed;
+  const auto want = [&](ProviderId provider) {
+    for (const ConditionUse& use : all_.model_.providers[provider].when) {
+      if (!explored.conditions.contains(use.id) && !all_.causers_[use.id].empty() &&
+          !all_.is_mended(provider, use.id) && seen.add(use.id))
+        wanted.push_back(use.id);
+    }
+  };
+  for (const ProviderId provider : providers_) {
+    if (can_be_completed(provider)) want(provider);
+  }
+  for (std::size_t next = 0; next < wanted.size(); ++next) {
+    for (const ProviderId causer : all_.causers_[wanted[next]]) {
+      if (passed.contains(causer) || !serves(causer)) continue;
+      passed.add(causer);
+      if (explored.pushable.add(causer)) out.push_back(causer);
+      want(causer);
+    }
+  }
+  for (auto at = wanted.rbegin(); at != wanted.rend(); ++at) {
+    const std::vector<ProviderId>& causers = all_.causers_[*at];
+    const bool all_found = std::all_of(causers.begin(), causers.end(), [&](ProviderId causer) {
+      const std::vector<ConditionUse>& when = all_.model_.providers[causer].when;
+      return explored.pushable.contains(causer) && std::all_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+               return explored.conditions.contains(use.id) || all_.causers_[use.id].empty() ||
+                      all_.is_mended(causer, use.id);
+             });
+    });
+    if (all_found) explored.conditions.add(*at);
+  }
+  return out;
+}
+
+std::vector<ProviderId> find_pushable(const Model& model, Pushes& all, GroupId waiter) {
+  Explored explored(model);
+  std::vector<ProviderId> out = PushSearch(all, waiter).explore(explored);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, const Facts& facts,
+                                                                   GroupId waiter) {
+  std::vector<std::pair<ProviderId, ConditionUse>> out;
+  for (const ProviderId id : providers_of_plans(model, facts, nullptr, waiter)) {
+    for (const ConditionUse& use : model.providers[id].when) out.emplace_back(id, use);
+  }
+  return out;
+}
+
+} // namespace director::analysis

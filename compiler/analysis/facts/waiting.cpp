@@ -1,0 +1,129 @@
+// Door: compiler/analysis/facts/waiting.hpp. Test: tests/compiler/analysis/facts/waiting_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/facts/waiting.hpp"
+
+#include "compiler/analysis/states/covering.hpp"
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+/// Whatever is there for the second one's needs is there for the first one's.
+bool needs_no_more(const Provider& first, const Provider& second) {
+  return std::all_of(first.needs.begin(), first.needs.end(), [&](const Use<GroupId>& need) {
+    return std::any_of(second.needs.begin(), second.needs.end(),
+                       [&](const Use<GroupId>& other) { return other.id == need.id; });
+  });
+}
+
+bool is_member(const Model& model, const Task& task) {
+  const std::vector<Level>& levels = model.edges[task.edge].levels;
+  return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
+    return !levels[named.level].optional && !levels[named.level].apart;
+  });
+}
+
+/// What may be in a context: each state that it speaks of, and no value only where it does not.
+Box box_of_context(const Facts& facts, const Region& context) {
+  Box out;
+  for (const auto& [state, values] : context.states)
+    out.emplace(state, Possible{facts.values[state].intersected(values), false});
+  return out;
+}
+
+} // namespace
+
+bool Waiting::may_be_first(ProviderId id) const {
+  if (facts_.pushed.contains(id)) return true;
+  const Provider& provider = model_.providers[id];
+  for (const ProviderId earlier : model_.groups[provider.group].providers) {
+    if (earlier == id) break;
+    if (facts_.plans[earlier] == PlanVerdict::found && needs_no_more(model_.providers[earlier], provider)) return false;
+  }
+  return true;
+}
+
+Waiting::Waiting(const Model& model, const Facts& facts) : model_(model), facts_(facts) {
+  for (const ProviderId id : model.providers.ids()) {
+    for (const Pack& pack : model.providers[id].packs) {
+      for (const Task& task : pack.tasks) entries_[task.edge].push_back({id, &pack, is_member(model, task)});
+    }
+  }
+}
+
+bool Waiting::may_wait(GroupId group) {
+  for (const EdgeId edge : model_.groups[group].requesters) {
+    if (model_.edges[edge].levels.empty()) continue;
+    if (!model_.edges[edge].requester) {
+      if (!is_carefree(group, facts_.contexts[group])) return true;
+      continue;
+    }
+    for (const Entry& entry : entries_[edge]) {
+      if (!facts_.active.contains(entry.provider)) continue;
+      if (!is_carefree(group, facts_.contexts[group]) || (entry.in_unit && unit_waits(*entry.pack))) return true;
+    }
+  }
+  return false;
+}
+
+bool Waiting::unit_waits(const Pack& pack) {
+  const auto [at, is_new] = unit_waits_.try_emplace(&pack, false);
+  if (!is_new) return at->second;
+  const bool out = std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
+    return is_member(model_, task) && !is_carefree(task.target, facts_.contexts[task.target]);
+  });
+  return unit_waits_[&pack] = out;
+}
+
+bool Waiting::is_carefree(GroupId group, const Region& context) {
+  const auto [at, is_new] = carefree_.try_emplace(group, false);
+  if (!is_new) return at->second;
+  std::set<GroupId> seen, above;
+  const bool out = holds_always(group, context, seen) || can_do_without(group, context, above);
+  return carefree_[group] = out;
+}
+
+/// Wherever the groups of one of its choices are to be had, some of them are a choice whose conditions hold.
+bool Waiting::can_do_without(GroupId group, const Region& context, std::set<GroupId>& above) const {
+  if (!facts_.may_wait.contains(group)) return true;
+  if (!above.insert(group).second) return false;
+  const std::vector<ProviderId>& all = model_.groups[group].providers;
+  std::vector<Region> serving;
+  const Provider* fewest = nullptr; ///< whose needs all others have, if anybody's
+  for (const ProviderId id : all) {
+    if (fewest == nullptr || model_.providers[id].needs.size() < fewest->needs.size()) fewest = &model_.providers[id];
+  }
+  const bool common = std::all_of(all.begin(), all.end(),
+                                  [&](ProviderId id) { return needs_no_more(*fewest, model_.providers[id]); });
+  for (const ProviderId id : all) {
+    const Provider& provider = model_.providers[id];
+    const bool serves =
+        common && facts_.plans[id] == PlanVerdict::found && needs_no_more(provider, *fewest) &&
+        std::all_of(provider.needs.begin(), provider.needs.end(),
+                    [&](const Use<GroupId>& need) { return can_do_without(need.id, context, above); });
+    if (serves) serving.push_back(region_of(model_, provider.when));
+  }
+  above.erase(group);
+  if (serving.empty()) return false;
+  if (std::any_of(serving.begin(), serving.end(), [](const Region& region) { return region.states.empty(); }))
+    return true;
+  Budget budget = facts_.budget; // a question that nobody hears of where it stays open
+  return find_covering(model_, facts_.values, box_of_context(facts_, context), serving, budget) == Covering::covered;
+}
+
+/// Every condition of it, and of what it may need.
+bool Waiting::holds_always(GroupId group, const Region& context, std::set<GroupId>& seen) const {
+  if (!facts_.may_wait.contains(group) || !seen.insert(group).second) return true;
+  const std::vector<ProviderId>& all = model_.groups[group].providers;
+  return std::all_of(all.begin(), all.end(), [&](ProviderId id) {
+    const Provider& provider = model_.providers[id];
+    return std::all_of(provider.when.begin(), provider.when.end(),
+                       [&](const ConditionUse& use) { return facts_.holds_always(model_, use.id, context); }) &&
+           std::all_of(provider.needs.begin(), provider.needs.end(),
+                       [&](const Use<GroupId>& need) { return holds_always(need.id, context, seen); });
+  });
+}
+
+} // namespace director::analysis

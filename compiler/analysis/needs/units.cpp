@@ -1,0 +1,149 @@
+// Door: compiler/analysis/needs/units.hpp. Test: tests/compiler/analysis/needs/units_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/needs/units.hpp"
+
+#include "compiler/analysis/chains/sparse_set.hpp"
+#include "compiler/analysis/plans/choices.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace director::analysis {
+
+namespace {
+
+/// Of the budget of a run: with each pick goes a region.
+constexpr std::int64_t unit_step_cost = 20;
+
+/// The choice so far, with what its conditions leave.
+class Combining {
+public:
+  Combining(const Model& model, const Facts& facts, const Units& units, bool by_groups_alone,
+            const std::function<bool(const Combination&)>& visitor)
+      : model_(model),
+        facts_(facts),
+        units_(units),
+        by_groups_alone_(by_groups_alone),
+        visitor_(visitor) {}
+
+  bool pick(ProviderId provider) {
+    Region both = now_.region;
+    both.meet(units_.region_at_best(provider));
+    if (!by_groups_alone_ && both.empty()) return false;
+    now_.picks.push_back({model_.providers[provider].group, provider});
+    before_.push_back(std::exchange(now_.region, std::move(both)));
+    return true;
+  }
+  void drop() {
+    now_.picks.pop_back();
+    now_.region = std::move(before_.back());
+    before_.pop_back();
+  }
+  /// A provider without a plan is reported as such; here it is taken to need nothing.
+  bool leave_needs(ProviderId provider) const { return facts_.plans[provider] != PlanVerdict::found; }
+  bool complete() const { return visitor_(now_); }
+
+private:
+  const Model& model_;
+  const Facts& facts_;
+  const Units& units_;
+  bool by_groups_alone_;
+  const std::function<bool(const Combination&)>& visitor_;
+  Combination now_;
+  std::vector<Region> before_; ///< each pick
+};
+
+} // namespace
+
+std::vector<const Task*> unit_members(const Model& model, const Pack& pack) {
+  std::vector<const Task*> out;
+  for (const Task& task : pack.tasks) {
+    const std::vector<Level>& levels = model.edges[task.edge].levels;
+    if (std::none_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
+          return levels[named.level].optional || levels[named.level].apart;
+        }))
+      out.push_back(&task);
+  }
+  return out;
+}
+
+const std::vector<GroupId>& Units::needed(GroupId group) {
+  const auto [at, is_new] = needed_.try_emplace(group);
+  std::vector<GroupId>& out = at->second;
+  if (!is_new) return out;
+  SparseSet<GroupId> seen;
+  seen.add(group);
+  out.push_back(group);
+  for (std::size_t next = 0; next < out.size(); ++next) {
+    for (const ProviderId id : model_.groups[out[next]].providers) {
+      for (const Use<GroupId>& need : model_.providers[id].needs) {
+        if (seen.add(need.id)) out.push_back(need.id);
+      }
+    }
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+Region Units::region_at_best(ProviderId id) const {
+  const Provider& provider = model_.providers[id];
+  Region out = active_region(model_, provider);
+  for (const Impossible& fault : facts_.impossible_of(id)) out.states.erase(fault.state);
+  for (const ConditionUse& promise : provider.causing) out.states.erase(model_.conditions[promise.id].state);
+  return out;
+}
+
+Region Units::region_at_best(GroupId group) {
+  const auto [at, is_new] = regions_.try_emplace(group); // in a circle of needs: anywhere
+  if (!is_new) return at->second;
+  std::optional<Region> out;
+  for (const ProviderId id : model_.groups[group].providers) {
+    Region region = region_at_best(id);
+    for (const Use<GroupId>& need : model_.providers[id].needs) region.meet(region_at_best(need.id));
+    out = out ? hull(*out, region) : region;
+  }
+  return regions_[group] = out.value_or(Region{});
+}
+
+bool Units::may_clash(const std::vector<GroupId>& members) {
+  SparseSet<GroupId> groups;
+  std::set<StateId> states;
+  for (const GroupId member : members) {
+    std::set<StateId> own;
+    for (const GroupId group : needed(member)) {
+      if (!groups.add(group)) return true;
+      for (const ProviderId id : model_.groups[group].providers) {
+        for (const auto& [state, values] : region_at_best(id).states) own.insert(state);
+      }
+    }
+    for (const StateId state : own) {
+      if (!states.insert(state).second) return true;
+    }
+  }
+  return false;
+}
+
+UnitVerdict Units::verdict(const std::vector<GroupId>& members, bool by_groups_alone) {
+  if (!may_clash(members)) return UnitVerdict::possible;
+  bool found = false;
+  const bool complete = visit(members, by_groups_alone, [&](const Combination&) {
+    found = true;
+    return false;
+  });
+  return found ? UnitVerdict::possible : complete ? UnitVerdict::impossible : UnitVerdict::undecided;
+}
+
+bool Units::visit(const std::vector<GroupId>& members, bool by_groups_alone,
+                  const std::function<bool(const Combination&)>& visitor) {
+  std::vector<Use<GroupId>> needs;
+  for (const GroupId member : members) needs.push_back({member, {}});
+  Combining combining(model_, facts_, *this, by_groups_alone, visitor);
+  const std::int64_t granted = budget_.grant(most_steps * unit_step_cost) / unit_step_cost;
+  ChoiceSearch search(model_, granted, combining);
+  const bool complete = search.run(needs);
+  budget_.spend((granted - search.steps_left()) * unit_step_cost);
+  return complete;
+}
+
+} // namespace director::analysis

@@ -1,0 +1,119 @@
+// Door: compiler/analysis/plans/plans.hpp. Test: tests/compiler/analysis/plans/plans_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/plans/plans.hpp"
+
+#include "compiler/analysis/plans/choices.hpp"
+#include "compiler/graph/algorithms.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace director::analysis {
+
+namespace {
+
+/// Of the budget of a run: to pick a provider takes longer than to look at a condition.
+constexpr std::int64_t plan_step_cost = 4;
+
+class PlanCounter {
+public:
+  PlanCounter(std::int64_t most, const IdSet<ProviderId>* mended) : most_(most), mended_(mended) {}
+
+  bool pick(ProviderId) const { return true; }
+  void drop() const {}
+  bool leave_needs(ProviderId provider) const { return mended_ != nullptr && mended_->contains(provider); }
+  bool complete() { return ++plans_ < most_; }
+
+  std::int64_t plans() const { return plans_; }
+
+private:
+  std::int64_t most_;
+  std::int64_t plans_ = 0;
+  const IdSet<ProviderId>* mended_;
+};
+
+PlanCount count(const Model& model, ProviderId provider, std::int64_t most, Budget& budget,
+                const IdSet<ProviderId>* mended) {
+  PlanCounter counter(most, mended);
+  const std::int64_t granted = budget.grant(plan_steps * plan_step_cost) / plan_step_cost;
+  ChoiceSearch search(model, granted, counter);
+  search.hold(model.providers[provider].group);
+  const bool finished = search.run(model.providers[provider].needs);
+  budget.spend((granted - search.steps_left()) * plan_step_cost);
+  return {counter.plans(), finished && counter.plans() < most};
+}
+
+using Parts = std::optional<std::vector<GroupId>>; ///< sorted; nothing: all groups
+
+/// What is indispensable by way of one provider: whatever its needs cannot do without.
+Parts by_provider(const Provider& provider, const IdTable<GroupId, Parts>& parts) {
+  std::vector<GroupId> out;
+  for (const Use<GroupId>& need : provider.needs) {
+    const Parts& more = parts[need.id];
+    if (!more) return std::nullopt;
+    std::vector<GroupId> both;
+    std::set_union(out.begin(), out.end(), more->begin(), more->end(), std::back_inserter(both));
+    out = std::move(both);
+  }
+  return out;
+}
+
+Parts intersected(Parts a, Parts b) {
+  if (!a) return b;
+  if (!b) return a;
+  std::vector<GroupId> out;
+  std::set_intersection(a->begin(), a->end(), b->begin(), b->end(), std::back_inserter(out));
+  return out;
+}
+
+} // namespace
+
+PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, Budget& budget) {
+  return count(model, provider, most, budget, nullptr);
+}
+
+PlanVerdict find_plan(const Model& model, ProviderId provider, Budget& budget, const IdSet<ProviderId>* mended) {
+  if (model.providers[provider].needs.empty()) return PlanVerdict::found;
+  const PlanCount one = count(model, provider, 1, budget, mended);
+  if (one.plans > 0) return PlanVerdict::found;
+  return one.complete ? PlanVerdict::none : PlanVerdict::undecided;
+}
+
+Indispensable::Indispensable(const Model& model, const IdSet<ProviderId>* counts) : parts_(model.groups.size()) {
+  Arrows needs(model.groups.size());
+  for (const Edge& edge : model.edges) {
+    if (edge.needed) needs[edge.requester->value].push_back(edge.target.value);
+  }
+  const std::vector<Node> order = topological_order(needs);
+  // A greatest fixed point: begin with everything and take away what some provider does without. What is needed comes
+  // first, so one round does where there is no cycle, and a second one sees that it did.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto node = order.rbegin(); node != order.rend(); ++node) {
+      const GroupId group{*node};
+      Parts both;
+      for (const ProviderId provider : model.groups[group].providers) {
+        if (counts == nullptr || counts->contains(provider))
+          both = intersected(std::move(both), by_provider(model.providers[provider], parts_));
+      }
+      if (both && !std::binary_search(both->begin(), both->end(), group))
+        both->insert(std::upper_bound(both->begin(), both->end(), group), group);
+      if (both == parts_[group]) continue;
+      parts_[group] = std::move(both);
+      changed = true;
+    }
+  }
+}
+
+std::vector<GroupId> Indispensable::in_common(GroupId a, GroupId b) const {
+  if (!parts_[a] || !parts_[b]) return {};
+  return *intersected(parts_[a], parts_[b]);
+}
+
+bool Indispensable::contains(GroupId group, GroupId part) const {
+  const Parts& parts = parts_[group];
+  return !parts || std::binary_search(parts->begin(), parts->end(), part);
+}
+
+} // namespace director::analysis

@@ -1,0 +1,49 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Who is surely requested together with a task: by the same pack, or by one above it.
+
+#include "compiler/analysis/chains/sparse_set.hpp"
+#include "compiler/analysis/requests/requests.hpp"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace director::analysis {
+
+/// Asked about some groups: whether any of them is surely requested. Of a flat list any part may be requested, so it
+/// promises no company; but of a mandatory member with a flat list all of that is taken to be requested.
+class Company {
+public:
+  Company(const Model& model, const Facts& facts, const Requests& requests, std::vector<GroupId> wanted)
+      : model_(model),
+        facts_(facts),
+        requests_(requests),
+        wanted_(std::move(wanted)) {
+    find_leading();
+  }
+
+  /// The entries from this one up to a root among which nothing requests any; empty: there is always one.
+  std::vector<const Task*> find_bare_chain(const Request& request);
+
+  /// The lists in which one was found beside the chains that were looked at so far.
+  const std::set<const std::vector<Task>*>& found_in() const { return found_in_; }
+
+private:
+  void find_leading();
+  bool is_wanted(GroupId group) const;
+  bool is_covered(const Request& request);
+  bool brings(const Task& entry);
+  bool always_requests(GroupId group);
+
+  const Model& model_;
+  const Facts& facts_;
+  const Requests& requests_;
+  std::vector<GroupId> wanted_;
+  SparseSet<GroupId> leading_; ///< from which requests lead to a wanted group: of many roots only few
+  std::set<GroupId> visited_;
+  std::map<GroupId, bool> always_;
+  std::set<const std::vector<Task>*> found_in_;
+};
+
+} // namespace director::analysis

@@ -1,0 +1,202 @@
+// Door: compiler/analysis/requests/gaps.hpp. Test: tests/compiler/analysis/requests/gaps_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/requests/gaps.hpp"
+
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+/// More would be no help to anybody who reads them.
+constexpr std::size_t most_boxes = 256;
+/// A group with more different ways to run is taken to be able to run always.
+constexpr std::size_t most_open_ways = 512;
+/// The same of a provider with more combinations of its own ways and those of what it needs.
+constexpr std::size_t most_combined = 4'096;
+
+/// How many subtract adds, told without the boxes themselves, which are as large as the region.
+std::size_t count_outside(const Box& box, const Region& region) {
+  std::size_t out = 0;
+  for (const auto& [state, accepted] : region.states) {
+    const auto at = box.find(state);
+    const Possible here = at == box.end() ? Possible{} : at->second;
+    if (!here.values.subset_of(accepted) || here.unset) ++out;
+    if (here.values.intersected(accepted).empty()) return out;
+  }
+  return out;
+}
+
+/// The parts of the box that are outside the region.
+void subtract(const Box& box, const Region& region, std::vector<Box>& out) {
+  Box rest = box;
+  for (const auto& [state, accepted] : region.states) {
+    Possible& here = rest[state];
+    const Possible outside{here.values.without(accepted), here.unset};
+    here = {here.values.intersected(accepted), false};
+    if (outside.empty()) continue;
+    const Possible inside = here;
+    here = outside;
+    out.push_back(rest);
+    rest[state] = inside;
+    if (inside.empty()) return;
+  }
+}
+
+bool within(const Region& inner, const Region& outer) {
+  return std::all_of(outer.states.begin(), outer.states.end(), [&](const auto& entry) {
+    const auto at = inner.states.find(entry.first);
+    return at != inner.states.end() && at->second.subset_of(entry.second);
+  });
+}
+
+/// Leaves out what another way allows anyway.
+void add_way(std::vector<Region>& ways, Region way) {
+  if (way.empty()) return;
+  if (std::any_of(ways.begin(), ways.end(), [&](const Region& other) { return within(way, other); })) return;
+  ways.erase(std::remove_if(ways.begin(), ways.end(), [&](const Region& other) { return within(other, way); }),
+             ways.end());
+  ways.push_back(std::move(way));
+}
+
+/// Makes one way of two that differ in what they accept of one state alone.
+void unite(std::vector<Region>& ways) {
+  std::vector<Region> out;
+  for (Region& way : ways) {
+    const auto same = std::find_if(out.begin(), out.end(), [&](const Region& other) {
+      if (other.states.size() != way.states.size()) return false;
+      std::size_t different = 0;
+      auto b = other.states.begin();
+      for (const auto& [state, values] : way.states) {
+        if (state != b->first) return false;
+        if (values != b->second) ++different;
+        ++b;
+      }
+      return different == 1;
+    });
+    if (same == out.end()) {
+      out.push_back(std::move(way));
+      continue;
+    }
+    for (auto& [state, values] : same->states) values = values.united(way.states.at(state));
+  }
+  ways = std::move(out);
+}
+
+/// Where they are too many to be listed.
+Gaps find_one_gap(const Model& model, const Facts& facts, const Box& start, const std::vector<Region>& ways,
+                  Budget& budget) {
+  Box gap;
+  switch (find_covering(model, facts.values, start, ways, budget, &gap)) {
+  case Covering::covered: return {};
+  case Covering::open: return {{std::move(gap)}, false, true};
+  case Covering::undecided: break;
+  }
+  return {{}, false, false};
+}
+
+} // namespace
+
+Box box_of(const Facts& facts, const Region& region) {
+  Box out;
+  for (const auto& [state, accepted] : region.states)
+    out.emplace(state, Possible{facts.values[state].intersected(accepted), false});
+  return out;
+}
+
+Gaps find_gaps(const Model& model, const Facts& facts, const Box& start, const std::vector<Region>& ways,
+               Budget& budget) {
+  Box whole = start;
+  for (const Region& way : ways) {
+    for (const auto& [state, accepted] : way.states)
+      whole.try_emplace(state, Possible{facts.values[state], model.states[state].may_be_unset()});
+  }
+  if (std::any_of(whole.begin(), whole.end(), [](const auto& entry) { return entry.second.empty(); })) return {};
+  std::vector<Box> boxes{std::move(whole)};
+  for (const Region& way : ways) {
+    std::size_t count = 0;
+    for (const Box& box : boxes) count += count_outside(box, way);
+    if (count > most_boxes) return find_one_gap(model, facts, start, ways, budget);
+    std::vector<Box> next;
+    for (const Box& box : boxes) subtract(box, way, next);
+    boxes = std::move(next);
+  }
+  return {std::move(boxes)};
+}
+
+std::string gap_in_words(const Model& model, const Facts& facts, const Box& box) {
+  std::vector<std::string> parts;
+  for (const auto& [id, possible] : box) {
+    const State& state = model.states[id];
+    if (possible == Possible{facts.values[id], state.may_be_unset()}) continue;
+    parts.push_back(
+        fmt::format("{} is {}", name_of(model, id), values_in_words(state, possible.values, possible.unset)));
+  }
+  return parts.empty() ? std::string(everywhere) : "while " + list_of(parts);
+}
+
+Ways::Ways(const Model& model, const Facts& facts, bool with_stay,
+           std::function<bool(ProviderId, const ConditionUse&)> counts)
+    : model_(model),
+      facts_(facts),
+      with_stay_(with_stay),
+      counts_(std::move(counts)) {}
+
+const std::vector<Region>& Ways::of(GroupId group) {
+  static const std::vector<Region> always{Region{}};
+  if (!facts_.may_wait.contains(group)) return always;
+  const auto [at, is_new] = ways_.try_emplace(group);
+  if (!is_new) return at->second; // in a circle of needs: no way
+  std::vector<Region> out;
+  for (const ProviderId id : model_.groups[group].providers) {
+    for (Region& way : of(id)) add_way(out, std::move(way));
+    if (out.size() > most_open_ways) unite(out);
+    if (out.size() > most_open_ways) {
+      out = {Region{}};
+      break;
+    }
+  }
+  return ways_[group] = std::move(out);
+}
+
+std::vector<Region> Ways::of(ProviderId id) {
+  const Provider& provider = model_.providers[id];
+  // What is reported elsewhere is taken for mended.
+  if (facts_.plans[id] != PlanVerdict::found) return {Region{}};
+  const auto region_by = [&](const std::vector<ConditionUse>& uses, bool stay) {
+    Region region;
+    for (const ConditionUse& use : uses) {
+      const Condition& condition = model_.conditions[use.id];
+      const auto faults = facts_.impossible_of(id);
+      const bool mended = std::any_of(faults.begin(), faults.end(), [&](const Impossible& fault) {
+        return fault.stay == stay && fault.state == condition.state;
+      });
+      if (!mended && (stay || counts_(id, use))) region.meet(condition.state, condition.accepts);
+    }
+    return region;
+  };
+  std::vector<Region> out;
+  add_way(out, region_by(provider.when, false));
+  if (with_stay_ && !provider.stay.empty()) add_way(out, region_by(provider.stay, true));
+  for (const Use<GroupId>& need : provider.needs) {
+    std::vector<Region> both;
+    if (out.size() * of(need.id).size() > most_combined) return {Region{}};
+    for (const Region& own : out) {
+      for (const Region& below : of(need.id)) {
+        Region way = own;
+        way.meet(below);
+        add_way(both, std::move(way));
+      }
+    }
+    if (both.size() > most_open_ways) unite(both);
+    if (both.size() > most_open_ways) return {Region{}};
+    out = std::move(both);
+  }
+  return out;
+}
+
+} // namespace director::analysis

@@ -1,0 +1,54 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Which values of states no way to run covers: what is left of all combinations when the regions of the ways are taken
+// away.
+
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/states/covering.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::analysis {
+
+/// The states of the region with the values that they may have.
+Box box_of(const Facts& facts, const Region& region);
+
+/// Disjoint boxes in which none of the ways is open.
+struct Gaps {
+  std::vector<Box> boxes;
+  bool all = true;     ///< else they are too many to be listed, and this is one of them
+  bool decided = true; ///< else nobody knows whether there are any
+};
+Gaps find_gaps(const Model& model, const Facts& facts, const Box& start, const std::vector<Region>& ways,
+               Budget& budget);
+
+/// A gap that no state narrows.
+inline constexpr std::string_view everywhere = "always";
+
+/// "`A` is 0 or unset while `B` is 1": of the states that `ways` speak of those that `box` narrows.
+std::string gap_in_words(const Model& model, const Facts& facts, const Box& box);
+
+/// In which regions a group or provider can run: its own conditions with those of the providers that its needs can come
+/// down to.
+class Ways {
+public:
+  /// `counts`: conditions that are taken into account; others are taken to hold.
+  Ways(const Model& model, const Facts& facts, bool with_stay,
+       std::function<bool(ProviderId, const ConditionUse&)> counts);
+
+  const std::vector<Region>& of(GroupId group);
+  std::vector<Region> of(ProviderId provider);
+
+private:
+  const Model& model_;
+  const Facts& facts_;
+  bool with_stay_;
+  std::function<bool(ProviderId, const ConditionUse&)> counts_;
+  std::map<GroupId, std::vector<Region>> ways_;
+};
+
+} // namespace director::analysis

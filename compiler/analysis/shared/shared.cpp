@@ -1,0 +1,82 @@
+// Door: compiler/analysis/shared/shared.hpp. Test: tests/compiler/checks/pages_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/shared/shared.hpp"
+
+#include <algorithm>
+
+namespace director::analysis {
+
+const Chains& Shared::chains() const {
+  if (!chains_) chains_.emplace(model_, [this](ProviderId id) { return is_active(id); });
+  return *chains_;
+}
+
+const Promises& Shared::promises() const {
+  if (!promises_) promises_ = find_promises(model_, graph_, facts_, chains());
+  return *promises_;
+}
+
+const Requests& Shared::requests() const {
+  if (!requests_) requests_.emplace(model_, graph_, facts_);
+  return *requests_;
+}
+
+const Causers& Shared::causers() const {
+  if (!causers_) causers_ = find_causers(model_);
+  return *causers_;
+}
+
+const std::vector<Imprecise>& Shared::imprecise() const {
+  if (!imprecise_) imprecise_ = find_imprecise(model_, causers(), facts_);
+  return *imprecise_;
+}
+
+const std::vector<Wanting>& Shared::wants() const {
+  if (!wants_) wants_ = find_wants(model_, facts_, chains(), causers());
+  return *wants_;
+}
+
+const Indispensable& Shared::indispensable() const {
+  if (!indispensable_) indispensable_.emplace(model_);
+  return *indispensable_;
+}
+
+const Rivals& Shared::rivals() const {
+  if (!rivals_) rivals_.emplace(model_, facts_.claimable);
+  return *rivals_;
+}
+
+Units& Shared::units() const {
+  if (!units_) units_.emplace(model_, facts_, budget_);
+  return *units_;
+}
+
+const Branches& Shared::branches() const {
+  if (!branches_)
+    branches_.emplace(
+        model_, [this](ProviderId id) { return is_active(id); },
+        [this](ProviderId id) {
+          const std::vector<EdgeId>& requesters = model_.groups[model_.providers[id].group].requesters;
+          return facts_.capable.contains(id) && std::any_of(requesters.begin(), requesters.end(),
+                                                            [this](EdgeId edge) { return model_.edges[edge].needed; });
+        });
+  return *branches_;
+}
+
+const Claims& Shared::claims(GroupId task) const {
+  const auto at = claims_.find(task);
+  if (at != claims_.end()) return at->second;
+  return claims_.try_emplace(task, branches(), task).first->second;
+}
+
+const Claims& Shared::claims(GroupId task, GroupId requester) const {
+  // Where nothing leads back to the requester, the two are the same.
+  const Claims& all = claims(task);
+  if (!std::binary_search(all.groups().begin(), all.groups().end(), requester)) return all;
+  const std::pair key{task, requester};
+  const auto at = claims_without_.find(key);
+  if (at != claims_without_.end()) return at->second;
+  return claims_without_.try_emplace(key, branches(), task, std::vector<GroupId>{requester}).first->second;
+}
+
+} // namespace director::analysis

@@ -1,0 +1,72 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What more than one check asks for, found when the first one does and kept for the run.
+
+#include "compiler/analysis/causing/imprecise.hpp"
+#include "compiler/analysis/causing/promises.hpp"
+#include "compiler/analysis/causing/wants.hpp"
+#include "compiler/analysis/chains/claims.hpp"
+#include "compiler/analysis/chains/meetings.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/needs/units.hpp"
+#include "compiler/analysis/plans/plans.hpp"
+#include "compiler/analysis/requests/requests.hpp"
+#include "compiler/analysis/states/choice.hpp"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace director::analysis {
+
+class Shared {
+public:
+  Shared(const Model& model, const Graph& graph, const Facts& facts)
+      : model_(model),
+        graph_(graph),
+        facts_(facts),
+        budget_(facts.budget) {}
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
+
+  /// Of all searches of this run.
+  Budget& budget() const { return budget_; }
+  /// Over the providers that may be active.
+  const Chains& chains() const;
+  const Promises& promises() const;
+  const Requests& requests() const;
+  const Causers& causers() const;
+  const std::vector<Imprecise>& imprecise() const;
+  const std::vector<Wanting>& wants() const;
+  const Indispensable& indispensable() const;
+  const Rivals& rivals() const;
+  Units& units() const;
+  /// Of the providers that may be active.
+  const Branches& branches() const;
+  /// What a task for this group may come to hold, by providers that may be active.
+  const Claims& claims(GroupId task) const;
+  /// The same while `requester` runs: nothing goes through that again.
+  const Claims& claims(GroupId task, GroupId requester) const;
+
+private:
+  bool is_active(ProviderId id) const { return facts_.active.contains(id); }
+
+  const Model& model_;
+  const Graph& graph_;
+  const Facts& facts_;
+  mutable Budget budget_;
+  mutable std::optional<Chains> chains_;
+  mutable std::optional<Promises> promises_;
+  mutable std::optional<Requests> requests_;
+  mutable std::optional<Causers> causers_;
+  mutable std::optional<std::vector<Imprecise>> imprecise_;
+  mutable std::optional<std::vector<Wanting>> wants_;
+  mutable std::optional<Indispensable> indispensable_;
+  mutable std::optional<Rivals> rivals_;
+  mutable std::optional<Units> units_;
+  mutable std::optional<Branches> branches_;
+  mutable std::map<GroupId, Claims> claims_;
+  mutable std::map<std::pair<GroupId, GroupId>, Claims> claims_without_;
+};
+
+} // namespace director::analysis

@@ -1,0 +1,34 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What a conjunction of conditions leaves of each state that it speaks of. States are taken one by one: whether two of
+// them can have two values at the same time is not asked.
+
+#include "compiler/model/model.hpp"
+
+#include <map>
+#include <vector>
+
+namespace director::analysis {
+
+using namespace director::compiler;
+
+struct Region {
+  std::map<StateId, ValueSet> states; ///< a state that is not here may be anything, or unset
+
+  bool empty() const; ///< nothing satisfies it
+  void meet(StateId state, const ValueSet& values);
+  void meet(const Region& other);
+};
+
+Region region_of(const Model& model, const std::vector<ConditionUse>& conditions);
+
+/// The smallest region around both: a state that one of them leaves open is open.
+Region hull(const Region& a, const Region& b);
+
+/// Where a provider can be active: by its `when` or by its `stay`.
+Region active_region(const Model& model, const Provider& provider);
+
+/// False: some state would have to have two values at once.
+bool compatible(const Region& a, const Region& b);
+
+} // namespace director::analysis

@@ -1,0 +1,34 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Where the values of a state come from.
+
+#include "compiler/model/model.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace director::analysis {
+
+using namespace director::compiler;
+
+/// A place in the text that gives a state values.
+struct Source {
+  enum class Kind { initial, external, expires, causing, sets, start, stop };
+  Kind kind = Kind::initial;
+  StateId state{};
+  ValueSet values;
+  Span span{};
+  std::optional<ProviderId> provider; ///< of causing and sets
+  std::optional<GroupId> group;       ///< of start and stop
+};
+
+/// By state, in the order of Kind, then of providers and groups.
+IdTable<StateId, std::vector<Source>> find_sources(const Model& model);
+
+/// Where the provider promises what satisfies the condition.
+const ConditionUse& promise_of(const Model& model, ProviderId causer, ConditionId condition);
+
+/// Every value that a provider may set, with a promise or without.
+ValueSet values_set_by(const Model& model, const compiler::Provider& provider, StateId state);
+
+} // namespace director::analysis

@@ -1,0 +1,50 @@
+// Door: compiler/analysis/words/notes.hpp. Test: compiler/checks/equal_priority.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/words/notes.hpp"
+
+#include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+namespace director::analysis {
+
+using dsl::Note;
+
+namespace {
+
+/// Who reads more steps than this reads them in the file.
+constexpr std::size_t most_steps = 12;
+
+} // namespace
+
+void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vector<Note>& notes, Note::Link begins) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const ChainStep& step = chain[i];
+    if (chain.size() > most_steps && i == most_steps / 2) {
+      const std::size_t left_out = chain.size() - most_steps;
+      notes.push_back({step.span,
+                       fmt::format("{} more steps lead from {} to {}", left_out, name_of(model, step.from),
+                                   name_of(model, chain[i + left_out - 1].to)),
+                       begins});
+      i += left_out - 1;
+      continue;
+    }
+    notes.push_back({step.span,
+                     fmt::format("{} {} {}", name_of(model, step.from), step.by_need ? "needs" : "requests",
+                                 name_of(model, step.to)),
+                     begins});
+    begins = Note::Link::next;
+  }
+}
+
+dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition) {
+  const ConditionUse& promise = promise_of(model, causer, condition);
+  return {promise.span, fmt::format("{} causes {}", name_of(model, causer), name_of(model, promise.id))};
+}
+
+dsl::Note runs_only_while(const Model& model, ProviderId provider, const ConditionUse& condition) {
+  return {condition.span, fmt::format("{} runs only while {}", name_of(model, provider), name_of(model, condition.id))};
+}
+
+} // namespace director::analysis

@@ -1,0 +1,127 @@
+// Door: compiler/base/json.hpp. Test: tests/compiler/emit/json_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/base/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace director::compiler {
+
+struct JsonAccess {
+  static nlohmann::ordered_json convert(const Json& json) {
+    switch (json.kind_) {
+    case Json::Kind::null: return nullptr;
+    case Json::Kind::boolean: return json.number_ != 0;
+    case Json::Kind::number: return json.number_;
+    case Json::Kind::text: return json.text_;
+    case Json::Kind::list: {
+      nlohmann::ordered_json out = nlohmann::ordered_json::array();
+      for (const Json& item : json.items_) out.push_back(convert(item));
+      return out;
+    }
+    case Json::Kind::object: break;
+    }
+    nlohmann::ordered_json out = nlohmann::ordered_json::object();
+    // Not by key: the library would look for each among those before it.
+    using Members = nlohmann::ordered_json::object_t;
+    Members::Container& members = out.get_ref<Members&>();
+    members.reserve(json.keys_.size());
+    for (std::size_t i = 0; i < json.keys_.size(); ++i) members.emplace_back(json.keys_[i], convert(json.items_[i]));
+    return out;
+  }
+
+  static Json convert(const nlohmann::ordered_json& from) {
+    if (from.is_boolean()) return Json::boolean(from.get<bool>());
+    if (from.is_number()) return Json::number(from.get<std::int64_t>());
+    if (from.is_string()) return Json::text(from.get_ref<const std::string&>());
+    Json out = from.is_array() ? Json::list({}) : from.is_object() ? Json::object({}) : Json{};
+    out.items_.reserve(from.size());
+    if (from.is_array()) {
+      for (const auto& item : from) out.add(convert(item));
+    } else if (from.is_object()) {
+      for (const auto& item : from.items()) out.add(item.key(), convert(item.value()));
+    }
+    return out;
+  }
+
+  static std::string dump(const Json& json, int indent) {
+    return convert(json).dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  }
+};
+
+Json Json::boolean(bool value) {
+  Json json;
+  json.kind_ = Kind::boolean;
+  json.number_ = value ? 1 : 0;
+  return json;
+}
+
+Json Json::number(std::int64_t value) {
+  Json json;
+  json.kind_ = Kind::number;
+  json.number_ = value;
+  return json;
+}
+
+Json Json::text(std::string_view value) {
+  Json json;
+  json.kind_ = Kind::text;
+  json.text_ = value;
+  return json;
+}
+
+Json Json::texts(const std::vector<std::string>& values) {
+  Json out = list({});
+  for (const std::string& value : values) out.add(text(value));
+  return out;
+}
+
+std::vector<std::string> Json::as_texts() const {
+  std::vector<std::string> out;
+  for (const Json& item : items_) out.push_back(item.as_text());
+  return out;
+}
+
+Json Json::list(std::vector<Json> items) {
+  Json json;
+  json.kind_ = Kind::list;
+  json.items_ = std::move(items);
+  return json;
+}
+
+Json Json::object(Members members) {
+  Json json;
+  json.kind_ = Kind::object;
+  for (auto& [key, value] : members) json.add(key, std::move(value));
+  return json;
+}
+
+Json& Json::add(std::string_view key, Json value) & {
+  keys_.emplace_back(key);
+  items_.push_back(std::move(value));
+  return *this;
+}
+
+Json& Json::add(Json item) & {
+  items_.push_back(std::move(item));
+  return *this;
+}
+
+const Json& Json::operator[](std::string_view key) const {
+  static const Json none;
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    if (keys_[i] == key) return items_[i];
+  }
+  return none;
+}
+
+std::string to_line(const Json& json) { return JsonAccess::dump(json, -1); }
+
+std::string to_lines(const Json& json) { return JsonAccess::dump(json, 2) + "\n"; }
+
+std::optional<Json> parse_json(std::string_view text) {
+  const auto parsed = nlohmann::ordered_json::parse(text, nullptr, false);
+  if (parsed.is_discarded()) return {};
+  return JsonAccess::convert(parsed);
+}
+
+} // namespace director::compiler

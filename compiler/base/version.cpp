@@ -1,0 +1,9 @@
+// Door: compiler/base/version.hpp. Test: tests/compiler/version_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/base/version.hpp"
+
+namespace director::compiler {
+
+std::string_view version() { return DIRECTOR_VERSION; }
+
+} // namespace director::compiler

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "tests/behaviours/robocup/facts.hpp"
+#include "tests/behaviours/robocup/told.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace director::tests;
+
+namespace {
+
+std::filesystem::path folder(Source source) {
+  const std::filesystem::path robocup = source_dir() / "behaviours/robocup";
+  return source == Source::k1 ? robocup : robocup / "older";
+}
+
+template <class T>
+std::vector<std::string> names(const std::vector<T>& things) {
+  std::vector<std::string> names;
+  for (const T& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+// The same things with the same lines, in the same order.
+template <class T>
+void compare(const std::vector<T>& facts, const std::vector<T>& told) {
+  CHECK(difference(names(facts), names(told)).empty());
+  for (const T& fact : facts)
+    for (const T& thing : told)
+      if (thing.name == fact.name) {
+        const std::string found = difference(lines(fact), lines(thing));
+        INFO("facts (-) and behaviours/robocup (+):" << found);
+        CHECK(found.empty());
+      }
+}
+
+std::set<std::string> group_names(const TeamGraph& graph) {
+  std::set<std::string> names;
+  for (const Module& module : graph.modules)
+    for (const Group& group : module.groups) names.insert(group.name);
+  return names;
+}
+
+} // namespace
+
+TEST_CASE("every module says of its groups, providers, packs, needs and priorities what the facts say, and no more") {
+  const Source source = GENERATE(Source::k1, Source::older);
+  compare(read_facts(source).graph.modules, read_told(folder(source)).modules);
+}
+
+TEST_CASE("every role loads the modules and requests the root tasks that the facts say, and no others") {
+  const Source source = GENERATE(Source::k1, Source::older);
+  compare(read_facts(source).graph.roles, read_told(folder(source)).roles);
+}
+
+TEST_CASE("states and triggers are those of the facts") {
+  const Source source = GENERATE(Source::k1, Source::older);
+  const TeamGraph facts = read_facts(source).graph, told = read_told(folder(source));
+  compare(facts.states, told.states);
+  CHECK(facts.triggers == told.triggers);
+}
+
+TEST_CASE("the place of every provider in the team's source stands in its module's file") {
+  const Source source = GENERATE(Source::k1, Source::older);
+  for (const TeamFacts::Place& place : read_facts(source).places) {
+    const std::string text = read_file(folder(source) / "modules" / (place.module + ".yaml"));
+    INFO(place.module << " does not name " << place.at);
+    CHECK(text.find(place.at) != std::string::npos);
+  }
+}
+
+TEST_CASE("the whole of both graphs is there") {
+  const TeamGraph k1 = read_told(folder(Source::k1)), older = read_told(folder(Source::older));
+  CHECK(group_names(k1).size() == 81); // 78, Say and the two of skill::GPT
+  CHECK(k1.roles.size() == 22);
+  CHECK(group_names(older).size() == 65);
+  CHECK(older.roles.size() == 3);
+}
+
+TEST_CASE("nothing that the checks say of the team's graph is allowed away") {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder(Source::k1)))
+    if (entry.path().extension() == ".yaml") {
+      INFO(entry.path());
+      CHECK(read_file(entry.path()).find("allow") == std::string::npos);
+    }
+}

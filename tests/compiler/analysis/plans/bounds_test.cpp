@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/plans/bounds.hpp"
+#include "compiler/lower/lower.hpp"
+#include "compiler/pipeline.hpp"
+#include "compiler/play/play.hpp"
+#include "compiler/play/resolve_scenario.hpp"
+#include "dsl/read_scenario.hpp"
+#include "tests/compiler/support/compiled.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+
+namespace {
+
+using namespace director;
+using namespace director::analysis;
+
+Bounds bounds_of(const std::string& text) {
+  const auto compiled = tests::compile("behaviour: test\nlanguage: 1\n" + text);
+  return find_bounds(compiled.model, lower(compiled.model).view());
+}
+
+TEST_CASE("each number of a small behaviour") {
+  const Bounds bounds = bounds_of(R"(
+states: {Pose: {values: [a, b], initial: a, external: true}}
+roots: [Both]
+groups:
+  Both:
+    tasks: {Left: {}, Right: {}, Look: {optional: true}}
+  Left: {providers: [{name: one, needs: [Arm]}, {name: two, needs: [Leg]}]}
+  Right: {providers: [{name: one, needs: [Arm]}, {name: two, needs: [Leg]}, {name: three}]}
+  Look: {}
+  Arm: {}
+  Leg: {}
+)");
+  CHECK(bounds.trials == 6);                                                 // Left with Right
+  CHECK(bounds.trials_in_a_pass == 2 * 1 + (2 * 6 + 2 * 2 + 2 * 3 + 2 * 1)); // the root; the unit, and each alone
+  CHECK(bounds.repetitions == 2);                                            // Arm and Leg have two requesters
+  CHECK(bounds.runs_waiting == 6);
+  CHECK(bounds.to_first_run == 7);
+  CHECK(bounds.calm_input == 7);
+  CHECK(bounds.counted);
+  CHECK_FALSE(bounds.handlers_set);
+  CHECK(bounds.decision_bytes < bounds.engine_bytes);
+}
+
+TEST_CASE("of a group only the worst of its packs counts, and what is optional at one level counts as both") {
+  const Bounds bounds = bounds_of(R"(
+roots: [A]
+groups:
+  A:
+    stop: {sets: []}
+    packs:
+      small: [B]
+      large: {B: {levels: {firm: {}, spare: {optional: true}}}, C: {}}
+  B: {providers: [{name: one}, {name: two}]}
+  C: {}
+)");
+  CHECK(bounds.trials == 2);
+  CHECK(bounds.trials_in_a_pass == 2 * 1 + (2 * 2 + 2 * 2 + 2 * 1));
+  CHECK_FALSE(bounds.handlers_set);
+}
+
+TEST_CASE("a handler that sets, and a state of a group, cause inputs of their own") {
+  CHECK(
+      bounds_of("states: {S: {values: [a], initial: a}}\nroots: [A]\ngroups: {A: {stop: {sets: [S]}}}\n").handlers_set);
+  CHECK(
+      bounds_of("states: {S: {values: [a], initial: a, of: A}}\nroots: [A]\ngroups: {A: {sets: [S]}}\n").handlers_set);
+}
+
+/// Root tasks that were granted at once, and how long each waits for its run.
+class FirstRuns {
+public:
+  explicit FirstRuns(const Model& model) : model_(model) {}
+
+  compiler::Onlooker onlooker() {
+    return {[this](ProviderId provider, const compiler::Case*) { ran_ = model_.providers[provider].group; },
+            [this](const Engine& engine) { look(engine); }};
+  }
+  std::size_t measured = 0;
+  std::int64_t longest = 0;
+
+private:
+  void look(const Engine& engine) {
+    const std::uint64_t now = engine.memory().counters->micro_step;
+    const Tables& tables = engine.tables();
+    for (Index e = 0; e < tables.root_edges; ++e) {
+      const Index group = tables.edges[e].target;
+      const bool granted = engine.granted(group) && engine.holder(group) == e;
+      if (granted && engine.memory().request[e].level != nil && engine.memory().request[e].stamp == now && now != last_)
+        since_[e] = now;
+      if (!granted) since_.erase(e);
+      if (since_.contains(e) && ran_ == GroupId{group}) {
+        ++measured;
+        longest = std::max(longest, static_cast<std::int64_t>(now - since_[e] + 1));
+        since_.erase(e);
+      }
+    }
+    ran_.reset();
+    last_ = now;
+  }
+
+  const Model& model_;
+  std::optional<GroupId> ran_;
+  std::map<Index, std::uint64_t> since_;
+  std::uint64_t last_ = 0;
+};
+
+TEST_CASE("no scenario of the project exceeds the bound on the way to a first run") {
+  std::size_t measured = 0;
+  for (const char* folder : {"tests/conformance", "behaviours"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(tests::source_dir() / folder)) {
+      const std::string path = entry.path().string();
+      if (!path.ends_with(".scenario.yaml") || path.find("refused") != std::string::npos) continue;
+      CAPTURE(path);
+      dsl::DiskFiles files;
+      dsl::Sources sources;
+      const dsl::ReadScenarioResult read = dsl::read_scenario(path, files, sources);
+      const Checked checked = check(read.scenario.behaviour_path, files, sources);
+      REQUIRE(checked.lowerable);
+      const ResolvedScenario resolved = resolve_scenario(read.scenario, checked.model);
+      const Lowered lowered = lower(checked.model);
+      const Bounds bounds = find_bounds(checked.model, lowered.view());
+      FirstRuns runs(checked.model);
+      const Onlooker onlooker = runs.onlooker();
+      play(resolved.scenario, checked.model, lowered, {false, &onlooker}, [](const Happening&) {});
+      bool several = bounds.handlers_set; // inputs go before runs
+      for (const ScenarioStep& step : resolved.scenario.steps) several = several || step.inputs.size() > 1;
+      if (several) continue;
+      measured += runs.measured;
+      CHECK(runs.longest <= bounds.to_first_run);
+    }
+  }
+  CHECK(measured > 100);
+}
+
+} // namespace

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/states/choice.hpp"
+#include "tests/compiler/analysis/support/analysed.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::analysis;
+
+bool comes_first(const std::string& text, const char* name) {
+  const tests::Analysed test(text);
+  IdTable<StateId, ValueSet> values(test.model.states.size());
+  for (const StateId id : test.model.states.ids()) values[id] = test.model.states[id].domain();
+  const ProviderId provider = test.provider(name);
+  Budget budget;
+  return find_choice(test.model, provider, Rivals(test.model, test.facts.claimable).of(provider), values, budget) ==
+         Covering::open;
+}
+
+const std::string two_states = "states:\n  X: {values: [a, b, c], initial: a, external: true}\n"
+                               "  Y: {values: [a, b], external: true}\n";
+
+TEST_CASE("a provider comes first where the earlier ones lack something") {
+  CHECK(comes_first(
+      two_states + "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X == a]}, {name: q, when: [X != b]}]}}\n",
+      "G.q"));
+  CHECK_FALSE(comes_first(
+      two_states + "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X != b]}, {name: q, when: [X == a]}]}}\n",
+      "G.q"));
+  CHECK_FALSE(comes_first(two_states + "roots: [G]\ngroups: {G: {providers: [{name: p}, {name: q, when: [X == a]}]}}\n",
+                          "G.q"));
+}
+
+TEST_CASE("an unset state fails every condition on it") {
+  CHECK(comes_first(
+      two_states +
+          "roots: [G]\ngroups: {G: {providers: [{name: p, when: [Y == a]}, {name: q, when: [Y == b]}, {name: r}]}}\n",
+      "G.r"));
+  CHECK_FALSE(comes_first(
+      two_states +
+          "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X == a]}, {name: q, when: [X != a]}, {name: r}]}}\n",
+      "G.r"));
+}
+
+TEST_CASE("several rivals must all be able to fail at once") {
+  const std::string rivals = "{name: p, when: [X == a]}, {name: q, when: [X == b, Y == a]}";
+  CHECK_FALSE(comes_first(two_states + "roots: [G]\ngroups: {G: {providers: [" + rivals +
+                              ", {name: r, when: [X != c, Y == a]}]}}\n",
+                          "G.r"));
+  CHECK(comes_first(two_states + "roots: [G]\ngroups: {G: {providers: [" + rivals + ", {name: r, when: [X != c]}]}}\n",
+                    "G.r"));
+}
+
+TEST_CASE("a rival whose needs somebody else may hold can fail") {
+  CHECK(comes_first(
+      "roots: [G, H]\ngroups: {G: {providers: [{name: p, needs: [L]}, {name: q}]}, H: {tasks: [L]}, L: {}}\n", "G.q"));
+  CHECK_FALSE(comes_first(
+      "roots: [G]\ngroups: {G: {providers: [{name: p, needs: [L]}, {name: q}]}, H: {tasks: [L]}, L: {}}\n", "G.q"));
+  CHECK_FALSE(comes_first("roots: [G, H]\ngroups: {G: {providers: [{name: p, needs: [L]}, {name: q, needs: [L]}]}, H: "
+                          "{tasks: [L]}, L: {}}\n",
+                          "G.q"));
+}
+
+} // namespace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/words/words.hpp"
+#include "tests/compiler/analysis/support/analysed.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::analysis;
+
+TEST_CASE("lists are written as people write them") {
+  CHECK(list_of({}).empty());
+  CHECK(list_of({"`a`"}) == "`a`");
+  CHECK(list_of({"`a`", "`b`"}) == "`a` and `b`");
+  CHECK(list_of({"a", "b", "c"}, "or") == "a, b or c");
+}
+
+TEST_CASE("values and chains in words") {
+  const tests::Analysed test(R"(states:
+  Pose: {values: [a, b, c], external: true}
+  Charge: {range: [0, 100], external: true}
+roots: [A]
+groups: {A: {tasks: [B]}, B: {tasks: [C]}, C: {}}
+)");
+  const auto& pose = test.model.states[test.state("Pose")];
+  const auto& charge = test.model.states[test.state("Charge")];
+  CHECK(values_in_words(pose, pose.domain()) == "a, b or c");
+  CHECK(values_in_words(pose, {}) == "nothing");
+  CHECK(values_in_words(charge, charge.domain().without(ValueSet::interval(1, 98))) == "0 or 99 to 100");
+  const GroupId a = test.group("A"), b = test.group("B"), c = test.group("C");
+  CHECK(chain_in_words(test.model, {a, b, c}, "requests") == "`A` requests `B`, which requests `C`");
+  CHECK(chain_in_words(test.model, {a, b, a}, "needs") == "`A` needs `B`, which needs `A` again");
+}
+
+} // namespace

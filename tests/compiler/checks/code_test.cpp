@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// The rules that read C++, over facts as director-clang tells them: what needs no Clang to be tried.
+#include "compiler/checks/code_check.hpp"
+#include "compiler/pipeline.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::compiler;
+
+const char* const behaviour = R"(behaviour: x
+language: 1
+roots: [Walk]
+groups:
+  Walk: {module: legs, realtime: true, tasks: {Leg: {}, Arm: {optional: true}}}
+  Leg: {module: legs}
+  Arm: {module: legs}
+)";
+
+std::string same_path(const std::string& path) { return path; }
+
+struct Seen {
+  std::string findings, unseen;
+};
+
+/// `functions`: of one file, in JSON; "BODY" stands for the key, name and context of the body of Walk.
+Seen look(std::string functions, bool errors = false) {
+  const std::string body =
+      R"("key": "walk", "name": "Legs::provide", "at": [0, 0, 1], "context": "x::Walk::Default", "class": "Legs")";
+  for (std::size_t at = functions.find("BODY"); at != std::string::npos; at = functions.find("BODY"))
+    functions.replace(at, 4, body);
+  dsl::MemoryFiles files;
+  files.add("x.yaml", behaviour);
+  files.add("/legs.cpp", "0123456789");
+  dsl::Sources sources;
+  const Checked checked = check("x.yaml", files, sources);
+  REQUIRE(checked.resolved);
+  CodeFiles code_files(files, sources, same_path);
+  CodeFacts code;
+  const auto unit = parse_json(R"({"paths": ["/legs.cpp"], "errors": )" + std::string(errors ? "[{}]" : "[]") +
+                               R"(, "functions": [)" + functions + "]}");
+  REQUIRE(unit);
+  add_unit(code, *unit, code_files);
+  const analysis::CodeInput input = analysis::look_below(checked.model, code);
+  Seen out;
+  for (const dsl::Diagnostic& each : checks::run_code_checks(input))
+    out.findings += each.message + " [" + each.id + "]\n";
+  for (const analysis::Body& each : input.bodies) {
+    for (const analysis::Unseen& one : each.unseen) out.unseen += one.what + (one.carries ? " with the context\n" : "\n");
+  }
+  return out;
+}
+
+const std::string requests_leg =
+    R"({"context": "x::Walk::Default", "word": "request", "tasks": ["x::Leg"], "at": [0, 1, 2]})";
+const std::string requests_both =
+    R"({"context": "x::Walk::Default", "word": "request", "tasks": ["x::Leg", "x::Arm"], "at": [0, 1, 2]})";
+const std::string arm_is_missing = "no path of `Walk` requests `Arm` [task_never_requested]\n";
+
+TEST_CASE("what a function below a body requests counts, however far below, and in a circle too") {
+  CHECK(look(R"({BODY, "does": [)" + requests_leg + "]}").findings == arm_is_missing);
+  CHECK(look(R"({BODY, "calls": [{"to": "a", "name": "a", "at": [0, 1, 2]}]},
+                {"key": "a", "calls": [{"to": "b", "name": "b", "at": [0, 1, 2]}]},
+                {"key": "b", "calls": [{"to": "a", "name": "a", "at": [0, 1, 2]}], "does": [)" +
+             requests_both + "]}")
+            .findings.empty());
+}
+
+TEST_CASE("what is asked for in the context of another provider does not count") {
+  CHECK(look(R"({BODY, "does": [)" + requests_leg +
+             R"(, {"context": "x::Leg::Default", "word": "request", "tasks": ["x::Arm"], "at": [0, 1, 2]}]})")
+            .findings == arm_is_missing);
+}
+
+TEST_CASE("nothing is said of what never happens where the context goes out of sight") {
+  const auto with = [](const std::string& more) {
+    return look(R"({BODY, "does": [)" + requests_leg + "], " + more + "}");
+  };
+  CHECK(with(R"("hidden": [{"what": "a call through a pointer", "at": [0, 1, 2], "carries": true}])").findings.empty());
+  CHECK(with(R"("hidden": [{"what": "a call through a pointer", "at": [0, 1, 2]}])").findings == arm_is_missing);
+  const Seen library =
+      with(R"("calls": [{"to": "l", "name": "lib::go", "at": [0, 1, 2], "declared": [0, 3, 4], "carries": true}])");
+  CHECK(library.findings.empty());
+  CHECK(library.unseen == "`lib::go` with the context\n");
+  CHECK(look(R"({BODY, "does": [)" + requests_leg + "]}", true).findings.empty());
+}
+
+TEST_CASE("a virtual function is followed to whoever overrides it, and more may be out of sight") {
+  const Seen seen = look(R"({BODY, "calls": [{"to": "base", "name": "Base::go", "at": [0, 1, 2], "virtual": true}]},
+                            {"key": "derived", "name": "Derived::go", "overrides": ["base"],
+                             "blocks": [{"name": "usleep", "why": "sleeps", "at": [0, 2, 3]}], "does": [)" +
+                         requests_leg + "]}");
+  CHECK(seen.findings == arm_is_missing + "`usleep` sleeps, and `Walk` is `realtime` [blocking_call]\n");
+  CHECK(seen.unseen == "`Base::go`, which is virtual\n");
+}
+
+TEST_CASE("what somebody may call later does not block the body that makes it") {
+  const std::string sleeper = R"({"key": "s", "blocks": [{"name": "usleep", "why": "sleeps", "at": [0, 2, 3]}]})";
+  CHECK(look(R"({BODY, "does": [)" + requests_both +
+             R"(], "calls": [{"to": "s", "name": "s", "at": [0, 1, 2], "maybe": true}]}, )" + sleeper)
+            .findings.empty());
+  CHECK(look(R"({BODY, "does": [)" + requests_both + R"(], "calls": [{"to": "s", "name": "s", "at": [0, 1, 2]}]}, )" +
+             sleeper)
+            .findings == "`usleep` sleeps, and `Walk` is `realtime` [blocking_call]\n");
+}
+
+} // namespace

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "tests/compiler/support/checked.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using tests::check_text;
+
+const std::string kick_and_walk = "roots: {Kick: {priority: 10}, Walk: {priority: 10}}\n"
+                                  "groups:\n  Kick: {needs: [Legs]}\n  Walk: {needs: [Legs]}\n  Legs: {}\n";
+
+compiler::CheckOptions asked(checks::Selection selection) { return {std::move(selection)}; }
+
+TEST_CASE("a warning is no error unless it is asked to be one") {
+  checks::Selection selection;
+  CHECK(check_text(kick_and_walk).checked.findings.at(0).level == dsl::Level::warning);
+  selection.warnings_as_errors = {"shadowed_provider"};
+  CHECK(check_text(kick_and_walk, asked(selection)).checked.findings.at(0).level == dsl::Level::warning);
+  selection.warnings_as_errors = {"equal_priority"};
+  CHECK(check_text(kick_and_walk, asked(selection)).checked.findings.at(0).level == dsl::Level::error);
+  selection = {};
+  selection.every_warning_is_error = true;
+  CHECK(check_text(kick_and_walk, asked(selection)).checked.findings.at(0).level == dsl::Level::error);
+}
+
+TEST_CASE("lints speak when they are asked") {
+  const std::string text = "roots: [Walk]\ngroups:\n  Walk: {}\n  Kick: {}\n";
+  checks::Selection selection;
+  CHECK(check_text(text).findings().empty());
+  selection.lints = {"unused_declaration"};
+  CHECK(check_text(text, asked(selection)).findings() ==
+        "main.yaml:6: nothing requests or needs `Kick` [unused_declaration]\n");
+  selection.lints = {"equal_priority"};
+  CHECK(check_text(text, asked(selection)).findings().empty());
+  selection = {};
+  selection.every_lint = true;
+  CHECK(check_text(text, asked(selection)).checked.findings.at(0).level == dsl::Level::lint);
+}
+
+TEST_CASE("an allowance covers what stands inside its thing, and nothing beside it") {
+  const std::string allow = "allow: [equal_priority], because: first come first served";
+  const auto roots = [&](const std::string& kick, const std::string& walk) {
+    return check_text("roots: {Kick: {priority: 10" + kick + "}, Walk: {priority: 10" + walk + "}}\n" +
+                      kick_and_walk.substr(52))
+        .findings();
+  };
+  CHECK(roots("", ", " + allow).empty());
+  CHECK(roots(", " + allow, "").find("[unused_allow]") != std::string::npos);
+  CHECK(check_text(kick_and_walk + "allow: [equal_priority]\nbecause: first come first served\n").findings().empty());
+}
+
+TEST_CASE("an allowance of a lint is in use although the lint is not asked for") {
+  CHECK(check_text(
+            "roots: [Walk]\ngroups:\n  Walk: {}\n  Kick: {allow: [unused_declaration], because: for the workshop}\n")
+            .findings()
+            .empty());
+}
+
+TEST_CASE("an allowed warning is not made an error") {
+  checks::Selection selection;
+  selection.every_warning_is_error = true;
+  CHECK(check_text(kick_and_walk + "allow: [equal_priority]\nbecause: first come first served\n", asked(selection))
+            .findings()
+            .empty());
+}
+
+TEST_CASE("an unused allowance may be allowed itself") {
+  CHECK(check_text("roots: [Walk]\ngroups: {Walk: {allow: [equal_priority], because: it varies}}\n"
+                   "allow: [unused_allow]\nbecause: some deployments need them\n")
+            .findings()
+            .empty());
+  CHECK(check_text("roots: [Walk]\ngroups: {Walk: {}}\nallow: [unused_allow]\nbecause: nothing\n").findings() ==
+        "main.yaml:5: `unused_allow` finds nothing here that could be allowed [unused_allow]\n");
+}
+
+TEST_CASE("every check has a level, says how certain it is, and is found by its id") {
+  for (const checks::Registered& check : checks::registered()) {
+    CHECK(checks::find_registered(check.id) == &check);
+    CHECK_NOTHROW(checks::level_of(check));
+    CHECK_NOTHROW(checks::certainty_of(check));
+    CHECK_NOTHROW(checks::consequence_of(check));
+  }
+  CHECK(checks::find_registered("no_such_check") == nullptr);
+}
+
+} // namespace
+
+TEST_CASE("what an error means for what comes after it, and what says never, stands in the head of the page") {
+  const auto consequence = [](std::string_view id) { return checks::consequence_of(*checks::find_registered(id)); };
+  CHECK(consequence("needs_cycle") == checks::Consequence::nothing_runs);
+  CHECK(consequence("unbounded_choice") == checks::Consequence::nothing_is_explored);
+  CHECK(consequence("unprovided_task") == checks::Consequence::stand_in);
+  CHECK(consequence("starved_task") == checks::Consequence::none);
+  CHECK(checks::says_never(*checks::find_registered("unreachable_when")));
+  CHECK_FALSE(checks::says_never(*checks::find_registered("needs_cycle")));
+}

@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: MIT
+// The ways in which people write a body that does what the behaviour says: none is told of, and of each it is told if
+// it does something else. And what blocks, in what shape it may come, and what only looks as if it did.
+#include "tests/compiler/clang/workshop.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace {
+
+using namespace director::tests;
+
+struct Shape {
+  const char* name;
+  const char* helpers; ///< outside of the class; there `S` is the state, `Run` the context
+  const char* body;
+};
+
+const Shape promises[] = {
+    {"Guard", "struct OnExit { Run& run; ~OnExit() { run.set(S::on); } };", "OnExit exit{run}; return ask(run);"},
+    {"Temporary", "struct Last { Run& run; explicit Last(Run& r) : run(r) {} ~Last() { run.set(S::on); } };",
+     "Last{run}; return ask(run);"},
+    {"Held", "struct End { Run& run; ~End() { run.set(S::on); } }; struct Has { End end; };",
+     "const Has has{{run}}; return ask(run);"},
+    {"Lambda", "", "const auto set = [&run] { run.set(S::on); }; set(); return ask(run);"},
+    {"GenericLambda", "",
+     "const auto set = [](auto& r, auto v) { r.try_set(v); return ask(r); }; return set(run, S::on);"},
+    {"Template", "template <class R, S value> Outcome finish(R& run) { run.set(value); return ask(run); }",
+     "return finish<Run, S::on>(run);"},
+    {"Function", "", "std::function<void(S)> f = [&](S v) { run.try_set(v); }; f(S::on); return ask(run);"},
+    {"OtherFile", "Outcome elsewhere(Run& run);", "return elsewhere(run);"},
+    {"Macro", "#define FINISH(run, v) do { (run).set(v); return ask(run); } while (false)\n", "FINISH(run, S::on);"},
+    {"Reference", "", "auto& r = run; auto&& s = r; s.set(S::on); return ask(std::ref(r).get());"},
+    {"Pointer", "", "auto* p = &run; p->set(S::on); auto pp = &p; return ask(**pp);"},
+    {"EarlyReturn", "",
+     "if (mode_ > 3) return run.keep(); if (mode_ > 2) { run.set(S::on); return run.done(); } return ask(run);"},
+    {"Exception", "",
+     "try { if (mode_) throw std::runtime_error(\"x\"); return ask(run); } "
+     "catch (const std::exception&) { run.set(S::on); return run.fail(); }"},
+    {"Alias", "namespace d = deep; using T = S; using X = d::Leg;", "run.set(T::on); return run.request(X{});"},
+    {"ConstexprIf",
+     "template <bool B> Outcome act(Run& run) { if constexpr (B) { run.set(S::on); return ask(run); } "
+     "else { return run.keep(); } }",
+     "return act<true>(run);"},
+    {"OfC", "extern \"C\" { typedef void (*Back)(void*); } inline void call(Back f, void* p) { f(p); }",
+     "call([](void* p) { static_cast<Run*>(p)->set(S::on); }, &run); return ask(run);"},
+    {"Visit",
+     "template <class... F> struct Over : F... { using F::operator()...; }; template <class... F> Over(F...) -> "
+     "Over<F...>;",
+     "std::variant<int, char> v{mode_}; return std::visit(Over{[&](int) { run.set(S::on); return run.keep(); }, "
+     "[&](char) { return ask(run); }}, v);"},
+    {"Algorithm", "",
+     "const int a[] = {1, 2}; std::for_each(a, a + 2, [&](int) { run.set(S::on); }); return ask(run);"},
+    {"Loop",
+     "struct Range { Run& run; int* begin() const { run.set(S::on); return nullptr; } int* end() const { return "
+     "nullptr; } };",
+     "for (const int each : Range{run}) mode_ += each; return ask(run);"},
+    {"Choice", "", "run.try_set(mode_ ? S::on : S::none); return mode_ ? run.keep() : ask(run);"},
+    {"Switch", "",
+     "switch (mode_) { case 1: run.set(S::on); [[fallthrough]]; case 2: return ask(run); default: return run.keep(); "
+     "}"},
+    {"Argument", "inline Outcome act(Run& run, Outcome out) { run.set(S::on); return out; }",
+     "return act(run, ask(run));"},
+    {"AtOnce", "", "return [&]() -> Outcome { if (mode_) { run.set(S::on); return run.done(); } return ask(run); }();"},
+    {"Recursion",
+     "inline Outcome act(Run& run, int n) { if (n == 0) { run.set(S::on); return ask(run); } return act(run, n - 1); }",
+     "return act(run, 3);"},
+    {"Chain",
+     "struct Helper { Run& run; Helper& on() { run.set(S::on); return *this; } Outcome end() const { return ask(run); "
+     "} };",
+     "return Helper{run}.on().end();"},
+    {"Concept",
+     "template <class R> concept Runs = requires(R& r) { r.keep(); }; "
+     "inline Outcome act(Runs auto& run) { run.set(S::on); return ask(run); }",
+     "return act(run);"},
+    {"Optional", "",
+     "std::optional<Outcome> out; if (mode_) out = ask(run); if (!out) { run.set(S::on); out = run.keep(); } return "
+     "*out;"},
+    {"Invoke", "", "return std::invoke([&](int) { run.set(S::on); return ask(run); }, 3);"},
+    {"Curious",
+     "template <class D> struct Base { Outcome go(Run& run) { return static_cast<D*>(this)->act(run); } }; "
+     "struct Mine : Base<Mine> { Outcome act(Run& run) { run.set(S::on); return ask(run); } };",
+     "return Mine{}.go(run);"},
+    {"Operator", "struct Out { Run& run; Out& operator<<(int) { run.set(S::on); return *this; } };",
+     "Out out{run}; out << 3; return ask(run);"},
+};
+
+const Shape out_of_sight[] = {
+    {"Virtual",
+     "struct Way { virtual ~Way() = default; virtual Outcome act(Run& run) = 0; }; "
+     "struct Bold : Way { Outcome act(Run& run) override { run.set(S::on); return ask(run); } }; inline Bold bold;",
+     "Way* way = &bold; return way->act(run);"},
+    {"Bind", "inline Outcome act(int, Run& run) { run.set(S::on); return ask(run); }",
+     "return std::bind_front(&act, mode_)(run);"},
+};
+
+struct Program {
+  std::string yaml, source, elsewhere;
+};
+
+std::string title(const Shape& shape) {
+  return fmt::format("namespace of_{0} {{\nusing S = deep::S{0};\nusing Run = deep::{0}::Default;\n{1}\n}}\n",
+                     shape.name, shape.helpers);
+}
+
+Program program() {
+  Program out;
+  std::string states, groups, bodies;
+  const auto add = [&](const Shape& shape) {
+    states += fmt::format("  S{}: {{values: [none, on, off]}}\n", shape.name);
+    groups += fmt::format("  {0}: {{module: robot, causing: [S{0} == on], sets: [S{0} == none|off], tasks: [Leg]}}\n",
+                          shape.name);
+    out.source += title(shape);
+    bodies += fmt::format("Outcome provide(deep::{0}::Default& run) override {{ using namespace of_{0}; {1} }}\n",
+                          shape.name, shape.body);
+  };
+  for (const Shape& shape : promises) add(shape);
+  for (const Shape& shape : out_of_sight) add(shape);
+  out.yaml =
+      "behaviour: deep\nlanguage: 1\nstates:\n" + states + "roots: [Leg]\ngroups:\n  Leg: {module: legs}\n" + groups;
+  const std::string head = "#include \"deep.hpp\"\n#include <algorithm>\n#include <functional>\n#include <optional>\n"
+                           "#include <stdexcept>\n#include <variant>\nusing director::Outcome;\n"
+                           "template <class R> Outcome ask(R& run) { return run.request(deep::Leg{}); }\n";
+  out.elsewhere = head + "namespace of_OtherFile { Outcome elsewhere(deep::OtherFile::Default& run) { "
+                         "run.set(deep::SOtherFile::on); return ask(run); } }\n";
+  out.source = head + out.source + "class MyRobot final : public deep::Robot {\nint mode_ = 0;\n" + bodies +
+               "};\nclass MyLegs final : public deep::Legs { Outcome provide(deep::Leg::Default& run) override { "
+               "return run.done(); } };\n";
+  return out;
+}
+
+Worked verified(const Workshop& work, const Program& program) {
+  work.write("deep.yaml", program.yaml);
+  work.write("body.cpp", program.source);
+  work.write("far.cpp", program.elsewhere);
+  const Worked generated = work.directorc({"generate", work.path("deep.yaml"), "-o", work.path("generated")});
+  INFO(generated.err);
+  REQUIRE(generated.status == 0);
+  work.write_commands({work.path("body.cpp"), work.path("far.cpp")},
+                      {"-std=c++20", "-I" + work.path("generated"), "-I" + source_folder()});
+  return work.directorc({"verify", work.path("deep.yaml"), "-p", work.path(), "--generated", work.path("generated")});
+}
+
+/// What is said without places.
+std::vector<std::string> lines_with(const std::string& text, const std::string& word) {
+  std::vector<std::string> out;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t at = line.find(word);
+    if (at != std::string::npos) out.push_back(line.substr(at));
+  }
+  return out;
+}
+
+TEST_CASE("in whatever shape a body keeps its promise, that is seen, or it is told that it cannot be") {
+  const Worked worked = verified(Workshop("shapes"), program());
+  CHECK(worked.out == "");
+  INFO(worked.err);
+  for (const Shape& shape : out_of_sight) {
+    CAPTURE(shape.name);
+    CHECK(!lines_with(worked.err, fmt::format("not decided: `{}`: nobody can see", shape.name)).empty());
+  }
+  for (const Shape& shape : promises) {
+    CAPTURE(shape.name);
+    CHECK(lines_with(worked.err, fmt::format("not decided: `{}`", shape.name)).empty());
+  }
+}
+
+TEST_CASE("in whatever shape a body breaks its promise, it is told once") {
+  Program broken = program();
+  for (std::string* text : {&broken.source, &broken.elsewhere})
+    *text = std::regex_replace(*text, std::regex("(S|T|SOtherFile)::on"), "$1::off");
+  const Worked worked = verified(Workshop("broken-shapes"), broken);
+  std::vector<std::string> expected;
+  const std::set<std::string> computed{"GenericLambda", "Function"}; // what they are given may be any value
+  for (const Shape& shape : promises)
+    if (computed.count(shape.name) == 0)
+      expected.push_back(
+          fmt::format("no path of `{0}` sets what it promises, `S{0} == on` [causing_never_set]", shape.name));
+  CHECK(lines_with(worked.out + worked.err, "no path of") == expected);
+}
+
+const Shape never[] = {
+    {"DeadIf", "", "if (false) run.set(S::on); return ask(run);"},
+    {"DeadConstant", "constexpr struct { bool on; } debug{false};", "if (debug.on) run.set(S::on); return ask(run);"},
+    {"DeadWhile", "", "while (false) run.set(S::on); return ask(run);"},
+    {"DeadFor", "", "for (int i = 0; false; ++i) run.set(S::on); return ask(run);"},
+    {"DeadCase", "", "switch (sizeof(char)) { case 2: run.set(S::on); break; default: break; } return ask(run);"},
+    {"DeadChoice", "inline int put(Run& run) { run.set(S::on); return 1; }",
+     "mode_ = sizeof(char) == 2 ? put(run) : 3; return ask(run);"},
+    {"DeadAnd", "inline bool put(Run& run) { run.set(S::on); return true; }",
+     "if (false && put(run)) return run.keep(); return ask(run);"},
+    {"DeadValue", "", "run.try_set(sizeof(char) == 2 ? S::on : S::off); return ask(run);"},
+    {"BehindReturn", "", "return ask(run); run.set(S::on);"},
+    {"BehindLoop", "", "for (;;) { if (mode_ > 3) return ask(run); } run.set(S::on);"},
+    {"BehindEnd", "", "if (mode_ > 3) { std::abort(); run.set(S::on); } return ask(run);"},
+};
+
+TEST_CASE("what the text of a body rules out is not counted") {
+  Program program;
+  std::string states, groups, bodies;
+  std::vector<std::string> expected;
+  for (const Shape& shape : never) {
+    states += fmt::format("  S{}: {{values: [none, on, off]}}\n", shape.name);
+    groups += fmt::format("  {0}: {{module: robot, causing: [S{0} == on], sets: [S{0} == none|off], tasks: [Leg]}}\n",
+                          shape.name);
+    program.source += title(shape);
+    bodies += fmt::format("Outcome provide(deep::{0}::Default& run) override {{ using namespace of_{0}; {1} }}\n",
+                          shape.name, shape.body);
+    expected.push_back(
+        fmt::format("no path of `{0}` sets what it promises, `S{0} == on` [causing_never_set]", shape.name));
+  }
+  program.yaml =
+      "behaviour: deep\nlanguage: 1\nstates:\n" + states + "roots: [Leg]\ngroups:\n  Leg: {module: legs}\n" + groups;
+  program.source = "#include \"deep.hpp\"\n#include <cstdlib>\nusing director::Outcome;\n"
+                   "template <class R> Outcome ask(R& run) { return run.request(deep::Leg{}); }\n" +
+                   program.source + "class MyRobot final : public deep::Robot {\nint mode_ = 0;\n" + bodies +
+                   "};\nclass MyLegs final : public deep::Legs { Outcome provide(deep::Leg::Default& run) override { "
+                   "return run.done(); } };\n";
+  const Worked worked = verified(Workshop("never-shapes"), program);
+  INFO(worked.err);
+  CHECK(lines_with(worked.out + worked.err, "no path of") == expected);
+}
+
+struct Home {
+  const char* name;
+  const char* source; ///< BODY stands for the body
+  bool is_seen;
+};
+
+const Home homes[] = {
+    {"Factory",
+     "deep::Robot& make() { class Mine final : public deep::Robot { BODY }; static Mine mine; return mine; }", true},
+    {"FactoryTemplate",
+     "template <class T> deep::Robot& make(T) { struct Mine final : deep::Robot { BODY }; static Mine mine; return "
+     "mine; } "
+     "deep::Robot& it = make(3);",
+     true},
+    {"Lambda",
+     "auto make = []() -> deep::Robot& { struct Mine : deep::Robot { BODY }; static Mine mine; return mine; };", true},
+    {"TemplateBase",
+     "template <class I> class With : public I { BODY }; class Mine final : public With<deep::Robot> {};", true},
+    {"Template", "template <class I> class With : public I { BODY };", false},
+    {"TemplateOfMine", "template <int size> class Mine : public deep::Robot { BODY };", false},
+};
+
+TEST_CASE("wherever a class stands its bodies are seen, or it is told that they are not") {
+  const std::string body = "director::Outcome provide(deep::Walk::Default& run) override { return run.keep(); }";
+  for (const Home& home : homes) {
+    CAPTURE(home.name);
+    Program program;
+    program.yaml = "behaviour: deep\nlanguage: 1\nroots: [Walk]\ngroups:\n  Walk: {module: robot, tasks: [Leg]}\n"
+                   "  Leg: {module: legs}\n";
+    program.source = "#include \"deep.hpp\"\n" +
+                     std::regex_replace(std::string(home.source), std::regex("BODY"), body) +
+                     "\nclass MyLegs final : public deep::Legs { director::Outcome provide(deep::Leg::Default& run) "
+                     "override { return run.done(); } };\n";
+    const Worked worked = verified(Workshop("home-shapes"), program);
+    INFO(worked.err);
+    CHECK(worked.status == 0);
+    const std::vector<std::string> found{
+        "every path of `Walk` ends in `keep()`: it never requests anything, and is never done [only_keeps]"};
+    CHECK(lines_with(worked.out, "every path") == (home.is_seen ? found : std::vector<std::string>{}));
+    CHECK(worked.err == (home.is_seen ? "" : "directorc: not decided: no body was found for `Walk`\n"));
+  }
+}
+
+struct Call {
+  const char* name;
+  const char* why; ///< empty: it does not block
+  const char* body;
+};
+
+const Call calls[] = {
+    {"TryLock", "", "std::unique_lock l(mutex, std::try_to_lock); if (!l) return run.keep();"},
+    {"DeferLock", "", "std::unique_lock l(mutex, std::defer_lock); if (l.try_lock()) ++n;"},
+    {"Print", "", "char c[20]; std::snprintf(c, sizeof c, \"%d\", n);"},
+    {"Atomic", "", "std::atomic<int> a; a.store(1); a.fetch_add(2);"},
+    {"Placement", "", "alignas(int) unsigned char raw[sizeof(int)]; int* p = new (raw) int(3); n = *p;"},
+    {"View", "", "std::string_view v(\"abc\"); n = static_cast<int>(v.substr(1).size());"},
+    {"Compare", "", "if (text == \"x\") n = static_cast<int>(text.size());"},
+    {"Sort", "", "int x[3]{}; std::sort(x, x + 3); n = x[0];"},
+    {"MoveMade", "", "std::vector<int> w(std::move(row)); n = w[0];"},
+    {"MoveGiven", "", "row = std::move(other);"},
+    {"Swap", "", "std::swap(row, other); row.clear(); row.pop_back();"},
+    {"Find", "", "if (auto it = map.find(2); it != map.end()) it->second = 1;"},
+    {"Emplace", "", "std::optional<int> o; o.emplace(3); o = 4; n = *o;"},
+    {"Trait", "", "n = noexcept(row.push_back(1)) ? 1 : 2;"},
+    {"SmallFunction", "", "std::function<int()> f = [&] { return n; }; n = f();"},
+    {"OwnBase", "", "struct Own : Noisy { using Noisy::Noisy; }; static Own own; n = own.i;"},
+    {"InheritedMaker", "uses the heap", "const Heir heir(3); n = heir.i;"},
+    {"Shared", "", "std::shared_ptr<int> p(shared), q = p; n = *q;"},
+    {"Byte", "", "auto b = std::byte{3} << 4; b = b >> 1; b <<= 2; n = std::to_integer<int>(b);"},
+    {"AdoptLock", "", "std::scoped_lock l(std::adopt_lock, mutex); ++n;"},
+    {"TryTimed", "", "if (timed.try_lock()) timed.unlock();"},
+    {"OwnArena", "",
+     "std::pmr::vector<int> v(&arena); v.push_back(1); std::pmr::string s(\"more than there is room for in it\", "
+     "&arena); "
+     "std::pmr::map<int, int> m(&arena); m[2] = v[0]; n = static_cast<int>(s.size());"},
+    {"OwnAllocator", "", "static std::vector<int, Fixed<int>> v; v.push_back(1); v.resize(3);"},
+    {"SmallAny", "", "std::any a = 3; a = 4; n = std::any_cast<int>(a);"},
+    {"Range", "", "int x[3]{}; std::ranges::sort(x); n = *std::ranges::max_element(x);"},
+    {"MoveText", "", "std::string s(std::move(text)); text = std::move(s);"},
+    {"MoveOptional", "", "std::optional<std::string> o(std::move(maybe)); maybe = std::move(o);"},
+    {"Variant", "", "std::variant<int, char> v{n}; n = std::visit([](auto x) { return static_cast<int>(x); }, v);"},
+    {"Notify", "", "condition.notify_all(); std::atomic<int> a; a.notify_one();"},
+    {"ConstantIf", "", "if (sizeof(int) == 1) std::puts(\"x\");"},
+    {"ConstantWhile", "", "while (debug) std::puts(\"x\"); for (; debug;) std::puts(\"y\");"},
+    {"ConstantSwitch", "", "switch (sizeof(int)) { case 1: std::puts(\"x\"); break; default: ++n; }"},
+    {"ConstantChoice", "", "n = debug ? std::puts(\"x\") : 3; n = debug && std::puts(\"y\") > 0;"},
+    {"Behind", "", "return run.done(); std::puts(\"x\");"},
+    {"Computed", "",
+     "constexpr int size = [] { const int* p = new int(3); const int r = *p; delete p; return r; }(); n = size;"},
+    {"SharedArena", "uses the heap", "std::pmr::vector<int> v; v.push_back(1);"},
+    {"HeapAllocator", "uses the heap", "static std::vector<int, Heap<int>> v; v.push_back(1);"},
+    {"SpinLock", "sleeps", "static Patient p; std::scoped_lock l(p);"},
+    {"TimedLock", "waits", "if (timed.try_lock_for(std::chrono::seconds(1))) timed.unlock();"},
+    {"RecursiveTimed", "waits",
+     "static std::recursive_timed_mutex m; "
+     "if (m.try_lock_until(std::chrono::steady_clock::now())) m.unlock();"},
+    {"SharedTimed", "waits",
+     "static std::shared_timed_mutex m; if (m.try_lock_shared_for(std::chrono::seconds(1))) m.unlock_shared();"},
+    {"UniqueTimed", "waits",
+     "std::unique_lock l(timed, std::defer_lock); n = l.try_lock_for(std::chrono::seconds(1)) ? 1 : 0;"},
+    {"PosixTimed", "waits",
+     "static pthread_mutex_t m = PTHREAD_MUTEX_INITIALIZER; timespec t{}; n = pthread_mutex_timedlock(&m, &t);"},
+    {"Descriptor", "does input or output", "dprintf(1, \"%d\", n);"},
+    {"Vector", "does input or output", "iovec v{&n, sizeof n}; n = static_cast<int>(writev(1, &v, 1));"},
+    {"Rename", "does input or output", "n = std::rename(\"a\", \"b\");"},
+    {"Status", "does input or output", "struct stat s; n = stat(\"a\", &s);"},
+    {"Reopen", "does input or output", "n = freopen(\"a\", \"r\", stdin) == nullptr;"},
+    {"Random", "does input or output", "std::random_device d; n = static_cast<int>(d());"},
+    {"RangesStable", "uses the heap", "std::ranges::stable_sort(row);"},
+    {"Inserter", "uses the heap", "std::copy(other.begin(), other.end(), std::back_inserter(row));"},
+    {"Shrink", "uses the heap", "row.shrink_to_fit();"},
+    {"LargeAny", "uses the heap", "std::any a = text; n = static_cast<int>(std::any_cast<std::string>(&a)->size());"},
+    {"CopyOptional", "uses the heap", "const auto o = maybe; n = o ? 1 : 2;"},
+    {"CopyPair", "uses the heap", "const auto p = pair; n = p.second;"},
+    {"CopyTuple", "uses the heap", "const std::tuple<int, std::string> t(n, text); n = std::get<0>(t);"},
+    {"Nothrow", "uses the heap", "int* p = new (std::nothrow) int(3); n = p != nullptr;"},
+    {"Erase", "uses the heap", "map.erase(3);"},
+    {"Replace", "uses the heap", "static std::unique_ptr<int> p, q; p = std::move(q);"},
+    {"Visitor", "sleeps", "std::for_each(row.begin(), row.end(), [](int) { ::usleep(3); });"},
+    {"HeldObject", "does input or output", "std::optional<Noisy> o; o.emplace(); n = o->i;"},
+    {"Joined", "uses the heap, waits", "std::jthread t([] { ++n; });"},
+    {"Plus", "uses the heap", "n = static_cast<int>((text + \"x\").size());"},
+    {"Copy", "uses the heap", "const auto s = text; n = static_cast<int>(s.size());"},
+    {"Assign", "uses the heap", "row = other;"},
+    {"Queue", "uses the heap", "static std::queue<int> q; q.push(1);"},
+    {"Part", "uses the heap", "n = static_cast<int>(text.substr(1).size());"},
+    {"Make", "uses the heap", "n = *std::make_unique<int>(1);"},
+    {"SharedNew", "uses the heap", "std::shared_ptr<int> p(raw);"},
+    {"LargeFunction", "uses the heap", "int big[20]{}; std::function<int()> f = [big] { return big[0]; }; n = f();"},
+    {"StableSort", "uses the heap", "std::stable_sort(row.begin(), row.end());"},
+    {"Implicit", "uses the heap", "takes(\"a long text that is no string\");"},
+    {"Given", "uses the heap", "takes_default();"},
+    {"Member", "uses the heap", "Named x; n = static_cast<int>(x.name.size());"},
+    {"Whole", "uses the heap", "Named x{}; x = named;"},
+    {"WholeCopy", "uses the heap", "const Named x = named; n = static_cast<int>(x.name.size());"},
+    {"Each", "uses the heap", "for (auto x : texts) n += static_cast<int>(x.size());"},
+    {"Index", "uses the heap", "map[3] = 1;"},
+    {"Sized", "uses the heap", "std::vector<int> z(30); n = z[0];"},
+    {"Bye", "does input or output", "Noisy x; n = x.i;"},
+    {"ByeWithin", "does input or output", "struct Outer { Noisy x; } outer{}; n = outer.x.i;"},
+    {"ByeArray", "sleeps", "Slow x[2]{}; n = x[0].i;"},
+    {"ByeDeleted", "sleeps, uses the heap", "delete slow;"},
+    {"Stream", "does input or output", "out(std::cout);"},
+    {"System", "does input or output", "syslog(LOG_INFO, \"x\");"},
+    {"Lock", "locks", "std::scoped_lock l(mutex); ++n;"},
+    {"Condition", "waits", "std::unique_lock l(mutex, std::adopt_lock); condition.wait(l);"},
+    {"Spin", "waits", "std::atomic<int> a; a.wait(1);"},
+};
+
+TEST_CASE("what blocks is told in whatever shape it comes, and what only looks like it is not") {
+  Program program;
+  program.yaml = "behaviour: deep\nlanguage: 1\nroots: [G]\ngroups:\n  G: {module: robot}\n";
+  program.source = R"(#include "deep.hpp"
+#include <algorithm>
+#include <any>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <memory_resource>
+#include <mutex>
+#include <optional>
+#include <pthread.h>
+#include <queue>
+#include <random>
+#include <shared_mutex>
+#include <string>
+#include <sys/stat.h>
+#include <sys/uio.h>
+#include <syslog.h>
+#include <thread>
+#include <tuple>
+#include <unistd.h>
+#include <variant>
+#include <vector>
+using director::Outcome;
+static std::mutex mutex;
+static std::timed_mutex timed;
+static std::condition_variable condition;
+constexpr bool debug = false;
+static std::optional<std::string> maybe;
+static std::pair<std::string, int> pair;
+static std::byte memory[4096];
+static std::pmr::monotonic_buffer_resource arena(memory, sizeof memory, std::pmr::null_memory_resource());
+template <class T> struct Fixed {
+  using value_type = T;
+  T* allocate(std::size_t) { static T all[100]; return all; }
+  void deallocate(T*, std::size_t) {}
+  bool operator==(const Fixed&) const { return true; }
+};
+template <class T> struct Heap {
+  using value_type = T;
+  T* allocate(std::size_t count) { return static_cast<T*>(std::malloc(count * sizeof(T))); }
+  void deallocate(T*, std::size_t) {}
+  bool operator==(const Heap&) const { return true; }
+};
+struct Patient { void lock() { ::usleep(10); } void unlock() {} bool try_lock() { return true; } };
+static int n, *raw;
+static std::string text;
+static std::vector<int> row, other;
+static std::vector<std::string> texts;
+static std::map<int, int> map;
+static std::shared_ptr<int> shared;
+struct Noisy { int i = 0; ~Noisy() { std::puts("gone"); } };
+struct Slow { int i = 0; ~Slow() { std::this_thread::sleep_for(std::chrono::milliseconds(i)); } };
+struct Named { std::string name = "as long as it has to be"; };
+static Named named;
+struct Maker { int i; explicit Maker(int x) : i(*std::make_unique<int>(x)) {} };
+struct Heir : Maker { using Maker::Maker; };
+static Slow* slow;
+static void takes(const std::string& s) { n = static_cast<int>(s.size()); }
+static void takes_default(const std::string& s = "what is not given") { n = static_cast<int>(s.size()); }
+static void out(std::ostream& o) { o.put('x'); }
+class MyRobot final : public deep::Robot {
+  Outcome provide(deep::G::Default& run) override { return run.done(); }
+)";
+  std::map<std::string, std::string> expected, said;
+  for (const Call& each : calls) {
+    program.yaml += fmt::format("  {}: {{module: robot, realtime: true}}\n", each.name);
+    program.source += fmt::format("  Outcome provide(deep::{}::Default& run) override {{ {} return run.done(); }}\n",
+                                  each.name, each.body);
+    if (*each.why != '\0') expected[each.name] = each.why;
+  }
+  program.source += "};\n";
+  const Worked worked = verified(Workshop("blocking-shapes"), program);
+  INFO(worked.err);
+  std::map<std::string, std::set<std::string>> whys;
+  const std::regex pattern("warning: `[^`]*` (.*), and `([^`]*)` is `realtime` \\[blocking_call\\]");
+  for (const std::string& line : lines_with(worked.out + worked.err, "warning: ")) {
+    std::smatch match;
+    if (std::regex_match(line, match, pattern)) whys[match[2].str()].insert(match[1].str());
+  }
+  for (const auto& [name, all] : whys) said[name] = fmt::format("{}", fmt::join(all, ", "));
+  const auto lines = [](const std::map<std::string, std::string>& all) {
+    std::string out;
+    for (const auto& [name, why] : all) out += name + ": " + why + "\n";
+    return out;
+  };
+  CHECK(lines(said) == lines(expected));
+  CHECK(lines_with(worked.err, "not decided").empty());
+}
+
+} // namespace

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// A state whose values are an enum's, read as the program compiles it.
+#include "tests/compiler/clang/workshop.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+
+namespace {
+
+using namespace director::tests;
+
+void write_game(const Workshop& work) {
+  work.write("game.yaml", "behaviour: game\nlanguage: 1\ncpp: {headers: [phase.hpp]}\n"
+                          "states:\n  Phase: {type: game::Phase, initial: initial, external: true}\n"
+                          "roots: [Play]\ngroups:\n  Play:\n    providers:\n"
+                          "      - {name: late, when: [Phase == overtime]}\n      - {name: early}\n");
+  work.write("include/phase.hpp",
+             "#pragma once\n#include <cstdint>\nnamespace game {\nenum class Phase : std::int8_t {\n  initial,\n"
+             "#ifdef WITH_OVERTIME\n  overtime,\n#endif\n};\n}\n");
+}
+
+TEST_CASE("a state's values are those that the flags of the program make") {
+  const Workshop work("types");
+  write_game(work);
+  const auto generate = [&](const std::string& flags) {
+    work.write("flags", flags);
+    return work.directorc({"generate", work.path("game.yaml"), "-o", work.path("out"), "--flags", work.path("flags"),
+                           "--depfile", work.path("out.d")});
+  };
+  const std::string common = "-std=c++20\n-I" + work.path("include") + "\n";
+  const Worked with = generate("g++\n" + common + "-DWITH_OVERTIME\n");
+  CHECK(with.err == "");
+  CHECK(with.status == 0);
+  CHECK(read_file(work.path("out.d")).find(work.path("include/phase.hpp")) != std::string::npos);
+  const Worked without = generate("g++\n" + common);
+  CHECK(without.status == 1);
+  CHECK(
+      without.err.find("`overtime` is no value of the state `Phase`: its values are initial [value_outside_domain]") !=
+      std::string::npos);
+  if (std::system("arm-none-eabi-g++ --version >/dev/null 2>&1") != 0) return;
+  const Worked arm =
+      generate("arm-none-eabi-g++\n-mcpu=cortex-m3\n-mthumb\n-ffreestanding\n" + common + "-DWITH_OVERTIME\n");
+  CHECK(arm.err == "");
+  CHECK(arm.status == 0);
+}
+
+/// As C and C++ have it, in two headers with blanks in their path; the second one is included by the first.
+constexpr const char* enums = "#pragma once\n#include \"deep/base.hpp\"\n"
+                              R"(namespace game {
+typedef enum { fresh, stale } OfC;
+enum Gap { left, middle = 5, right };
+enum class Tiny : unsigned char { low = 200, high };
+enum class Wide : unsigned long long { small = 0, same = 0x100000000, huge = 0xFFFFFFFFFF };
+enum class Signed : int { minus = -3, zero, plus = 3 };
+using Renamed = Tiny;
+struct Outer {
+  enum class Inner { in, out };
+  using Alias = Inner;
+};
+template <class T>
+struct Holder {
+  enum class Kind { one, two };
+};
+inline namespace v2 { enum class Versioned { older, newer }; }
+namespace { enum class Hidden { seen, unseen }; }
+enum class Twice { first, second, again = first };
+}
+using Short = game::Outer::Inner;
+extern "C" { enum c_enum { C_ONE, C_TWO }; }
+)";
+
+struct Named {
+  const char *type, *value;
+};
+constexpr Named types[] = {
+    {"game::OfC", "stale"},
+    {"game::Gap", "right"},
+    {"game::Tiny", "high"},
+    {"game::Wide", "same"},
+    {"game::Signed", "minus"},
+    {"game::Renamed", "low"},
+    {"game::Outer::Inner", "in"},
+    {"game::Outer::Alias", "out"},
+    {"game::Holder<int>::Kind", "two"},
+    {"game::Versioned", "newer"},
+    {"game::v2::Versioned", "older"},
+    {"game::Hidden", "seen"},
+    {"game::Beside", "near"},
+    {"Short", "in"},
+    {"::game::Tiny", "low"},
+    {"c_enum", "C_TWO"},
+};
+
+/// What is said of a behaviour that waits for this value of this type.
+std::string said_of(const Workshop& work, const Named& named) {
+  work.write("game.yaml",
+             std::string("behaviour: play\nlanguage: 1\ncpp: {headers: [enums.hpp]}\nstates:\n  S: {type: \"") +
+                 named.type + "\", external: true}\nroots: [P]\ngroups:\n  P: {when: [S == " + named.value +
+                 "]}\nallow: [uncovered_state]\nbecause: it is about types\n");
+  const Worked checked = work.directorc({"check", work.path("game.yaml"), "-p", work.path()});
+  const std::string all = checked.out + checked.err;
+  const std::size_t at = all.find("error: ");
+  return at == std::string::npos ? std::to_string(checked.status) : all.substr(at + 7, all.find('\n', at) - at - 7);
+}
+
+TEST_CASE("an enum is found however it is named, with flags that only g++ knows and in one of several commands") {
+  const Workshop work("types of all kinds");
+  work.write("inc dir/enums.hpp", enums);
+  work.write("inc dir/deep/base.hpp",
+             "#pragma once\nnamespace game { enum class Beside { near [[maybe_unused]], far }; }\n");
+  work.write("flags.rsp", "-DFROM_A_FILE -fanalyzer");
+  work.write("main.cpp", "");
+  const std::string entry = "{\"directory\": \"" + work.path() + "\", \"file\": \"main.cpp\", ";
+  work.write("compile_commands.json",
+             "[" + entry + "\"command\": \"g++ -std=c++20 -fno-such -Iother -c main.cpp\"},\n" + entry +
+                 R"("arguments": ["g++", "-std=c++20", "-fmax-errors=3", "-Winvalid-imported-macros", "-fno-ipa-icf",)"
+                 R"( "-I", "inc dir", "@flags.rsp", "-c", "main.cpp", "-o", "main.o"]}])");
+  for (const Named& named : types) {
+    CAPTURE(named.type);
+    CHECK(said_of(work, named) == "0");
+  }
+  CHECK(said_of(work, {"game::Nobody", "low"}) ==
+        "there is no type `game::Nobody` in the C++: no type named 'Nobody' in namespace 'game' [unknown_type]");
+  CHECK(said_of(work, {"game::Outer", "low"}) == "`game::Outer` is no enum [unknown_type]");
+  CHECK(said_of(work, {"game::Tiny", "lower"}) ==
+        "`lower` is no value of the state `S`: its values are low, high [value_outside_domain]");
+  CHECK(said_of(work, {"game::Twice", "first"}) ==
+        "`first` and `again` of `game::Twice` are one value, so they cannot be two values of `S` [redefined_name]");
+}
+
+} // namespace

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// What `directorc verify` reads of a build, and how it reports.
+#include "compiler/base/json.hpp"
+#include "tests/compiler/clang/workshop.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director::tests;
+using director::compiler::Json;
+
+const std::string yaml = "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"
+                         "  Drive: {module: wheels, tasks: [Wheel]}\n  Wheel: {module: wheels}\n";
+
+/// `include`: the line that includes the generated header, if any.
+std::string wheels(const std::string& include) {
+  return include + "class MyWheels final : public cart::Wheels {\npublic:\n"
+                   "  director::Outcome provide(cart::Drive::Default& run) override { return run.done(); }\n"
+                   "  director::Outcome provide(cart::Wheel::Default& run) override { return run.done(); }\n};\n";
+}
+const std::string included = "#include \"cart.hpp\"\n";
+const std::string found = "no path of `Drive` requests `Wheel`";
+
+/// With a behaviour that has been generated.
+Workshop workshop(const std::string& name) {
+  Workshop out(name);
+  out.write("cart.yaml", yaml);
+  REQUIRE(out.directorc({"generate", out.path("cart.yaml"), "-o", out.path("generated")}).status == 0);
+  return out;
+}
+
+std::vector<std::string> flags(const Workshop& work) {
+  return {"-std=c++20", "-I" + work.path("generated"), "-I" + source_folder()};
+}
+
+Worked verified(const Workshop& work, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{"verify", work.path("cart.yaml"), "-p", work.path(), "--format=json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return work.directorc(words);
+}
+
+std::vector<std::string> messages(const std::string& text) {
+  const auto json = director::compiler::parse_json(text);
+  REQUIRE(json);
+  std::vector<std::string> out;
+  for (const Json& each : (*json)["findings"].items()) out.push_back(each["message"].as_text());
+  return out;
+}
+
+TEST_CASE("a source that gets the generated header by its flags alone is read") {
+  const Workshop work = workshop("forced");
+  work.write("body.cpp", wheels(""));
+  work.write("all.hpp", included);
+  const auto with = [&](std::vector<std::string> more) {
+    std::vector<std::string> all = flags(work);
+    all.insert(all.end(), more.begin(), more.end());
+    work.write_commands({work.path("body.cpp")}, all);
+    const Worked worked = verified(work);
+    INFO(worked.err);
+    return messages(worked.out);
+  };
+  const std::vector<std::string> one{found};
+  CHECK(with({"-include", work.path("generated/cart.hpp")}) == one);
+  CHECK(with({"-include", "cart.hpp"}) == one);
+  CHECK(with({"-include", "all.hpp"}) == one);
+  CHECK(with({"-includeall.hpp"}) == one);
+  CHECK(with({"-Xclang", "-include", "-Xclang", "all.hpp"}) == one);
+}
+
+TEST_CASE("flags in response files count, also where one names another") {
+  const Workshop work = workshop("response");
+  work.write("body.cpp", wheels(included));
+  work.write("flags.rsp", "-std=c++20 @more.rsp\n");
+  work.write("more.rsp", "-I\"" + work.path("generated") + "\"\r\n-I" + source_folder() + "\n@more.rsp\n");
+  work.write_commands({work.path("body.cpp")}, {"@flags.rsp"});
+  const Worked worked = verified(work);
+  INFO(worked.err);
+  CHECK(messages(worked.out) == std::vector<std::string>{found});
+}
+
+TEST_CASE("test doubles can be left out by their file, their folder, or what they are compiled into") {
+  const Workshop work = workshop("doubles");
+  std::string twin = wheels(included);
+  work.write("tests/double.cpp", twin.replace(twin.find("MyWheels"), 8, "Double"));
+  std::string good = wheels(included);
+  good.replace(good.find("run.done()"), 10, "run.request(cart::Wheel{})");
+  work.write("body.cpp", good);
+  work.write_commands({work.path("body.cpp"), work.path("tests/double.cpp")}, flags(work));
+  CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+  for (const std::string path : {"tests", "tests/", "tests/double.cpp"}) {
+    CAPTURE(path);
+    const Worked worked = verified(work, {"--exclude", work.path(path)});
+    CHECK(messages(worked.out).empty());
+    CHECK(worked.status == 0);
+  }
+  std::string commands = "[";
+  for (const std::string file : {"body", "tests/double"})
+    commands += std::string(file == "body" ? "" : ",") + R"({"directory": ")" + work.path() + R"(", "file": ")" + file +
+                R"(.cpp", "command": "g++ -std=c++20 -I)" + work.path("generated") + " -I" + source_folder() +
+                " -o CMakeFiles/" + (file == "body" ? "cart" : "doubles") + ".dir/" + file + ".o -c " + file +
+                ".cpp\"}";
+  work.write("compile_commands.json", commands + "]");
+  CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+  CHECK(messages(verified(work, {"--exclude=" + work.path("CMakeFiles/doubles.dir")}).out).empty());
+}
+
+TEST_CASE("what is to be left out and is not there is told") {
+  const Workshop work = workshop("no-doubles");
+  work.write("body.cpp", wheels(included));
+  work.write_commands({work.path("body.cpp")}, flags(work));
+  const Worked worked = work.directorc({"verify", work.path("cart.yaml"), "-p", work.path(), "--exclude=nowhere"});
+  CHECK(worked.err == "directorc: `--exclude=nowhere` leaves nothing out: no source of `" + work.path() +
+                          "` lies there, and none is compiled into it\n");
+  CHECK(worked.status == 0);
+  const Worked all = work.directorc({"verify", work.path("cart.yaml"), "-p", work.path(), "--exclude", work.path()});
+  CHECK(all.err ==
+        "directorc: no file of `" + work.path() +
+            "` that is not excluded has the generated `cart.hpp` in its include folders: has the program been "
+            "built?\n");
+  CHECK(all.status == 2);
+}
+
+TEST_CASE("a behaviour that is wrong is reported in the format that is asked for") {
+  const Workshop work = workshop("wrong");
+  work.write("types.hpp", "#pragma once\nnamespace cart { enum class Gait { walk, run }; }\n");
+  std::string drifted = yaml;
+  drifted.insert(drifted.find("roots"),
+                 "cpp: {headers: [types.hpp]}\nstates: {Gait: {type: cart::Gait, values: [walk]}}\n");
+  work.write("cart.yaml", drifted);
+  work.write("body.cpp", wheels(included));
+  std::vector<std::string> all = flags(work);
+  all.push_back("-I" + work.path());
+  work.write_commands({work.path("body.cpp")}, all);
+  const std::string drift = "`cart::Gait` has `run`, which the values of `Gait` lack";
+  const Worked json = verified(work);
+  CHECK(json.status == 1);
+  CHECK(json.err == "");
+  CHECK(messages(json.out) == std::vector<std::string>{drift});
+  const Worked sarif = work.directorc({"verify", work.path("cart.yaml"), "-p", work.path(), "--format=sarif"});
+  CHECK(sarif.status == 1);
+  CHECK(sarif.err == "");
+  const auto log = director::compiler::parse_json(sarif.out);
+  REQUIRE(log);
+  CHECK((*log)["runs"].items()[0]["results"].items()[0]["ruleId"].as_text() == "enum_drift");
+  const Worked text = work.directorc({"verify", work.path("cart.yaml"), "-p", work.path()});
+  CHECK(text.status == 1);
+  CHECK(text.out == "");
+  CHECK(text.err.find("error: " + drift + " [enum_drift]\n") != std::string::npos);
+}
+
+TEST_CASE("of a library that is compiled already it is told what nobody can see, where a group is realtime") {
+  const Workshop work("library");
+  work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"
+                          "  Drive: {module: wheels, realtime: true}\n");
+  work.write("vendor/chip.hpp", "#pragma once\nnamespace chip {\nint read(int channel);\nstruct Bus { virtual ~Bus() = "
+                                "default; void flush(); };\ntemplate <class T> T* make() { return new T; }\n"
+                                "inline int twice() { return read(2); }\n}\nextern \"C\" int chip_fast() noexcept;\n");
+  work.write("body.cpp", included + "#include <chip.hpp>\n#include <cmath>\n#include <cstring>\n"
+                                    "static chip::Bus bus;\n"
+                                    "class MyWheels final : public cart::Wheels {\n"
+                                    "  director::Outcome provide(cart::Drive::Default& run) override {\n"
+                                    "    chip::read(1);\n    bus.flush();\n    chip::twice();\n    chip_fast();\n"
+                                    "    char c[3];\n    std::memset(c, static_cast<int>(std::sin(c[0])), 3);\n"
+                                    "    chip::make<int>();\n    return run.done();\n  }\n};\n");
+  REQUIRE(work.directorc({"generate", work.path("cart.yaml"), "-o", work.path("generated")}).status == 0);
+  std::vector<std::string> all = flags(work);
+  all.insert(all.end(), {"-isystem", work.path("vendor")});
+  work.write_commands({work.path("body.cpp")}, all);
+  const Worked worked = verified(work);
+  INFO(worked.err);
+  CHECK(messages(worked.out) == std::vector<std::string>{"`chip::make` uses the heap, and `Drive` is `realtime`"});
+  const auto json = director::compiler::parse_json(worked.out);
+  std::vector<std::string> open;
+  for (const std::string& each : (*json)["not_decided"].as_texts()) open.push_back(each.substr(each.find("body.cpp")));
+  CHECK(open == std::vector<std::string>{"body.cpp:8:11: `chip::read`", "body.cpp:9:9: `chip::Bus::flush`",
+                                         "body.cpp:10:11: `chip::read`, which `chip::twice` calls"});
+}
+
+TEST_CASE("bodies that are as stubs wrote them are named in one line, and judged when they are written") {
+  const Workshop work = workshop("unwritten");
+  std::string fresh = wheels(included);
+  for (std::size_t at = fresh.find("{ return run.done(); }"); at != std::string::npos;
+       at = fresh.find("{ return run.done(); }"))
+    fresh.replace(at, 22, "{\n    return run.keep(); // does nothing yet\n  }");
+  work.write("body.cpp", fresh);
+  work.write_commands({work.path("body.cpp")}, flags(work));
+  const std::vector<std::string> words{"verify", work.path("cart.yaml"), "-p", work.path(), "--werror"};
+  const Worked unwritten = work.directorc(words);
+  CHECK(unwritten.out == "");
+  CHECK(unwritten.err == "directorc: 2 bodies are as `stubs` wrote them: `Drive`, `Wheel`\n");
+  CHECK(unwritten.status == 0);
+  fresh.replace(fresh.find(" // does nothing yet"), 20, "");
+  work.write("body.cpp", fresh);
+  const Worked written = work.directorc(words);
+  CHECK(written.out.find("error: every path of `Drive` ends in `keep()`: it never requests anything, and is never done "
+                         "[only_keeps]") != std::string::npos);
+  CHECK(written.err == "directorc: 1 body is as `stubs` wrote it: `Wheel`\n");
+  CHECK(written.status == 1);
+}
+
+} // namespace

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "tests/compiler/cli/world.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::check_golden;
+using director::tests::World;
+
+TEST_CASE("memory and bounds are printed behind the findings, of a deployment", "[golden]") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nstates: {Day: {values: [a, b], initial: a, of: Lamp}}\n"
+                               "roots: [Lamp]\ngroups:\n  Lamp: {sets: [Day == b]}\n");
+  CHECK(world.directorc({"check", "--verbose", "lamp.yaml"}) == 0);
+  check_golden("tests/compiler/cli/golden/bounds.txt", world.out);
+  CHECK(world.directorc({"check", "--verbose", "--format=json", "lamp.yaml"}) == 0);
+  check_golden("tests/compiler/cli/golden/bounds.json", world.out);
+}
+
+TEST_CASE("a module has no bounds of its own") {
+  World world;
+  world.files.add("bulb.yaml", "behaviour: bulb\nlanguage: 1\ngroups:\n  Bulb: {}\n");
+  CHECK(world.directorc({"check", "--verbose", "bulb.yaml"}) == 0);
+  CHECK(world.out.empty());
+}
+
+TEST_CASE("findings as SARIF") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lump]\ngroups:\n  Lamp: {}\n");
+  CHECK(world.directorc({"check", "--format=sarif", "lamp.yaml"}) == 1);
+  const std::string end = world.out.substr(world.out.find("      \"columnKind\""));
+  CHECK(end.substr(0, end.find("\"director/v1\"")) == R"(      "columnKind": "unicodeCodePoints",
+      "results": [
+        {
+          "ruleId": "undefined_name",
+          "ruleIndex": )" + end.substr(end.find("ruleIndex") + 12, 2) +
+                                                          R"(,
+          "level": "error",
+          "message": {
+            "text": "there is no group called `Lump`\nhelp: did you mean `Lamp`?"
+          },
+          "locations": [
+            {
+              "physicalLocation": {
+                "artifactLocation": {
+                  "uri": "lamp.yaml"
+                },
+                "region": {
+                  "startLine": 3,
+                  "startColumn": 9,
+                  "endLine": 3,
+                  "endColumn": 13
+                }
+              }
+            }
+          ],
+          "partialFingerprints": {
+            )");
+}
+
+} // namespace

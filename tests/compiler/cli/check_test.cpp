@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "tests/compiler/cli/world.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::World;
+
+const std::string misspelt = "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n  Lamp: {nedes: []}\n";
+
+TEST_CASE("findings are told with their place, and errors make the exit status") {
+  World world;
+  world.files.add("lamp.yaml", misspelt);
+  CHECK(world.directorc({"check", "lamp.yaml"}) == 1);
+  CHECK(world.out.substr(0, 23) == "lamp.yaml:5:10: error: ");
+  CHECK(world.out.find("[unknown_key]") != std::string::npos);
+  CHECK(world.err.empty());
+}
+
+TEST_CASE("a file that is not there is no finding") {
+  World world;
+  CHECK(world.directorc({"check", "lamp.yaml"}) == 2);
+  CHECK(world.out.empty());
+  CHECK(world.err == "directorc: cannot read `lamp.yaml`: No such file or directory\n");
+}
+
+TEST_CASE("an import that is not there is a finding") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nimports: [bulb.yaml]\nroots: []\n");
+  CHECK(world.directorc({"check", "lamp.yaml"}) == 1);
+  CHECK(world.out.find("[import_not_found]") != std::string::npos);
+}
+
+TEST_CASE("findings as JSON have lines and columns from 1 and exclusive ends") {
+  World world;
+  world.files.add("lamp.yaml", misspelt);
+  CHECK(world.directorc({"check", "--format=json", "lamp.yaml"}) == 1);
+  const std::string begin = "{\n  \"findings\": [\n    {\n      \"id\": \"unknown_key\",\n      \"level\": \"error\",\n"
+                            "      \"file\": \"lamp.yaml\",\n      \"line\": 5,\n      \"column\": 10,\n"
+                            "      \"end_line\": 5,\n      \"end_column\": 15,\n      \"message\": ";
+  CHECK(world.out.substr(0, begin.size()) == begin);
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: []\n");
+  CHECK(world.directorc({"check", "--format=json", "lamp.yaml"}) == 0);
+  CHECK(world.out == "{\n  \"findings\": []\n}\n");
+}
+
+TEST_CASE("warnings become errors where asked, are silent where allowed, and lints show where wanted") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ntriggers: [Bell]\ngroups:\n"
+                               "  Lamp: {allow: [useless_use], because: to try it}\n");
+  CHECK(world.directorc({"check", "lamp.yaml"}) == 0);
+  CHECK(world.out.find("warning: ") != std::string::npos);
+  CHECK(world.out.find("[unused_allow]") != std::string::npos);
+  CHECK(world.out.find("[unused_declaration]") == std::string::npos);
+  CHECK(world.directorc({"check", "lamp.yaml", "--werror"}) == 1);
+  CHECK(world.directorc({"check", "lamp.yaml", "--werror=unused_allow"}) == 1);
+  CHECK(world.directorc({"check", "lamp.yaml", "--werror=needs_cycle"}) == 0);
+  CHECK(world.directorc({"check", "lamp.yaml", "--werror", "--allow=unused_allow"}) == 0);
+  CHECK(world.out.empty());
+  CHECK(world.directorc({"check", "lamp.yaml", "--lint=unused_declaration"}) == 0);
+  CHECK(world.out.find("[unused_declaration]") != std::string::npos);
+}
+
+TEST_CASE("an error is told, whatever --allow says") {
+  World world;
+  world.files.add("lamp.yaml", misspelt);
+  CHECK(world.directorc({"check", "lamp.yaml", "--allow=unknown_key"}) == 1);
+}
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool slow = true;
+#elif defined(__has_feature)
+constexpr bool slow = __has_feature(address_sanitizer);
+#else
+constexpr bool slow = false;
+#endif
+
+TEST_CASE("what is not decided within the bound is told, and nothing is generated") {
+  if (slow) return; // to give up takes as long as to try everything up to the bound
+  std::string states = "states:\n", roots = "roots: {Boss: {priority: 99}", groups;
+  for (int i = 0; i < 16; ++i) {
+    const std::string n = std::to_string(i);
+    states += "  S" + n + ": {values: [low, high], initial: low, external: true}\n";
+    roots += ", A" + n + ": {priority: " + n + "}";
+    groups += "  A" + n + ": {when: [S" + n + " == high]}\n";
+  }
+  World world;
+  world.files.add("lamp.yaml",
+                  "behaviour: lamp\nlanguage: 1\n" + states + roots + "}\ngroups:\n" + groups +
+                      "  Boss: {needs: [Lamp], packs: {go: {Lit: {}}}}\n  Lit: {needs: [Lamp]}\n  Lamp: {}\n"
+                      "assertions: [{can_run: Lit}]\nallow: [uncovered_state, self_conflict]\nbecause: to try it\n");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"check", "lamp.yaml"}, {"generate", "lamp.yaml", "-o", "out"}}) {
+    CHECK(world.directorc(words) == 3);
+    CHECK(world.out.empty());
+    CHECK(world.err.find("directorc: not decided: can_run Lit: not found in ") == 0);
+  }
+  CHECK(world.outputs.written.empty());
+}
+
+TEST_CASE("what only exploring tells is told where it is asked for, and how far that went where it did not end") {
+  const std::string head = "behaviour: door\nlanguage: 1\nstates: {Door: {values: [shut, open], initial: shut}, "
+                           "Lamp: {values: [dark, lit], initial: dark}}\nroots: [Enter]\ngroups:\n";
+  const std::string rest = "      - {name: opening, when: [Door == shut], sets: [Door == open]}\n"
+                           "      - {name: lighting, sets: [Lamp == lit]}\n";
+  World world;
+  world.files.add("door.yaml", head + "  Enter:\n    providers:\n" +
+                                   "      - {name: peeping, when: [Door == shut, Lamp == lit]}\n" + rest);
+  CHECK(world.directorc({"check", "door.yaml"}) == 0);
+  CHECK(world.out.empty());
+  CHECK(world.directorc({"check", "--explore", "door.yaml"}) == 0);
+  const std::string begin = "door.yaml:8:16: lint: `Enter.peeping` never runs, whatever happens [never_runs]\n";
+  CHECK(world.out.substr(0, begin.size()) == begin);
+  CHECK(world.out.ends_with("1 lint\n"));
+  const std::string text = world.out;
+  CHECK(world.directorc({"check", "--lint=never_runs", "door.yaml"}) == 0);
+  CHECK(world.out == text);
+  CHECK(world.directorc({"check", "--explore", "--bound=3", "door.yaml"}) == 3);
+  CHECK(world.out.empty());
+  CHECK(world.err == "directorc: not decided: what never runs: 8 states were found, and there are more; `--bound N` "
+                     "tries more\n");
+  CHECK(world.directorc({"check", "--bound=3", "door.yaml"}) == 2);
+  CHECK(world.err == "directorc check: --bound requires --explore\nTry `directorc check --help`.\n");
+}
+
+TEST_CASE("an `allow` of what only exploring tells is not called unused where nothing is explored") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n"
+                               "  Lamp: {allow: [never_runs], because: to try it}\n");
+  CHECK(world.directorc({"check", "--werror", "lamp.yaml"}) == 0);
+  CHECK(world.out.empty());
+}
+
+} // namespace

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/emit/artefact/notice.hpp"
+#include "tests/compiler/cli/world.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::compiler::notice_words;
+using director::tests::World;
+
+World with(const std::string& rest) {
+  World world;
+  world.files.add("b.yaml", "behaviour: b\nlanguage: 1\n" + rest);
+  return world;
+}
+
+const std::string two = "roots: [A, B]\ngroups: {A: {}, B: {}}\n";
+
+TEST_CASE("an exploration says what it saw, what it proved, and what it did not try") {
+  World world = with(two + "assertions: [{can_run: A}]\n");
+  CHECK(world.directorc({"explore", "b.yaml"}) == 0);
+  CHECK(world.err.empty());
+  CHECK(world.out.find("all there are") != std::string::npos);
+  CHECK(world.out.find("  proven: can_run A: it runs after: request A\n") != std::string::npos);
+  CHECK(world.out.find("Not tried\n  - an entry that is kept beside one that is new\n") != std::string::npos);
+  CHECK(world.outputs.files.empty());
+}
+
+TEST_CASE("a refuted assertion is an error, and its scenario is written") {
+  World world = with(two + "assertions: [{never_together: [A, B]}]\n");
+  CHECK(world.directorc({"explore", "b.yaml", "--output", "found"}) == 1);
+  CHECK(world.out.find("wrote found/never_together_A_B.scenario.yaml\n") != std::string::npos);
+  CHECK(world.outputs.files.at("found/never_together_A_B.scenario.yaml") == "# " + notice_words("b.yaml") + R"(
+scenario: "refuted: never_together [A, B]"
+doc: |
+  In the last step two of them are granted.
+behaviour: ../b.yaml
+script:
+  A.default:
+    - {run: 1}
+  B.default:
+    - {continue: true}
+steps:
+  - request: A
+    expect: |
+      run A new_task
+  - request: B
+    expect: |
+      run B new_task
+)");
+}
+
+TEST_CASE("beyond the bound it is not decided") {
+  World world = with(two + "assertions: [{can_run: B}]\n");
+  CHECK(world.directorc({"explore", "b.yaml", "--bound", "1"}) == 3);
+  CHECK(world.out.find("  not decided: can_run B: not found in ") != std::string::npos);
+}
+
+TEST_CASE("a module cannot be explored, nor what cannot run") {
+  World module = with("groups: {A: {}}\n");
+  CHECK(module.directorc({"explore", "b.yaml"}) == 2);
+  CHECK(module.err == "directorc: `b.yaml` has no `roots`: it is a module for others to import, and nothing can be "
+                      "explored in it alone\n");
+  World broken = with("roots: [A]\ngroups: {A: {needs: [B]}, B: {needs: [A]}}\n");
+  CHECK(broken.directorc({"explore", "b.yaml"}) == 1);
+  CHECK(broken.err.find("[needs_cycle]") != std::string::npos);
+}
+
+TEST_CASE("a check decides the assertions, and nothing is generated from what is refuted") {
+  World world = with(two + "assertions: [{never_together: [A, B]}]\n");
+  CHECK(world.directorc({"check", "b.yaml"}) == 1);
+  CHECK(world.out.find("`never_together [A, B]` is not true: after request A; request B, two of them are granted "
+                       "[assertion_failed]") != std::string::npos);
+  CHECK(world.directorc({"generate", "b.yaml", "-o", "out"}) == 1);
+  CHECK(world.outputs.files.empty());
+}
+
+} // namespace

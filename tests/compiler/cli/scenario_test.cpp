@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "tests/compiler/cli/world.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::World;
+
+World lamp(const std::string& expect) {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n  Lamp: {}\n");
+  world.files.add("bulb.yaml", "behaviour: bulb\nlanguage: 1\ngroups:\n  Bulb: {}\n");
+  world.files.add("s.yaml",
+                  "scenario: it shines\nbehaviour: lamp.yaml\nsteps:\n  - request: Lamp\n    expect: " + expect + "\n");
+  return world;
+}
+
+TEST_CASE("a scenario is played as text and as JSON") {
+  World world = lamp("run Lamp new_task");
+  CHECK(world.directorc({"simulate", "s.yaml"}) == 0);
+  CHECK(world.out == "> request Lamp\nrun Lamp new_task\n");
+  CHECK(world.directorc({"simulate", "--format=json", "s.yaml"}) == 0);
+  CHECK(world.out == "{\"step\":1,\"event\":\"input\",\"input\":\"request Lamp\"}\n"
+                     "{\"step\":1,\"event\":\"run\",\"group\":\"Lamp\",\"provider\":\"default\","
+                     "\"reasons\":[\"new_task\"]}\n");
+}
+
+TEST_CASE("scenarios that hold and that do not") {
+  World world = lamp("run Lamp new_task");
+  CHECK(world.directorc({"test", "s.yaml", "s.yaml"}) == 0);
+  CHECK(world.out == "holds s.yaml: it shines\nholds s.yaml: it shines\n2 of 2 hold\n");
+  World other = lamp("run Lamp pushed");
+  CHECK(other.directorc({"test", "s.yaml"}) == 1);
+  CHECK(other.out.substr(0, 24) == "fails s.yaml: it shines\n");
+}
+
+TEST_CASE("a scenario that cannot be read, one whose behaviour cannot, and one of a module") {
+  World world = lamp("''");
+  CHECK(world.directorc({"test", "none.yaml"}) == 2);
+  CHECK(world.err == "directorc: cannot read `none.yaml`: No such file or directory\n");
+  world.files.add("s.yaml", "behaviour: dark.yaml\nsteps: []\n");
+  CHECK(world.directorc({"simulate", "s.yaml"}) == 1);
+  CHECK(world.err.find("s.yaml:1:12: error: cannot read `dark.yaml`") == 0);
+  world.files.add("s.yaml", "behaviour: bulb.yaml\nsteps: []\n");
+  CHECK(world.directorc({"simulate", "s.yaml"}) == 1);
+  CHECK(world.err.find("s.yaml:1:12: error: `bulb.yaml` has no `roots`") == 0);
+}
+
+TEST_CASE("every stage can be printed") {
+  World world = lamp("''");
+  for (const std::string stage : {"spec", "model", "graph", "tables"}) {
+    CHECK(world.directorc({"dump", "--stage=" + stage, "lamp.yaml"}) == 0);
+    CHECK(world.out.find("Lamp") != std::string::npos);
+  }
+  CHECK(world.directorc({"dump", "--stage=tables", "bulb.yaml"}) == 2);
+  CHECK(world.err == "directorc: `bulb.yaml` has no `roots`: a module alone has no tables\n");
+}
+
+TEST_CASE("a check is explained, and all are listed") {
+  World world;
+  CHECK(world.directorc({"explain", "needs_cycle"}) == 0);
+  CHECK(world.out.find("Level: error") != std::string::npos);
+  CHECK(world.directorc({"explain", "need_cycle"}) == 2);
+  CHECK(world.err == "directorc: there is no check and no key `need_cycle`; did you mean `needs_cycle`?\n");
+  CHECK(world.directorc({"explain", "neds"}) == 2);
+  CHECK(world.err == "directorc: there is no check and no key `neds`; did you mean `needs`?\n");
+  CHECK(world.directorc({"explain", "xylophone"}) == 2);
+  CHECK(world.err == "directorc: there is no check and no key `xylophone`; `directorc checks` lists all checks, "
+                     "docs/language.md all keys\n");
+  CHECK(world.directorc({"checks"}) == 0);
+  CHECK(world.out.find("needs_cycle ") != std::string::npos);
+}
+
+TEST_CASE("a key of the language is explained in the words of its reference") {
+  World world;
+  CHECK(world.directorc({"explain", "of"}) == 0);
+  CHECK(world.out.starts_with("# of\n\n- `of`: the state belongs to that group: nobody else sets it, and it returns to "
+                              "`initial` (required) when the group stops (key, under \"States\")\n"));
+}
+
+TEST_CASE("times are printed where they are asked for, as text and as JSON") {
+  World world = lamp("''");
+  world.files.add("s.yaml", "behaviour: lamp.yaml\nsteps:\n  - advance: 1500 ms\n  - request: Lamp\n");
+  CHECK(world.directorc({"simulate", "--times", "s.yaml"}) == 0);
+  CHECK(world.out ==
+        "[    0.000000] > advance 1500 ms\n[    1.500000] > request Lamp\n[    1.500000] run Lamp new_task\n");
+  CHECK(world.directorc({"simulate", "--times", "--format=json", "s.yaml"}) == 0);
+  CHECK(world.out == "{\"step\":1,\"time_us\":0,\"event\":\"input\",\"input\":\"advance 1500 ms\"}\n"
+                     "{\"step\":2,\"time_us\":1500000,\"event\":\"input\",\"input\":\"request Lamp\"}\n"
+                     "{\"step\":2,\"time_us\":1500000,\"event\":\"run\",\"group\":\"Lamp\",\"provider\":\"default\","
+                     "\"reasons\":[\"new_task\"]}\n");
+}
+
+TEST_CASE("a scenario that expects nothing holds, and that nothing is compared is said") {
+  World world = lamp("''");
+  world.files.add("s.yaml", "behaviour: lamp.yaml\nsteps:\n  - request: Lamp\n");
+  CHECK(world.directorc({"test", "s.yaml"}) == 0);
+  CHECK(world.out == "holds s.yaml\n");
+  CHECK(world.err ==
+        "directorc: `s.yaml` expects nothing, so nothing is compared; `directorc test --update s.yaml` writes "
+        "what happens\n");
+}
+
+TEST_CASE("a scenario without steps tests nothing, and there is nothing to write into it") {
+  World world = lamp("''");
+  world.files.add("s.yaml", "behaviour: lamp.yaml\nsteps: []\n");
+  CHECK(world.directorc({"test", "--update", "s.yaml"}) == 0);
+  CHECK(world.err == "directorc: `s.yaml` has no steps, so nothing is tested\n");
+  CHECK(world.outputs.written.empty());
+}
+
+TEST_CASE("what happens is written into a scenario that is to be updated, and one that holds stays as it is") {
+  World world = lamp("run Lamp pushed");
+  const std::string text = "scenario: it shines\nbehaviour: lamp.yaml\nsteps:\n  - request: Lamp\n    expect: ";
+  world.outputs.files["s.yaml"] = text + "run Lamp pushed\n";
+  CHECK(world.directorc({"test", "--update", "s.yaml"}) == 0);
+  CHECK(world.out == "wrote s.yaml: it shines\n    what happens in step 1\n");
+  CHECK(world.outputs.files["s.yaml"] == text + "|\n      run Lamp new_task\n");
+  world.files.add("s.yaml", world.outputs.files["s.yaml"]);
+  world.outputs.written.clear();
+  CHECK(world.directorc({"test", "--update", "s.yaml"}) == 0);
+  CHECK(world.out == "holds s.yaml: it shines\n");
+  CHECK(world.outputs.written.empty());
+}
+
+TEST_CASE("a scenario that cannot be written is told, and so is one that a body ends") {
+  World world = lamp("run Lamp pushed"); // the disk has another one meanwhile
+  world.outputs.files["s.yaml"] = "something else\n";
+  CHECK(world.directorc({"test", "--update", "s.yaml"}) == 2);
+  CHECK(world.err == "directorc: `s.yaml`: it has changed meanwhile; run this again\n");
+}
+
+TEST_CASE("a folder stands for the scenarios below it") {
+  World world = lamp("run Lamp new_task");
+  for (const char* path : {"a/s.scenario.yaml", "a/b/t.scenario.yaml"}) {
+    world.files.add(path, "behaviour: " + std::string(path[2] == 'b' ? "../../" : "../") +
+                              "lamp.yaml\nsteps:\n  - {request: Lamp, expect: run Lamp new_task}\n");
+    world.outputs.files[path] = "";
+  }
+  world.outputs.files["a/lamp.yaml"] = "";
+  world.outputs.files["c/lamp.yaml"] = "";
+  CHECK(world.directorc({"test", "a/", "s.yaml"}) == 0);
+  CHECK(world.out == "holds a/b/t.scenario.yaml\nholds a/s.scenario.yaml\nholds s.yaml: it shines\n3 of 3 hold\n");
+  CHECK(world.directorc({"test", "c"}) == 2);
+  CHECK(world.err == "directorc: there is no *.scenario.yaml in `c` or below it\n");
+}
+
+} // namespace

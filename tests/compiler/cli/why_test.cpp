@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "tests/compiler/cli/world.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::World;
+
+World rover() {
+  World world;
+  world.files.add("rover.yaml", R"(behaviour: rover
+language: 1
+states:
+  Motion: {values: [still, rolling], initial: still}
+roots:
+  Explore: {priority: 10}
+  Photograph: {priority: 20}
+  Dream: {priority: 1}
+groups:
+  Explore: {tasks: [Drive]}
+  Photograph: {when: [Motion == still], needs: [Wheels], tasks: [Wheels]}
+  Dream: {needs: [Wheels], tasks: [Wheels]}
+  Drive:
+    providers:
+      - {name: rolling, needs: [Wheels], sets: [Motion == rolling], tasks: [Wheels]}
+      - {name: braking, needs: [Wheels], causing: [Motion == still], tasks: [Wheels]}
+  Wheels: {}
+)");
+  world.files.add("s.yaml", R"(scenario: a picture
+behaviour: rover.yaml
+script:
+  Drive.rolling: {set: {Motion: rolling}, tasks: [Wheels]}
+  Drive.braking:
+    - {reason: wait, set: {Motion: still}, continue: true}
+    - {wait: 1 s, tasks: [Wheels]}
+steps:
+  - request: Explore
+  - disable: Drive.braking
+  - request: Photograph
+  - enable: Drive.braking
+  - advance: 2 s
+  - request: Dream
+)");
+  return world;
+}
+
+TEST_CASE("why a group runs, and for whom") {
+  World world = rover();
+  CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=1"}) == 0);
+  CHECK(world.out == "Drive runs (Explore>Drive) in rolling\n"
+                     "  it runs for Explore, priority 0, that for the program, priority 10 (rover.yaml:10)\n");
+}
+
+TEST_CASE("why a group waits: which condition, and what those do who could make it true") {
+  World world = rover();
+  CHECK(world.directorc({"why", "s.yaml", "Photograph", "--step=3"}) == 0);
+  CHECK(world.out == "Photograph waits (root>Photograph): until Motion == still, which only the outside can make true\n"
+                     "  Motion is rolling (rover.yaml:11)\n"
+                     "  Drive.braking could cause it, and is disabled (rover.yaml:16)\n");
+  CHECK(world.directorc({"why", "s.yaml", "Photograph", "--time", "500 ms"}) == 0);
+  CHECK(world.out == "Photograph waits (root>Photograph): until Motion == still, which Drive.braking could cause\n"
+                     "  Motion is rolling (rover.yaml:11)\n"
+                     "  Drive.braking is to cause it: pushed for root>Photograph (rover.yaml:16)\n");
+}
+
+TEST_CASE("why a group waits: who holds what it needs") {
+  World world = rover();
+  CHECK(world.directorc({"why", "s.yaml", "Dream"}) == 0);
+  CHECK(world.out ==
+        "Dream waits (root>Dream): Wheels, which it needs, is held by Photograph>Wheels, and root>Photograph "
+        "(priority 20) goes before root>Dream (priority 1)\n"
+        "  it is held for Photograph, priority 0, that for the program, priority 20 (rover.yaml:11)\n");
+  CHECK(world.directorc({"why", "s.yaml", "Dream", "--format=json"}) == 0);
+  CHECK(world.out ==
+        "{\"group\":\"Dream\",\"kind\":\"need_held\",\"text\":\"Dream waits (root>Dream): Wheels, which it "
+        "needs, is held by Photograph>Wheels, and root>Photograph (priority 20) goes before root>Dream "
+        "(priority 1)\",\"notes\":[{\"text\":\"it is held for Photograph, priority 0, that for the program, "
+        "priority 20\",\"place\":\"rover.yaml:11\"}]}\n");
+}
+
+TEST_CASE("why a group does not run that nobody asks for") {
+  World world = rover();
+  CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=6"}) == 0);
+  CHECK(world.directorc({"why", "s.yaml", "Dream", "--step=5"}) == 0);
+  CHECK(world.out == "nobody asks for Dream\n  the program may (rover.yaml:8)\n");
+}
+
+TEST_CASE("a question that cannot be answered is wrong usage") {
+  World world = rover();
+  CHECK(world.directorc({"why", "s.yaml", "Drvie"}) == 2);
+  CHECK(world.err == "directorc: there is no group called `Drvie`; did you mean `Drive`?\n");
+  CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=7"}) == 2);
+  CHECK(world.err == "directorc: `s.yaml` has 6 steps\n");
+  CHECK(world.directorc({"why", "s.yaml", "Drive", "--time=soon"}) == 2);
+  CHECK(world.err == "directorc: `soon` is no time: a whole number and us, ms, s or min\n");
+  CHECK(world.directorc({"why", "s.yaml", "Drive", "--time=9999999999999 s"}) == 2);
+  CHECK(world.err == "directorc: `9999999999999 s` is too long: at most 999999999999 s\n");
+  CHECK(world.directorc({"why", "none.yaml", "Drive"}) == 2);
+}
+
+} // namespace

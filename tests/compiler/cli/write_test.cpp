@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// Tests compiler/cli/change.hpp on the disk, and what the program makes of it.
+#include "compiler/cli/change.hpp"
+#include "compiler/emit/artefact/notice.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <set>
+
+using namespace director::compiler;
+using namespace director::compiler::cli;
+using director::tests::binary_dir;
+using director::tests::read_file;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+  fs::path path = binary_dir() / ("tests/cli-write-" + std::to_string(::getpid())); // tests run side by side
+  Folder() {
+    fs::remove_all(path);
+    fs::create_directories(path);
+  }
+  ~Folder() { fs::remove_all(path); }
+  std::string at(const std::string& name) const { return (path / name).string(); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
+  /// Names, sorted, with what is in them; `?` for a temporary file.
+  std::string all() const {
+    std::set<std::string> lines;
+    for (const auto& entry : fs::directory_iterator(path)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with('.')) lines.insert("?");
+      if (!name.starts_with('.') && entry.is_regular_file())
+        lines.insert(name + " " + read_file(entry.path()).substr(0, 40));
+    }
+    std::string out;
+    for (const std::string& line : lines) out += line + "; ";
+    return out;
+  }
+};
+
+bool anything(std::string_view) { return true; }
+bool nothing(std::string_view) { return false; }
+
+/// Ends like a program that is killed, at the n-th time that it looks.
+std::function<void()> killed_at(int n) {
+  return [n, count = 0]() mutable {
+    if (++count == n) ::_exit(9);
+  };
+}
+
+/// In a child: what is done there, and its exit status.
+int in_child(const std::function<int()>& act) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (const int each : {SIGTERM, SIGINT, SIGHUP}) std::signal(each, SIG_DFL); // not the handlers of Catch2
+    ::_exit(act());
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// The exit status of directorc in this folder; what it said is in `said`.
+int directorc(const Folder& folder, const std::string& words) {
+  const std::string program = (binary_dir() / "bin/directorc").string();
+  const std::string command = "cd '" + folder.path.string() + "' && timeout 20 '" + program + "' " + words;
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+const std::string bot = "behaviour: bot\nlanguage: 1\nroots: [Walk]\ngroups: {Walk: {}}\n";
+
+} // namespace
+
+TEST_CASE("whenever writing is cut off, each file is the old one or the new one, and the next time sets it right") {
+  const std::vector<std::string> names{"a", "b", "c"};
+  const auto outputs = [&](const Folder& folder, const std::string& text) {
+    std::vector<Output> out;
+    for (const std::string& name : names) out.push_back({folder.at(name), text, anything});
+    return out;
+  };
+  const std::vector<std::string> expected{
+      "?; a old; b old; c old; ", "?; a old; b old; c old; ", "?; a old; b old; c old; ", // all are written beside
+      "?; a new; b old; c old; ", "?; a new; b new; c old; ", "a new; b new; c new; ",
+  };
+  for (std::size_t moment = 0; moment < expected.size(); ++moment) {
+    const Folder folder;
+    for (const std::string& name : names) folder.write(name, "old");
+    const int status = in_child([&] {
+      write_on_disk(outputs(folder, "new"), killed_at(static_cast<int>(moment) + 1));
+      return 0;
+    });
+    CHECK(status == 9);
+    CHECK(folder.all() == expected[moment]);
+    CHECK(!write_on_disk(outputs(folder, "newer")));
+    for (const std::string& name : names) CHECK(read_file(folder.at(name)) == "newer");
+  }
+}
+
+TEST_CASE("whoever asks the program to end meanwhile gets it when all is written") {
+  const Folder folder;
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    for (const char* name : {"a", "b"}) folder.write(name, "old");
+    const int status = in_child([&] {
+      write_on_disk({{folder.at("a"), "new", anything}, {folder.at("b"), "new", anything}}, [&] { ::raise(signal); });
+      return 0;
+    });
+    CHECK(status == 128 + signal);
+    CHECK(folder.all() == "a new; b new; ");
+  }
+}
+
+TEST_CASE("a disk that is full takes nothing away") {
+  const Folder folder;
+  folder.write("a", "old");
+  const int status = in_child([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{100, 100};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    const auto fault =
+        write_on_disk({{folder.at("a"), "new", anything}, {folder.at("b"), std::string(1000, 'b'), anything}});
+    return fault == "`" + folder.at("b") + "`: File too large" ? 0 : 1;
+  });
+  CHECK(status == 0);
+  CHECK(folder.all() == "a old; ");
+}
+
+TEST_CASE("what is not an ordinary file, or not generated, is neither opened nor replaced, nor is anything else") {
+  const Folder folder;
+  fs::create_directory(folder.at("folder"));
+  ::mkfifo(folder.at("pipe").c_str(), 0600);
+  fs::create_symlink("nowhere", folder.at("link"));
+  folder.write("own", "by hand");
+  folder.write("file", "x");
+  const auto refused = [&](const std::string& name, const std::string& why) {
+    CHECK(write_on_disk({{folder.at("fresh"), "new", anything}, {folder.at(name), "new", nothing}}) ==
+          "`" + folder.at(name) + "`: " + why);
+    CHECK(folder.all() == "file x; own by hand; ");
+  };
+  refused("folder", "a folder is in the way");
+  refused("pipe", "it is no ordinary file");
+  refused("link", "it is a link that leads nowhere");
+  refused("own", foreign);
+  refused("file/below", "Not a directory");
+  CHECK(!write_on_disk({{folder.at("own"), "by hand", nothing}})); // which it is already
+  folder.write("empty", "");
+  CHECK(!write_on_disk({{folder.at("empty"), "new", nothing}})); // in which there is nothing to lose
+  fs::create_symlink("own", folder.at("to_own"));
+  CHECK(!write_on_disk({{folder.at("to_own"), "new", anything}}));
+  CHECK(fs::is_symlink(folder.at("to_own")));
+  CHECK(read_file(folder.at("own")) == "new");
+}
+
+TEST_CASE("a set says one thing of each file") {
+  const Folder folder;
+  CHECK(write_on_disk({{folder.at("a"), "one"}, {folder.at("./a"), "two"}}) ==
+        "`" + folder.at("./a") + "`: two different texts would go there");
+  CHECK(folder.all().empty());
+  CHECK(!write_on_disk({{folder.at("a"), "one"}, {folder.at("./a"), "one"}}));
+  CHECK(folder.all() == "a one; ");
+}
+
+TEST_CASE("a depfile is known by its shape") {
+  CHECK(is_depfile("a b: \\\n  c\n"));
+  CHECK(is_depfile("a: \\\n  c \\\n  my\\ d\n"));
+  CHECK_FALSE(is_depfile("a:\n"));
+  CHECK_FALSE(is_depfile("all: \\\n  c\n\nclean:\n\trm c\n"));
+  CHECK_FALSE(is_depfile("all: c\n\tcc c\n"));
+  CHECK_FALSE(is_depfile("behaviour: bot\nlanguage: 1\n"));
+  CHECK_FALSE(is_depfile("text"));
+}
+
+TEST_CASE("no command writes over what somebody else has written, but each over its own") {
+  const Folder folder;
+  folder.write("bot.yaml", bot + "assertions:\n  - can_run: Walk\n  - never_together: [Walk, Turn]\n");
+  const std::string turning = "behaviour: bot\nlanguage: 1\nroots: [Walk, Turn]\ngroups: {Walk: {}, Turn: {}}\n"
+                              "assertions:\n  - never_together: [Walk, Turn]\n";
+  folder.write("bot.yaml", turning);
+  const auto told = [&](const std::string& words) {
+    const int status = directorc(folder, words + " > out 2> err");
+    const std::string err = read_file(folder.at("err"));
+    return std::to_string(status) + " " + err;
+  };
+  const std::string why = std::string(": ") + foreign + "\n";
+  for (const std::string format : {"dot", "mermaid", "json"}) {
+    CHECK(told("graph --format=" + format + " bot.yaml -o bot.yaml") == "2 directorc: cannot write `bot.yaml`" + why);
+    CHECK(read_file(folder.at("bot.yaml")) == turning);
+    CHECK(told("graph --format=" + format + " bot.yaml -o picture") == "0 ");
+    CHECK(told("graph --format=dot bot.yaml -o picture") == "0 ");
+  }
+  CHECK(told("explore bot.yaml --output found") == "1 ");
+  CHECK(told("explore bot.yaml --output found") == "1 ");
+  folder.write("found/never_together_Walk_Turn.scenario.yaml", "scenario: mine\n");
+  CHECK(told("explore bot.yaml --output found") ==
+        "2 directorc: no scenario is written; cannot write `found/never_together_Walk_Turn.scenario.yaml`" + why);
+
+  folder.write("bot.yaml", bot);
+  CHECK(told("generate bot.yaml -o . --depfile bot.d") == "0 ");
+  folder.write("bot.yaml", bot + "doc: again\n");
+  CHECK(told("generate bot.yaml -o . --depfile bot.d") == "0 ");
+  for (const std::string name : {"bot.hpp", "bot.cpp", "manifest.json", "bot.d"}) {
+    const std::string before = read_file(folder.at(name));
+    folder.write(name, "{\"by\": \"hand\"}\n");
+    folder.write("bot.yaml", bot + "doc: once more\n");
+    CHECK(told("generate bot.yaml -o . --depfile bot.d") ==
+          "2 directorc: nothing is written; cannot write `" + (name == "bot.d" ? name : "./" + name) + "`" + why);
+    CHECK(read_file(folder.at(name)) == "{\"by\": \"hand\"}\n");
+    folder.write(name, before);
+  }
+  CHECK(read_file(folder.at("bot.hpp")).find("again") != std::string::npos);
+}
+
+TEST_CASE("a folder or a pipe in the way is told, with status 2") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  fs::create_directories(folder.at("out/bot.hpp"));
+  ::mkfifo(folder.at("pipe").c_str(), 0600);
+  CHECK(directorc(folder, "generate bot.yaml -o out 2> err") == 2);
+  CHECK(read_file(folder.at("err")) ==
+        "directorc: nothing is written; cannot write `out/bot.hpp`: a folder is in the way\n");
+  CHECK(directorc(folder, "graph bot.yaml -o pipe 2> err") == 2);
+  CHECK(read_file(folder.at("err")) == "directorc: cannot write `pipe`: it is no ordinary file\n");
+  CHECK(directorc(folder, "graph bot.yaml -o out 2> err") == 2);
+  CHECK(read_file(folder.at("err")) == "directorc: cannot write `out`: a folder is in the way\n");
+}
+
+TEST_CASE("what cannot be said ends with status 2, wherever it should have gone") {
+  const Folder folder;
+  folder.write("bot.yaml", bot + "triggers: [unused]\n"); // which is a lint
+  CHECK(directorc(folder, "check --lint bot.yaml > /dev/full 2> err") == 2);
+  CHECK(read_file(folder.at("err")) == "directorc: the output cannot be written\n");
+  CHECK(directorc(folder, "generate --lint bot.yaml -o out 2> /dev/full") == 2);
+  CHECK(directorc(folder, "check --lint bot.yaml 2> err >&-") == 2);
+  CHECK(directorc(folder, "check --lint bot.yaml > out.txt") == 0);
+}
+
+TEST_CASE("a part of a set that cannot be written leaves the set as it was") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  REQUIRE(directorc(folder, "generate bot.yaml -o out") == 0);
+  const std::string header = read_file(folder.at("out/bot.hpp")), source = read_file(folder.at("out/bot.cpp"));
+  folder.write("bot.yaml",
+               bot + "states: {Mode: {values: [a, b], initial: a, external: true}}\nallow: [unused_declaration]\n"
+                     "because: for later\n");
+  CHECK(directorc(folder, "generate bot.yaml -o out --depfile /dev/full 2> err") == 2);
+  CHECK(read_file(folder.at("err")) ==
+        "directorc: nothing is written; cannot write `/dev/full`: it is no ordinary file\n");
+  CHECK(read_file(folder.at("out/bot.hpp")) == header);
+  CHECK(read_file(folder.at("out/bot.cpp")) == source);
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/stubs/relevance.hpp"
+#include "tests/compiler/stubs/behaviour.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace director::tests;
+using namespace director::compiler::stubs;
+
+TEST_CASE("a file that names nothing of a behaviour need not be read") {
+  const Wanted wanted = wanted_of(walking_robot);
+  CHECK(telling_words(wanted) == Words{"Legs", "Locomotion", "Servos", "Walk", "robot", "team"});
+  CHECK(interface_words(wanted) == Words{"Locomotion", "Servos"});
+  CHECK(mentions("#include \"robot.hpp\"\n", telling_words(wanted)));
+  CHECK(mentions("x.Walk::y", telling_words(wanted)));
+  CHECK_FALSE(mentions("robots Walker MyLegs team_", telling_words(wanted)));
+  CHECK_FALSE(mentions("", telling_words(wanted)));
+}
+
+TEST_CASE("a class that may be made of others is known by where their names stand") {
+  const Words names{"Legs", "Arms"};
+  CHECK(derives("struct Robot : Legs {", names));
+  CHECK(derives("class Robot final: public virtual robot :: parts::Legs {", names));
+  CHECK(derives("class Robot : Head,\n  private Arms {", names));
+  CHECK_FALSE(derives("class Legs : public Limbs { Arms arms; };", names));
+  CHECK_FALSE(derives("robot::Legs legs; MyLegs : Legless", names));
+  CHECK_FALSE(derives("Legs", names));
+  CHECK_FALSE(derives("", names));
+}
+
+TEST_CASE("C++ is known by its name") {
+  CHECK(is_cpp("a/b.cpp"));
+  CHECK(is_cpp("b.hh"));
+  CHECK_FALSE(is_cpp("b.c"));
+  CHECK_FALSE(is_cpp("cpp"));
+}

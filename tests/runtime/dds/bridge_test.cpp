@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+// Two robots and an onlooker in one process, each with a participant of its own.
+#include "runtime/dds/entity.hpp"
+#include "runtime/dds/plan.hpp"
+#include "tests/runtime/dds/robot.hpp"
+
+#include <arpa/inet.h>
+#include <catch2/catch.hpp>
+#include <dds/ddsrt/log.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstring>
+#include <map>
+#include <random>
+
+using namespace director;
+using namespace director::tests;
+using dds::Settings;
+
+namespace {
+
+const Settings speaks{.robot = "one", .publish = {"Mood", "Battery"}};
+const Settings hears{.robot = "two",
+                     .take_in = {{.robot = "one", .state = "Mood", .into = "Mood"},
+                                 {.robot = "one", .state = "Battery", .into = "Battery"}}};
+constexpr std::int32_t calm = 0, hurried = 1;
+
+/// Speaks for a robot that has no bridge, and whatever it is told to.
+class Stranger {
+public:
+  void says(const char* state, int kind, int number, const char* name, const char* robot = "one") {
+    const dds::State sample{.robot = const_cast<char*>(robot),
+                            .behaviour = const_cast<char*>("courier"),
+                            .state = const_cast<char*>(state),
+                            .kind = static_cast<std::uint8_t>(kind),
+                            .number = number,
+                            .name = const_cast<char*>(name),
+                            .stamp = {}};
+    REQUIRE(dds::write(states_, sample));
+  }
+  void is_member(const char* robot, std::uint64_t session, const char* specification) {
+    const dds::Member sample{.robot = const_cast<char*>(robot),
+                             .behaviour = const_cast<char*>("courier"),
+                             .session = session,
+                             .specification = const_cast<char*>(specification)};
+    REQUIRE(dds::write(members_, sample));
+  }
+
+private:
+  const dds::Entity participant_ = dds::join(loopback_domain());
+  const dds::Entity states_ = dds::make_writer<dds::State>(participant_);
+  const dds::Entity members_ = dds::make_writer<dds::Member>(participant_);
+};
+
+/// Hears everybody.
+class Onlooker {
+public:
+  std::string state(const std::string& name) {
+    dds::take<dds::State>(states_, [this](const dds::State& sample, const dds_sample_info_t& info) {
+      if (!info.valid_data) return;
+      ++heard;
+      said_[sample.state] = sample.kind == 0   ? "nothing"
+                            : sample.kind == 1 ? sample.name
+                                               : std::to_string(sample.number);
+    });
+    return said_[name];
+  }
+  std::vector<std::string> decisions() {
+    std::vector<std::string> out;
+    dds::take<dds::DecisionSample>(decisions_, [&](const dds::DecisionSample& d, const dds_sample_info_t&) {
+      in_order = in_order && d.number > last_;
+      gaps += d.number - last_ - 1;
+      last_ = d.number;
+      out.push_back(std::string(d.kind) + " " + d.group + " " + d.requester + " " + d.reason);
+    });
+    return out;
+  }
+  std::string promise() {
+    dds::take<dds::PromiseSample>(promises_, [this](const dds::PromiseSample& p, const dds_sample_info_t&) {
+      promise_ = std::string(p.kept ? "kept " : "broken ") + p.group + "." + p.provider + " " + p.condition;
+    });
+    return promise_;
+  }
+  bool hears(const dds::Entity& of_type) {
+    dds_subscription_matched_status_t status{};
+    dds_get_subscription_matched_status(of_type.get(), &status);
+    return status.current_count > 0;
+  }
+  bool ready() { return hears(decisions_); }
+
+  int heard = 0;
+  bool in_order = true;
+  std::uint64_t gaps = 0;
+
+private:
+  const dds::Entity participant_ = dds::join(loopback_domain());
+  const dds::Entity states_ = dds::make_reader<dds::State>(participant_);
+  const dds::Entity decisions_ = dds::make_reader<dds::DecisionSample>(participant_);
+  const dds::Entity promises_ = dds::make_reader<dds::PromiseSample>(participant_);
+  std::map<std::string, std::string> said_;
+  std::uint64_t last_ = 0;
+  std::string promise_;
+};
+
+bool is(Robot& robot, const std::string& state, std::int32_t value) {
+  return robot.comes_true([&] { return robot.value(state) == value; });
+}
+
+} // namespace
+
+TEST_CASE("what one robot becomes the other one hears") {
+  Robot one(speaks), two(hears);
+  CHECK(one.behaviour.set(post::Mood::hurried, courier::Battery{-7}));
+  one.step();
+  CHECK(is(two, "Mood", hurried));
+  CHECK(is(two, "Battery", -7));
+  CHECK(one.behaviour.set(post::Mood::calm));
+  one.step();
+  CHECK(is(two, "Mood", calm));
+  CHECK(one.bridge.counts().states_said >= 3);
+  CHECK(two.bridge.counts().states_heard >= 3);
+}
+
+TEST_CASE("a robot that joins late hears what holds, though it was said before") {
+  Robot one(speaks);
+  CHECK(one.behaviour.set(post::Mood::hurried));
+  one.step();
+  std::this_thread::sleep_for(20ms);
+  Robot two(hears);
+  CHECK(is(two, "Mood", hurried)); // and one has not stepped again
+}
+
+TEST_CASE("a robot that joins very late does not hear what nobody has said for long") {
+  Robot one({.robot = "one", .publish = {"Mood"}, .say_again = 20ms});
+  CHECK(one.behaviour.set(post::Mood::hurried));
+  one.step();
+  std::this_thread::sleep_for(400ms); // it does not step any more: its last words live for five times say_again
+  Robot two(hears);
+  CHECK(two.comes_true([&] { return two.was_told("joined one: the behaviour courier is there"); }));
+  for (int i = 0; i < 20; ++i) {
+    two.step();
+    std::this_thread::sleep_for(10ms);
+  }
+  CHECK(two.value("Mood") == calm);
+}
+
+TEST_CASE("a robot says its states again and again, but only while it steps") {
+  Robot one({.robot = "one", .publish = {"Mood"}, .say_again = 10ms});
+  Onlooker onlooker;
+  CHECK(one.comes_true([&] { return onlooker.state("Mood") == "calm" && onlooker.heard > 5; }));
+  std::this_thread::sleep_for(50ms);
+  onlooker.state("Mood");
+  const int heard = onlooker.heard;
+  std::this_thread::sleep_for(100ms);
+  onlooker.state("Mood");
+  CHECK(onlooker.heard == heard);
+}
+
+TEST_CASE("a state without a value is said to have none, and changes nothing") {
+  Robot one(speaks), two(hears);
+  Onlooker onlooker;
+  CHECK(one.comes_true([&] { return onlooker.state("Battery") == "nothing"; }));
+  CHECK(two.behaviour.set(courier::Battery{5}));
+  CHECK(one.behaviour.set(post::Mood::hurried));
+  one.step();
+  CHECK(is(two, "Mood", hurried));
+  CHECK(two.value("Battery") == 5);
+}
+
+TEST_CASE("a value that is not known here is told of once, and changes nothing") {
+  Robot two(hears);
+  Stranger one;
+  for (int i = 0; i < 5; ++i) {
+    one.says("Mood", 1, 0, "merry");
+    one.says("Battery", 2, 1000, "");
+    CHECK(two.comes_true([&, i] { return two.bridge.counts().unknown_values >= 2U * static_cast<unsigned>(i) + 2; }));
+  }
+  one.says("Mood", 1, 0, "hurried");
+  CHECK(is(two, "Mood", hurried));
+  CHECK(two.value("Battery") == unset);
+  CHECK(two.notices() ==
+        std::vector<std::string>{
+            "unknown_value one: the state Mood is merry, a value that Mood does not have; it stays as it is",
+            "unknown_value one: the state Battery is 1000, a value that Battery does not have; it stays as it is"});
+}
+
+TEST_CASE("samples that cannot be meant are told of and change nothing") {
+  Robot two(hears);
+  Stranger one;
+  std::uint64_t faults = 0; // one after the other: of one state only the newest sample is kept
+  const auto is_counted = [&] {
+    ++faults;
+    return comes_true([&] { return two.bridge.counts().bad_samples + two.bridge.counts().unknown_values == faults; });
+  };
+  one.says("Mood", 77, 1, "hurried");
+  CHECK(is_counted());
+  one.says("", 1, 0, "hurried");
+  CHECK(is_counted());
+  one.says("Mood", 1, 1, "hurried", "");
+  CHECK(is_counted());
+  one.is_member("", 1, "");
+  CHECK(is_counted());
+  CHECK(two.bridge.counts().bad_samples == 4);
+  one.says("Mood", 1, 1, std::string(1'000'000, 'x').c_str());
+  CHECK(is_counted());
+  one.says("Mood", 2, 1, ""); // the number of a value with a name
+  CHECK(is_counted());
+  CHECK(two.bridge.counts().unknown_values == 2);
+  one.says("Mood", 1, 0, "hurried", "somebody"); // whom nobody listens to
+  one.says("Sound", 1, 0, "hurried");
+  one.says("Battery", 2, 1, "");
+  CHECK(is(two, "Battery", 1));
+  CHECK(two.value("Mood") == calm);
+  CHECK(two.was_told("bad_sample one: the state Mood comes as something that is neither a name nor a number"));
+  CHECK(two.was_told("unknown_value one: the state Mood is " + std::string(60, 'x') +
+                     "..., a value that Mood does not have; it stays as it is"));
+}
+
+TEST_CASE("bytes that are no message change nothing") {
+  Robot two(hears);
+  Stranger one;
+  std::atomic<int> complaints{0}; // of the library, which would fill the terminal
+  dds_set_log_sink([](void* count, const dds_log_data_t*) { ++*static_cast<std::atomic<int>*>(count); }, &complaints);
+  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+  REQUIRE(socket >= 0);
+  std::mt19937 draw(1);
+  for (int i = 0; i < 1000; ++i) {
+    std::string bytes(draw() % 200, 0);
+    for (char& byte : bytes) byte = static_cast<char>(draw());
+    if (i % 2 == 0) bytes.insert(0, "RTPS\x02\x01"); // the beginning of one
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_port =
+        htons(static_cast<std::uint16_t>(7400 + 250 * loopback_domain() + 10 + draw() % 4)); // of the first two
+    sendto(socket, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
+  }
+  close(socket);
+  one.says("Battery", 2, 42, "");
+  CHECK(is(two, "Battery", 42));
+  CHECK(two.value("Mood") == calm);
+  CHECK(comes_true([&] { return complaints > 0; }));
+  dds_set_log_sink(nullptr, nullptr);
+}
+
+TEST_CASE("who offers states with less quality than it takes is told of") {
+  Robot two(hears);
+  const dds::Entity participant = dds::join(loopback_domain());
+  const dds_entity_t topic =
+      dds_create_topic(participant.get(), &director_msgs_msg_dds__State__desc, "rt/director/state", nullptr, nullptr);
+  const dds::Entity writer{dds_create_writer(participant.get(), topic, nullptr, nullptr), "a writer"}; // volatile
+  CHECK(two.comes_true([&] {
+    return two.was_told("incompatible : somebody says states with a quality of service that is not enough, and is not "
+                        "heard (policy " +
+                        std::to_string(DDS_DURABILITY_QOS_POLICY_ID) + ")");
+  }));
+}
+
+TEST_CASE("who comes, goes, comes again and decides otherwise is told") {
+  Robot two(hears);
+  {
+    Robot one(speaks);
+    CHECK(two.comes_true([&] { return two.was_told("joined one: the behaviour courier is there"); }));
+  }
+  CHECK(two.comes_true([&] { return two.was_told("gone one: the behaviour courier said goodbye"); }));
+  Robot again(speaks);
+  CHECK(two.comes_true([&] { return two.was_told("restarted one: the behaviour courier was started again"); }));
+  CHECK(two.notices().size() == 3); // it decides as before
+  const std::string mine = dds::specification_of(plug(two.behaviour));
+  Stranger three;
+  three.is_member("three", 9, "0123");
+  CHECK(two.comes_true([&] {
+    return two.was_told(
+        "other three: the behaviour courier decides otherwise there: its specification is 0123, here it is " + mine);
+  }));
+}
+
+TEST_CASE("two processes with one name are told of") {
+  Robot one(speaks), twin(speaks);
+  const std::string notice =
+      "twin one: another process says that it is this robot with the behaviour courier; both are "
+      "heard as one";
+  CHECK(one.comes_true([&] { return one.was_told(notice); }));
+  CHECK(twin.comes_true([&] { return twin.was_told(notice); }));
+}
+
+TEST_CASE("values that nobody takes in time are told of, and the newest one comes") {
+  Robot two(hears);
+  Stranger one;
+  for (int i = 0; i < 200; ++i) { // and nobody steps
+    one.says("Battery", 2, i % 100, "");
+    std::this_thread::sleep_for(1ms);
+  }
+  CHECK(comes_true([&] { return two.bridge.counts().inbox_full > 0; }));
+  CHECK(two.was_told("inbox_full one: the inbox has no room for Battery: is the behaviour stepped often enough?"));
+  one.says("Battery", 2, 42, "");
+  CHECK(is(two, "Battery", 42));
+}
+
+TEST_CASE("others see what a robot decides, in order, and what becomes of its promises") {
+  Onlooker onlooker;
+  Robot one(speaks);
+  one.plans.deliver = [](courier::Deliver::Default& run) {
+    return run.enter(courier::Open{}, courier::Walk{post::Steps{}});
+  };
+  one.skills.unlocking = [](courier::Open::Unlocking& run) {
+    run.set(courier::Door::open);
+    return run.keep();
+  };
+  CHECK(one.comes_true([&] { return onlooker.ready(); }));
+  one.behaviour.request(courier::Deliver{{std::make_unique<int>(1)}});
+  std::vector<std::string> decisions;
+  CHECK(one.comes_true([&] {
+    const auto more = onlooker.decisions();
+    decisions.insert(decisions.end(), more.begin(), more.end());
+    return onlooker.promise() == "kept Open.unlocking Door == open";
+  }));
+  CHECK(one.comes_true([&] {
+    const auto more = onlooker.decisions();
+    decisions.insert(decisions.end(), more.begin(), more.end());
+    return decisions.size() >= 6;
+  }));
+  CHECK(decisions.front() == "grant Deliver root ");
+  CHECK(decisions[1] == "run Deliver  new_task");
+  CHECK(onlooker.in_order);
+  CHECK(onlooker.gaps == 0);
+}
+
+TEST_CASE("decisions that find no room are counted, and others see the gap") {
+  Onlooker onlooker;
+  Robot one(speaks);
+  CHECK(one.comes_true([&] { return onlooker.ready(); }));
+  one.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
+  for (int i = 0; i < 200; ++i) { // without telling the bridge: what it decided piles up
+    one.behaviour.request<courier::Rest>();
+    one.behaviour.step(0s);
+  }
+  CHECK(one.comes_true([&] { return one.bridge.counts().decisions_lost > 0; }));
+  CHECK(one.was_told(
+      "decisions_lost one: more was decided at once than the outbox has room for; others see gaps in the numbers"));
+  one.behaviour.request<courier::Rest>();
+  CHECK(one.comes_true([&] {
+    onlooker.decisions();
+    return onlooker.gaps > 0;
+  }));
+  CHECK(onlooker.in_order);
+}
+
+TEST_CASE("a domain that does not exist, or whose network is not there, is an error that says so") {
+  loopback_domain();
+  Plans plans;
+  Skills skills;
+  dds::Outbox outbox;
+  courier::Behaviour behaviour{plans, skills, outbox.observer()};
+  const auto enter = [&](std::uint32_t domain) -> std::string {
+    try {
+      dds::Bridge bridge(plug(behaviour), outbox, {.robot = "one", .domain = domain});
+    } catch (const dds::Failure& failure) { return failure.what(); }
+    return "";
+  };
+  CHECK(enter(233) == "dds: there is no domain 233; the highest is 232");
+  const std::string loopback = std::getenv("CYCLONEDDS_URI");
+  setenv("CYCLONEDDS_URI",
+         R"(<CycloneDDS><Domain Id="any"><General><Interfaces><NetworkInterface address="203.0.113.1"/></Interfaces>)"
+         R"(</General></Domain></CycloneDDS>)",
+         1);
+  CHECK(enter(231) ==
+        "dds: no way into domain 231: Error. Is the network there that CYCLONEDDS_URI names, and not every "
+        "participant's port taken?");
+  setenv("CYCLONEDDS_URI", loopback.c_str(), 1);
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/dds/decision.hpp"
+#include "tests/runtime/dds/robot.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace director;
+using namespace director::tests;
+
+namespace {
+
+/// Everything that one behaviour tells, in words.
+struct Told {
+  static void hear(void* self, const Event& event) {
+    Told& told = *static_cast<Told*>(self);
+    const dds::Decision d = dds::decision_of(event, *told.plug);
+    if (event.kind != Event::Kind::set && event.kind != Event::Kind::input && event.kind != Event::Kind::ask)
+      told.decisions.push_back(d.kind + " " + d.group + "." + d.provider + " for " + d.requester + ": " + d.reason);
+    if (const auto ended = told.promises->hear(event))
+      told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->group + "." + ended->provider + ": " +
+                           ended->condition);
+  }
+  const dds::Plug* plug = nullptr;
+  dds::Promises* promises = nullptr;
+  std::vector<std::string> decisions, ended;
+};
+
+/// A behaviour whose every event is heard.
+struct Heard {
+  Heard() {
+    told.plug = &plugged;
+    told.promises = &promises;
+  }
+  Plans plans;
+  Skills skills;
+  Told told;
+  courier::Behaviour behaviour{plans, skills, {&Told::hear, &told}};
+  const dds::Plug plugged = plug(behaviour);
+  dds::Promises promises{plugged};
+};
+
+} // namespace
+
+TEST_CASE("a decision is told in names") {
+  Heard heard;
+  heard.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
+  heard.behaviour.request<courier::Rest>();
+  heard.behaviour.step(0s);
+  CHECK(heard.told.decisions ==
+        std::vector<std::string>{"grant Rest.default for root: ", "run Rest.default for : new_task",
+                                 "grant Sing.default for Rest: ", "run Sing.default for : new_task"});
+}
+
+TEST_CASE("a promise is kept by the run of its provider, and broken when its time is over") {
+  Heard heard;
+  const auto hear = [&](Event event) {
+    if (const auto ended = heard.promises.hear(event))
+      heard.told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->condition);
+  };
+  const Tables& t = heard.plugged.tables();
+  Index unlocking = 0;
+  while (std::string(courier::names::provider(unlocking)) != "unlocking") ++unlocking;
+  const Index open = t.providers[unlocking].group, door = state_row("Door");
+  hear({.kind = Event::Kind::run, .group = open, .provider = unlocking, .micro_step = 5});
+  hear({.kind = Event::Kind::set, .state = door, .value = 0, .micro_step = 5});
+  CHECK(heard.told.ended.empty());
+  hear({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 6}); // by a handler, or a timer
+  CHECK(heard.told.ended.empty());
+  hear({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 5});
+  hear({.kind = Event::Kind::broken, .group = open, .provider = unlocking, .micro_step = 9});
+  CHECK(heard.told.ended == std::vector<std::string>{"kept Door == open", "broken Door == open"});
+}

@@ -1,0 +1,20 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Plays a plan and prints what happens, in the words of `directorc simulate --decisions`.
+
+#include "tests/system/arm/target/plan.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace target {
+
+struct Used {
+  std::size_t state = 0;  ///< bytes of the engine's memory
+  std::size_t memory = 0; ///< with the inbox and what the script needs; more than there is: it was not played
+};
+
+/// `memory` is aligned to 8.
+Used play(const Plan& plan, std::span<std::byte> memory);
+
+} // namespace target

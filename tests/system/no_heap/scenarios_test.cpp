@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// The engine uses no heap: every scenario of the project is played with the heap watched inside of Engine::take_step,
+// but not inside of the scripted bodies and of the recorder, which are not the robot's. The linker puts the functions
+// below between the player of scenarios and the engine (--wrap, see CMakeLists.txt).
+
+#include "compiler/lower/lower.hpp"
+#include "compiler/model/resolve.hpp"
+#include "compiler/play/play.hpp"
+#include "compiler/play/resolve_scenario.hpp"
+#include "compiler/play/scripted_bodies.hpp"
+#include "dsl/read_behaviour.hpp"
+#include "dsl/read_scenario.hpp"
+#include "runtime/core/engine.hpp"
+#include "tests/system/no_heap/heap_trap.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <vector>
+
+namespace {
+
+using namespace director;
+
+Bodies scripted;
+std::vector<Outcome (*)(void*, Run&)> runs;
+std::vector<void (*)(void*, Handling&)> starts, stops;
+Observer observer;
+std::size_t watched_steps = 0;
+
+} // namespace
+
+// Behind the asm labels stand the names that the compilers give to Engine::take_step(Time), ScriptedBodies::table() and
+// Recorder::observer(), as the linker's --wrap calls the original and what stands before it.
+StepResult real_step(Engine* engine, Time now) __asm__("__real__ZN8director6Engine9take_stepEl");
+Bodies real_table(compiler::ScriptedBodies* self) __asm__("__real__ZN8director8compiler14ScriptedBodies5tableEv");
+Observer real_observer(compiler::Recorder* self) __asm__("__real__ZN8director8compiler8Recorder8observerEv");
+StepResult watched_step(Engine* engine, Time now) __asm__("__wrap__ZN8director6Engine9take_stepEl");
+Bodies watched_table(compiler::ScriptedBodies* self) __asm__("__wrap__ZN8director8compiler14ScriptedBodies5tableEv");
+Observer watched_observer(compiler::Recorder* self) __asm__("__wrap__ZN8director8compiler8Recorder8observerEv");
+
+StepResult watched_step(Engine* engine, Time now) {
+  ++watched_steps;
+  const tests::HeapTrap trap;
+  return real_step(engine, now);
+}
+
+Bodies watched_table(compiler::ScriptedBodies* self) {
+  scripted = real_table(self);
+  Bodies watched = scripted;
+  static Outcome (*const run)(void*, Run&) = [](void* bodies, Run& context) {
+    const tests::Amnesty amnesty;
+    return scripted.run[context.provider()](bodies, context);
+  };
+  static void (*const start)(void*, Handling&) = [](void* bodies, Handling& context) {
+    const tests::Amnesty amnesty;
+    scripted.start[context.group()](bodies, context);
+  };
+  static void (*const stop)(void*, Handling&) = [](void* bodies, Handling& context) {
+    const tests::Amnesty amnesty;
+    scripted.stop[context.group()](bodies, context);
+  };
+  runs.assign(10'000, run);
+  starts.assign(10'000, start);
+  stops.assign(10'000, stop);
+  watched.run = runs.data();
+  watched.start = starts.data();
+  watched.stop = stops.data();
+  watched.data = [](void* bodies, Bodies::Data what, Index edge, Index handle) {
+    const tests::Amnesty amnesty;
+    scripted.data(bodies, what, edge, handle);
+  };
+  return watched;
+}
+
+Observer watched_observer(compiler::Recorder* self) {
+  observer = real_observer(self);
+  return {[](void* recorder, const Event& event) {
+            const tests::Amnesty amnesty;
+            observer.tell(recorder, event);
+          },
+          observer.self};
+}
+
+namespace director::tests {
+namespace {
+
+std::vector<std::string> scenarios() {
+  std::vector<std::string> paths;
+  for (const char* folder : {"tests/conformance", "behaviours"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_dir() / folder)) {
+      const std::string path = entry.path().string();
+      if (path.ends_with(".scenario.yaml") && path.find("/refused/") == std::string::npos) paths.push_back(path);
+    }
+  }
+  return paths;
+}
+
+void play_file(const std::string& path) {
+  dsl::DiskFiles disk;
+  dsl::Sources sources;
+  const dsl::ReadScenarioResult read = dsl::read_scenario(path, disk, sources);
+  const std::string behaviour = (std::filesystem::path(path).parent_path() / read.scenario.behaviour.value).string();
+  const dsl::ReadResult spec = dsl::read_behaviour(behaviour, disk, sources);
+  const compiler::Resolved resolved = compiler::resolve(spec.spec, sources);
+  const compiler::Lowered lowered = compiler::lower(resolved.model);
+  const compiler::ResolvedScenario scenario = compiler::resolve_scenario(read.scenario, resolved.model);
+  REQUIRE(scenario.findings.empty());
+  std::size_t events = 0;
+  compiler::play(scenario.scenario, resolved.model, lowered, {true}, [&](const compiler::Happening&) { ++events; });
+  CHECK(events > 0);
+}
+
+TEST_CASE("the trap sees what is asked of the heap, and only while it is armed") {
+  const auto ask = [] { // a compiler may leave out what nobody looks at
+    static void* volatile kept = nullptr;
+    kept = ::operator new(100);
+    ::operator delete(kept);
+    kept = std::malloc(100);
+    std::free(kept);
+  };
+  const std::size_t before = heap_uses();
+  ask();
+  CHECK(heap_uses() == before);
+  {
+    const HeapTrap trap;
+    ask();
+  }
+  CHECK(heap_uses() == before + 2);
+}
+
+TEST_CASE("no scenario makes the engine use the heap") {
+  const std::vector<std::string> paths = scenarios();
+  CHECK(paths.size() >= 80);
+  for (const std::string& path : paths) {
+    INFO(path);
+    const std::size_t before = heap_uses(), steps = watched_steps;
+    play_file(path);
+    CHECK(heap_uses() == before);
+    CHECK(watched_steps > steps);
+  }
+}
+
+} // namespace
+} // namespace director::tests
