@@ -237,7 +237,10 @@ std::string print_file(const BehaviourSpec& file) {
   if (!file.assertions.empty()) out += "assertions:\n";
   for (const AssertionSpec& assertion : file.assertions) out += fmt::format("  - {}\n", assertion_text(assertion));
   Pairs tail;
-  if (file.limits.trials) tail.push_back(fmt::format("limits: {{trials: {}}}", file.limits.trials->value));
+  Pairs limits;
+  if (file.limits.trials) limits.push_back(fmt::format("trials: {}", file.limits.trials->value));
+  if (file.limits.pass) limits.push_back(fmt::format("pass: {}", file.limits.pass->value));
+  if (!limits.empty()) tail.push_back(pair("limits", yaml_mapping(limits)));
   add(tail, file.allow);
   print_lines(tail);
   return out;

@@ -44,11 +44,12 @@ CppSpec read_cpp(Reader& reader, const YamlNode* node) {
 }
 
 LimitsSpec read_limits(Reader& reader, const YamlNode* node) {
-  static const Keys keys{"trials"};
+  static const Keys keys{"trials", "pass"};
   LimitsSpec limits;
   if (!reader.is_mapping(node, "limits")) return limits;
   reader.know_keys(*node, "`limits`", keys);
   limits.trials = reader.number(node->find("trials"), "trials", {1});
+  limits.pass = reader.number(node->find("pass"), "pass", {1});
   return limits;
 }
 

@@ -138,7 +138,7 @@ struct AssertionSpec {
 };
 
 struct LimitsSpec {
-  std::optional<Located<std::int64_t>> trials; ///< above 0
+  std::optional<Located<std::int64_t>> trials, pass; ///< above 0
   bool operator==(const LimitsSpec&) const = default;
 };
 

@@ -14,6 +14,7 @@
 namespace director::checks {
 
 using namespace director::analysis; // a check asks what the analyses know, in their words
+using analysis::Input;              // not the engine's
 
 struct Registered {
   std::string_view id;

@@ -1,6 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unbounded_choice.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/plans/plans.hpp"
+#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <map>
 
 namespace director::checks {
 
@@ -17,128 +17,146 @@ namespace {
 /// Nobody waits for more than this, whatever limit was set.
 constexpr std::int64_t most_counted = 1'000'000'000;
 
-/// Providers and plans that a task can be met with; `complete` is false where there are more than could be counted.
-struct WayCount {
-  std::int64_t count = 0;
-  bool complete = true;
+/// What one pass over a component tries for one requester.
+struct Share {
+  std::int64_t trials = 0;
+  Span span{};
+  std::string words; ///< "the tasks of `Plan`"
 };
 
-class Counter {
+struct InPass {
+  TrialCount sum;
+  std::vector<Share> shares;
+  bool reported = false; ///< one decision of it is too large already
+};
+
+class UnboundedChoice {
 public:
-  Counter(const Model& model, Budget& budget) : model_(model), budget_(budget), ways_(model.groups.size()) {}
+  UnboundedChoice(const Input& input, Findings& findings)
+      : model_(input.model),
+        component_(input.graph.component),
+        budget_(input.shared.budget()),
+        trials_(model_, std::min(std::max(model_.trials.most, model_.pass.most), most_counted) + 1, budget_),
+        findings_(findings) {}
 
-  const WayCount& of(GroupId group) {
-    std::optional<WayCount>& ways = ways_[group];
-    if (ways) return *ways;
-    ways = WayCount{};
-    for (const ProviderId provider : model_.groups[group].providers) {
-      const std::int64_t most = std::min(model_.trials, most_counted) + 1;
-      const PlanCount plans = count_plans(model_, provider, most - std::min(ways->count, most - 1), budget_);
-      ways->count += plans.plans;
-      ways->complete = ways->complete && plans.complete;
+  void check() {
+    for (const Task& root : model_.roots) {
+      look_at(trials_.alone(root));
+      add(root.target, {trials_.pass(root).count, root.span, name_of(model_, root.target)}, trials_.pass(root));
     }
-    return *ways;
-  }
-
-  PlanCount plans_of(ProviderId provider) {
-    return count_plans(model_, provider, std::min(model_.trials, most_counted) + 1, budget_);
+    for (const GroupId group : model_.groups.ids()) look_at(group);
+    for (const auto& [component, in_pass] : passes_) {
+      if (!in_pass.reported && in_pass.sum.count > model_.pass.most) report(in_pass);
+    }
   }
 
 private:
-  const Model& model_;
-  Budget& budget_;
-  IdTable<GroupId, std::optional<WayCount>> ways_;
-};
-
-/// What one decision has to choose for: a task alone, or the members of a unit.
-struct CountedUnit {
-  std::vector<const Task*> members;
-};
-
-bool is_member(const Model& model, const Task& task) {
-  const std::vector<Level>& levels = model.edges[task.edge].levels;
-  return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-    return !levels[named.level].optional && !levels[named.level].apart;
-  });
-}
-
-std::vector<CountedUnit> find_units(const Model& model) {
-  std::vector<CountedUnit> out;
-  for (const Task& root : model.roots) out.push_back({{&root}});
-  for (const Provider& provider : model.providers) {
-    for (const Pack& pack : provider.packs) {
-      CountedUnit members;
-      for (const Task& task : pack.tasks) {
-        if (is_member(model, task)) {
-          members.members.push_back(&task);
-        } else {
-          out.push_back({{&task}});
+  /// Of all packs and lists of a group only one is asked for at a time.
+  void look_at(GroupId group) {
+    Share worst;
+    TrialCount most;
+    for (const ProviderId id : model_.groups[group].providers) {
+      for (const Pack& pack : model_.providers[id].packs) {
+        if (const CountedUnit unit = trials_.together(pack); !unit.members.empty()) look_at(unit);
+        for (const Task& task : pack.tasks) {
+          if (!may_be_member(model_, task)) look_at(trials_.alone(task));
         }
+        const TrialCount in_pass = trials_.pass(pack);
+        if (in_pass.count <= most.count) continue;
+        most = in_pass;
+        worst = {in_pass.count, model_.providers[id].span, fmt::format("the tasks of {}", name_of(model_, id))};
       }
-      if (!members.members.empty()) out.push_back(std::move(members));
+    }
+    if (most.count > 0) add(group, std::move(worst), most);
+  }
+
+  void look_at(const CountedUnit& unit) {
+    const TrialCount count = trials_.decision(unit);
+    if (count.count > model_.trials.most || (!count.complete && !budget_.exhausted())) {
+      report(unit, count);
+      passes_[component_[unit.members.front()->target.value]].reported = true;
+    } else if (!count.complete) {
+      const Task& first = *unit.members.front();
+      budget_.leave_open(first.span, fmt::format("in how many ways {} can be met", name_of(model_, first.target)));
     }
   }
-  return out;
-}
 
-std::string amount(const WayCount& ways) {
-  return fmt::format("{}{} {}", ways.complete ? "" : "at least ", ways.count, ways.count == 1 ? "way" : "ways");
-}
+  void add(GroupId group, Share share, TrialCount count) {
+    InPass& pass = passes_[component_[group.value]];
+    pass.sum.count += std::min(count.count, most_counted);
+    pass.sum.complete = pass.sum.complete && count.complete;
+    pass.shares.push_back(std::move(share));
+  }
 
-void report(const Model& model, const CountedUnit& unit, Counter& counter, std::int64_t product, bool complete,
-            Findings& findings) {
-  // The task with the most ways is where less would help most.
-  const Task* worst = *std::max_element(unit.members.begin(), unit.members.end(), [&](const Task* a, const Task* b) {
-    return counter.of(a->target).count < counter.of(b->target).count;
-  });
-  const bool alone = unit.members.size() == 1;
-  dsl::Diagnostic& finding = findings.add(
-      worst->span,
-      alone ? fmt::format("{} can be met in {}{} ways, and one decision may try {}", name_of(model, worst->target),
-                          complete ? "" : "at least ", product, model.trials)
-            : fmt::format(
-                  "the tasks that are granted with {} can be met in {}{} ways together, and one decision may try {}",
-                  name_of(model, worst->target), complete ? "" : "at least ", product, model.trials));
-  for (const Task* member : unit.members) {
-    if (alone) break;
-    finding.notes.push_back(
-        {member->span, fmt::format("{}: {}", name_of(model, member->target), amount(counter.of(member->target)))});
+  static std::string amount(const TrialCount& count) {
+    return fmt::format("{}{}", count.complete ? "" : "at least ", count.count);
   }
-  for (const ProviderId provider : model.groups[worst->target].providers) {
-    const PlanCount plans = counter.plans_of(provider);
-    if (plans.plans > 1)
-      finding.notes.push_back(
-          {model.providers[provider].span,
-           fmt::format("{} has {}{} plans", name_of(model, provider), plans.complete ? "" : "at least ", plans.plans)});
+
+  /// The members that multiply to the most.
+  std::vector<const Task*> worst_of(const CountedUnit& unit) {
+    return *std::max_element(unit.colliding.begin(), unit.colliding.end(), [&](const auto& a, const auto& b) {
+      return trials_.product(a).count < trials_.product(b).count;
+    });
   }
-  if (model.trials_span != Span{}) finding.notes.push_back({model.trials_span, "this is the limit"});
-  finding.help = alone ? "give the needed groups fewer providers, or raise `limits: {trials: ...}`"
-                       : "make one of them `apart`, give the groups fewer providers, or raise `limits: {trials: ...}`";
-}
+
+  void report(const CountedUnit& unit, const TrialCount& count) {
+    const std::vector<const Task*> members = worst_of(unit);
+    // The task with the most ways is where less would help most.
+    const Task* worst = *std::max_element(members.begin(), members.end(), [&](const Task* a, const Task* b) {
+      return trials_.ways(a->target).count < trials_.ways(b->target).count;
+    });
+    const bool alone = unit.members.size() == 1;
+    dsl::Diagnostic& finding = findings_.add(
+        worst->span, alone ? fmt::format("{} can be met in {} ways, and one decision may try {}",
+                                         name_of(model_, worst->target), amount(count), model_.trials.most)
+                           : fmt::format("one decision about the tasks that are granted with {} may try {} "
+                                         "combinations, and {} are allowed",
+                                         name_of(model_, worst->target), amount(count), model_.trials.most));
+    for (const Task* member : members) {
+      if (alone) break;
+      const TrialCount ways = trials_.ways(member->target);
+      finding.notes.push_back({member->span, fmt::format("{}: {} {}{}", name_of(model_, member->target), amount(ways),
+                                                         ways.count == 1 ? "way" : "ways",
+                                                         members.size() > 1 ? ", each with each of the others here, as "
+                                                                              "they can claim the same group"
+                                                                            : "")});
+    }
+    for (const ProviderId provider : model_.groups[worst->target].providers) {
+      const PlanCount plans = trials_.plans(provider);
+      if (plans.plans > 1)
+        finding.notes.push_back({model_.providers[provider].span,
+                                 fmt::format("{} has {} plans", name_of(model_, provider),
+                                             amount({plans.plans, plans.complete}))});
+    }
+    if (model_.trials.span != Span{}) finding.notes.push_back({model_.trials.span, "this is the limit"});
+    finding.help = alone ? "give the needed groups fewer providers, or raise `limits: {trials: ...}`"
+                         : "make one of them `apart`, give the groups fewer providers, or raise `limits: {trials: ...}`";
+  }
+
+  void report(const InPass& pass) {
+    std::vector<Share> shares = pass.shares;
+    std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.trials > b.trials; });
+    dsl::Diagnostic& finding = findings_.add(
+        shares.front().span, fmt::format("one pass over all that has to do with {} may try {} combinations, and {} are "
+                                         "allowed",
+                                         shares.front().words, amount(pass.sum), model_.pass.most));
+    constexpr std::size_t most_noted = 5;
+    for (std::size_t i = 0; i < shares.size() && i < most_noted; ++i)
+      finding.notes.push_back({shares[i].span, fmt::format("up to {} for {}", shares[i].trials, shares[i].words)});
+    if (model_.pass.span != Span{}) finding.notes.push_back({model_.pass.span, "this is the limit"});
+    finding.help = "make tasks `apart`, give the groups fewer providers, or raise `limits: {pass: ...}`";
+  }
+
+  const Model& model_;
+  const std::vector<Node>& component_;
+  Budget& budget_;
+  Trials trials_;
+  Findings& findings_;
+  std::map<Node, InPass> passes_;
+};
 
 } // namespace
 
-void unbounded_choice(const Input& input, Findings& findings) {
-  const Model& model = input.model;
-  Budget& budget = input.shared.budget();
-  Counter counter(model, budget);
-  for (const CountedUnit& unit : find_units(model)) {
-    std::int64_t product = 1;
-    bool complete = true;
-    for (const Task* member : unit.members) {
-      const WayCount& ways = counter.of(member->target);
-      const std::int64_t factor = std::max<std::int64_t>(ways.count, 1);
-      product = product > std::numeric_limits<std::int64_t>::max() / factor ? std::numeric_limits<std::int64_t>::max()
-                                                                            : product * factor;
-      complete = complete && ways.complete;
-    }
-    if (product > model.trials || (!complete && !budget.exhausted())) {
-      report(model, unit, counter, product, complete, findings);
-    } else if (!complete) {
-      const Task& first = *unit.members.front();
-      budget.leave_open(first.span, fmt::format("in how many ways {} can be met", name_of(model, first.target)));
-    }
-  }
-}
+void unbounded_choice(const Input& input, Findings& findings) { UnboundedChoice(input, findings).check(); }
 
 } // namespace director::checks

@@ -133,7 +133,7 @@ private:
     }
     print_findings(checked.findings, sources_, console_.out, console_.out_colours);
     if (explained_) console_.out << to_text(*explained_, sources_);
-    if (bounds_) console_.out << bounds_text(*bounds_, checked.model.trials, shown_path(request_.file));
+    if (bounds_) console_.out << bounds_text(*bounds_, checked.model, shown_path(request_.file));
   }
 
   const Check& request_;

@@ -8,7 +8,7 @@
 
 namespace director::compiler::cli {
 
-std::string bounds_text(const analysis::Bounds& bounds, std::int64_t limit, const std::string& file) {
+std::string bounds_text(const analysis::Bounds& bounds, const Model& model, const std::string& file) {
   std::string out = fmt::format("memory and bounds of {}\n", file);
   const auto line = [&](std::string_view what, std::int64_t number, std::string_view unit, const std::string& more) {
     out += fmt::format("  {:<17}{:>8} {}{}{}\n", what, number, unit, more.empty() ? "" : "; ", more);
@@ -19,8 +19,9 @@ std::string bounds_text(const analysis::Bounds& bounds, std::int64_t limit, cons
   line("engine", bounds.engine_bytes, "bytes of RAM", "that and what a pass forgets; without data of tasks and inbox");
   line("waiting runs", bounds.runs_waiting, "at most", "");
   line("provider trials", bounds.trials, "at most for one decision",
-       least.empty() ? fmt::format("`limits: trials` allows {}", limit) : least);
-  line("", bounds.trials_in_a_pass, "at most in one pass", least);
+       least.empty() ? fmt::format("`limits: trials` allows {}", model.trials.most) : least);
+  line("", bounds.trials_in_a_pass, "at most in one pass",
+       least.empty() ? fmt::format("`limits: pass` allows {}", model.pass.most) : least);
   line("repeated passes", bounds.repetitions, "at most after one micro-step", "");
   line("micro-steps", bounds.to_first_run, "at most from a root request that is granted at once to its run", handlers);
   line("", bounds.calm_input, "at most for an input that changes no decision, where bodies keep what there is",

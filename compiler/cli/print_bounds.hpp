@@ -4,12 +4,13 @@
 
 #include "compiler/analysis/plans/bounds.hpp"
 #include "compiler/base/json.hpp"
+#include "compiler/model/model.hpp"
 
 #include <string>
 
 namespace director::compiler::cli {
 
-std::string bounds_text(const analysis::Bounds& bounds, std::int64_t limit, const std::string& file);
+std::string bounds_text(const analysis::Bounds& bounds, const Model& model, const std::string& file);
 Json bounds_json(const analysis::Bounds& bounds);
 
 } // namespace director::compiler::cli

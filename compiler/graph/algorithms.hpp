@@ -16,6 +16,9 @@ using Arrows = std::vector<std::vector<Node>>;
 /// itself are left out: what remains is what cycles are made of.
 std::vector<std::vector<Node>> cycles(const Arrows& arrows);
 
+/// Of each node, the smallest of those that arrows connect it with, whichever way they point.
+std::vector<Node> connected(const Arrows& arrows);
+
 /// Nodes, each before those that it has arrows to; where a cycle makes that impossible, its nodes stand together. Equal
 /// input gives equal output.
 std::vector<Node> topological_order(const Arrows& arrows);

@@ -43,6 +43,23 @@ void add_causing(Graph& graph, const Model& model) {
   }
 }
 
+/// By requests, needs, and providers that may be pushed for a condition of the other.
+std::vector<Node> find_components(const Graph& graph, const Model& model) {
+  const auto promises = promises_by_state(model);
+  Arrows joined = graph.claims;
+  for (const Provider& waiter : model.providers) {
+    for (const auto* conditions : {&waiter.when, &waiter.stay}) {
+      for (const ConditionUse& condition : *conditions) {
+        for (const auto& [causer, promise] : promises[model.conditions[condition.id].state.value]) {
+          if (model.satisfies(promise.id, condition.id))
+            add_arrow(joined, waiter.group, model.providers[causer].group);
+        }
+      }
+    }
+  }
+  return connected(joined);
+}
+
 /// Over the requests alone, with one node more, the root, that leads to the roots.
 void add_gates(Graph& graph, const Model& model) {
   const auto root = static_cast<Node>(model.groups.size());
@@ -77,6 +94,7 @@ Graph make_graph(const Model& model) {
   add_gates(graph, model);
   graph.task_cycles = cycles(graph.tasks);
   graph.needs_cycles = cycles(graph.needs);
+  graph.component = find_components(graph, model);
   graph.order = topological_order(graph.claims);
   return graph;
 }

@@ -28,7 +28,10 @@ struct Graph {
 
   std::vector<std::vector<Node>> task_cycles;  ///< components of `tasks`
   std::vector<std::vector<Node>> needs_cycles; ///< components of `needs`
-  std::vector<Node> order;                     ///< groups, requesters first, over `claims`
+  /// Groups that can have to do with each other have one number; those of two numbers never change a decision
+  /// about each other.
+  std::vector<Node> component;
+  std::vector<Node> order; ///< groups, requesters first, over `claims`
   /// The last group before this one that every chain of requests from a root passes; nothing: there is none, or no
   /// chain.
   IdTable<GroupId, std::optional<GroupId>> gate;

@@ -6,6 +6,8 @@
 
 #include "compiler/lower/steps.hpp"
 
+#include "compiler/graph/clusters.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -36,7 +38,8 @@ private:
 };
 
 /// The edges of one requester, which have consecutive ids.
-void lower_siblings(const Model& model, std::span<const EdgeId> siblings, Lowered& out) {
+void lower_siblings(const Model& model, std::span<const EdgeId> siblings, const IdTable<EdgeId, EdgeId>& clusters,
+                    Lowered& out) {
   Places<std::pair<bool, std::int64_t>> ranks;
   Places<std::int64_t> urgencies;
   for (const EdgeId id : siblings) {
@@ -55,6 +58,7 @@ void lower_siblings(const Model& model, std::span<const EdgeId> siblings, Lowere
     if (edge.requester) lowered.requester = row(*edge.requester);
     lowered.target = row(edge.target);
     lowered.need_urgency = urgencies.of(-std::int64_t{need_priority(edge)});
+    lowered.cluster = row(clusters[id]);
     lowered.levels.begin = static_cast<Index>(out.levels.size());
     for (const Level& level : edge.levels) {
       out.levels.push_back({level.priority, ranks.of(strength(level)), urgencies.of(-std::int64_t{level.priority}),
@@ -68,14 +72,15 @@ void lower_siblings(const Model& model, std::span<const EdgeId> siblings, Lowere
 } // namespace
 
 void lower_edges(const Model& model, Lowered& out) {
+  const IdTable<EdgeId, EdgeId> clusters = find_clusters(model);
   std::vector<EdgeId> of_root;
   for (const EdgeId id : model.edges.ids()) {
     if (!model.edges[id].requester) of_root.push_back(id);
   }
-  lower_siblings(model, of_root, out);
+  lower_siblings(model, of_root, clusters, out);
   out.root_edges = static_cast<Index>(of_root.size());
   for (const Group& group : model.groups) {
-    lower_siblings(model, group.edges, out);
+    lower_siblings(model, group.edges, clusters, out);
     out.most_edges = std::max(out.most_edges, static_cast<Index>(group.edges.size()));
   }
 }

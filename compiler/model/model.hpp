@@ -195,8 +195,13 @@ struct Model {
   std::vector<Use<GroupId>> externs;
   std::vector<Assertion> assertions;
   std::vector<Allowance> allowances;
-  std::int64_t trials = 10'000; ///< limits: trials
-  Span trials_span{};
+  /// A key of `limits`; no place where it is not written.
+  struct Limit {
+    std::int64_t most = 10'000;
+    Span span{};
+  };
+  Limit trials; ///< of one decision
+  Limit pass;   ///< of one pass over one component
 
   const Group& group_of(ProviderId id) const { return groups[providers[id].group]; }
   /// `Walk.halting`, or `Kick` for a provider called `default`.

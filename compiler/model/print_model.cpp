@@ -18,7 +18,7 @@ public:
     line("behaviour {}{}", model_.name, model_.deployment ? "" : " (a module)");
     line("namespace {}", model_.name_space);
     for (const std::string& header : model_.headers) line("header {}", header);
-    line("trials {}", model_.trials);
+    line("trials {}, in a pass {}", model_.trials.most, model_.pass.most);
     for (const Layer& layer : model_.layers) line("layer {}", layer.name.value);
     for (const State& state : model_.states) print(state);
     for (const Trigger& trigger : model_.triggers)

@@ -42,10 +42,8 @@ void name_the_whole(Resolver& r) {
   if (!r.main.cpp.name_space && !says_so_itself) check_namespace(r, r.main.name);
   model.deployment = r.main.roots.has_value();
   if (r.main.doc) model.doc = r.main.doc->value;
-  if (r.main.limits.trials) {
-    model.trials = r.main.limits.trials->value;
-    model.trials_span = r.main.limits.trials->span;
-  }
+  if (r.main.limits.trials) model.trials = {r.main.limits.trials->value, r.main.limits.trials->span};
+  if (r.main.limits.pass) model.pass = {r.main.limits.pass->value, r.main.limits.pass->span};
   for (const dsl::BehaviourSpec& file : r.spec.files) {
     if (!file.name.value.empty()) check_name(r, "behaviour", file.name); // else it is missing, and reported as such
     for (const Word& header : file.cpp.headers) {

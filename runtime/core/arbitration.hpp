@@ -82,7 +82,8 @@ private:
   bool choose_flat(bool with_conditions);
   bool take_needs(Index provider, bool with_conditions);
   bool combine(Index count, bool with_conditions);
-  bool each_has_choice(Index count, bool with_conditions, bool record);
+  bool each_has_choice(Index from, Index count, bool with_conditions, bool record);
+  void sort_by_cluster(Index count);
   bool next_choice(Index at, bool fresh, bool with_conditions, bool record);
   bool plan_fits(Index at, bool with_conditions, bool record, Index& keep);
   bool plan_as_it_is(Index at) const;

@@ -99,14 +99,16 @@ bool Pass::take_needs(Index provider, bool with_conditions) {
 /// choices of each member, also those that are never needed: so, where there can be any, each member's are looked at
 /// once, and then combined.
 bool Pass::combine(Index count, bool with_conditions) {
+  for (Index i = 0; count > 1 && i < count; ++i) s_.member[i] = s_.unit[i];
   if (count == 1 && (s_.traits[target(s_.member[0])] & trait::flat) != 0 && !disputed(s_.member[0]))
     return choose_flat(with_conditions);
   if (count == 1 && t_.groups[target(s_.member[0])].single_choice()) return next_choice(0, true, with_conditions, true);
   bool deniable = false;
   for (Index at = 0; at < count && !deniable; ++at) deniable = may_be_denied(s_.member[at]);
-  if (deniable && !each_has_choice(count, with_conditions, true)) return false;
+  if (deniable && !each_has_choice(0, count, with_conditions, true)) return false;
   Index at = 0;
   bool fresh = true, known = deniable; // that each has a choice for itself
+  bool sorted = false;                 // by cluster
   for (;;) {
     if (next_choice(at, fresh, with_conditions, false)) {
       if (at + 1 == count) return true;
@@ -114,23 +116,39 @@ bool Pass::combine(Index count, bool with_conditions) {
       fresh = true;
     } else if (at == 0) {
       return false;
-    } else if (known) {
+    } else if (sorted) {
+      if (t_.edges[s_.member[at - 1]].cluster != t_.edges[s_.member[at]].cluster) { // no choice of another cluster helps
+        leave_combination(at);
+        return false;
+      }
       --at;
       fresh = false;
     } else { // before all choices of those before it are tried with one that has none: a sum and no product
       leave_combination(at);
-      if (!each_has_choice(count, with_conditions, false)) return false;
-      known = true;
+      if (!known && !each_has_choice(at, count, with_conditions, false)) return false; // those before it have one
+      sort_by_cluster(count);
+      sorted = true;
       at = 0;
       fresh = true;
     }
   }
 }
 
+/// What can claim the same group stands together, so that its choices are combined with each other and no others. The
+/// first combination is the same: that of one cluster does not depend on another.
+void Pass::sort_by_cluster(Index count) {
+  for (Index i = 1; i < count; ++i) {
+    const Index edge = s_.member[i], cluster = t_.edges[edge].cluster;
+    Index at = i;
+    for (; at > 0 && t_.edges[s_.member[at - 1]].cluster > cluster; --at) s_.member[at] = s_.member[at - 1];
+    s_.member[at] = edge;
+  }
+}
+
 /// Of the members in order, up to the first one that has none. `record`: all choices of each, for whose sake they are
 /// denied.
-bool Pass::each_has_choice(Index count, bool with_conditions, bool record) {
-  for (Index at = 0; at < count; ++at) {
+bool Pass::each_has_choice(Index from, Index count, bool with_conditions, bool record) {
+  for (Index at = from; at < count; ++at) {
     // Alone on the stack: entries_begin() of a later member is where the earlier one ends.
     if (at > 0) s_.member_entries[at - 1] = 0;
     bool any = false;

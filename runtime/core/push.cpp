@@ -25,7 +25,9 @@ bool Pass::in_unit(Index edge, Index count) const {
 /// The false conditions of the combination in hand, member by member: its provider's, then its plan's.
 Index Pass::collect_unmet(Index count) {
   Index found = 0;
-  for (Index at = 0; at < count; ++at) {
+  for (Index place = 0; place < count; ++place) { // in order of the unit, also where the search had another one
+    Index at = place;
+    for (Index other = 0; count > 1 && s_.member[at] != s_.unit[place]; ++other) at = other;
     const auto add = [&](Index provider, Index edge) {
       if (stays(provider)) return;
       for (const Index condition : t_.list(t_.providers[provider].when)) {

@@ -52,6 +52,7 @@ struct Edge {
   Index target = 0;       ///< group
   Range levels{};         ///< of Tables::levels; empty where it is needed only
   Index need_urgency = 0; ///< as Level::urgency: of an edge that holds without a request
+  Index cluster = 0; ///< an edge: two of one requester that have another one never claim the same group
 };
 
 struct Provider {

@@ -86,7 +86,7 @@ assertions:
   - beats: {FallRecovery: Striker}
   - can_run: Kick
   - soft: {from: Walk, to: Kick}
-limits: {trials: 5}
+limits: {trials: 5, pass: 6}
 )";
 
 constexpr const char* normal_form = R"(--- # main.yaml
@@ -159,7 +159,7 @@ assertions:
   - beats: {FallRecovery: Striker}
   - can_run: Kick
   - soft: {from: Walk, to: Kick}
-limits: {trials: 5}
+limits: {trials: 5, pass: 6}
 allow: [unused_declaration, useless_use]
 because: It grows.
 )";

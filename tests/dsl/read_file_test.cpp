@@ -18,7 +18,7 @@ layers: [purpose, skill]
 triggers: [Sensors]
 extern: [Say]
 roots: [Walk]
-limits: {trials: 500}
+limits: {trials: 500, pass: 600}
 allow: [unused_causing]
 because: Later.
 )");
@@ -35,6 +35,7 @@ because: Later.
   CHECK(file.externs.at(0).value == "Say");
   CHECK(file.roots->at(0).name.value == "Walk");
   CHECK(file.limits.trials->value == 500);
+  CHECK(file.limits.pass->value == 600);
   CHECK(file.allow.at(0).id.value == "unused_causing");
   CHECK(file.span == Span{{0}, 0, static_cast<std::uint32_t>(read.sources[FileId{0}].text().size())});
 }

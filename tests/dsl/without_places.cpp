@@ -73,7 +73,7 @@ void clear(AssertionSpec& a) { clear_all(a.kind, a.groups, a.span); }
 Spec without_places(Spec spec) {
   for (BehaviourSpec& f : spec.files) {
     clear_all(f.name, f.doc, f.imports, f.cpp.name_space, f.cpp.headers, f.layers, f.states, f.triggers, f.externs,
-              f.roots, f.groups, f.extend, f.assertions, f.limits.trials, f.allow, f.span);
+              f.roots, f.groups, f.extend, f.assertions, f.limits.trials, f.limits.pass, f.allow, f.span);
   }
   return spec;
 }

@@ -323,14 +323,15 @@ private:
   }
 
   void change_file(BehaviourSpec& file, const Known& known) {
-    switch (random_.below(5)) {
+    switch (random_.below(6)) {
     case 0: file.triggers.push_back(word(fresh("Trigger"))); break;
     case 1:
       if (!file.roots) file.roots.emplace();
       file.roots->push_back(task(known));
       break;
     case 2: file.limits.trials = at_no_place<std::int64_t>(random_.between(1, 5000)); break;
-    case 3:
+    case 3: file.limits.pass = at_no_place<std::int64_t>(random_.between(1, 5000)); break;
+    case 4:
       file.extend.push_back({});
       file.extend.back().group = word(group(known));
       break;

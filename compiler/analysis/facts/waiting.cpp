@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/waiting.hpp"
 
+#include "compiler/analysis/plans/trials.hpp"
+
 #include "compiler/analysis/states/covering.hpp"
 
 #include <algorithm>
@@ -15,13 +17,6 @@ bool needs_no_more(const Provider& first, const Provider& second) {
   return std::all_of(first.needs.begin(), first.needs.end(), [&](const Use<GroupId>& need) {
     return std::any_of(second.needs.begin(), second.needs.end(),
                        [&](const Use<GroupId>& other) { return other.id == need.id; });
-  });
-}
-
-bool is_member(const Model& model, const Task& task) {
-  const std::vector<Level>& levels = model.edges[task.edge].levels;
-  return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-    return !levels[named.level].optional && !levels[named.level].apart;
   });
 }
 
@@ -48,7 +43,7 @@ bool Waiting::may_be_first(ProviderId id) const {
 Waiting::Waiting(const Model& model, const Facts& facts) : model_(model), facts_(facts) {
   for (const ProviderId id : model.providers.ids()) {
     for (const Pack& pack : model.providers[id].packs) {
-      for (const Task& task : pack.tasks) entries_[task.edge].push_back({id, &pack, is_member(model, task)});
+      for (const Task& task : pack.tasks) entries_[task.edge].push_back({id, &pack, may_be_member(model, task)});
     }
   }
 }
@@ -72,7 +67,7 @@ bool Waiting::unit_waits(const Pack& pack) {
   const auto [at, is_new] = unit_waits_.try_emplace(&pack, false);
   if (!is_new) return at->second;
   const bool out = std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
-    return is_member(model_, task) && !is_carefree(task.target, facts_.contexts[task.target]);
+    return may_be_member(model_, task) && !is_carefree(task.target, facts_.contexts[task.target]);
   });
   return unit_waits_[&pack] = out;
 }

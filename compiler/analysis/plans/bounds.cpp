@@ -2,82 +2,60 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/bounds.hpp"
 
-#include "compiler/analysis/plans/plans.hpp"
+#include "compiler/analysis/plans/trials.hpp"
 #include "runtime/core/state.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <optional>
+#include <vector>
 
 namespace director::analysis {
 
 namespace {
 
-constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t most_plans = 100'000; ///< of one group; who has more is told of by unbounded_choice
-
-std::int64_t sum(std::int64_t a, std::int64_t b) { return a > most - b ? most : a + b; }
-std::int64_t product(std::int64_t a, std::int64_t b) { return b != 0 && a > most / b ? most : a * b; }
+constexpr std::int64_t most_plans = 100'000; ///< of one provider; who has more is told of by unbounded_choice
 
 class Counting {
 public:
-  Counting(const Model& model, Bounds& out) : model_(model), out_(out), ways_(model.groups.size()) {}
+  Counting(const Model& model, Bounds& out) : model_(model), out_(out), trials_(model, most_plans, budget_) {}
 
-  void count() {
-    for (const Task& root : model_.roots) add(out_.trials_in_a_pass, alone(root));
-    for (const compiler::Group& group : model_.groups) {
-      std::int64_t worst = 0; // what a group asks for at a time is one pack, or flat list, of one of its providers
-      for (const ProviderId id : group.providers) {
-        for (const Pack& pack : model_.providers[id].packs) worst = std::max(worst, together(pack));
+  void count(const Tables& tables) {
+    IdTable<GroupId, TrialCount> below(model_.groups.size()); // what a group asks for at a time is one pack, or list
+    for (const GroupId group : model_.groups.ids()) {
+      for (const ProviderId id : model_.groups[group].providers) {
+        for (const Pack& pack : model_.providers[id].packs) {
+          decide(trials_.together(pack));
+          for (const Task& task : pack.tasks) decide(trials_.alone(task));
+          if (const TrialCount in_pass = trials_.pass(pack); in_pass.count > below[group].count) below[group] = in_pass;
+        }
       }
-      add(out_.trials_in_a_pass, worst);
     }
+    std::vector<std::int64_t> passes(tables.components.size());
+    const auto add = [&](GroupId group, std::int64_t count) {
+      std::int64_t& pass = passes[tables.groups[group.value].component];
+      pass = count > std::numeric_limits<std::int64_t>::max() - pass ? std::numeric_limits<std::int64_t>::max()
+                                                                      : pass + count;
+      out_.trials_in_a_pass = std::max(out_.trials_in_a_pass, pass);
+    };
+    for (const Task& root : model_.roots) {
+      decide(trials_.alone(root));
+      add(root.target, trials_.pass(root).count);
+    }
+    for (const GroupId group : model_.groups.ids()) add(group, below[group].count);
   }
 
 private:
-  static void add(std::int64_t& to, std::int64_t more) { to = sum(to, more); }
-
-  /// Providers of a group, each with each of its plans.
-  std::int64_t ways(GroupId group) {
-    std::optional<std::int64_t>& out = ways_[group];
-    if (out) return *out;
-    out = 0;
-    for (const ProviderId id : model_.groups[group].providers) {
-      const PlanCount plans = count_plans(model_, id, most_plans, budget_);
-      out_.counted = out_.counted && plans.complete;
-      add(*out, plans.plans);
-    }
-    return *out;
-  }
-
-  /// Searched once with conditions and once without, for what is unmet.
-  std::int64_t alone(const Task& task) {
-    out_.trials = std::max(out_.trials, ways(task.target));
-    return product(2, ways(task.target));
-  }
-
-  bool may_be(const Task& task, bool member) const {
-    const std::vector<compiler::Level>& levels = model_.edges[task.edge].levels;
-    return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-      return (!levels[named.level].optional && !levels[named.level].apart) == member;
-    });
-  }
-
-  /// The unit whole, and each task by itself: where it is none of the unit, below a stale group, or where others wait.
-  std::int64_t together(const Pack& pack) {
-    std::int64_t unit = 1, out = 0;
-    for (const Task& task : pack.tasks) {
-      if (may_be(task, true)) unit = product(unit, std::max<std::int64_t>(ways(task.target), 1));
-      add(out, alone(task));
-    }
-    out_.trials = std::max(out_.trials, unit);
-    return sum(out, product(2, unit));
+  void decide(const CountedUnit& unit) {
+    if (unit.members.empty()) return;
+    const TrialCount count = trials_.decision(unit);
+    out_.trials = std::max(out_.trials, count.count);
+    out_.counted = out_.counted && count.complete;
   }
 
   const Model& model_;
   Bounds& out_;
   Budget budget_;
-  IdTable<GroupId, std::optional<std::int64_t>> ways_;
+  Trials trials_;
 };
 
 std::int64_t contended(const Tables& tables) {
@@ -104,7 +82,7 @@ Bounds find_bounds(const Model& model, const Tables& tables) {
   out.repetitions = contended(tables);
   out.to_first_run = out.calm_input = 1 + out.runs_waiting;
   out.handlers_set = sets_from_handlers(model);
-  Counting(model, out).count();
+  Counting(model, out).count(tables);
   return out;
 }
 

@@ -14,8 +14,8 @@ struct Bounds {
   std::int64_t decision_bytes = 0;   ///< RAM of the decision state
   std::int64_t engine_bytes = 0;     ///< that, and what a pass needs and forgets
   std::int64_t runs_waiting = 0;     ///< entries of the run queue
-  std::int64_t trials = 0;           ///< combinations of providers and plans for one task, or for one unit
-  std::int64_t trials_in_a_pass = 0; ///< the same, for all that one pass decides
+  std::int64_t trials = 0;           ///< combinations of providers and plans that one decision tries
+  std::int64_t trials_in_a_pass = 0; ///< the same, for all that one pass over one component decides
   std::int64_t repetitions = 0;      ///< how often a pass is done again after one micro-step
   std::int64_t to_first_run = 0;     ///< micro-steps from a root request that is granted at once to its run
   std::int64_t calm_input = 0; ///< micro-steps for an input that changes no decision, where bodies keep what there is

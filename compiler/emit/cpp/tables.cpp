@@ -114,12 +114,13 @@ Row provider_row(const director::Provider& all) {
 }
 
 Row edge_row(const director::Edge& all) {
-  const auto& [requester, target, levels, need_urgency] = all;
+  const auto& [requester, target, levels, need_urgency, cluster] = all;
   Row row;
   row.index("requester", requester, nil);
   row.index("target", target, 0);
   row.range("levels", levels);
   row.index("need_urgency", need_urgency, 0);
+  row.index("cluster", cluster, 0);
   return row;
 }
 

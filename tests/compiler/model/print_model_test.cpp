@@ -52,12 +52,12 @@ assertions:
   - beats: {Kick: Walk}
   - can_run: Kick
   - soft: {from: Walk, to: Kick}
-limits: {trials: 500}
+limits: {trials: 500, pass: 600}
 )");
   CHECK(print_model(compiled.model) == R"(behaviour soccer
 namespace soccer
 header soccer/messages.hpp
-trials 500
+trials 500, in a pass 600
 layer skill
 layer limb
 state Stability: unknown(unordered) moving standing, initial unknown, external

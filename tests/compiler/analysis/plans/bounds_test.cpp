@@ -35,9 +35,10 @@ groups:
   Arm: {}
   Leg: {}
 )");
-  CHECK(bounds.trials == 6);                                                 // Left with Right
-  CHECK(bounds.trials_in_a_pass == 2 * 1 + (2 * 6 + 2 * 2 + 2 * 3 + 2 * 1)); // the root; the unit, and each alone
-  CHECK(bounds.repetitions == 2);                                            // Arm and Leg have two requesters
+  constexpr int unit = 2 * (2 + 3) + 2 * 3; // Left and Right: one by one, each for itself, and together
+  CHECK(bounds.trials == unit);
+  CHECK(bounds.trials_in_a_pass == 2 * 1 + (2 * unit + 2 * 2 + 2 * 3 + 2 * 1)); // the root; the unit, and each alone
+  CHECK(bounds.repetitions == 2);                                               // Arm and Leg have two requesters
   CHECK(bounds.runs_waiting == 6);
   CHECK(bounds.to_first_run == 7);
   CHECK(bounds.calm_input == 7);
@@ -58,9 +59,23 @@ groups:
   B: {providers: [{name: one}, {name: two}]}
   C: {}
 )");
-  CHECK(bounds.trials == 2);
-  CHECK(bounds.trials_in_a_pass == 2 * 1 + (2 * 2 + 2 * 2 + 2 * 1));
+  constexpr int unit = 2 * (2 + 1); // B and C claim nothing that the other one does
+  CHECK(bounds.trials == unit);
+  CHECK(bounds.trials_in_a_pass == 2 * 1 + (2 * unit + 2 * 2 + 2 * 1));
   CHECK_FALSE(bounds.handlers_set);
+}
+
+TEST_CASE("a pass is over one component, and the worst of them counts") {
+  const Bounds bounds = bounds_of(R"(
+states: {Pose: {values: [a, b], initial: a}}
+roots: [A, B, C]
+groups:
+  A: {}
+  B: {providers: [{name: one, when: [Pose == b]}, {name: two}]}
+  C: {providers: [{name: one, causing: [Pose == b]}, {name: two}, {name: three}]}
+)");
+  CHECK(bounds.trials == 3);
+  CHECK(bounds.trials_in_a_pass == 2 * 2 + 2 * 3); // C may be pushed for B
 }
 
 TEST_CASE("a handler that sets, and a state of a group, cause inputs of their own") {

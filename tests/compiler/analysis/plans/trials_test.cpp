@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/plans/trials.hpp"
+#include "tests/compiler/analysis/support/analysed.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::analysis;
+
+std::int64_t decision(const std::string& groups) {
+  const tests::Analysed test("roots: [All]\ngroups:\n" + groups);
+  Budget budget;
+  Trials trials(test.model, 1000, budget);
+  return trials.decision(trials.together(test.model.providers[test.provider("All")].packs.front())).count;
+}
+
+const std::string ten = "{providers: [{name: a}, {name: b}, {name: c}, {name: d}, {name: e}, {name: f}, {name: g}, "
+                        "{name: h}, {name: i}, {name: j}]}\n";
+
+TEST_CASE("members that share no group add up") {
+  CHECK(decision("  All: {tasks: [A, B, C, D]}\n  A: " + ten + "  B: " + ten + "  C: " + ten + "  D: " + ten) == 2 * 40);
+}
+
+TEST_CASE("members that can claim the same group multiply, and the others do not") {
+  const std::string two = "{providers: [{name: a, needs: [X]}, {name: b, needs: [Y]}]}\n";
+  CHECK(decision("  All: {tasks: [A, B, C]}\n  A: " + two + "  B: " + two + "  C: " + ten + "  X: {}\n  Y: {}\n") ==
+        2 * 14 + (2 * 2 + 10));
+}
+
+TEST_CASE("what is optional or apart is no member") {
+  CHECK(decision("  All: {tasks: {A: {}, B: {optional: true}, C: {apart: true}}}\n  A: " + ten + "  B: " + ten +
+                 "  C: " + ten) == 10);
+}
+
+TEST_CASE("more plans than are counted are said to be more") {
+  const tests::Analysed test("roots: [A]\ngroups:\n  A: {needs: [B, C]}\n  B: " + ten + "  C: " + ten);
+  Budget budget;
+  Trials trials(test.model, 7, budget);
+  const TrialCount count = trials.decision(trials.alone(test.model.roots.front()));
+  CHECK(count.count == 7);
+  CHECK_FALSE(count.complete);
+}
+
+} // namespace
