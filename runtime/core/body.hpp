@@ -53,7 +53,9 @@ struct Broken {};
 /// What a body sees of a task or need that stands in its `uses`.
 class Used {
 public:
+  /// By generated code.
   Used(const Run& run, Index edge) : run_(run), edge_(edge) {}
+  /// Running, queued, or not requested from here.
   RunState state() const { return edge_ == nil ? RunState::none : run_.state(edge_); }
   bool done() const { return edge_ != nil && run_.done(edge_); }     ///< it said done or failed; only while running
   bool failed() const { return edge_ != nil && run_.failed(edge_); } ///< it said failed; only while running
@@ -91,6 +93,7 @@ concept DeclaredState = Facts::Behaviour::States::template has<Value>&&
 template <class Facts>
 class DeclaredValue {
 public:
+  /// From a constant of the state's type; what is not declared does not compile.
   template <class Value>
   consteval DeclaredValue(Value value) {
     static_assert(DeclaredState<Value, Facts>,
@@ -98,6 +101,7 @@ public:
     if constexpr (DeclaredState<Value, Facts>) setting_ = Facts::Behaviour::States::setting(value);
     if (!may_set<Facts>(setting_)) this_value_is_not_declared_in_causing_or_sets();
   }
+  /// The same by number.
   Setting setting() const { return setting_; }
 
 private:
@@ -110,6 +114,7 @@ class Context {
   using Data = typename Facts::Behaviour::Data;
 
 public:
+  /// By generated code.
   Context(Core& core, Data& data) : core_(core), data_(data) {}
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -122,6 +127,7 @@ public:
     return data_.template of<typename Facts::Task>().at(at.slot, place);
   }
 
+  /// Why it is called; several reasons can come together.
   Reasons reasons() const { return core_.reasons(); }
 
   /// A constant value of a state that the specification declares here; anything else does not compile. The last call
@@ -144,8 +150,8 @@ public:
   }
 
 protected:
-  Core& core_;
-  Data& data_;
+  Core& core_; ///< what stands behind it, without types
+  Data& data_; ///< of all tasks
 };
 
 /// Base of a start or stop handler's context.

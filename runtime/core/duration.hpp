@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Durations in 64 bits: those of <chrono>, of any rep and period, become microseconds here, without its header. What is
+// Durations in 64 bits: those of std::chrono, of any rep and period, become microseconds here, without its header. What is
 // beyond the range of Time becomes its end, in a conversion and in a sum: the longest duration is `never`.
 
 #include "runtime/core/tables.hpp"
@@ -11,7 +11,7 @@
 
 namespace director {
 
-/// A duration of <chrono>, without the header.
+/// A duration of std::chrono, without its header.
 template <class T>
 concept Duration = requires(const T& duration) {
   duration.count();

@@ -16,7 +16,9 @@ inline constexpr bool observable = false;
 inline constexpr bool observable = true;
 #endif
 
+/// One thing that the engine decided or was told. Which members count depends on `kind`; the others are `nil`.
 struct Event {
+  /// What happened.
   enum class Kind : std::uint8_t {
     input,     ///< an input was taken: `input`, and what it is about
     run,       ///< `provider` of `group` is called for `reasons`
@@ -40,31 +42,32 @@ struct Event {
     wait,      ///< the run asked for another one of `group` at the time `due`; `never`: it asked for none
     lost,      ///< `count` inputs were lost since the step before: refused, as the inbox was full, or replaced
   };
+  /// What kind of input or timer an `input` was.
   enum class Input : std::uint8_t { none, request, cancel, set, fire, enable, disable, expire, wait, within, every };
 
-  Kind kind = Kind::input;
-  Input input = Input::none;
-  Reasons reasons{};
-  Why why = Why::none;
-  Index group = nil;
-  Index provider = nil;
-  Index edge = nil;
-  Index other = nil;
-  Index state = nil;
-  Index condition = nil;
-  Index trigger = nil;
-  Index level = nil; ///< of Tables::levels
-  std::int32_t value = unset;
-  std::uint32_t count = 0;
-  Time time = 0; ///< the engine's time
-  Time due = never;
+  Kind kind = Kind::input;    ///< says which of the others count
+  Input input = Input::none;  ///< of an `input`
+  Reasons reasons{};          ///< of a run
+  Why why = Why::none;        ///< of a request that is queued
+  Index group = nil;          ///< whom it is about
+  Index provider = nil;       ///< likewise
+  Index edge = nil;           ///< the request that it is about
+  Index other = nil;          ///< of a grant, and where control is lost: who controlled it before
+  Index state = nil;          ///< that is set
+  Index condition = nil;      ///< that is waited for
+  Index trigger = nil;        ///< that was fired
+  Index level = nil;          ///< of Tables::levels
+  std::int32_t value = unset; ///< of `state`
+  std::uint32_t count = 0;    ///< of lost inputs
+  Time time = 0;              ///< the engine's time, in microseconds
+  Time due = never;           ///< when a wait ends
   std::uint64_t micro_step = 0; ///< counts from 1
 };
 
 /// Given to an Engine as it is, it must not throw; given to a generated Behaviour it may.
 struct Observer {
   void (*tell)(void* self, const Event& event) = nullptr; ///< null: nobody listens, and nothing is prepared for it
-  void* self = nullptr;
+  void* self = nullptr; ///< given to `tell`
 };
 
 } // namespace director

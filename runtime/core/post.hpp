@@ -100,6 +100,7 @@ public:
     }
   }
 
+  /// Fires a trigger. False: the inbox is full.
   template <class Trigger>
   [[nodiscard]] bool fire() const {
     static_assert(Facts::Triggers::template has<Trigger>, "this is not a trigger of the behaviour");
@@ -125,6 +126,7 @@ public:
     Input input{.kind = Input::Kind::request, .thing = edge, .level = level};
     return inbox_->insist({&input, 1});
   }
+  /// False: root has no such edge.
   bool cancel_row(Index edge) const {
     if (edge >= Roots::size) return false;
     Input input{.kind = Input::Kind::cancel, .thing = edge};

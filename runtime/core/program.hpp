@@ -23,32 +23,40 @@
 
 namespace director {
 
+/// The base of every generated Behaviour. Not to be copied or moved: bodies and the inbox point into it.
 template <class Facts>
 class Program {
   static_assert(Facts::shape.edges + Facts::shape.groups < nil, "more rows than an Index can tell apart");
 
 public:
-  using Snapshot = director::Snapshot<Facts>;
-  using Post = director::Post<Facts>;
+  using Snapshot = director::Snapshot<Facts>; ///< what other threads may look at; filled by show()
+  using Post = director::Post<Facts>;         ///< what acts on the behaviour from other threads
 
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
   // The words of Post, for the thread that calls step(). From inside a body, handler or observer an assertion fails;
   // without assertions they are refused (false).
+
+  /// Requests root tasks, with their data and levels; several are one input. What is requested already is a new task.
   template <class Task, class... More>
   bool request(Task task, More... more) {
     return outside() && words().request(std::move(task), std::move(more)...);
   }
+  /// The same for tasks that have no data, by their types.
   template <class Task, class... More>
   bool request() {
     return outside() && words().template request<Task, More...>();
   }
+  /// Takes back the request for a root task.
   template <class Task>
   bool cancel() {
     return outside() && words().template cancel<Task>();
   }
+  /// Takes back the requests for all root tasks, as one input.
   bool cancel_all() { return outside() && words().cancel_all(); }
+  /// Sets external states; several are one input. False: a value is outside of its state's domain, or several find no
+  /// place in the inbox.
   template <class Value, class... More>
   [[nodiscard]] bool set(Value value, More... more) {
     if constexpr (sizeof...(More) == 0 && Post::template external<Value>()) {
@@ -59,10 +67,12 @@ public:
     }
     return outside() && words().set(value, more...);
   }
+  /// Fires a trigger. False: the inbox is full.
   template <class Trigger>
   [[nodiscard]] bool fire() {
     return outside() && words().template fire<Trigger>();
   }
+  /// Lets a provider run, or not any more. False: the inbox is full.
   template <class Provider>
   [[nodiscard]] bool enable(bool enabled) {
     return outside() && words().template enable<Provider>(enabled);
@@ -73,19 +83,25 @@ public:
   Post post() { return {inbox_, data_}; }
 
   // The words of Seen, for the thread that calls step().
+
+  /// Of the program's own request for this root task: running, queued or none.
   template <class Task>
   RunState state() const {
     return seen().template state<Task>();
   }
+  /// Who holds this task's group.
   template <class Task>
   Holding holding() const {
     return seen().template holding<Task>();
   }
+  /// Why this task does not run.
   template <class Task>
   Because why() const {
     return seen().template why<Task>();
   }
+  /// How many inputs were lost so far.
   std::uint32_t lost() const { return engine_.lost(); }
+  /// All that one may ask between steps, as one value.
   Seen<Facts> seen() const { return Seen<Facts>(engine_.view()); }
 
   /// Lets other threads see what holds now. Between steps; false: somebody is still looking at the moment before the
@@ -100,13 +116,17 @@ public:
   const Engine& engine() const { return engine_; }
 
 protected:
+  /// By generated code.
   Program(const Bodies& bodies, Observer observer)
       : inbox_(cells_, words_),
         engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer) {}
   ~Program() = default;
 
+  /// A step to this time; generated code has the typed one.
   StepResult step_to(Time now) { return checked(engine_.step(now)); }
+  /// A step without another time.
   StepResult step_on() { return checked(engine_.step()); }
+  /// The slots of all tasks' data.
   typename Facts::Data& data() { return data_; }
   /// What an observer threw was kept: the step ends.
   void observer_threw() { engine_.end_with_fault(); }

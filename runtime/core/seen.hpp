@@ -14,6 +14,7 @@ namespace director {
 template <class Facts>
 class Seen {
 public:
+  /// By Program and Snapshot.
   explicit Seen(const View& view) : view_(view) {}
 
   /// Of the program's own request for this root task: running, queued or none.
@@ -71,6 +72,7 @@ public:
       if (buffer_ != nil) of_.buffers_.leave(buffer_);
     }
     explicit operator bool() const { return buffer_ != nil; } ///< false: nothing was shown yet
+    /// What held at that moment; only where the look is true.
     Seen<Facts> operator*() const { return Seen<Facts>(of_.views_[buffer_]); }
 
   private:
@@ -79,6 +81,7 @@ public:
     const Snapshot& of_;
     Index buffer_;
   };
+  /// From any thread; never waits.
   Look look() const { return Look(*this); }
 
   /// From the thread that calls step(). False: there is still a look at the older copy; nothing changes.

@@ -15,8 +15,8 @@ namespace director {
 /// One of the named levels at which a task is requested. Made without a number it is the first that the requester has.
 template <class Task>
 struct LevelOf {
-  static constexpr std::uint8_t first = 255;
-  std::uint8_t number = first;
+  static constexpr std::uint8_t first = 255; ///< the first level that the requester has
+  std::uint8_t number = first;               ///< of the names that levels of this task have, or `first`
 };
 
 /// Base of a task type with data: `soccer::Walk{command}`, `soccer::Kick{command, soccer::Kick::urgent}`. The data move
@@ -34,25 +34,27 @@ struct Task {
                 "the data of a task are kept without heap: their destructor must be public and noexcept");
   static_assert(std::is_nothrow_move_constructible_v<Data>,
                 "the data of a task are kept without heap: their move constructor must be noexcept");
-  using data_type = Data;
+  using data_type = Data; ///< what `data` of the group names
+  /// The data of the request, and its level.
   explicit Task(Data given, LevelOf<Self> at = {}) : data(std::move(given)), level(at) {}
-  Data data;
-  LevelOf<Self> level;
+  Data data;           ///< moved when it is requested
+  LevelOf<Self> level; ///< one that the requester declares
 };
 
 /// Base of a task type without data: `soccer::Look{}`, `soccer::Look{soccer::Look::urgent}`.
 template <class Self>
 struct Task<Self, void> {
-  using data_type = void;
+  using data_type = void; ///< it has none
   constexpr Task() = default;
+  /// At this level.
   constexpr explicit Task(LevelOf<Self> at) : level(at) {}
-  LevelOf<Self> level{};
+  LevelOf<Self> level{}; ///< one that the requester declares
 };
 
 /// A request that leaves one of the same level as it is; made by keep().
 template <class T>
 struct Kept {
-  T task;
+  T task; ///< what is requested where there is nothing to keep
 };
 
 namespace detail {

@@ -18,16 +18,19 @@ enum class Precedence : std::uint8_t {
 
 /// Where the chains of requesters of two rivals part.
 struct Rivalry {
-  Precedence won_by = Precedence::equal;
+  Precedence won_by = Precedence::equal; ///< the rule that decided
   Index common = nil; ///< the closest common requester, a group; nil: the program
   Index ours = nil;   ///< the edges of that requester that lead to the two; nil with Precedence::above
-  Index theirs = nil;
-  std::int32_t our_priority = 0;
-  std::int32_t their_priority = 0;
+  Index theirs = nil; ///< likewise, of the rival
+  std::int32_t our_priority = 0;   ///< of `ours`
+  std::int32_t their_priority = 0; ///< of `theirs`
+  /// All members are the same.
   constexpr bool operator==(const Rivalry&) const = default;
 };
 
+/// Why a group does not run. Which members count depends on `kind`; the others are `nil`.
 struct Because {
+  /// What keeps it.
   enum class Kind : std::uint8_t {
     running,       ///< it does run: for `edge`, in `provider`
     not_requested, ///< neither the program nor a group that is live asks for it
@@ -41,7 +44,7 @@ struct Because {
     reserved,  ///< it is held for `holder`, whose requester needs it and did not ask for it yet
     limbo,     ///< its requester is gone; it is kept for who is about to ask for it
   };
-  Kind kind = Kind::not_requested;
+  Kind kind = Kind::not_requested; ///< says which of the others count
   Index asked = nil;     ///< the group that this is about
   Index edge = nil;      ///< the request that it is about; nil: there is none
   Index member = nil;    ///< of that request's unit (all or nothing), the edge that cannot be granted; often `edge`
@@ -50,11 +53,13 @@ struct Because {
   Index holder = nil;    ///< edge that holds `group`
   Index condition = nil; ///< the first that is false
   Index causer = nil;    ///< the first enabled provider that promises it
-  Index causer_group = nil;
-  Rivalry rivalry{};
+  Index causer_group = nil; ///< of `causer`
+  Rivalry rivalry{};        ///< who goes first of the request and `holder`, and why
+  /// All members are the same.
   constexpr bool operator==(const Because&) const = default;
 };
 
+/// By number; generated code has `behaviour.why<Task>()`.
 Because why(const View& view, Index group);
 
 /// What edge `holder` holds is in the way of the request `edge`: it goes before it, or is its equal.

@@ -22,9 +22,13 @@ enum class Reason : std::uint8_t {
 class Reasons {
 public:
   constexpr Reasons() = default;
+  /// Bits of Reason.
   constexpr explicit Reasons(std::uint8_t bits) : bits_(bits) {}
+  /// It is among them.
   constexpr bool has(Reason reason) const { return (bits_ & static_cast<std::uint8_t>(reason)) != 0; }
+  /// As a number: the bits of Reason.
   constexpr std::uint8_t bits() const { return bits_; }
+  /// The same reasons.
   constexpr bool operator==(const Reasons&) const = default;
 
 private:
@@ -41,7 +45,9 @@ enum class RunState : std::uint8_t {
 /// What a body answers. Only the context of a run makes one. A path without an answer does not compile (behaviour.hpp).
 class [[nodiscard]] Outcome {
 public:
+  /// A request, done, fail, keep, or a level that is not declared.
   enum class Kind : std::uint8_t { pack, done, failed, keep, fault };
+  /// For tests of bodies.
   constexpr Kind kind() const { return kind_; }
 
 private:

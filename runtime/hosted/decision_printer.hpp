@@ -21,9 +21,11 @@ namespace director {
 /// and timers. Written into `buffer`, which it returns; cut off where that is too small (at least one byte).
 const char* to_text(const Event& event, const Names& names, std::span<char> buffer);
 
+/// Prints what is decided as it is decided.
 class DecisionPrinter {
 public:
-  enum class Times : bool { no, yes }; ///< yes: the time before each line, as `simulate --times` has it
+  /// `yes`: the time before each line, as `simulate --times` has it.
+  enum class Times : bool { no, yes };
 
   /// `names`: `all()` of the behaviour's `names`. `out` must be open for as long as the behaviour lives, and so must
   /// the printer be there.

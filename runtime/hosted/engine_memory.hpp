@@ -11,12 +11,15 @@
 
 namespace director {
 
+/// As many bytes as the tables need, aligned as the engine wants them.
 class EngineMemory {
 public:
+  /// From the heap, zero.
   explicit EngineMemory(const Tables& tables) : state_(lines(State::bytes(Shape::of(tables)))) {}
 
   /// What an engine is built with.
   std::span<std::byte> state() { return std::as_writable_bytes(std::span(state_)); }
+  /// For who compares or copies it.
   std::span<const std::byte> state() const { return std::as_bytes(std::span(state_)); }
 
 private:

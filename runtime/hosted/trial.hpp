@@ -115,7 +115,7 @@ class Answer {
   static constexpr bool handler = detail::IsHandler<Context>;
 
 public:
-  using Kind = Outcome::Kind;
+  using Kind = Outcome::Kind; ///< what the body answered
 
   /// What the body answered: pack (a request), done, failed or keep; fault for a level that is not declared.
   Kind outcome() const requires(!handler) { return outcome_; }
