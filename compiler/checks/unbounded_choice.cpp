@@ -124,13 +124,14 @@ private:
     for (const ProviderId provider : model_.groups[worst->target].providers) {
       const PlanCount plans = trials_.plans(provider);
       if (plans.plans > 1)
-        finding.notes.push_back({model_.providers[provider].span,
-                                 fmt::format("{} has {} plans", name_of(model_, provider),
-                                             amount({plans.plans, plans.complete}))});
+        finding.notes.push_back(
+            {model_.providers[provider].span,
+             fmt::format("{} has {} plans", name_of(model_, provider), amount({plans.plans, plans.complete}))});
     }
     if (model_.trials.span != Span{}) finding.notes.push_back({model_.trials.span, "this is the limit"});
-    finding.help = alone ? "give the needed groups fewer providers, or raise `limits: {trials: ...}`"
-                         : "make one of them `apart`, give the groups fewer providers, or raise `limits: {trials: ...}`";
+    finding.help = alone
+                       ? "give the needed groups fewer providers, or raise `limits: {trials: ...}`"
+                       : "make one of them `apart`, give the groups fewer providers, or raise `limits: {trials: ...}`";
   }
 
   void report(const InPass& pass) {

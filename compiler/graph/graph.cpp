@@ -51,8 +51,7 @@ std::vector<Node> find_components(const Graph& graph, const Model& model) {
     for (const auto* conditions : {&waiter.when, &waiter.stay}) {
       for (const ConditionUse& condition : *conditions) {
         for (const auto& [causer, promise] : promises[model.conditions[condition.id].state.value]) {
-          if (model.satisfies(promise.id, condition.id))
-            add_arrow(joined, waiter.group, model.providers[causer].group);
+          if (model.satisfies(promise.id, condition.id)) add_arrow(joined, waiter.group, model.providers[causer].group);
         }
       }
     }

@@ -4,9 +4,8 @@
 // The static priority table: numbers that stand for priorities, dense for each requester, so that the engine compares
 // small places and nobody asks how far two priorities lie apart.
 
-#include "compiler/lower/steps.hpp"
-
 #include "compiler/graph/clusters.hpp"
+#include "compiler/lower/steps.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -58,7 +57,7 @@ void lower_siblings(const Model& model, std::span<const EdgeId> siblings, const 
     if (edge.requester) lowered.requester = row(*edge.requester);
     lowered.target = row(edge.target);
     lowered.need_urgency = urgencies.of(-std::int64_t{need_priority(edge)});
-    lowered.cluster = row(clusters[id]);
+    lowered.cluster_offset = static_cast<Index>(row(id) - row(clusters[id]));
     lowered.levels.begin = static_cast<Index>(out.levels.size());
     for (const Level& level : edge.levels) {
       out.levels.push_back({level.priority, ranks.of(strength(level)), urgencies.of(-std::int64_t{level.priority}),

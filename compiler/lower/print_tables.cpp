@@ -165,7 +165,7 @@ private:
       const director::Edge& row = tables_.edges[i];
       line("  {:>3}  {}{}{}", i, edge(i),
            model_.edges[EdgeId{i}].needed ? fmt::format(", as a need urgency {}", row.need_urgency) : "",
-           row.cluster != i ? fmt::format(", in a cluster with {}", edge(row.cluster)) : "");
+           row.cluster_offset != 0 ? fmt::format(", in a cluster with {}", edge(tables_.cluster(i))) : "");
       for (Index at = row.levels.begin; at != row.levels.end; ++at) {
         const director::Level& level = tables_.levels[at];
         line("      level {}: priority {}, rank {}, urgency {}{}{}", at, level.priority, level.rank, level.urgency,

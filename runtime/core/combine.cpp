@@ -117,7 +117,7 @@ bool Pass::combine(Index count, bool with_conditions) {
     } else if (at == 0) {
       return false;
     } else if (sorted) {
-      if (t_.edges[s_.member[at - 1]].cluster != t_.edges[s_.member[at]].cluster) { // no choice of another cluster helps
+      if (t_.cluster(s_.member[at - 1]) != t_.cluster(s_.member[at])) { // no choice of another cluster helps
         leave_combination(at);
         return false;
       }
@@ -138,9 +138,9 @@ bool Pass::combine(Index count, bool with_conditions) {
 /// first combination is the same: that of one cluster does not depend on another.
 void Pass::sort_by_cluster(Index count) {
   for (Index i = 1; i < count; ++i) {
-    const Index edge = s_.member[i], cluster = t_.edges[edge].cluster;
+    const Index edge = s_.member[i], cluster = t_.cluster(edge);
     Index at = i;
-    for (; at > 0 && t_.edges[s_.member[at - 1]].cluster > cluster; --at) s_.member[at] = s_.member[at - 1];
+    for (; at > 0 && t_.cluster(s_.member[at - 1]) > cluster; --at) s_.member[at] = s_.member[at - 1];
     s_.member[at] = edge;
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Durations in 64 bits: those of std::chrono, of any rep and period, become microseconds here, without its header. What is
-// beyond the range of Time becomes its end, in a conversion and in a sum: the longest duration is `never`.
+// Durations in 64 bits: those of std::chrono, of any rep and period, become microseconds here, without its header. What
+// is beyond the range of Time becomes its end, in a conversion and in a sum: the longest duration is `never`.
 
 #include "runtime/core/tables.hpp"
 

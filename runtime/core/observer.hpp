@@ -45,29 +45,29 @@ struct Event {
   /// What kind of input or timer an `input` was.
   enum class Input : std::uint8_t { none, request, cancel, set, fire, enable, disable, expire, wait, within, every };
 
-  Kind kind = Kind::input;    ///< says which of the others count
-  Input input = Input::none;  ///< of an `input`
-  Reasons reasons{};          ///< of a run
-  Why why = Why::none;        ///< of a request that is queued
-  Index group = nil;          ///< whom it is about
-  Index provider = nil;       ///< likewise
-  Index edge = nil;           ///< the request that it is about
-  Index other = nil;          ///< of a grant, and where control is lost: who controlled it before
-  Index state = nil;          ///< that is set
-  Index condition = nil;      ///< that is waited for
-  Index trigger = nil;        ///< that was fired
-  Index level = nil;          ///< of Tables::levels
-  std::int32_t value = unset; ///< of `state`
-  std::uint32_t count = 0;    ///< of lost inputs
-  Time time = 0;              ///< the engine's time, in microseconds
-  Time due = never;           ///< when a wait ends
+  Kind kind = Kind::input;      ///< says which of the others count
+  Input input = Input::none;    ///< of an `input`
+  Reasons reasons{};            ///< of a run
+  Why why = Why::none;          ///< of a request that is queued
+  Index group = nil;            ///< whom it is about
+  Index provider = nil;         ///< likewise
+  Index edge = nil;             ///< the request that it is about
+  Index other = nil;            ///< of a grant, and where control is lost: who controlled it before
+  Index state = nil;            ///< that is set
+  Index condition = nil;        ///< that is waited for
+  Index trigger = nil;          ///< that was fired
+  Index level = nil;            ///< of Tables::levels
+  std::int32_t value = unset;   ///< of `state`
+  std::uint32_t count = 0;      ///< of lost inputs
+  Time time = 0;                ///< the engine's time, in microseconds
+  Time due = never;             ///< when a wait ends
   std::uint64_t micro_step = 0; ///< counts from 1
 };
 
 /// Given to an Engine as it is, it must not throw; given to a generated Behaviour it may.
 struct Observer {
   void (*tell)(void* self, const Event& event) = nullptr; ///< null: nobody listens, and nothing is prepared for it
-  void* self = nullptr; ///< given to `tell`
+  void* self = nullptr;                                   ///< given to `tell`
 };
 
 } // namespace director

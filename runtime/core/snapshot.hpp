@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Two buffers between one writer and any number of readers, in any threads: the writer fills one while readers may be in
-// the other. Nobody waits for anybody. Needs what the inbox needs.
+// Two buffers between one writer and any number of readers, in any threads: the writer fills one while readers may be
+// in the other. Nobody waits for anybody. Needs what the inbox needs.
 
 #include "runtime/core/tables.hpp"
 
@@ -13,7 +13,7 @@ namespace director {
 class DoubleBuffer {
 public:
   // The writer's.
-  Index begin();           ///< a buffer to write into; nil: somebody is still in the older one, and this time is left out
+  Index begin(); ///< a buffer to write into; nil: somebody is still in the older one, and this time is left out
   void finish(Index buffer); ///< from now on readers enter this one
 
   // The readers'.

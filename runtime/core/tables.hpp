@@ -52,7 +52,8 @@ struct Edge {
   Index target = 0;       ///< group
   Range levels{};         ///< of Tables::levels; empty where it is needed only
   Index need_urgency = 0; ///< as Level::urgency: of an edge that holds without a request
-  Index cluster = 0; ///< an edge: two of one requester that have another one never claim the same group
+  Index cluster_offset = 0; ///< its cluster begins so many edges before it; edges of two clusters never claim the same
+                            ///< group
 };
 
 struct Provider {
@@ -146,6 +147,9 @@ struct Tables {
   std::span<const Index> listened;    ///< group after group, the triggers that any of its providers listens to
   Index root_edges = 0;               ///< how many edges are of root
   Index most_edges = 0;               ///< the most edges of one group
+
+  /// The first edge of its requester that may claim a group that this one may claim, directly or by way of others.
+  constexpr Index cluster(Index edge) const { return static_cast<Index>(edge - edges[edge].cluster_offset); }
 
   constexpr std::span<const Index> list(Range range) const { return lists.subspan(range.begin, range.size()); }
 };

@@ -19,9 +19,9 @@ enum class Precedence : std::uint8_t {
 /// Where the chains of requesters of two rivals part.
 struct Rivalry {
   Precedence won_by = Precedence::equal; ///< the rule that decided
-  Index common = nil; ///< the closest common requester, a group; nil: the program
-  Index ours = nil;   ///< the edges of that requester that lead to the two; nil with Precedence::above
-  Index theirs = nil; ///< likewise, of the rival
+  Index common = nil;                    ///< the closest common requester, a group; nil: the program
+  Index ours = nil;                ///< the edges of that requester that lead to the two; nil with Precedence::above
+  Index theirs = nil;              ///< likewise, of the rival
   std::int32_t our_priority = 0;   ///< of `ours`
   std::int32_t their_priority = 0; ///< of `theirs`
   /// All members are the same.
@@ -45,8 +45,8 @@ struct Because {
     limbo,     ///< its requester is gone; it is kept for who is about to ask for it
   };
   Kind kind = Kind::not_requested; ///< says which of the others count
-  Index asked = nil;     ///< the group that this is about
-  Index edge = nil;      ///< the request that it is about; nil: there is none
+  Index asked = nil;               ///< the group that this is about
+  Index edge = nil;                ///< the request that it is about; nil: there is none
   Index member = nil;    ///< of that request's unit (all or nothing), the edge that cannot be granted; often `edge`
   Index group = nil;     ///< what is in the way, or lacks
   Index provider = nil;  ///< running: the active one; need_held: that which has the need; condition: that which waits

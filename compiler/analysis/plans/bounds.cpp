@@ -34,7 +34,7 @@ public:
     const auto add = [&](GroupId group, std::int64_t count) {
       std::int64_t& pass = passes[tables.groups[group.value].component];
       pass = count > std::numeric_limits<std::int64_t>::max() - pass ? std::numeric_limits<std::int64_t>::max()
-                                                                      : pass + count;
+                                                                     : pass + count;
       out_.trials_in_a_pass = std::max(out_.trials_in_a_pass, pass);
     };
     for (const Task& root : model_.roots) {

@@ -114,13 +114,13 @@ Row provider_row(const director::Provider& all) {
 }
 
 Row edge_row(const director::Edge& all) {
-  const auto& [requester, target, levels, need_urgency, cluster] = all;
+  const auto& [requester, target, levels, need_urgency, cluster_offset] = all;
   Row row;
   row.index("requester", requester, nil);
   row.index("target", target, 0);
   row.range("levels", levels);
   row.index("need_urgency", need_urgency, 0);
-  row.index("cluster", cluster, 0);
+  row.index("cluster_offset", cluster_offset, 0);
   return row;
 }
 

@@ -19,7 +19,7 @@ std::map<std::string, std::string> clusters_of(const std::string& groups, const 
   const Lowered lowered = lower(compiled.model);
   std::map<std::string, std::string> out;
   for (const EdgeId edge : compiled.model.edges.ids()) {
-    CHECK(lowered.edges[edge.value].cluster == clusters[edge].value);
+    CHECK(lowered.view().cluster(edge.value) == clusters[edge].value);
     const auto name = [&](EdgeId id) { return compiled.model.groups[compiled.model.edges[id].target].name.value; };
     const auto& from = compiled.model.edges[edge].requester;
     if (from && compiled.model.groups[*from].name.value == requester) out[name(edge)] = name(clusters[edge]);
@@ -48,13 +48,14 @@ TEST_CASE("a task that another one may need is in a cluster with it") {
 }
 
 TEST_CASE("two tasks that share nothing with each other are in one cluster by way of a third") {
-  CHECK(clusters_of("  All: {tasks: [A, B, C]}\n  A: {needs: [X]}\n  B: {needs: [Y]}\n  C: {needs: [X, Y]}\n  X: {}\n"
-                    "  Y: {}\n",
+  CHECK(clusters_of("  All: {tasks: [A, B, C]}\n  A: {needs: [Left]}\n  B: {needs: [Right]}\n  C: {needs: [Left, "
+                    "Right]}\n  Left: {}\n"
+                    "  Right: {}\n",
                     "All") == std::map<std::string, std::string>{{"A", "A"}, {"B", "A"}, {"C", "A"}});
 }
 
 TEST_CASE("what tasks request when they run puts them into no cluster") {
-  CHECK(clusters_of("  All: {tasks: [A, B]}\n  A: {tasks: [X]}\n  B: {tasks: [X]}\n  X: {}\n", "All") ==
+  CHECK(clusters_of("  All: {tasks: [A, B]}\n  A: {tasks: [Left]}\n  B: {tasks: [Left]}\n  Left: {}\n", "All") ==
         std::map<std::string, std::string>{{"A", "A"}, {"B", "B"}});
 }
 

@@ -16,17 +16,23 @@ std::int64_t decision(const std::string& groups) {
   return trials.decision(trials.together(test.model.providers[test.provider("All")].packs.front())).count;
 }
 
-const std::string ten = "{providers: [{name: a}, {name: b}, {name: c}, {name: d}, {name: e}, {name: f}, {name: g}, "
-                        "{name: h}, {name: i}, {name: j}]}\n";
+std::string group_of_ten() {
+  std::string out = "{providers: [";
+  for (char letter = 'a'; letter <= 'j'; ++letter)
+    out += std::string(letter == 'a' ? "" : ", ") + "{name: by_" + letter + "}";
+  return out + "]}\n";
+}
+const std::string ten = group_of_ten();
 
 TEST_CASE("members that share no group add up") {
-  CHECK(decision("  All: {tasks: [A, B, C, D]}\n  A: " + ten + "  B: " + ten + "  C: " + ten + "  D: " + ten) == 2 * 40);
+  CHECK(decision("  All: {tasks: [A, B, C, D]}\n  A: " + ten + "  B: " + ten + "  C: " + ten + "  D: " + ten) ==
+        2 * 40);
 }
 
 TEST_CASE("members that can claim the same group multiply, and the others do not") {
-  const std::string two = "{providers: [{name: a, needs: [X]}, {name: b, needs: [Y]}]}\n";
-  CHECK(decision("  All: {tasks: [A, B, C]}\n  A: " + two + "  B: " + two + "  C: " + ten + "  X: {}\n  Y: {}\n") ==
-        2 * 14 + (2 * 2 + 10));
+  const std::string two = "{providers: [{name: one, needs: [Left]}, {name: two, needs: [Right]}]}\n";
+  CHECK(decision("  All: {tasks: [A, B, C]}\n  A: " + two + "  B: " + two + "  C: " + ten +
+                 "  Left: {}\n  Right: {}\n") == 2 * 14 + (2 * 2 + 10));
 }
 
 TEST_CASE("what is optional or apart is no member") {
