@@ -13,7 +13,7 @@ namespace testing {
 struct Access;
 }
 
-/// Where the data of a group's task are (integration.md: each edge has a slot and a staging slot, each group one slot).
+/// Where the data of a group's task are (docs/bounds.md: each edge has a slot and a staging slot, each group one slot).
 struct DataPlace {
   enum class Slot : std::uint8_t { edge, staging, group };
   Slot slot = Slot::group;

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the engine may cost at most, from the specification alone. docs/integration.md, "Memory and bounds", says what
-// each one means and why it is a bound.
+// What the engine may cost at most, from the specification alone. docs/bounds.md says what each one means and why it is a
+// bound.
 
 #include "compiler/model/model.hpp"
 #include "runtime/core/tables.hpp"
