@@ -42,7 +42,16 @@ struct Generate {
 struct DrawGraph {
   std::string file;
   Format format = Format::dot;
-  std::string output; ///< empty: to the terminal
+  std::string output;                 ///< empty: to the terminal
+  std::string link;                   ///< address of a line, with {file} and {line}; empty: nothing is a link
+  std::string view = "all";           ///< all, tasks, needs, pushes, takes
+  std::string collapse;               ///< module, layer; empty: every group has a box
+  std::vector<std::string> focus;     ///< groups; empty: everything
+  std::optional<std::uint32_t> depth; ///< arrows away from the focus
+  bool findings = false;              ///< each of them at its place
+  std::uint32_t step = 0;             ///< of a scenario: the moment after this one; 0: no step is named
+  std::optional<std::int64_t> time;   ///< of a scenario: the moment at this time, in microseconds
+  bool frames = false;                ///< of a scenario: a file for each step, into the folder `output`
 };
 
 struct Explain {

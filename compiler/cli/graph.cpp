@@ -1,20 +1,27 @@
 // Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/cli/load.hpp"
+#include "compiler/cli/load_scenario.hpp"
+#include "compiler/emit/graph/flaws.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/artefact/notice.hpp"
+#include "compiler/play/coverage.hpp"
+#include "compiler/play/moment.hpp"
+#include "compiler/play/names.hpp"
+#include "compiler/play/play.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace director::compiler::cli {
 
 namespace {
 
 /// The picture drawn by Graphviz; nothing, and says why, where that cannot be.
-std::optional<std::string> svg(const Picture& picture, Console& console) {
-  const Answer answer = console.programs.run({"dot", "-Tsvg"}, dot(picture));
+std::optional<std::string> svg(const Picture& picture, const PictureLinks& links, Console& console) {
+  const Answer answer = console.programs.run({"dot", "-Tsvg"}, dot(picture, links));
   if (!answer.started) {
     console.err << "directorc: --format=svg needs the program `dot` of Graphviz, which is not installed (on Debian: "
                    "apt-get install graphviz); --format=dot needs nothing\n";
@@ -24,45 +31,184 @@ std::optional<std::string> svg(const Picture& picture, Console& console) {
     console.err << fmt::format("directorc: `dot` could not draw the graph (exit status {})\n", answer.status);
     return {};
   }
-  return answer.output;
+  return finish_svg(picture, answer.output);
 }
 
-std::optional<std::string> drawn(const Checked& checked, const std::string& file, Format format, Console& console) {
-  const Picture picture = make_picture(checked.model, checked.graph);
-  const std::string name = std::filesystem::path(file).filename().string();
-  switch (format) {
-  case Format::json: return to_lines(graph_json(checked.model, checked.graph));
+PictureOptions::View view_of(const std::string& name) {
+  using View = PictureOptions::View;
+  static const std::map<std::string, View> views{
+      {"tasks", View::tasks}, {"needs", View::needs}, {"pushes", View::pushes}, {"takes", View::takes}};
+  const auto found = views.find(name);
+  return found == views.end() ? View::all : found->second;
+}
+
+std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
+  std::vector<TakeOver> out;
+  for (const CoveragePoint& point : coverage_of(model, graph).points) {
+    if (point.key.kind == CoveragePoint::Kind::take_over)
+      out.push_back({EdgeId{point.key.first}, EdgeId{point.key.second}});
+  }
+  return out;
+}
+
+/// What is drawn, of a behaviour or of the one that a scenario plays.
+struct Subject {
+  const Model& model;
+  const Graph& graph;
+  bool lowerable = false;
+  const std::vector<dsl::Diagnostic>* findings = nullptr; ///< null: they were not asked for
+};
+
+/// Nothing, and says why, where a group that is named does not exist.
+std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject& subject, Console& console) {
+  PictureOptions out;
+  out.view = view_of(request.view);
+  if (request.collapse == "module") out.fold = PictureOptions::Fold::modules;
+  if (request.collapse == "layer") out.fold = PictureOptions::Fold::layers;
+  out.depth = request.depth;
+  for (const std::string& name : request.focus) {
+    std::vector<dsl::Diagnostic> findings;
+    const std::optional<GroupId> group = Names(subject.model, findings).group({name, {}});
+    if (group) {
+      out.focus.push_back(*group);
+      continue;
+    }
+    const dsl::Diagnostic& wrong = findings.front();
+    console.err << fmt::format("directorc: --focus: {}{}\n", wrong.message,
+                               wrong.help.empty() ? "" : "; " + wrong.help);
+    return {};
+  }
+  if (out.view != PictureOptions::View::takes) return out;
+  if (!subject.lowerable) {
+    console.err << "directorc: --view=takes needs a behaviour that can run: with `roots` and without errors\n";
+    return {};
+  }
+  out.take_overs = take_overs_of(subject.model, subject.graph);
+  return out;
+}
+
+std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sources, const DrawGraph& request,
+                                 const PictureOptions& options, Console& console) {
+  const Picture picture = make_picture(subject.model, subject.graph, sources, options);
+  const PictureLinks links{request.link};
+  const std::string name = std::filesystem::path(request.file).filename().string();
+  switch (request.format) {
+  case Format::json:
+    return to_lines(graph_json({subject.model, subject.graph, sources, options.flaws,
+                                options.moment ? &*options.moment : nullptr, subject.findings}));
   case Format::svg: {
-    const std::optional<std::string> text = svg(picture, console);
+    const std::optional<std::string> text = svg(picture, links, console);
     return text ? std::optional(svg_with_notice(name, *text)) : text;
   }
-  case Format::mermaid: return with_notice(name, "%% ", mermaid(picture));
+  case Format::mermaid: return with_notice(name, "%% ", mermaid(picture, links));
   case Format::dot:
   case Format::sarif:
   case Format::text: break;
   }
-  return with_notice(name, "// ", dot(picture));
+  return with_notice(name, "// ", dot(picture, links));
+}
+
+int write(const std::vector<Output>& outputs, Console& console) {
+  const std::optional<std::string> fault = console.outputs.write(outputs);
+  if (fault) console.err << fmt::format("directorc: cannot write {}\n", *fault);
+  return fault ? misused : clean;
+}
+
+/// To the file that is asked for, or to the terminal.
+int hand_over(const std::string& text, const std::string& output, Console& console) {
+  if (!output.empty()) return write({{output, text, has_notice}}, console);
+  console.out << text;
+  return clean;
+}
+
+std::string seconds(Microseconds time) {
+  std::string out = fmt::format("{}.{:06}", time / 1'000'000, time % 1'000'000);
+  while (out.ends_with('0')) out.pop_back();
+  if (out.ends_with('.')) out.pop_back();
+  return out + " s";
+}
+
+/// After that step (0: in the end), or at that time. Nothing, and shows why, where a body may not do what it is to do.
+std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step, std::optional<std::int64_t> time,
+                                const dsl::Sources& sources, Console& console) {
+  Moment out;
+  PlayOptions options;
+  options.steps = step;
+  options.until = time;
+  options.end = [&](const Engine& engine) { out = moment_of(engine.view(), loaded.model, loaded.lowered); };
+  const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
+  if (played.refused) {
+    print_findings({*played.refused}, sources, console.err, console.err_colours);
+    return {};
+  }
+  if (played.last_step == 0) return out;
+  const std::vector<std::string>& shown = loaded.scenario.steps[played.last_step - 1].shown;
+  Microseconds now = 0;
+  for (std::uint32_t i = 0; i < played.last_step; ++i) now += loaded.scenario.steps[i].advance.value_or(0);
+  if (time) now = std::min(now, *time);
+  out.title = fmt::format("{} step {} ({}), at {}", time ? "in" : "after", played.last_step, fmt::join(shown, ", "),
+                          seconds(now));
+  return out;
+}
+
+std::string_view ending_of(Format format) {
+  switch (format) {
+  case Format::svg: return "svg";
+  case Format::json: return "json";
+  case Format::mermaid: return "mmd";
+  default: return "dot";
+  }
+}
+
+int draw_moments(const DrawGraph& request, Console& console) {
+  dsl::Sources sources;
+  const LoadedScenario loaded = load_scenario(request.file, sources, console);
+  if (loaded.status != clean) return loaded.status;
+  const auto steps = static_cast<std::uint32_t>(loaded.scenario.steps.size());
+  if (request.step > steps) {
+    console.err << fmt::format("directorc: `{}` has {} steps\n", request.file, steps);
+    return misused;
+  }
+  const Subject subject{loaded.model, loaded.graph, true, nullptr};
+  std::optional<PictureOptions> options = options_of(request, subject, console);
+  if (!options) return misused;
+  std::vector<Output> frames;
+  const std::size_t digits = std::to_string(steps).size();
+  for (std::uint32_t step = request.frames ? 1 : request.step; step <= (request.frames ? steps : request.step);
+       ++step) {
+    options->moment = moment_in(loaded, step, request.time, sources, console);
+    if (!options->moment) return found;
+    const std::optional<std::string> text = drawn(subject, sources, request, *options, console);
+    if (!text) return misused;
+    if (!request.frames) return hand_over(*text, request.output, console);
+    const std::string name = fmt::format("step_{:0{}}.{}", step, digits, ending_of(request.format));
+    frames.push_back({(std::filesystem::path(request.output) / name).string(), *text, has_notice});
+  }
+  return write(frames, console);
 }
 
 } // namespace
 
 int run(const DrawGraph& request, Console& console) {
+  if (request.step != 0 || request.time || request.frames) return draw_moments(request, console);
   dsl::Sources sources;
   const std::optional<Checked> checked = load(request.file, {}, sources, console);
   if (!checked) return misused;
-  if (!checked->resolved) {
-    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours);
-    return found;
-  }
-  const std::optional<std::string> text = drawn(*checked, request.file, request.format, console);
+  const bool whole = checked->resolved;
+  const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
+  if (!whole) print_findings(errors, sources, console.err, console.err_colours);
+  if (!whole && checked->model.groups.empty()) return found;
+  const Graph graph = whole ? Graph{} : make_graph(checked->model);
+  const Subject subject{checked->model, whole ? checked->graph : graph, checked->lowerable,
+                        request.findings ? &checked->findings : nullptr};
+  std::optional<PictureOptions> options = options_of(request, subject, console);
+  if (!options) return misused;
+  if (!whole) options->flaws = find_missing(checked->spec, checked->model, sources, errors);
+  if (request.findings) add_findings(options->flaws, checked->spec, checked->model, sources, checked->findings);
+  const std::optional<std::string> text = drawn(subject, sources, request, *options, console);
   if (!text) return misused;
-  if (request.output.empty()) {
-    console.out << *text;
-  } else if (const std::optional<std::string> fault = console.outputs.write({{request.output, *text, has_notice}})) {
-    console.err << fmt::format("directorc: cannot write {}\n", *fault);
-    return misused;
-  }
-  return clean;
+  const int status = hand_over(*text, request.output, console);
+  return status == clean && !whole ? found : status;
 }
 
 } // namespace director::compiler::cli

@@ -165,6 +165,16 @@ Make generate_options(CLI::App& app) {
   };
 }
 
+/// What is wrong with it, if something is.
+std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_t>& time) {
+  if (const std::optional<dsl::Duration> most = dsl::most_instead_of(text))
+    return Say{fmt::format("directorc: `{}` is too long: at most {}\n", text, dsl::to_text(*most)), true};
+  const std::optional<dsl::Duration> given = dsl::parse_duration(text);
+  if (!given) return Say{fmt::format("directorc: `{}` is no time: a whole number and us, ms, s or min\n", text), true};
+  time = given->microseconds();
+  return {};
+}
+
 Make graph_options(CLI::App& app) {
   auto request = std::make_shared<DrawGraph>();
   app.add_option("FILE", request->file, "the behaviour")->required();
@@ -172,7 +182,49 @@ Make graph_options(CLI::App& app) {
   app.add_option("-o,--output", request->output,
                  "file to write, unless somebody else has written it; without it, to the terminal")
       ->type_name("FILE");
-  return [=]() -> Request { return *request; };
+  app.add_option("--view", request->view, "only these arrows: tasks, needs, pushes or takes (who may take from whom)")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"all", "tasks", "needs", "pushes", "takes"}));
+  app.add_option("--collapse", request->collapse, "one box for each: module or layer")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"module", "layer"}));
+  CLI::Option* focus = app.add_option("--focus", request->focus,
+                                      "only what can reach, hold, push or block one of these groups, GROUP,GROUP")
+                           ->type_name("GROUP")
+                           ->delimiter(',')
+                           ->expected(1)
+                           ->take_all();
+  app.add_option("--depth", request->depth, "no further than so many arrows from the focus")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000))
+      ->needs(focus);
+  app.add_option("--link", request->link, "address behind each box and arrow, with {file} and {line} in it")
+      ->type_name("ADDRESS");
+  CLI::Option* findings = app.add_flag("--findings", request->findings, "also what is found, each at its place");
+  auto time = std::make_shared<std::string>();
+  CLI::Option* step = app.add_option("--step", request->step, "FILE is a scenario: the moment after this step of it")
+                          ->type_name("N")
+                          ->check(CLI::Range(1, 1'000'000));
+  CLI::Option* at = app.add_option("--at", *time, "FILE is a scenario: the moment at this time of it, '1500 ms'")
+                        ->type_name("TIME")
+                        ->excludes(step);
+  app.add_flag("--frames", request->frames, "FILE is a scenario: a picture for each step, into the folder of -o")
+      ->excludes(step)
+      ->excludes(at)
+      ->excludes(findings);
+  step->excludes(findings);
+  at->excludes(findings);
+  return [=]() -> Request {
+    if (!time->empty()) {
+      if (const std::optional<Say> wrong = parse_time(*time, request->time)) return *wrong;
+    }
+    if (request->frames && request->output.empty())
+      return Say{"directorc: --frames writes many files: -o names a folder for them\n", true};
+    if (!request->link.empty() && request->link.find("{file}") == std::string::npos)
+      return Say{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n",
+                 true};
+    return *request;
+  };
 }
 
 Make explain_options(CLI::App& app) {
@@ -209,12 +261,7 @@ Make why_options(CLI::App& app) {
   add_format(app, request->format, {"text", "json"});
   return [=]() -> Request {
     if (time->empty()) return *request;
-    const std::optional<dsl::Duration> given = dsl::parse_duration(*time);
-    if (const std::optional<dsl::Duration> most = dsl::most_instead_of(*time))
-      return Say{fmt::format("directorc: `{}` is too long: at most {}\n", *time, dsl::to_text(*most)), true};
-    if (!given)
-      return Say{fmt::format("directorc: `{}` is no time: a whole number and us, ms, s or min\n", *time), true};
-    request->time = given->microseconds();
+    if (const std::optional<Say> wrong = parse_time(*time, request->time)) return *wrong;
     return *request;
   };
 }

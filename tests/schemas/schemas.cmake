@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D DIRECTORC=<program> -D VERDICTS=<program> -D NODE=<program> -D NPM=<program> -D FROM=<this folder> -D SCHEMAS=<folder> -D WORK=<folder> -P schemas.cmake
 # Installs the pinned npm packages in WORK, has VERDICTS read the corpus, and compares with the schemas. Then holds what
-# DIRECTORC prints as SARIF against the schema of SARIF.
-foreach(file package.json package-lock.json compare.mjs sarif.mjs)
+# DIRECTORC prints as SARIF against the schema of SARIF, and its graphs against that of graphs.
+foreach(file package.json package-lock.json compare.mjs sarif.mjs graph.mjs)
   file(COPY_FILE ${FROM}/${file} ${WORK}/${file} ONLY_IF_DIFFERENT)
 endforeach()
 if(NOT EXISTS ${WORK}/node_modules/ajv OR ${FROM}/package-lock.json IS_NEWER_THAN ${WORK}/installed)
@@ -35,4 +35,22 @@ endforeach()
 execute_process(COMMAND ${NODE} sarif.mjs ${logs} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "this is no SARIF")
+endif()
+
+set(graphs "")
+function(draw name)
+  execute_process(COMMAND ${DIRECTORC} graph --format=json ${ARGN} WORKING_DIRECTORY ${root} OUTPUT_FILE ${WORK}/${name}.graph.json ERROR_QUIET)
+  set(graphs ${graphs} ${name}.graph.json PARENT_SCOPE)
+endfunction()
+foreach(behaviour IN LISTS behaviours ITEMS tests/schemas/everything.yaml)
+  string(MAKE_C_IDENTIFIER ${behaviour} name)
+  draw(${name} ${behaviour})
+endforeach()
+draw(findings behaviours/robocup/robocup.yaml --findings)
+draw(moment tests/docs/rover/rover.scenario.yaml --step 2)
+file(WRITE ${WORK}/missing.yaml "behaviour: missing\nlanguage: 1\nroots: [Nobody]\ngroups: {Somebody: {needs: [Nobody]}}\n")
+draw(missing ${WORK}/missing.yaml --findings)
+execute_process(COMMAND ${NODE} graph.mjs ${SCHEMAS}/graph.schema.json ${graphs} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "a graph is not what its schema says")
 endif()

@@ -1,10 +1,15 @@
 // Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A group is an HTML table: its rows are ports from which a provider's own arrows leave. Layers are ranks of their own,
-// held in order by a chain of names down the left side. `newrank` lets the legend, a cluster, take part in that order.
+// A group is an HTML table: its rows are ports from which a provider's own arrows leave. A layer is a band of as many
+// ranks as it needs: an invisible node above it is above all of its first boxes and below all of the last ones of the
+// layer before. The names of layers are a chain of their own down the left side, each in the rank of that node;
+// `newrank` lets them share ranks with the rest. What Graphviz writes as titles are the names of nodes, so they are
+// names of people's things.
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
+#include "compiler/emit/graph/legend.hpp"
+#include "compiler/emit/graph/palette.hpp"
 
 #include <fmt/format.h>
 
@@ -12,153 +17,310 @@
 
 namespace director::compiler {
 
-namespace {
-
-// Colours that stay apart for people who see no red or green, and on paper. Source: Okabe and Ito, "Color Universal
-// Design".
-constexpr std::string_view task_colour = "#404040", need_colour = "#0072B2", when_colour = "#9A5B00",
-                           causing_colour = "#00805A", frame_colour = "#8A8F98";
-
-std::string html(std::string_view text) {
-  std::string out;
-  for (const char letter : text) {
-    switch (letter) {
-    case '&': out += "&amp;"; break;
-    case '<': out += "&lt;"; break;
-    case '>': out += "&gt;"; break;
-    case '"': out += "&quot;"; break;
-    default: out += letter;
-    }
-  }
+std::string PictureLinks::to(const PictureText& text) const {
+  if (pattern.empty() || text.file.empty()) return {};
+  std::string out = pattern;
+  const auto put = [&](std::string_view name, const std::string& value) {
+    for (std::size_t at = out.find(name); at != std::string::npos; at = out.find(name, at + value.size()))
+      out.replace(at, name.size(), value);
+  };
+  put("{line}", std::to_string(text.line));
+  put("{file}", text.file);
   return out;
 }
 
-std::string dot_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') out += '\\';
-    out += letter;
+namespace {
+
+using palette::html;
+using palette::quoted;
+
+class Dot {
+public:
+  Dot(const Picture& picture, const PictureLinks& links) : picture_(picture), links_(links) {}
+
+  std::string draw() {
+    code_.open(fmt::format("digraph {} {{", quoted(picture_.title)));
+    code_.line("graph [rankdir=TB, newrank=true, fontname=\"Helvetica\", fontsize=10, nodesep=0.3, ranksep=0.4, "
+               "labelloc=b, labeljust=l]");
+    code_.line("node [shape=plain, fontname=\"Helvetica\", fontsize=12]");
+    // Every attribute that an arrow may have, by the alphabet: Graphviz 2.42 takes one for the other in an arrow
+    // between neighbours of one rank, where they were not told in this order.
+    code_.line("edge [URL=\"\", arrowhead=vee, arrowsize=0.7, color=black, constraint=true, edgetooltip=\"\", "
+               "fontcolor=black, fontname=\"Helvetica\", fontsize=10, headport=\"\", label=\"\", labeltooltip=\"\", "
+               "penwidth=1, style=solid, tailport=\"\", tooltip=\"\", weight=1]");
+    code_.open("label=<");
+    for (const std::string& line : legend_table(picture_)) code_.line(line);
+    code_.close(">");
+    draw_layers(); // first, so that the names of layers stand on the left
+    for (const PictureBox& box : picture_.boxes) draw_box(box);
+    for (const PictureArrow& arrow : picture_.arrows) draw_arrow(arrow);
+    code_.close("}");
+    return code_.text();
   }
-  return out + "\"";
-}
 
-std::string node(GroupId group) { return fmt::format("g{}", group.value); }
+private:
+  /// `halting`, `ready.go`, `kick`: the name that a reader of titles is told.
+  static std::string port(const PictureRow& row) { return row.name; }
+  static std::string port(const PictureRow& row, const PicturePack& pack) {
+    return row.name.empty() ? pack.name : row.name + "." + pack.name;
+  }
 
-/// Where an arrow leaves or arrives: the provider's row, or the group's head.
-std::string port(const Picture& picture, GroupId group, const std::optional<ProviderId>& provider) {
-  const PictureBox& box = picture.boxes[group.value];
-  const bool rows = box.rows.size() > 1 || !box.rows.front().name.empty();
-  return provider && rows ? fmt::format("{}:p{}", node(group), provider->value) : node(group);
-}
+  /// `"Walk":"halting"`
+  std::string end(const PictureEnd& end) const {
+    const PictureBox& box = picture_.boxes[end.box];
+    if (!end.row && !end.pack) return quoted(box.name);
+    const PictureRow& row = box.rows[end.row.value_or(0)];
+    return fmt::format("{}:{}", quoted(box.name), quoted(end.pack ? port(row, row.packs[*end.pack]) : port(row)));
+  }
 
-std::string small(std::string_view colour, std::string_view word, const std::string& text) {
-  if (text.empty()) return {};
-  return fmt::format("<BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"9\" COLOR=\"{}\">{} {}</FONT>", colour, word, html(text));
-}
+  static std::string tooltip(const PictureText& text) {
+    return text.file.empty() ? text.words : fmt::format("{}\n{}:{}", text.words, text.file, text.line);
+  }
 
-std::string conditions_of(const PictureRow& row) {
-  return small(when_colour, "when", row.when) + small(when_colour, "stay", row.stay) +
-         small(causing_colour, "causing", row.causing);
-}
+  /// Of a cell or a table.
+  std::string cell_words(const PictureText& text) const {
+    std::string out = fmt::format(" TOOLTIP=\"{}\"", html(tooltip(text)));
+    if (const std::string url = links_.to(text); !url.empty()) out += fmt::format(" HREF=\"{}\"", html(url));
+    return out;
+  }
 
-void draw_box(Code& code, const PictureBox& box) {
-  code.open(fmt::format("{} [label=<", node(box.group)));
-  code.line(fmt::format("<TABLE BORDER=\"{}\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"5\" COLOR=\"{}\" "
-                        "BGCOLOR=\"white\" STYLE=\"ROUNDED\">",
-                        box.root ? 2 : 1, box.root ? task_colour : frame_colour));
-  const bool direct = box.rows.size() == 1 && box.rows.front().name.empty();
-  const std::string data = box.data.empty()
-                               ? std::string{}
-                               : fmt::format("<BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"8\" COLOR=\"{}\">{}</FONT>",
-                                             frame_colour, html(box.data));
-  code.line(fmt::format("<TR><TD ALIGN=\"LEFT\"><B>{}</B>{}{}<BR ALIGN=\"LEFT\"/></TD></TR>", html(box.name), data,
-                        direct ? conditions_of(box.rows.front()) : std::string{}));
-  if (!direct) {
-    for (const PictureRow& row : box.rows) {
-      code.line(
-          fmt::format("<TR><TD ALIGN=\"LEFT\" BORDER=\"1\" SIDES=\"T\" PORT=\"p{}\">{}{}<BR ALIGN=\"LEFT\"/></TD></TR>",
-                      row.provider.value, html(row.name.empty() ? "default" : row.name), conditions_of(row)));
+  static std::string_view colour_of(PictureLine::Kind kind) {
+    switch (kind) {
+    case PictureLine::Kind::when:
+    case PictureLine::Kind::stay: return palette::when;
+    case PictureLine::Kind::causing: return palette::push;
+    case PictureLine::Kind::wrong: return palette::queued;
+    case PictureLine::Kind::doubtful: return palette::when;
+    case PictureLine::Kind::sets:
+    case PictureLine::Kind::runs: break;
+    }
+    return palette::grey;
+  }
+
+  /// At a moment when it does not run, all of a box is grey.
+  static bool is_grey(const PictureBox& box) { return box.mark == Moment::Mark::inactive; }
+
+  static bool is_grey(const PictureBox& box, const PictureRow& row) {
+    return is_grey(box) || (box.mark && !box.is_direct() && !row.is_active);
+  }
+
+  static std::string name_of(bool grey, const std::string& name) {
+    return grey ? fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::grey, html(name)) : html(name);
+  }
+
+  static std::string lines(bool grey, const std::vector<PictureLine>& all) {
+    std::string out;
+    for (const PictureLine& line : all) {
+      const bool is_flaw = line.kind == PictureLine::Kind::wrong || line.kind == PictureLine::Kind::doubtful;
+      const std::string_view colour = grey && !is_flaw ? palette::grey : colour_of(line.kind);
+      out += fmt::format("<BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"9\" COLOR=\"{}\"><B>{}&#160;</B>{}</FONT>", colour,
+                         html(line.key), is_flaw ? palette::wrapped(line.text, line.key.size()) : html(line.text));
+    }
+    return out;
+  }
+
+  static std::string small(std::string_view colour, const std::string& text) {
+    return fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\">{}</FONT>", colour, html(text));
+  }
+
+  static std::string row_name(const PictureBox& box, const PictureRow& row) {
+    if (!row.is_active) return name_of(is_grey(box, row), row.name);
+    return fmt::format("<FONT COLOR=\"{}\"><B>\u25B6 {}</B></FONT>", frame_of(box).colour, html(row.name));
+  }
+
+  /// What there is to say of the moment, in words.
+  static std::string note_of(const PictureBox& box) {
+    if (!box.mark) return {};
+    std::string text = box.note;
+    switch (*box.mark) {
+    case Moment::Mark::inactive: return {};
+    case Moment::Mark::running: text = "\u25B6 running"; break;
+    case Moment::Mark::queued: text = "queued: " + box.note; break;
+    case Moment::Mark::held: text = "held for who needs it"; break;
+    case Moment::Mark::pushed: break;
+    }
+    return fmt::format("<BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"9\" COLOR=\"{}\"><B>{}</B></FONT>", frame_of(box).colour,
+                       palette::wrapped(text));
+  }
+
+  static bool runs(const PictureBox& box) {
+    return box.mark == Moment::Mark::running || box.mark == Moment::Mark::pushed;
+  }
+
+  struct Frame {
+    std::string_view colour, style;
+    int width = 1;
+  };
+  static Frame frame_of(const PictureBox& box) {
+    const bool alike = box.kind == PictureBox::Kind::alike;
+    const std::string_view solid = alike ? "DASHED" : "ROUNDED";
+    const int width = box.in_focus ? 4 : box.asked ? 2 : 1;
+    if (box.kind == PictureBox::Kind::missing) return {palette::queued, "ROUNDED,DASHED", 2};
+    if (!box.mark) return {box.in_focus || box.asked ? palette::ink : palette::frame, solid, width};
+    switch (*box.mark) {
+    case Moment::Mark::running: return {palette::need, solid, 3};
+    case Moment::Mark::pushed: return {palette::push, solid, 3};
+    case Moment::Mark::queued: return {palette::queued, "ROUNDED,DASHED", 2};
+    case Moment::Mark::held: return {palette::need, "ROUNDED,DOTTED", 2};
+    case Moment::Mark::inactive: break;
+    }
+    return {palette::faint, solid, width};
+  }
+
+  void draw_head(const PictureBox& box) {
+    std::string text;
+    if (box.asked)
+      text += small(is_grey(box) ? palette::grey : palette::ink,
+                    "\u25BC program" + (box.asked->empty() ? "" : ": " + *box.asked)) +
+              "<BR ALIGN=\"LEFT\"/>";
+    if (box.kind == PictureBox::Kind::missing)
+      text += small(palette::queued, "\u2716 no such group") + "<BR ALIGN=\"LEFT\"/>";
+    text += fmt::format("<B>{}</B>", name_of(is_grey(box), box.name));
+    if (!box.data.empty()) text += "<BR ALIGN=\"LEFT\"/>" + small(palette::grey, box.data);
+    text += lines(is_grey(box), box.lines);
+    if (box.is_direct()) text += lines(is_grey(box), box.rows.front().lines);
+    text += note_of(box);
+    code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\"{}>{}<BR ALIGN=\"LEFT\"/></TD></TR>", cell_words(box.about), text));
+  }
+
+  void draw_row(const PictureBox& box, const PictureRow& row) {
+    if (!row.name.empty()) {
+      code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\" BORDER=\"1\" SIDES=\"T\" PORT=\"{}\"{}>{}{}<BR "
+                             "ALIGN=\"LEFT\"/></TD></TR>",
+                             html(port(row)), cell_words(row.about), row_name(box, row),
+                             lines(is_grey(box, row), row.lines)));
+    }
+    for (const PicturePack& pack : row.packs) {
+      code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\" PORT=\"{}\"{}>{}<BR ALIGN=\"LEFT\"/></TD></TR>",
+                             html(port(row, pack)), cell_words(pack.about),
+                             small(is_grey(box, row) ? palette::grey : palette::ink, "\u25C7 " + pack.name)));
     }
   }
-  code.line("</TABLE>");
-  code.close(">]");
-}
 
-std::string style_of(const PictureArrow& arrow) {
-  if (arrow.task && arrow.need) return fmt::format("color=\"{}:{}\", arrowhead=vee", task_colour, need_colour);
-  if (arrow.need) return fmt::format("color=\"{}\", arrowhead=dot, arrowsize=0.6", need_colour);
-  if (arrow.optional) return fmt::format("color=\"{}\", style=dotted, arrowhead=vee", task_colour);
-  return fmt::format("color=\"{}\", arrowhead=vee", task_colour);
-}
-
-/// Without a label, since the condition stands in both rows.
-void draw_cause(Code& code, const Picture& picture, const PictureCause& cause) {
-  const std::string from = port(picture, cause.causer_group, cause.causer);
-  const std::string to = port(picture, cause.waiter_group, cause.waiter);
-  code.line(fmt::format("{} -> {} [color=\"{}\", style=dashed, arrowhead=empty, constraint=false, tooltip={}]", from,
-                        to, causing_colour, dot_string(cause.condition)));
-}
-
-void draw_layers(Code& code, const Picture& picture) {
-  std::string chain;
-  for (std::size_t i = 0; i < picture.layers.size(); ++i) {
-    const PictureLayer& layer = picture.layers[i];
-    code.line(fmt::format("layer{} [shape=plaintext, fontsize=11, fontcolor=\"{}\", label={}]", i, frame_colour,
-                          dot_string(layer.name.empty() ? "" : layer.name)));
-    std::string groups;
-    for (const GroupId group : layer.groups) groups += fmt::format(" {};", node(group));
-    // What is in no layer finds its place by its arrows alone.
-    if (!layer.name.empty()) code.line(fmt::format("{{rank=same; layer{};{}}}", i, groups));
-    if (!layer.name.empty()) chain += fmt::format("{}layer{}", chain.empty() ? "" : " -> ", i);
+  void draw_members(const PictureBox& box) {
+    constexpr std::size_t most = 12;
+    const bool few = box.members.size() <= most || box.kind == PictureBox::Kind::alike;
+    for (std::size_t i = 0; i < (few ? box.members.size() : most - 1); ++i) {
+      const PictureMember& member = box.members[i];
+      if (box.kind == PictureBox::Kind::alike) {
+        code_.line(
+            fmt::format("<TR><TD BORDER=\"1\" STYLE=\"ROUNDED\" COLOR=\"{}\" BGCOLOR=\"{}\"{}><B>{}</B></TD></TR>",
+                        frame_of(box).colour, palette::paper, cell_words(member.about),
+                        name_of(is_grey(box), (runs(box) ? "\u25B6 " : "") + member.name)));
+      } else {
+        code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\"{}>{}</TD></TR>", cell_words(member.about),
+                               small(palette::ink, member.name)));
+      }
+    }
+    if (!few)
+      code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\">{}</TD></TR>",
+                             small(palette::grey, fmt::format("and {} more", box.members.size() - most + 1))));
   }
-  if (chain.find("->") != std::string::npos) code.line(chain + " [style=invis, weight=100]");
-}
 
-/// The legend is the label of the whole graph: a table that takes no part in the layout. A line is the border of a
-/// cell.
-std::string legend_row(std::string_view colour, std::string_view style, std::string_view head, std::string_view text) {
-  return fmt::format("<TR><TD FIXEDSIZE=\"TRUE\" WIDTH=\"34\" HEIGHT=\"8\" BORDER=\"1\" SIDES=\"B\" COLOR=\"{}\" "
-                     "STYLE=\"{}\"></TD><TD ALIGN=\"LEFT\"><FONT COLOR=\"{}\">{}</FONT></TD><TD ALIGN=\"LEFT\">{}"
-                     "</TD></TR>",
-                     colour, style, colour, head, text);
-}
+  void draw_box(const PictureBox& box) {
+    const bool alike = box.kind == PictureBox::Kind::alike;
+    const Frame frame = frame_of(box);
+    const std::string url = links_.to(box.about);
+    code_.open(fmt::format("{} [tooltip={}{}, label=<", quoted(box.name), quoted(tooltip(box.about)),
+                           url.empty() ? "" : ", URL=" + quoted(url)));
+    code_.line(fmt::format("<TABLE BORDER=\"{}\" CELLBORDER=\"0\" CELLSPACING=\"{}\" CELLPADDING=\"4\" COLOR=\"{}\" "
+                           "BGCOLOR=\"{}\" STYLE=\"{}\">",
+                           frame.width, alike ? 3 : 0, frame.colour, palette::paper, frame.style));
+    if (!alike) draw_head(box);
+    for (const PictureRow& row : box.rows) draw_row(box, row);
+    draw_members(box);
+    code_.line("</TABLE>");
+    code_.close(">]");
+  }
 
-void draw_legend(Code& code, const Picture& picture) {
-  code.open("label=<");
-  code.line("<TABLE BORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\">");
-  code.line(fmt::format("<TR><TD COLSPAN=\"3\" ALIGN=\"LEFT\"><B>{}</B></TD></TR>", html(picture.title)));
-  code.line(legend_row(task_colour, "SOLID", "&#9654;", "may request (task)"));
-  code.line(legend_row(task_colour, "DOTTED", "&#9654;", "may request, optional"));
-  code.line(legend_row(need_colour, "SOLID", "&#9679;", "needs (drawn beside the task where it is also requested)"));
-  code.line(
-      legend_row(causing_colour, "DASHED", "&#9655;", "causing: may be pushed to make true what the other waits for"));
-  code.line(fmt::format("<TR><TD COLSPAN=\"3\" ALIGN=\"LEFT\"><FONT COLOR=\"{}\">when, stay</FONT>: conditions; thick "
-                        "frame: a root task; arrows from a name: all its providers</TD></TR>",
-                        when_colour));
-  code.line("</TABLE>");
-  code.close(">");
-}
+  static std::string_view mark_colour(Moment::Mark mark) {
+    switch (mark) {
+    case Moment::Mark::running:
+    case Moment::Mark::held: return palette::need;
+    case Moment::Mark::queued: return palette::queued;
+    case Moment::Mark::pushed: return palette::push;
+    case Moment::Mark::inactive: break;
+    }
+    return palette::faint;
+  }
+
+  static std::string style_of(const PictureArrow& arrow) {
+    using Kind = PictureArrow::Kind;
+    std::string how = arrow.optional ? ", style=dotted, arrowhead=onormal" : arrow.apart ? ", style=dashed" : "";
+    if (arrow.mark == Moment::Mark::queued) how = ", style=dashed";
+    if (arrow.mark == Moment::Mark::running) how += ", penwidth=2";
+    if (arrow.mark == Moment::Mark::inactive) how += fmt::format(", fontcolor=\"{}\"", palette::grey);
+    if (arrow.missing) how = fmt::format(", fontcolor=\"{}\", penwidth=2", palette::queued);
+    const auto colour = [&](std::string_view usual) {
+      return arrow.missing ? palette::queued : arrow.mark ? mark_colour(*arrow.mark) : usual;
+    };
+    switch (arrow.kind) {
+    case Kind::task: return fmt::format("color=\"{}\"{}", colour(palette::task), how);
+    case Kind::both: return fmt::format("color=\"{}:{}\"{}", colour(palette::task), colour(palette::need), how);
+    case Kind::need: return fmt::format("color=\"{}\", arrowhead=dot, arrowsize=0.6{}", colour(palette::need), how);
+    case Kind::push:
+      return fmt::format("color=\"{0}\", fontcolor=\"{0}\", penwidth=3, arrowhead=normal", palette::push);
+    case Kind::take: break;
+    }
+    return fmt::format("color=\"{0}\", fontcolor=\"{0}\", penwidth=2, arrowhead=normalnormal", palette::take);
+  }
+
+  /// On paper of its own, so that no line strikes it out.
+  static std::string label_of(const std::string& text) {
+    std::string lines;
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      lines += (lines.empty() ? "" : "<BR/>") + html(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    return fmt::format(
+        "<TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"1\" BGCOLOR=\"{}\"><TR><TD>{}"
+        "</TD></TR></TABLE>",
+        palette::paper, lines);
+  }
+
+  void draw_arrow(const PictureArrow& arrow) {
+    std::string text = style_of(arrow);
+    const std::string apart = arrow.apart && !arrow.optional ? (arrow.label.empty() ? "apart" : ", apart") : "";
+    if (const std::string label = arrow.label + apart; !label.empty()) text += ", label=<" + label_of(label) + ">";
+    if (!arrow.ranks) text += ", constraint=false";
+    const std::string words = quoted(tooltip(arrow.about));
+    text += fmt::format(", tooltip={0}, edgetooltip={0}, labeltooltip={0}", words);
+    if (const std::string url = links_.to(arrow.about); !url.empty()) text += ", URL=" + quoted(url);
+    code_.line(fmt::format("{} -> {} [{}]", end(arrow.from), end(arrow.to), text));
+  }
+
+  void draw_layers() {
+    std::vector<const PictureLayer*> named;
+    for (const PictureLayer& layer : picture_.layers) {
+      if (!layer.name.empty()) named.push_back(&layer);
+    }
+    const auto name = [&](std::size_t i) { return quoted("layer " + named[i]->name); };
+    const auto top = [&](std::size_t i) { return quoted("top of layer " + named[i]->name); };
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      code_.line(fmt::format("{} [shape=plaintext, fontsize=11, height=0.2, fontcolor=\"{}\", label={}, tooltip={}]",
+                             name(i), palette::grey, quoted(named[i]->name), name(i)));
+      code_.line(fmt::format("{} [shape=point, style=invis, width=0.01]", top(i)));
+      code_.line(fmt::format("{{rank=same; {}; {};}}", name(i), top(i)));
+      if (i > 0) code_.line(fmt::format("{} -> {} [style=invis, weight=100]", name(i - 1), name(i)));
+    }
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      for (const std::size_t box : named[i]->first)
+        code_.line(fmt::format("{} -> {} [style=invis, weight=0{}]", top(i), quoted(picture_.boxes[box].name),
+                               i == 0 ? ", minlen=0" : "")); // the first name stands beside its boxes
+      if (i + 1 == named.size()) break;
+      for (const std::size_t box : named[i]->last)
+        code_.line(fmt::format("{} -> {} [style=invis, weight=0]", quoted(picture_.boxes[box].name), top(i + 1)));
+    }
+  }
+
+  const Picture& picture_;
+  const PictureLinks& links_;
+  Code code_;
+};
 
 } // namespace
 
-std::string dot(const Picture& picture) {
-  Code code;
-  code.open(fmt::format("digraph {} {{", dot_string(picture.title)));
-  code.line("graph [rankdir=TB, newrank=true, fontname=\"Helvetica\", fontsize=10, nodesep=0.3, ranksep=0.7, "
-            "labelloc=b, labeljust=l]");
-  code.line("node [shape=plain, fontname=\"Helvetica\", fontsize=12]");
-  // Every attribute that an arrow may have, by the alphabet: Graphviz 2.42 takes one for the other in an arrow between
-  // neighbours of one rank, where they were not told in this order.
-  code.line("edge [arrowhead=vee, arrowsize=0.7, color=black, constraint=true, fontname=\"Helvetica\", fontsize=9, "
-            "headport=\"\", style=solid, tailport=\"\", tooltip=\"\", weight=1]");
-  draw_legend(code, picture);
-  draw_layers(code, picture); // first, so that the names of layers stand on the left
-  for (const PictureBox& box : picture.boxes) draw_box(code, box);
-  for (const PictureArrow& arrow : picture.arrows)
-    code.line(fmt::format("{} -> {} [{}]", port(picture, arrow.from, arrow.provider), node(arrow.to), style_of(arrow)));
-  for (const PictureCause& cause : picture.causes) draw_cause(code, picture, cause);
-  code.close("}");
-  return code.text();
-}
+std::string dot(const Picture& picture, const PictureLinks& links) { return Dot(picture, links).draw(); }
 
 } // namespace director::compiler

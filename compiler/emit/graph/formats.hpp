@@ -4,18 +4,39 @@
 
 #include "compiler/emit/graph/picture.hpp"
 #include "compiler/base/json.hpp"
+#include "dsl/diagnostic.hpp"
 
 #include <string>
+#include <vector>
 
 namespace director::compiler {
 
-/// For Graphviz: layers are ranks, each group a table with a row for each provider, and a legend.
-std::string dot(const Picture& picture);
+/// An address with {file} and {line} in it; empty: nothing is a link.
+struct PictureLinks {
+  std::string pattern;
+  std::string to(const PictureText& text) const;
+};
+
+/// For Graphviz: layers are bands, each group a table with a row for each provider, and a legend of what is drawn.
+std::string dot(const Picture& picture, const PictureLinks& links = {});
+
+/// What Graphviz made of it, with bands behind the layers and with words for who cannot see it.
+std::string finish_svg(const Picture& picture, const std::string& drawn);
 
 /// A Mermaid flowchart.
-std::string mermaid(const Picture& picture);
+std::string mermaid(const Picture& picture, const PictureLinks& links = {});
 
-/// The behaviour's graph with everything that the picture leaves out: packs, levels, modules, handlers.
-Json graph_json(const Model& model, const Graph& graph);
+/// What the JSON tells of.
+struct GraphDocument {
+  const Model& model;
+  const Graph& graph;
+  const dsl::Sources& sources;
+  const PictureFlaws& flaws;
+  const Moment* moment = nullptr;                         ///< null: none
+  const std::vector<dsl::Diagnostic>* findings = nullptr; ///< null: they were not asked for
+};
+
+/// The behaviour with everything that a picture leaves out; in the order of declaration.
+Json graph_json(const GraphDocument& of);
 
 } // namespace director::compiler

@@ -1,9 +1,15 @@
 // Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
+//
+// A layer is a subgraph, and so is a group with several providers. Their ids are places: names may be words of Mermaid.
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
+#include "compiler/emit/graph/legend.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 
 namespace director::compiler {
 
@@ -17,61 +23,194 @@ std::string escaped(std::string_view text) {
     case '<': out += "#lt;"; break;
     case '>': out += "#gt;"; break;
     case '|': out += "#124;"; break;
+    case '\n': out += "<br/>"; break;
     default: out += letter;
     }
   }
   return out;
 }
 
-bool direct(const PictureBox& box) { return box.rows.size() == 1 && box.rows.front().name.empty(); }
+class Mermaid {
+public:
+  Mermaid(const Picture& picture, const PictureLinks& links) : picture_(picture), links_(links) {}
 
-std::string words_of(const PictureRow& row) {
-  std::string out;
-  if (!row.when.empty()) out += "<br/>when " + escaped(row.when);
-  if (!row.stay.empty()) out += "<br/>stay " + escaped(row.stay);
-  if (!row.causing.empty()) out += "<br/>causing " + escaped(row.causing);
-  return out;
-}
+  std::string draw() {
+    code_.open("flowchart TB");
+    code_.line(fmt::format("accTitle: {}", escaped(picture_.title)));
+    std::string words = summary(picture_);
+    std::replace(words.begin(), words.end(), '\n', ' ');
+    code_.line(fmt::format("accDescr: {}", escaped(words)));
+    for (std::size_t i = 0; i < picture_.layers.size(); ++i) {
+      const PictureLayer& layer = picture_.layers[i];
+      if (!layer.name.empty()) code_.open(fmt::format("subgraph l{}[\"{}\"]", i, escaped(layer.name)));
+      for (const std::size_t box : layer.boxes) draw_box(box);
+      if (!layer.name.empty()) code_.close("end");
+    }
+    for (const PictureArrow& arrow : picture_.arrows) draw_arrow(arrow);
+    draw_roots();
+    draw_marks();
+    draw_legend();
+    if (!links_.pattern.empty()) draw_links();
+    code_.close("");
+    return code_.text();
+  }
 
-std::string end_of(const Picture& picture, GroupId group, const std::optional<ProviderId>& provider) {
-  const bool row = provider && !direct(picture.boxes[group.value]);
-  return row ? fmt::format("p{}", provider->value) : fmt::format("g{}", group.value);
-}
+private:
+  static std::string lines(const std::vector<PictureLine>& all) {
+    std::string out;
+    for (const PictureLine& line : all) out += fmt::format("<br/>{} {}", line.key, escaped(line.text));
+    return out;
+  }
 
-std::string_view line_of(const PictureArrow& arrow) {
-  if (arrow.task && arrow.need) return "==>";
-  if (arrow.need) return "--o";
-  return arrow.optional ? "-.->" : "-->";
-}
+  static std::string note_of(const PictureBox& box) {
+    if (!box.mark) return {};
+    switch (*box.mark) {
+    case Moment::Mark::running: return "<br/>running";
+    case Moment::Mark::queued: return "<br/>queued: " + escaped(box.note);
+    case Moment::Mark::pushed: return "<br/>" + escaped(box.note);
+    case Moment::Mark::held: return "<br/>held for who needs it";
+    case Moment::Mark::inactive: break;
+    }
+    return {};
+  }
+
+  void draw_marks() {
+    constexpr std::array<std::string_view, 5> styles{"stroke:#8A919B,color:#5A616B", "stroke:#00629B,stroke-width:3px",
+                                                     "stroke:#A3171A,stroke-dasharray:6 3,stroke-width:2px",
+                                                     "stroke:#00704F,stroke-width:3px",
+                                                     "stroke:#00629B,stroke-dasharray:2 2"};
+    constexpr std::array<std::string_view, 5> names{"inactive", "running", "queued", "pushed", "held"};
+    for (std::size_t mark = 0; mark < styles.size(); ++mark) {
+      std::string boxes;
+      for (std::size_t i = 0; i < picture_.boxes.size(); ++i) {
+        if (picture_.boxes[i].mark == static_cast<Moment::Mark>(mark))
+          boxes += fmt::format("{}g{}", boxes.empty() ? "" : ",", i);
+      }
+      if (boxes.empty()) continue;
+      code_.line(fmt::format("classDef {} {}", names[mark], styles[mark]));
+      code_.line(fmt::format("class {} {}", boxes, names[mark]));
+    }
+  }
+
+  void draw_box(std::size_t at) {
+    const PictureBox& box = picture_.boxes[at];
+    std::string head = escaped(box.name);
+    if (box.kind == PictureBox::Kind::missing) head += "<br/>\u2716 no such group";
+    head += note_of(box);
+    if (box.asked) head += "<br/>program" + (box.asked->empty() ? "" : ": " + escaped(*box.asked));
+    head += lines(box.lines);
+    if (box.rows.empty() || box.is_direct()) {
+      const bool packs = box.is_direct() && !box.rows.front().packs.empty();
+      if (box.is_direct()) head += lines(box.rows.front().lines);
+      if (!packs) code_.line(fmt::format("g{}[\"{}\"]", at, head));
+      if (!packs) return;
+    }
+    code_.open(fmt::format("subgraph g{}[\"{}\"]", at, head));
+    for (std::size_t row = 0; row < box.rows.size(); ++row) {
+      const PictureRow& told = box.rows[row];
+      if (!told.name.empty())
+        code_.line(fmt::format("g{}p{}[\"{}{}\"]", at, row, (told.is_active ? "\u25B6 " : "") + escaped(told.name),
+                               lines(told.lines)));
+      for (std::size_t pack = 0; pack < told.packs.size(); ++pack) {
+        const std::string owner = told.name.empty() ? "" : told.name + ", ";
+        code_.line(fmt::format("g{}p{}k{}([\"{}{}\"])", at, row, pack, escaped(owner), escaped(told.packs[pack].name)));
+      }
+    }
+    code_.close("end");
+  }
+
+  std::string end(const PictureEnd& end) const {
+    std::string out = fmt::format("g{}", end.box);
+    if (end.row || end.pack) out += fmt::format("p{}", end.row.value_or(0));
+    if (end.pack) out += fmt::format("k{}", *end.pack);
+    return out;
+  }
+
+  static std::string_view line_of(const PictureArrow& arrow) {
+    using Kind = PictureArrow::Kind;
+    if (arrow.kind == Kind::push || arrow.kind == Kind::take) return "==>";
+    if (arrow.kind == Kind::need) return "--o";
+    return arrow.optional ? "-.->" : "-->";
+  }
+
+  static std::string label_of(const PictureArrow& arrow) {
+    using Kind = PictureArrow::Kind;
+    std::string out = arrow.label;
+    const auto add = [&](std::string_view word) { out += fmt::format("{}{}", out.empty() ? "" : ", ", word); };
+    if (arrow.kind == Kind::both) add("needs");
+    if (arrow.apart && !arrow.optional) add("apart");
+    if (arrow.kind == Kind::push) return "until " + out;
+    if (arrow.kind == Kind::take) return "takes, " + out;
+    return out;
+  }
+
+  void draw_arrow(const PictureArrow& arrow) {
+    const std::string label = label_of(arrow);
+    code_.line(fmt::format("{} {}{} {}", end(arrow.from), line_of(arrow),
+                           label.empty() ? "" : fmt::format("|\"{}\"|", escaped(label)), end(arrow.to)));
+  }
+
+  void draw_roots() {
+    std::string roots;
+    for (std::size_t i = 0; i < picture_.boxes.size(); ++i) {
+      if (picture_.boxes[i].asked) roots += fmt::format("{}g{}", roots.empty() ? "" : ",", i);
+    }
+    if (roots.empty()) return;
+    code_.line("classDef root stroke-width:3px");
+    code_.line(fmt::format("class {} root", roots));
+  }
+
+  static std::string_view sign_of(LegendEntry::Sample sample) {
+    switch (sample) {
+    case LegendEntry::Sample::optional: return "dotted arrow";
+    case LegendEntry::Sample::apart: return "apart";
+    case LegendEntry::Sample::need: return "line with a circle";
+    case LegendEntry::Sample::both: return "arrow, needs";
+    case LegendEntry::Sample::push: return "thick arrow, until";
+    case LegendEntry::Sample::take: return "thick arrow, takes";
+    case LegendEntry::Sample::task:
+    case LegendEntry::Sample::text: break;
+    }
+    return "arrow";
+  }
+
+  void draw_legend() {
+    std::string text;
+    for (const LegendEntry& entry : legend_of(picture_)) {
+      const bool is_text = entry.sample == LegendEntry::Sample::text;
+      if (entry.sign == "dashed box") continue; // the names of such a box say it
+      const std::string sign = !is_text                 ? std::string(sign_of(entry.sample))
+                               : entry.sign == "\u25C7" ? "round box"
+                                                        : entry.sign;
+      text += fmt::format("{}{}: {}", text.empty() ? "" : "<br/>", escaped(sign), escaped(entry.words));
+    }
+    if (!text.empty()) code_.line(fmt::format("legend[\"{}\"]", text));
+    if (!text.empty()) code_.line("style legend fill:none,stroke:none,text-align:left");
+  }
+
+  void draw_links() {
+    for (std::size_t i = 0; i < picture_.boxes.size(); ++i) {
+      const PictureBox& box = picture_.boxes[i];
+      const bool is_node = box.rows.empty() || (box.is_direct() && box.rows.front().packs.empty());
+      const auto link = [&](const std::string& id, const PictureText& about) {
+        if (const std::string url = links_.to(about); !url.empty())
+          code_.line(fmt::format("click {} href \"{}\"", id, escaped(url)));
+      };
+      if (is_node) link(fmt::format("g{}", i), box.about);
+      if (is_node) continue;
+      for (std::size_t row = 0; row < box.rows.size(); ++row) {
+        if (!box.rows[row].name.empty()) link(fmt::format("g{}p{}", i, row), box.rows[row].about);
+      }
+    }
+  }
+
+  const Picture& picture_;
+  const PictureLinks& links_;
+  Code code_;
+};
 
 } // namespace
 
-std::string mermaid(const Picture& picture) {
-  Code code;
-  code.open("flowchart TB");
-  code.line("%% --> task, -.-> optional task, --o need, ==> task that is needed, -. condition .-> causing");
-  for (const PictureBox& box : picture.boxes) {
-    const std::string name = escaped(box.name);
-    if (direct(box)) {
-      code.line(fmt::format("g{}[\"{}{}\"]", box.group.value, name, words_of(box.rows.front())));
-      continue;
-    }
-    code.open(fmt::format("subgraph g{}[\"{}\"]", box.group.value, name));
-    for (const PictureRow& row : box.rows) {
-      code.line(fmt::format("p{}[\"{}{}\"]", row.provider.value, escaped(row.name.empty() ? "default" : row.name),
-                            words_of(row)));
-    }
-    code.close("end");
-  }
-  for (const PictureArrow& arrow : picture.arrows) {
-    code.line(fmt::format("{} {} g{}", end_of(picture, arrow.from, arrow.provider), line_of(arrow), arrow.to.value));
-  }
-  for (const PictureCause& cause : picture.causes) {
-    code.line(fmt::format("{} -. \"{}\" .-> {}", end_of(picture, cause.causer_group, cause.causer),
-                          escaped(cause.condition), end_of(picture, cause.waiter_group, cause.waiter)));
-  }
-  code.close("");
-  return code.text();
-}
+std::string mermaid(const Picture& picture, const PictureLinks& links) { return Mermaid(picture, links).draw(); }
 
 } // namespace director::compiler

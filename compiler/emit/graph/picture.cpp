@@ -1,109 +1,391 @@
-// Door: compiler/emit/graph/picture.hpp. Test: tests/compiler/cli/graph_test.cpp.
+// Door: compiler/emit/graph/picture.hpp. Test: tests/compiler/emit/picture_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/picture.hpp"
 
+#include "compiler/emit/graph/asks.hpp"
+#include "compiler/emit/graph/focus.hpp"
+#include "compiler/emit/graph/words.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace director::compiler {
 
 namespace {
 
-std::string texts_of(const Model& model, const std::vector<ConditionUse>& uses) {
-  std::string out;
-  for (const ConditionUse& use : uses) {
-    if (!out.empty()) out += ", ";
-    out += model.conditions[use.id].text;
+using ArrowKind = PictureArrow::Kind;
+using View = PictureOptions::View;
+using Fold = PictureOptions::Fold;
+
+/// With more boxes than this an arrow stands for all providers and packs of a group: who asks is told when asked.
+constexpr std::size_t most_boxes_in_detail = 40;
+
+bool is_seen(View view, ArrowKind kind) {
+  switch (view) {
+  case View::all: return kind != ArrowKind::take;
+  case View::tasks: return kind == ArrowKind::task || kind == ArrowKind::both;
+  case View::needs: return kind == ArrowKind::need || kind == ArrowKind::both;
+  case View::pushes: return kind == ArrowKind::push;
+  case View::takes: break;
   }
-  return out;
+  return kind == ArrowKind::take;
 }
 
-PictureBox box_of(const Model& model, GroupId id) {
-  const Group& group = model.groups[id];
-  PictureBox box{id, group.name.value, group.data, false, {}};
-  box.root = std::any_of(model.roots.begin(), model.roots.end(), [&](const Task& root) { return root.target == id; });
-  for (const ProviderId provider_id : group.providers) {
-    const Provider& provider = model.providers[provider_id];
-    box.rows.push_back({provider_id, provider.direct ? std::string{} : provider.name, texts_of(model, provider.when),
-                        texts_of(model, provider.stay), texts_of(model, provider.causing)});
-  }
-  return box;
-}
+class Painter {
+public:
+  Painter(const Model& model, const Graph& graph, const dsl::Sources& sources, const PictureOptions& options)
+      : model_(model),
+        graph_(graph),
+        options_(options),
+        words_(model, sources),
+        box_of_(model.groups.size()) {}
 
-std::vector<PictureLayer> layers_of(const Model& model) {
-  std::vector<PictureLayer> layers;
-  for (const Layer& layer : model.layers) layers.push_back({layer.name.value, {}});
-  layers.push_back({});
-  for (const GroupId id : model.groups.ids()) {
-    const Group& group = model.groups[id];
-    layers[group.layer ? group.layer->id.value : layers.size() - 1].groups.push_back(id);
+  Picture paint() {
+    picture_.title = model_.name;
+    picture_.doc = model_.doc;
+    if (options_.moment) picture_.moment = options_.moment->title;
+    if (options_.moment) picture_.values = options_.moment->values;
+    arrows_ = seen_arrows(Detail::packs);
+    add_boxes();
+    if (picture_.boxes.size() > most_boxes_in_detail) leave_out_packs();
+    add_arrows();
+    add_flaws();
+    add_layers();
+    return std::move(picture_);
   }
-  const auto empty = [](const PictureLayer& layer) { return layer.groups.empty(); };
-  layers.erase(std::remove_if(layers.begin(), layers.end(), empty), layers.end());
-  return layers;
-}
 
-/// What one provider asks for and needs, by target.
-std::map<GroupId, PictureArrow> arrows_of(const Model& model, ProviderId id) {
-  const Provider& provider = model.providers[id];
-  std::map<GroupId, PictureArrow> arrows;
-  const auto arrow_to = [&](GroupId to) -> PictureArrow& {
-    PictureArrow& arrow = arrows[to];
-    arrow.from = provider.group;
-    arrow.to = to;
-    return arrow;
-  };
-  for (const Pack& pack : provider.packs) {
-    for (const Task& task : pack.tasks) {
-      PictureArrow& arrow = arrow_to(task.target);
-      const std::vector<Level>& levels = model.edges[task.edge].levels;
-      const bool optional = std::all_of(task.levels.begin(), task.levels.end(),
-                                        [&](const Task::NamedLevel& level) { return levels[level.level].optional; });
-      arrow.optional = optional && (arrow.optional || !arrow.task);
-      arrow.task = true;
+private:
+  std::vector<GroupArrow> seen_arrows(Detail detail) const {
+    const IdSet<GroupId> chosen = groups_in_focus(model_, graph_, options_);
+    std::vector<GroupArrow> all = find_asks(model_, detail);
+    if (options_.moment) mark_asks(model_, *options_.moment, all);
+    for (GroupArrow& push : options_.moment ? pushes_of(model_, *options_.moment) : find_pushes(model_, graph_))
+      all.push_back(std::move(push));
+    for (GroupArrow& take : find_takes(model_, options_.take_overs)) all.push_back(std::move(take));
+    std::erase_if(all, [&](const GroupArrow& arrow) {
+      return !is_seen(options_.view, arrow.kind) || !chosen.contains(arrow.from) || !chosen.contains(arrow.to);
+    });
+    for (GroupArrow& arrow : all) {
+      if (arrow.kind != ArrowKind::both || options_.view == View::all) continue;
+      arrow.kind = options_.view == View::tasks ? ArrowKind::task : ArrowKind::need;
+    }
+    return all;
+  }
+
+  void leave_out_packs() {
+    arrows_ = seen_arrows(Detail::groups);
+    for (PictureBox& box : picture_.boxes) {
+      for (PictureRow& row : box.rows) row.packs.clear();
     }
   }
-  for (const Use<GroupId>& need : provider.needs) arrow_to(need.id).need = true;
-  return arrows;
-}
 
-void add_arrows(const Model& model, const Group& group, std::vector<PictureArrow>& out) {
-  std::vector<std::map<GroupId, PictureArrow>> all;
-  for (const ProviderId provider : group.providers) all.push_back(arrows_of(model, provider));
-  std::map<GroupId, std::vector<PictureArrow>> by_target;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (const auto& [to, arrow] : all[i]) {
-      const bool shared = std::all_of(all.begin(), all.end(), [&](const auto& other) {
-        const auto same = other.find(to);
-        return same != other.end() && same->second == arrow;
-      });
-      if (shared && i > 0) continue;
-      PictureArrow told = arrow;
-      if (!shared) told.provider = group.providers[i];
-      by_target[to].push_back(told);
+  /// What these views show is between some groups only.
+  bool only_ends() const { return options_.view == View::pushes || options_.view == View::takes; }
+
+  IdSet<GroupId> drawn() const {
+    if (!only_ends()) return groups_in_focus(model_, graph_, options_);
+    IdSet<GroupId> out(model_.groups.size());
+    for (const GroupArrow& arrow : arrows_) {
+      out.add(arrow.from);
+      out.add(arrow.to);
+    }
+    return out;
+  }
+
+  void add_boxes() {
+    const IdSet<GroupId> chosen = drawn();
+    arrows_to_ = IdTable<GroupId, std::vector<std::size_t>>(model_.groups.size());
+    leads_ = IdSet<GroupId>(model_.groups.size());
+    flawed_ = IdSet<GroupId>(model_.groups.size());
+    for (const PictureFlaws::Line& line : options_.flaws.lines) flawed_.add(line.group);
+    for (const PictureFlaws::Ask& ask : options_.flaws.asks) {
+      if (ask.from) flawed_.add(*ask.from);
+    }
+    for (std::size_t i = 0; i < arrows_.size(); ++i) {
+      arrows_to_[arrows_[i].to].push_back(i);
+      leads_.add(arrows_[i].from);
+    }
+    std::vector<std::vector<GroupId>> sets; // in order of their first group
+    std::map<std::string, std::size_t> set_of;
+    for (const GroupId id : model_.groups.ids()) {
+      if (!chosen.contains(id)) continue;
+      const std::string key = set_key(id);
+      const auto [found, fresh] = set_of.try_emplace(key, sets.size());
+      if (fresh) sets.emplace_back();
+      sets[found->second].push_back(id);
+    }
+    drawn_ = chosen;
+    for (const std::vector<GroupId>& set : sets) {
+      for (const GroupId id : set) box_of_[id] = picture_.boxes.size();
+      picture_.boxes.push_back(options_.fold != Fold::nothing ? folded_box(set)
+                               : set.size() > 1               ? alike_box(set)
+                                                              : group_box(set.front()));
+      mark(picture_.boxes.back());
     }
   }
-  for (const auto& [to, arrows] : by_target) out.insert(out.end(), arrows.begin(), arrows.end());
-}
+
+  /// Groups with the same key share a box.
+  std::string set_key(GroupId id) const {
+    const Group& group = model_.groups[id];
+    if (options_.fold == Fold::modules) return fmt::format("module {}", group.module.value);
+    if (options_.fold == Fold::layers) return group.layer ? fmt::format("layer {}", group.layer->id.value) : "layer";
+    const std::string alone = fmt::format("group {}", id.value);
+    if (group.providers.empty() || flawed_.contains(id)) return alone;
+    const PictureRow row = words_.row(group.providers.front());
+    const bool plain = group.providers.size() == 1 && row.name.empty() && row.lines.empty() && row.packs.empty() &&
+                       words_.handler_lines(group).empty() && !is_root(id) && !is_focused(id);
+    if (!plain) return alone;
+    if (options_.moment && standing(id).mark == Moment::Mark::queued) return alone;
+    std::string key = fmt::format("layer {}", group.layer ? std::to_string(group.layer->id.value) : "");
+    if (options_.moment) key += fmt::format(" {} {}", static_cast<int>(standing(id).mark), standing(id).note);
+    bool asked = false;
+    if (leads_.contains(id)) return alone;
+    for (const std::size_t i : arrows_to_[id]) {
+      const GroupArrow& arrow = arrows_[i];
+      asked = true;
+      const auto place = [](const std::optional<std::size_t>& of) { return of ? std::to_string(*of) : ""; };
+      key += fmt::format("; {} {} {} {} {} {} {} {}", arrow.from.value, place(arrow.row), place(arrow.pack),
+                         static_cast<int>(arrow.kind), arrow.optional, arrow.apart, arrow.label,
+                         arrow.mark ? static_cast<int>(*arrow.mark) : -1);
+    }
+    return asked ? key : alone;
+  }
+
+  const Moment::Standing& standing(GroupId id) const { return options_.moment->groups[id.value]; }
+
+  /// What is most of note among the groups of a box.
+  void mark(PictureBox& box) const {
+    if (!options_.moment) return;
+    using Mark = Moment::Mark;
+    const auto rank = [](Mark mark) {
+      return mark == Mark::pushed    ? 4
+             : mark == Mark::queued  ? 3
+             : mark == Mark::running ? 2
+             : mark == Mark::held    ? 1
+                                     : 0;
+    };
+    box.mark = Mark::inactive;
+    for (const GroupId id : box.groups) {
+      const Moment::Standing& told = standing(id);
+      if (rank(told.mark) <= rank(*box.mark)) continue;
+      box.mark = told.mark;
+      box.note = told.note;
+    }
+    const Group& group = model_.groups[box.groups.front()];
+    for (std::size_t row = 0; row < box.rows.size(); ++row)
+      box.rows[row].is_active = standing(box.groups.front()).active == group.providers[row];
+  }
+
+  bool is_focused(GroupId id) const {
+    return std::find(options_.focus.begin(), options_.focus.end(), id) != options_.focus.end();
+  }
+  const Task* root_of(GroupId id) const {
+    for (const Task& root : model_.roots) {
+      if (root.target == id) return &root;
+    }
+    return nullptr;
+  }
+  bool is_root(GroupId id) const { return root_of(id) != nullptr; }
+
+  PictureBox group_box(GroupId id) const {
+    const Group& group = model_.groups[id];
+    PictureBox box;
+    box.name = group.name.value;
+    box.groups = {id};
+    box.data = group.data;
+    if (const Task* root = root_of(id))
+      box.asked = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
+    box.lines = words_.handler_lines(group);
+    for (const ProviderId provider : group.providers) box.rows.push_back(words_.row(provider));
+    box.in_focus = is_focused(id);
+    box.about = words_.group(id);
+    return box;
+  }
+
+  std::vector<PictureMember> members(const std::vector<GroupId>& set) const {
+    std::vector<PictureMember> out;
+    for (const GroupId id : set) out.push_back({model_.groups[id].name.value, words_.group(id)});
+    return out;
+  }
+
+  PictureBox alike_box(const std::vector<GroupId>& set) const {
+    PictureBox box;
+    box.kind = PictureBox::Kind::alike;
+    for (const GroupId id : set) box.name += (box.name.empty() ? "" : ", ") + model_.groups[id].name.value;
+    box.groups = set;
+    box.members = members(set);
+    box.about = words_.group(set.front());
+    box.about.words = fmt::format("{}: asked for alike", box.name);
+    return box;
+  }
+
+  PictureBox folded_box(const std::vector<GroupId>& set) const {
+    PictureBox box;
+    box.kind = PictureBox::Kind::folded;
+    const Group& first = model_.groups[set.front()];
+    const bool modules = options_.fold == Fold::modules;
+    box.name = modules       ? fmt::format("module {}", model_.modules[first.module].name)
+               : first.layer ? fmt::format("layer {}", model_.layers[first.layer->id].name.value)
+                             : std::string("no layer");
+    box.groups = set;
+    box.members = members(set);
+    for (const GroupId id : set) {
+      const Task* root = root_of(id);
+      if (root == nullptr) continue;
+      if (!box.asked) box.asked.emplace();
+      const std::string how = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
+      *box.asked += fmt::format("{}{}{}", box.asked->empty() ? "" : ", ", model_.groups[id].name.value,
+                                how.empty() ? "" : " " + how);
+    }
+    box.in_focus = std::any_of(set.begin(), set.end(), [&](GroupId id) { return is_focused(id); });
+    box.about = words_.group(set.front());
+    box.about.words = fmt::format("{}: {} group{}", box.name, set.size(), set.size() == 1 ? "" : "s");
+    return box;
+  }
+
+  void add_arrows() {
+    std::map<std::tuple<PictureEnd, PictureEnd, int, std::string>, std::size_t> places;
+    for (const GroupArrow& told : arrows_) {
+      PictureArrow arrow = placed(told);
+      const bool folded = options_.fold != Fold::nothing;
+      if (folded && arrow.from.box == arrow.to.box) continue;
+      const bool pushes = told.kind == ArrowKind::push || told.kind == ArrowKind::take;
+      const int kind = !folded || pushes ? static_cast<int>(told.kind) : -1;
+      const auto [found, fresh] = places.try_emplace({arrow.from, arrow.to, kind, folded ? std::string{} : arrow.label},
+                                                     picture_.arrows.size());
+      if (fresh) {
+        picture_.arrows.push_back(std::move(arrow));
+        continue;
+      }
+      PictureArrow& known = picture_.arrows[found->second];
+      if (known.kind != arrow.kind) known.kind = ArrowKind::both;
+      if (known.mark && *known.mark == Moment::Mark::inactive) known.mark = arrow.mark;
+      known.optional = known.optional && arrow.optional;
+      known.apart = known.apart && arrow.apart;
+      if (folded && pushes && known.label.find(arrow.label) == std::string::npos) known.label += "\n" + arrow.label;
+      known.about.words += "\n" + arrow.about.words;
+    }
+  }
+
+  PictureArrow placed(const GroupArrow& told) const {
+    const bool whole = options_.fold != Fold::nothing;
+    const bool row_of_target = told.kind == ArrowKind::push;
+    PictureArrow out;
+    out.from.box = box_of_[told.from];
+    out.to.box = box_of_[told.to];
+    PictureEnd& end = row_of_target ? out.to : out.from;
+    if (!whole && !picture_.boxes[end.box].rows.empty() && !picture_.boxes[end.box].is_direct()) end.row = told.row;
+    if (!whole) end.pack = told.pack;
+    out.kind = told.kind;
+    out.optional = told.optional;
+    out.apart = told.apart;
+    out.mark = told.mark;
+    out.label = whole && !row_of_target && told.kind != ArrowKind::take ? std::string{} : told.label;
+    out.about = words_.at(told.words, told.span);
+    return out;
+  }
+
+  /// What is missing gets a box of its own, below who asks for it.
+  void add_flaws() {
+    for (const PictureFlaws::Line& line : options_.flaws.lines) {
+      if (!drawn_.contains(line.group)) continue;
+      PictureBox& box = picture_.boxes[box_of_[line.group]];
+      const PictureLine told{line.is_error ? PictureLine::Kind::wrong : PictureLine::Kind::doubtful, line.key,
+                             line.text};
+      const bool in_row = line.row && *line.row < box.rows.size();
+      (in_row ? box.rows[*line.row].lines : box.lines).push_back(told);
+    }
+    std::map<std::string, std::size_t> known;
+    for (const PictureFlaws::Ask& ask : options_.flaws.asks) {
+      if (ask.from && !drawn_.contains(*ask.from)) continue;
+      const auto [at, fresh] = known.try_emplace(ask.name, picture_.boxes.size());
+      if (fresh) {
+        PictureBox box;
+        box.kind = PictureBox::Kind::missing;
+        box.name = ask.name;
+        if (ask.from) box.groups = {*ask.from};
+        box.about = words_.at(fmt::format("{}: there is no such group", ask.name), ask.span);
+        picture_.boxes.push_back(std::move(box));
+      }
+      if (!ask.from) continue;
+      PictureArrow arrow;
+      arrow.from.box = box_of_[*ask.from];
+      const PictureBox& from = picture_.boxes[arrow.from.box];
+      if (!from.is_direct() && !from.rows.empty()) arrow.from.row = ask.row;
+      arrow.to.box = at->second;
+      arrow.kind = ask.need ? ArrowKind::need : ArrowKind::task;
+      arrow.missing = true;
+      arrow.label = "\u2716";
+      arrow.about = words_.at(fmt::format("{} {} {}, which no group is called", model_.groups[*ask.from].name.value,
+                                          ask.need ? "needs" : "requests", ask.name),
+                              ask.span);
+      picture_.arrows.push_back(std::move(arrow));
+    }
+    picture_.wrong = options_.flaws.elsewhere;
+  }
+
+  std::size_t layer_of(std::size_t box) const {
+    if (picture_.boxes[box].groups.empty() || picture_.boxes[box].kind == PictureBox::Kind::missing)
+      return model_.layers.size();
+    const Group& group = model_.groups[picture_.boxes[box].groups.front()];
+    return group.layer ? group.layer->id.value : model_.layers.size();
+  }
+
+  /// Bands, and which arrows go down. Boxes that nothing else of their band leads to are its first ones; where boxes
+  /// lead to each other in a circle, the order of the graph says where it begins.
+  void add_layers() {
+    std::vector<std::size_t> rank(model_.groups.size());
+    for (std::size_t i = 0; i < graph_.order.size(); ++i) rank[graph_.order[i]] = i;
+    const auto rank_of = [&](std::size_t box) {
+      const PictureBox& told = picture_.boxes[box];
+      return told.kind == PictureBox::Kind::missing ? rank.size() : rank[told.groups.front().value];
+    };
+    const std::size_t boxes = picture_.boxes.size();
+    const bool bands = options_.fold != Fold::layers;
+    std::vector<bool> led_to(boxes, false), leads(boxes, false);
+    for (PictureArrow& arrow : picture_.arrows) {
+      const std::size_t from = layer_of(arrow.from.box), to = layer_of(arrow.to.box);
+      const bool named = from < model_.layers.size() && to < model_.layers.size();
+      arrow.ranks = arrow.kind != ArrowKind::push && (!bands || !named || from <= to) &&
+                    (from != to || rank_of(arrow.from.box) < rank_of(arrow.to.box));
+      if (from != to || !arrow.ranks) continue;
+      led_to[arrow.to.box] = true;
+      leads[arrow.from.box] = true;
+    }
+    std::vector<PictureLayer> layers(model_.layers.size() + 1);
+    for (std::size_t i = 0; i < model_.layers.size(); ++i)
+      layers[i].name = model_.layers[LayerId{static_cast<std::uint32_t>(i)}].name.value;
+    for (std::size_t box = 0; box < boxes; ++box) {
+      PictureLayer& layer = layers[bands ? layer_of(box) : model_.layers.size()];
+      layer.boxes.push_back(box);
+      if (!led_to[box]) layer.first.push_back(box);
+      if (!leads[box]) layer.last.push_back(box);
+    }
+    std::erase_if(layers, [](const PictureLayer& layer) { return layer.boxes.empty(); });
+    picture_.layers = std::move(layers);
+  }
+
+  const Model& model_;
+  const Graph& graph_;
+  const PictureOptions& options_;
+  const PictureWords words_;
+  IdTable<GroupId, std::size_t> box_of_;
+  std::vector<GroupArrow> arrows_;
+  IdTable<GroupId, std::vector<std::size_t>> arrows_to_; ///< places of arrows
+  IdSet<GroupId> flawed_;                                ///< something is wrong there
+  IdSet<GroupId> drawn_;                                 ///< has a box
+  IdSet<GroupId> leads_;                                 ///< an arrow begins there
+  Picture picture_;
+};
 
 } // namespace
 
-Picture make_picture(const Model& model, const Graph& graph) {
-  Picture picture;
-  picture.title = model.name;
-  picture.layers = layers_of(model);
-  for (const GroupId id : model.groups.ids()) {
-    picture.boxes.push_back(box_of(model, id));
-    add_arrows(model, model.groups[id], picture.arrows);
-  }
-  for (const Graph::Causing& causing : graph.causing) {
-    const GroupId from = model.providers[causing.causer].group, to = model.providers[causing.waiter].group;
-    if (from == to) continue;
-    PictureCause cause{from, to, causing.causer, causing.waiter, model.conditions[causing.condition.id].text};
-    if (std::find(picture.causes.begin(), picture.causes.end(), cause) == picture.causes.end())
-      picture.causes.push_back(std::move(cause));
-  }
-  return picture;
+Picture make_picture(const Model& model, const Graph& graph, const dsl::Sources& sources,
+                     const PictureOptions& options) {
+  return Painter(model, graph, sources, options).paint();
 }
 
 } // namespace director::compiler

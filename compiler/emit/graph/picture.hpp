@@ -1,64 +1,131 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a picture of a behaviour shows, before any format: boxes in layers, and arrows, each told once. Where every
-// provider of a group has the same arrow it leaves from the group, and an arrow says all that it stands for.
+// What a picture of a behaviour shows, before any format: boxes in layers, and arrows, each told once. It holds texts
+// and places only, so that a format has nothing to look up. Where all that a group asks for is asked in one way, the
+// arrow leaves from the group, else from the provider or from the pack that asks.
 
+#include "compiler/emit/graph/picture_options.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
+#include "dsl/source_file.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace director::compiler {
 
+/// For people: what it is in words, and where it is declared.
+struct PictureText {
+  std::string words;
+  std::string file;       ///< as findings name it; empty: nowhere
+  std::uint32_t line = 0; ///< from 1
+  bool operator==(const PictureText&) const = default;
+};
+
+/// `when Stability == standing`.
+struct PictureLine {
+  enum class Kind { when, stay, causing, sets, runs, wrong, doubtful };
+  Kind kind = Kind::when;
+  std::string key; ///< as it is written: when, stay, causing, sets, on, every, start, stop
+  std::string text;
+  bool operator==(const PictureLine&) const = default;
+};
+
+struct PicturePack {
+  std::string name;
+  PictureText about;
+};
+
 struct PictureRow {
-  ProviderId provider{};
   std::string name; ///< empty where the group writes its words directly
-  std::string when; ///< its conditions, as one text; empty: none
-  std::string stay;
-  std::string causing;
+  std::vector<PictureLine> lines;
+  std::vector<PicturePack> packs; ///< only where there is a choice between several
+  bool is_active = false;         ///< at the moment that is shown
+  PictureText about;
+};
+
+struct PictureMember {
+  std::string name;
+  PictureText about;
 };
 
 struct PictureBox {
-  GroupId group{};
-  std::string name;
-  std::string data; ///< C++ type; empty: none
-  bool root = false;
-  std::vector<PictureRow> rows;
+  enum class Kind {
+    group,
+    alike,   ///< several groups that all the same ones ask for in the same way
+    folded,  ///< a module or a layer as a whole
+    missing, ///< a name that no group has
+  };
+  Kind kind = Kind::group;
+  std::string name; ///< no two boxes have the same
+  std::vector<GroupId> groups;
+  std::vector<PictureMember> members; ///< not of a group
+  std::string data;                   ///< C++ type; empty: none
+  std::optional<std::string> asked;   ///< the program asks for it: with this priority
+  std::vector<PictureLine> lines;     ///< of its handlers
+  std::vector<PictureRow> rows;       ///< of a group
+  bool in_focus = false;
+  std::optional<Moment::Mark> mark; ///< nothing: no moment is shown
+  std::string note;                 ///< about the mark
+  PictureText about;
+
+  /// The group's own words are its only row.
+  bool is_direct() const { return rows.size() == 1 && rows.front().name.empty(); }
 };
 
-/// Groups beside one another.
+/// A band, from top to bottom.
 struct PictureLayer {
   std::string name; ///< empty: what is in no layer
-  std::vector<GroupId> groups;
+  std::vector<std::size_t> boxes;
+  std::vector<std::size_t> first,
+      last; ///< of its boxes those that nothing else of it leads to, or that lead to nothing of it
+};
+
+/// Where an arrow begins or ends.
+struct PictureEnd {
+  std::size_t box = 0;
+  std::optional<std::size_t> row;  ///< nothing: the whole box
+  std::optional<std::size_t> pack; ///< of that row
+  auto operator<=>(const PictureEnd&) const = default;
 };
 
 struct PictureArrow {
-  GroupId from{}, to{};
-  std::optional<ProviderId> provider; ///< it leaves from this one; nothing: from all of the group
-  bool task = false;                  ///< may be requested
-  bool optional = false;              ///< ... and wherever it is, it is optional
-  bool need = false;
+  enum class Kind {
+    task, ///< may request
+    need,
+    both,
+    push, ///< from who waits to who is pushed
+    take, ///< by its rank the first may take something from the second
+  };
+  PictureEnd from, to;
+  Kind kind = Kind::task;
+  bool optional = false;            ///< wherever it is requested
+  bool apart = false;               ///< likewise
+  std::string label;                ///< priorities; of a push the conditions, one a line
+  bool missing = false;             ///< it leads to a name that no group has
+  bool ranks = true;                ///< the second box is to be below the first
+  std::optional<Moment::Mark> mark; ///< nothing: no moment is shown
+  PictureText about;
   bool operator==(const PictureArrow&) const = default;
-};
-
-/// A provider makes a condition true that another one waits for.
-struct PictureCause {
-  GroupId causer_group{}, waiter_group{};
-  ProviderId causer{}, waiter{};
-  std::string condition;
-  bool operator==(const PictureCause&) const = default;
 };
 
 struct Picture {
   std::string title;
+  std::string doc;
+  std::string moment;               ///< what moment it shows; empty: none
+  std::vector<std::string> values;  ///< of states, at that moment
+  std::vector<std::string> wrong;   ///< what is found that is about no box
   std::vector<PictureLayer> layers; ///< in the order declared; what is in none comes last
-  std::vector<PictureBox> boxes;    ///< by group
-  std::vector<PictureArrow> arrows; ///< by group and target
-  std::vector<PictureCause> causes;
+  std::vector<PictureBox> boxes;
+  std::vector<PictureArrow> arrows; ///< by box
 };
 
-Picture make_picture(const Model& model, const Graph& graph);
+Picture make_picture(const Model& model, const Graph& graph, const dsl::Sources& sources,
+                     const PictureOptions& options = {});
+
+/// All that a picture has in words, for who cannot see it: how many of what.
+std::string summary(const Picture& picture);
 
 } // namespace director::compiler

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/artefact/notice.hpp"
 #include "tests/compiler/cli/world.hpp"
+#include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
 using director::compiler::notice_words;
+using director::tests::check_golden;
 using director::tests::World;
 
 World walker() {
@@ -29,20 +31,34 @@ groups:
   return world;
 }
 
-TEST_CASE("the graph for Graphviz has its layers as ranks, an arrow of each kind and a legend") {
+TEST_CASE("the graph for Graphviz and for Mermaid, whole", "[golden]") {
   World world = walker();
   REQUIRE(world.directorc({"graph", "walker.yaml"}) == 0);
-  const auto has = [&](const std::string& piece) { return world.out.find(piece) != std::string::npos; };
-  CHECK(has("newrank=true"));
-  CHECK(has("{rank=same; layer0; g0; g1;}"));
-  CHECK(has("{rank=same; layer1; g2; g3;}"));
-  CHECK(has("layer0 -> layer1 [style=invis, weight=100]"));
-  CHECK(has("g0 -> g2 [color=\"#404040:#0072B2\", arrowhead=vee]"));
-  CHECK(has("g1 -> g3 [color=\"#404040\", style=dotted, arrowhead=vee]"));
-  CHECK(has("g0:p1 -> g1 [color=\"#00805A\", style=dashed, arrowhead=empty, constraint=false, "
-            "tooltip=\"Pose == standing\"]"));
-  CHECK(has("may request (task)"));
-  CHECK(has("std::array&lt;int, 2&gt;"));
+  check_golden("tests/compiler/cli/golden/walker.dot", world.out);
+  REQUIRE(world.directorc({"graph", "walker.yaml", "--link=https://example.org/{file}?a=1&b#L{line}"}) == 0);
+  check_golden("tests/compiler/cli/golden/walker_linked.dot", world.out);
+  REQUIRE(world.directorc({"graph", "--format=mermaid", "walker.yaml", "--link=https://example.org/{file}#L{line}"}) ==
+          0);
+  check_golden("tests/compiler/cli/golden/walker.mmd", world.out);
+}
+
+TEST_CASE("what a picture is asked for, and is not there, is told with what there is") {
+  World world = walker();
+  const auto told = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"graph", "walker.yaml"});
+    return std::to_string(world.directorc(words)) + " " + world.err;
+  };
+  CHECK(told({"--focus=Wlak"}) == "2 directorc: --focus: there is no group called `Wlak`; did you mean `Walk`?\n");
+  CHECK(told({"--view=x"}) == "2 directorc graph: --view: x not in {all,tasks,needs,pushes,takes}\n"
+                              "Try `directorc graph --help`.\n");
+  CHECK(told({"--collapse=x"}) == "2 directorc graph: --collapse: x not in {module,layer}\n"
+                                  "Try `directorc graph --help`.\n");
+  CHECK(told({"--depth=1"}) == "2 directorc graph: --depth requires --focus\nTry `directorc graph --help`.\n");
+  CHECK(told({"--link=x"}) == "2 directorc: --link needs {file} in it, and {line}: "
+                              "--link='https://example.org/{file}#L{line}'\n");
+  world.files.add("walker.yaml", "behaviour: walker\nlanguage: 1\ngroups: {Walk: {}}\n");
+  CHECK(told({"--view=takes"}) ==
+        "2 directorc: --view=takes needs a behaviour that can run: with `roots` and without errors\n");
 }
 
 TEST_CASE("a picture is drawn by the program dot, and what it answers is written") {
@@ -64,12 +80,13 @@ TEST_CASE("without Graphviz a picture is refused with what to do") {
   CHECK(world.err == "directorc: `dot` could not draw the graph (exit status 3)\n");
 }
 
-TEST_CASE("the graph as JSON and as Mermaid") {
+TEST_CASE("the graph as JSON, whole, also with a view or a focus", "[golden]") {
   World world = walker();
   REQUIRE(world.directorc({"graph", "--format=json", "walker.yaml"}) == 0);
-  CHECK(world.out.find("\"causer\": \"Walk.halting\"") != std::string::npos);
-  REQUIRE(world.directorc({"graph", "--format=mermaid", "walker.yaml"}) == 0);
-  CHECK(world.out.find("p1 -. \"Pose == standing\" .-> g1") != std::string::npos);
+  check_golden("tests/compiler/cli/golden/walker.json", world.out);
+  const std::string whole = world.out;
+  REQUIRE(world.directorc({"graph", "--format=json", "walker.yaml", "--focus=Eyes", "--view=tasks"}) == 0);
+  CHECK(world.out == whole);
 }
 
 } // namespace

@@ -1,0 +1,293 @@
+// Door: compiler/emit/graph/asks.hpp. Test: tests/compiler/emit/picture_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/emit/graph/asks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace director::compiler {
+
+namespace {
+
+using ArrowKind = PictureArrow::Kind;
+
+/// Beside one another, without what is empty or there already.
+void join(std::string& all, const std::string& more, std::string_view between) {
+  if (more.empty() || all == more || all.starts_with(more + std::string(between)) ||
+      all.find(std::string(between) + more + std::string(between)) != std::string::npos ||
+      all.ends_with(std::string(between) + more))
+    return;
+  if (!all.empty()) all += between;
+  all += more;
+}
+
+std::string manner_words(const Manner& manner) {
+  std::string out;
+  if (!manner.text.empty()) out += ", priority " + manner.text;
+  if (manner.optional) out += ", optional";
+  if (manner.apart) out += ", apart";
+  return out;
+}
+
+/// What one provider wants of one group.
+struct Wanted {
+  bool need = false;
+  struct Ask {
+    std::size_t pack = 0;
+    Manner manner;
+  };
+  std::vector<Ask> asks;
+  Span span{};
+};
+
+std::size_t row_of(const Model& model, ProviderId id) {
+  const std::vector<ProviderId>& all = model.group_of(id).providers;
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), id) - all.begin());
+}
+
+class Asks {
+public:
+  Asks(const Model& model, Detail detail) : model_(model), detail_(detail) {}
+
+  void add_group(GroupId id, std::vector<GroupArrow>& out) {
+    const Group& group = model_.groups[id];
+    numbers_ = std::any_of(group.providers.begin(), group.providers.end(), [&](ProviderId provider) {
+      const std::vector<Pack>& packs = model_.providers[provider].packs;
+      return std::any_of(packs.begin(), packs.end(),
+                         [&](const Pack& pack) { return has_priorities(model_, pack.tasks); });
+    });
+    std::map<GroupId, std::vector<GroupArrow>> by_target;
+    for (std::size_t row = 0; row < group.providers.size(); ++row) {
+      for (const auto& [to, wanted] : wanted_by(group.providers[row])) add_row(id, to, row, wanted, by_target[to]);
+    }
+    for (auto& [to, arrows] : by_target) {
+      merge(arrows, group.providers.size());
+      out.insert(out.end(), arrows.begin(), arrows.end());
+    }
+  }
+
+private:
+  std::map<GroupId, Wanted> wanted_by(ProviderId id) const {
+    const Provider& provider = model_.providers[id];
+    std::map<GroupId, Wanted> out;
+    for (std::size_t i = 0; i < provider.packs.size(); ++i) {
+      for (const Task& task : provider.packs[i].tasks) {
+        Wanted& wanted = out[task.target];
+        if (wanted.asks.empty()) wanted.span = task.span;
+        wanted.asks.push_back({i, manner_of(model_, task, numbers_)});
+      }
+    }
+    for (const Use<GroupId>& need : provider.needs) {
+      Wanted& wanted = out[need.id];
+      if (wanted.asks.empty()) wanted.span = need.span;
+      wanted.need = true;
+    }
+    return out;
+  }
+
+  GroupArrow arrow(GroupId from, GroupId to, std::size_t row, const Wanted& wanted) const {
+    GroupArrow out;
+    out.from = from;
+    out.to = to;
+    out.row = row;
+    out.kind = wanted.asks.empty() ? ArrowKind::need : wanted.need ? ArrowKind::both : ArrowKind::task;
+    out.span = wanted.span;
+    return out;
+  }
+
+  std::string words(const GroupArrow& arrow, const Pack* pack, const Manner& manner) const {
+    const ProviderId provider = model_.groups[arrow.from].providers[*arrow.row];
+    const std::string& to = model_.groups[arrow.to].name.value;
+    const std::string who = asker(model_, provider, pack);
+    if (arrow.kind == ArrowKind::need) return fmt::format("{} needs {}", who, to);
+    return fmt::format("{} {} {}{}", who, arrow.kind == ArrowKind::both ? "needs and requests" : "requests", to,
+                       manner_words(manner));
+  }
+
+  void add_row(GroupId from, GroupId to, std::size_t row, const Wanted& wanted, std::vector<GroupArrow>& out) const {
+    const Provider& provider = model_.providers[model_.groups[from].providers[row]];
+    GroupArrow all = arrow(from, to, row, wanted);
+    const bool choice = provider.packs.size() > 1;
+    const auto like_first = [&](const Wanted::Ask& ask) { return ask.manner == wanted.asks.front().manner; };
+    const bool same = std::all_of(wanted.asks.begin(), wanted.asks.end(), like_first);
+    const bool whole = !choice || wanted.need || (same && wanted.asks.size() == provider.packs.size());
+    if (detail_ == Detail::packs && !whole) {
+      for (const Wanted::Ask& ask : wanted.asks) {
+        GroupArrow of_pack = all;
+        of_pack.pack = ask.pack;
+        of_pack.label = ask.manner.text;
+        of_pack.optional = ask.manner.optional;
+        of_pack.apart = ask.manner.apart;
+        of_pack.words = words(of_pack, &provider.packs[ask.pack], ask.manner);
+        out.push_back(of_pack);
+      }
+      return;
+    }
+    const auto every = [&](bool Manner::*flag) {
+      return !wanted.asks.empty() && std::all_of(wanted.asks.begin(), wanted.asks.end(),
+                                                 [&](const Wanted::Ask& ask) { return ask.manner.*flag; });
+    };
+    all.optional = every(&Manner::optional);
+    all.apart = every(&Manner::apart);
+    for (const Wanted::Ask& ask : wanted.asks) {
+      join(all.label, ask.manner.text, ", ");
+      join(all.words, words(all, choice ? &provider.packs[ask.pack] : nullptr, ask.manner), "\n");
+    }
+    if (wanted.asks.empty()) all.words = words(all, nullptr, {});
+    out.push_back(all);
+  }
+
+  /// One arrow from the group where all its providers have the same, or where nobody wants to know who has it.
+  void merge(std::vector<GroupArrow>& arrows, std::size_t rows) const {
+    const GroupArrow& first = arrows.front();
+    const auto like_first = [&](const GroupArrow& other) {
+      return !other.pack && other.kind == first.kind && other.optional == first.optional &&
+             other.apart == first.apart && other.label == first.label;
+    };
+    const bool shared = arrows.size() == rows && std::all_of(arrows.begin(), arrows.end(), like_first);
+    if (!shared && detail_ == Detail::packs) return;
+    GroupArrow one = first;
+    one.row.reset();
+    for (const GroupArrow& arrow : arrows) {
+      if (arrow.kind != one.kind) one.kind = ArrowKind::both;
+      one.optional = one.optional && arrow.optional;
+      one.apart = one.apart && arrow.apart;
+      join(one.label, arrow.label, ", ");
+      join(one.words, arrow.words, "\n");
+    }
+    arrows = {one};
+  }
+
+  const Model& model_;
+  Detail detail_;
+  bool numbers_ = false; ///< of the group at hand: priorities are told
+};
+
+} // namespace
+
+bool has_priorities(const Model& model, const std::vector<Task>& tasks) {
+  return std::any_of(tasks.begin(), tasks.end(), [&](const Task& task) {
+    const std::vector<Level>& levels = model.edges[task.edge].levels;
+    return std::any_of(task.levels.begin(), task.levels.end(),
+                       [&](const Task::NamedLevel& named) { return levels[named.level].priority != 0; });
+  });
+}
+
+std::string asker(const Model& model, ProviderId provider, const Pack* pack) {
+  const std::string name = model.full_name(provider);
+  return pack == nullptr || pack->name.empty() ? name : fmt::format("{}, pack {},", name, pack->name);
+}
+
+Manner manner_of(const Model& model, const Task& task, bool numbers) {
+  const std::vector<Level>& levels = model.edges[task.edge].levels;
+  const auto every = [&](bool Level::*flag) {
+    return std::all_of(task.levels.begin(), task.levels.end(),
+                       [&](const Task::NamedLevel& named) { return levels[named.level].*flag; });
+  };
+  Manner out{{}, every(&Level::optional), every(&Level::apart)};
+  for (const Task::NamedLevel& named : task.levels) {
+    const Level& level = levels[named.level];
+    std::string text = named.name;
+    const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+    if (numbers || !named.name.empty()) add(std::to_string(level.priority));
+    if (level.optional && !out.optional) add("optional");
+    if (level.apart && !out.apart) add("apart");
+    join(out.text, text, ", ");
+  }
+  return out;
+}
+
+std::vector<GroupArrow> find_asks(const Model& model, Detail detail) {
+  std::vector<GroupArrow> out;
+  Asks asks(model, detail);
+  for (const GroupId id : model.groups.ids()) asks.add_group(id, out);
+  return out;
+}
+
+std::vector<GroupArrow> find_pushes(const Model& model, const Graph& graph) {
+  std::map<std::pair<GroupId, GroupId>, GroupArrow> pairs;
+  for (const Graph::Causing& causing : graph.causing) {
+    const GroupId waits = model.providers[causing.waiter].group, pushed = model.providers[causing.causer].group;
+    if (waits == pushed) continue;
+    const std::size_t row = row_of(model, causing.causer);
+    const auto [found, fresh] = pairs.try_emplace({waits, pushed});
+    GroupArrow& arrow = found->second;
+    if (fresh) {
+      arrow = {waits, pushed, row, {}, ArrowKind::push, false, false, {}, {}, causing.condition.span, {}};
+    } else if (arrow.row != row) {
+      arrow.row.reset(); // several providers may be asked
+    }
+    const std::string& condition = model.conditions[causing.condition.id].text;
+    join(arrow.label, condition, "\n");
+    join(arrow.words,
+         fmt::format("{} waits for {} and may push {} to it", model.full_name(causing.waiter), condition,
+                     model.full_name(causing.causer)),
+         "\n");
+  }
+  std::vector<GroupArrow> out;
+  for (auto& [pair, arrow] : pairs) out.push_back(std::move(arrow));
+  return out;
+}
+
+std::vector<GroupArrow> find_takes(const Model& model, const std::vector<TakeOver>& take_overs) {
+  std::map<std::pair<GroupId, GroupId>, GroupArrow> pairs;
+  for (const TakeOver& take : take_overs) {
+    const Edge &taker = model.edges[take.taker], &loser = model.edges[take.loser];
+    const std::string common = taker.requester ? model.groups[*taker.requester].name.value : "the program";
+    const auto rank = [](const Edge& edge) {
+      const Level& level = edge.levels.front();
+      return fmt::format("{}{}", level.priority, level.optional ? " optional" : "");
+    };
+    GroupArrow& arrow = pairs[{taker.target, loser.target}];
+    arrow.from = taker.target;
+    arrow.to = loser.target;
+    arrow.kind = ArrowKind::take;
+    if (arrow.words.empty()) arrow.span = taker.span;
+    join(arrow.label, fmt::format("{}: {} over {}", common, rank(taker), rank(loser)), "\n");
+    join(arrow.words,
+         fmt::format("{} may take something from {}, as {} ranks them {} over {}",
+                     model.groups[taker.target].name.value, model.groups[loser.target].name.value, common, rank(taker),
+                     rank(loser)),
+         "\n");
+  }
+  std::vector<GroupArrow> out;
+  for (auto& [pair, arrow] : pairs) out.push_back(std::move(arrow));
+  return out;
+}
+
+std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment) {
+  std::vector<GroupArrow> out;
+  for (const Moment::Push& push : moment.pushes) {
+    const Span span = model.providers[push.to].span;
+    out.push_back({push.waits,
+                   push.pushed,
+                   row_of(model, push.to),
+                   {},
+                   ArrowKind::push,
+                   false,
+                   false,
+                   push.condition,
+                   push.words,
+                   span,
+                   Moment::Mark::pushed});
+  }
+  return out;
+}
+
+void mark_asks(const Model& model, const Moment& moment, std::vector<GroupArrow>& arrows) {
+  std::map<std::pair<GroupId, GroupId>, EdgeId> edges;
+  for (const EdgeId id : model.edges.ids()) {
+    const Edge& edge = model.edges[id];
+    if (edge.requester) edges.emplace(std::pair(*edge.requester, edge.target), id);
+  }
+  for (GroupArrow& arrow : arrows) {
+    const auto edge = edges.find({arrow.from, arrow.to});
+    const std::optional<ProviderId>& active = moment.groups[arrow.from.value].active;
+    const bool asks = active && (!arrow.row || row_of(model, *active) == *arrow.row) && edge != edges.end();
+    arrow.mark = asks ? moment.edges[edge->second.value] : Moment::Mark::inactive;
+  }
+}
+
+} // namespace director::compiler

@@ -1,0 +1,57 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Who asks for whom, as arrows between groups, before anybody says which groups share a box.
+
+#include "compiler/emit/graph/picture.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+struct GroupArrow {
+  GroupId from{}, to{};
+  std::optional<std::size_t> row, pack; ///< as in PictureEnd
+  PictureArrow::Kind kind = PictureArrow::Kind::task;
+  bool optional = false, apart = false;
+  std::string label;
+  std::string words; ///< who does what, for people
+  Span span{};       ///< where it is declared first
+  std::optional<Moment::Mark> mark;
+};
+
+/// Whether each provider and pack has arrows of its own, or all of a group share one.
+enum class Detail : bool { groups, packs };
+
+/// Requests and needs, by group and target.
+std::vector<GroupArrow> find_asks(const Model& model, Detail detail);
+
+/// One for each two groups of which one may push the other.
+std::vector<GroupArrow> find_pushes(const Model& model, const Graph& graph);
+
+/// One for each two groups of which one may take something from the other.
+std::vector<GroupArrow> find_takes(const Model& model, const std::vector<TakeOver>& take_overs);
+
+/// The pushes of a moment, and no others.
+std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment);
+
+/// What runs, waits or is not asked for at that moment.
+void mark_asks(const Model& model, const Moment& moment, std::vector<GroupArrow>& arrows);
+
+/// How something is asked for: `20`, `normal 10, urgent 80`. Empty where all that its requester asks for has the same
+/// priority 0.
+struct Manner {
+  std::string text;
+  bool optional = false, apart = false; ///< at each level
+  bool operator==(const Manner&) const = default;
+};
+Manner manner_of(const Model& model, const Task& task, bool numbers);
+
+/// Some of these has a priority other than 0.
+bool has_priorities(const Model& model, const std::vector<Task>& tasks);
+
+/// `Walk.halting`, `Kick`, `Striker.ready, pack go`.
+std::string asker(const Model& model, ProviderId provider, const Pack* pack);
+
+} // namespace director::compiler

@@ -1,0 +1,71 @@
+// Door: compiler/emit/graph/focus.hpp. Test: tests/compiler/emit/picture_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/emit/graph/focus.hpp"
+
+#include <limits>
+
+namespace director::compiler {
+
+namespace {
+
+constexpr std::size_t endless = std::numeric_limits<std::size_t>::max();
+
+Arrows reversed(const Arrows& arrows) {
+  Arrows out(arrows.size());
+  for (Node from = 0; from < arrows.size(); ++from) {
+    for (const Node to : arrows[from]) out[to].push_back(from);
+  }
+  return out;
+}
+
+/// `starts`, and what is no more than `depth` arrows behind them.
+std::vector<Node> within(const Arrows& arrows, const std::vector<GroupId>& starts, std::size_t depth) {
+  std::vector<Node> found;
+  std::vector<bool> seen(arrows.size(), false);
+  const auto add = [&](Node node) {
+    if (!seen[node]) found.push_back(node);
+    seen[node] = true;
+  };
+  for (const GroupId start : starts) add(start.value);
+  std::size_t begin = 0;
+  for (std::size_t away = 0; away < depth && begin < found.size(); ++away) {
+    const std::size_t end = found.size();
+    for (; begin < end; ++begin) {
+      const std::vector<Node> next = arrows[found[begin]]; // `found` grows
+      for (const Node node : next) add(node);
+    }
+  }
+  return found;
+}
+
+} // namespace
+
+IdSet<GroupId> groups_in_focus(const Model& model, const Graph& graph, const PictureOptions& options) {
+  IdSet<GroupId> out(model.groups.size());
+  if (options.focus.empty()) {
+    for (const GroupId id : model.groups.ids()) out.add(id);
+    return out;
+  }
+  const std::size_t depth = options.depth.value_or(endless);
+  const auto add = [&](const std::vector<Node>& nodes) {
+    for (const Node node : nodes) out.add(GroupId{node});
+  };
+  add(within(reversed(graph.claims), options.focus, depth)); // who can reach it
+  add(within(graph.claims, options.focus, depth));           // what it can hold
+  std::vector<bool> focused(model.groups.size(), false);
+  for (const GroupId id : options.focus) focused[id.value] = true;
+  for (const Graph::Causing& causing : graph.causing) { // whom it pushes, and who pushes it
+    const GroupId waits = model.providers[causing.waiter].group, pushed = model.providers[causing.causer].group;
+    if (depth < 1 || (!focused[waits.value] && !focused[pushed.value])) continue;
+    out.add(waits);
+    out.add(pushed);
+  }
+  if (depth < 2) return out;
+  const Arrows needed_by = reversed(graph.needs); // who can stand in its way
+  for (const Node resource : within(graph.needs, options.focus, depth - 1)) {
+    if (!focused[resource]) add(needed_by[resource]);
+  }
+  return out;
+}
+
+} // namespace director::compiler

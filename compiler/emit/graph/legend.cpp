@@ -1,0 +1,144 @@
+// Door: compiler/emit/graph/legend.hpp. Test: tests/compiler/emit/picture_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/emit/graph/legend.hpp"
+
+#include "compiler/emit/graph/palette.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace director::compiler {
+
+namespace {
+
+using Sample = LegendEntry::Sample;
+
+template <class Things, class Asked>
+bool any(const Things& things, Asked asked) {
+  return std::any_of(things.begin(), things.end(), asked);
+}
+
+bool has_line(const Picture& picture, PictureLine::Kind kind) {
+  const auto is_one = [&](const PictureLine& line) { return line.kind == kind; };
+  return any(picture.boxes, [&](const PictureBox& box) {
+    return any(box.lines, is_one) || any(box.rows, [&](const PictureRow& row) { return any(row.lines, is_one); });
+  });
+}
+
+struct Line {
+  std::string_view colour, style, head;
+  int width = 1;
+};
+
+Line line_of(Sample sample) {
+  switch (sample) {
+  case Sample::task: return {palette::task, "SOLID", "&#9654;"};
+  case Sample::optional: return {palette::task, "DOTTED", "&#9655;"};
+  case Sample::apart: return {palette::task, "DASHED", "&#9654;"};
+  case Sample::need: return {palette::need, "SOLID", "&#9679;"};
+  case Sample::both: return {palette::need, "SOLID", "&#9654;"};
+  case Sample::push: return {palette::push, "SOLID", "&#9654;", 3};
+  case Sample::take: return {palette::take, "SOLID", "&#9654;&#9654;", 2};
+  case Sample::text: break;
+  }
+  return {};
+}
+
+std::string table_row(const LegendEntry& entry) {
+  const std::string words = fmt::format("<TD ALIGN=\"LEFT\">{}</TD>", palette::html(entry.words));
+  if (entry.sample == Sample::text)
+    return fmt::format("<TR><TD COLSPAN=\"2\" ALIGN=\"LEFT\">{}&#160;&#160;</TD>{}</TR>", palette::html(entry.sign),
+                       words);
+  const Line line = line_of(entry.sample);
+  const bool both = entry.sample == Sample::both;
+  return fmt::format("<TR><TD FIXEDSIZE=\"TRUE\" WIDTH=\"30\" HEIGHT=\"{}\" BORDER=\"{}\" SIDES=\"{}\" COLOR=\"{}\" "
+                     "STYLE=\"{}\"></TD><TD ALIGN=\"LEFT\"><FONT COLOR=\"{}\">{}</FONT></TD>{}</TR>",
+                     6 + 2 * line.width, line.width, both ? "TB" : "B", line.colour, line.style, line.colour, line.head,
+                     words);
+}
+
+} // namespace
+
+std::vector<LegendEntry> legend_of(const Picture& picture) {
+  using Kind = PictureArrow::Kind;
+  std::vector<LegendEntry> out;
+  const auto draws = [&](auto is_one) { return any(picture.arrows, is_one); };
+  const auto asks = [](const PictureArrow& arrow) { return arrow.kind == Kind::task || arrow.kind == Kind::both; };
+  const auto add = [&](bool is_drawn, Sample sample, std::string words) {
+    if (is_drawn) out.push_back({sample, {}, std::move(words)});
+  };
+  const auto say = [&](bool is_drawn, std::string sign, std::string words) {
+    if (is_drawn) out.push_back({Sample::text, std::move(sign), std::move(words)});
+  };
+  const auto has_number = [](const std::string& text) {
+    return any(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
+  };
+  const auto marks = [&](Moment::Mark mark, std::string sign, std::string words) {
+    say(any(picture.boxes, [&](const PictureBox& box) { return box.mark == mark; }), std::move(sign), std::move(words));
+  };
+  marks(Moment::Mark::running, "blue frame, \u25B6", "runs, in that provider");
+  marks(Moment::Mark::queued, "dashed red frame", "queued: somebody requests it, and it waits");
+  marks(Moment::Mark::pushed, "green frame", "runs, and is pushed by who waits");
+  marks(Moment::Mark::held, "dotted blue frame", "held, and not asked for yet");
+  marks(Moment::Mark::inactive, "grey", "nobody asks for it");
+  const auto plain = [](const PictureArrow& arrow) {
+    return arrow.kind == Kind::task && !arrow.optional && !arrow.apart && !arrow.missing;
+  };
+  add(draws(plain), Sample::task, "requests");
+  add(draws([&](const PictureArrow& arrow) { return asks(arrow) && arrow.optional; }), Sample::optional,
+      "requests, optional: weaker than all that is not");
+  add(draws([&](const PictureArrow& arrow) { return asks(arrow) && arrow.apart && !arrow.optional; }), Sample::apart,
+      "requests, apart: granted by itself");
+  add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::need; }), Sample::need,
+      "needs: holds it while it runs");
+  add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::both; }), Sample::both, "needs and requests");
+  add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::push; }), Sample::push,
+      "waits until that is true, and may push the other to make it true");
+  add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::take; }), Sample::take,
+      "may take from the other what it holds, by these ranks");
+  say(draws([&](const PictureArrow& arrow) { return asks(arrow) && has_number(arrow.label); }), "20",
+      "priority among all that the same one requests: the higher one wins");
+  const bool ranked = any(picture.boxes, [&](const PictureBox& box) { return box.asked && has_number(*box.asked); });
+  say(any(picture.boxes, [](const PictureBox& box) { return box.asked.has_value(); }), "thick frame",
+      fmt::format("the program itself requests it{}", ranked ? ", with that priority" : ""));
+  say(any(picture.boxes, [](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
+  say(any(picture.boxes, [](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
+      "providers, the preferred one first; an arrow from one row is of that provider alone");
+  say(any(picture.boxes,
+          [](const PictureBox& box) {
+            return any(box.rows, [](const PictureRow& row) { return !row.packs.empty(); });
+          }),
+      "\u25C7", "packs: it requests one of them at a time");
+  say(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::alike; }), "dashed box",
+      "groups that the same ones ask for in the same way");
+  say(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::missing; }) ||
+          has_line(picture, PictureLine::Kind::wrong),
+      "red, \u2716", "is wrong, or missing");
+  say(has_line(picture, PictureLine::Kind::doubtful), "\u26A0", "a warning, or a lint");
+  say(has_line(picture, PictureLine::Kind::when), "when, stay", "must hold, for it to run and to go on");
+  say(has_line(picture, PictureLine::Kind::causing), "causing", "makes that true when it is pushed");
+  say(has_line(picture, PictureLine::Kind::sets), "sets", "may set that, and promises nothing");
+  say(has_line(picture, PictureLine::Kind::runs), "on, every", "runs again then");
+  return out;
+}
+
+std::vector<std::string> legend_table(const Picture& picture) {
+  std::vector<std::string> out;
+  out.emplace_back("<TABLE BORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\">");
+  const auto line = [&](const std::string& text) {
+    out.push_back(fmt::format("<TR><TD COLSPAN=\"3\" ALIGN=\"LEFT\">{}</TD></TR>", text));
+  };
+  const std::string moment = picture.moment.empty() ? "" : ", " + palette::html(picture.moment);
+  line(fmt::format("<B>{}{}</B>", palette::html(picture.title), moment));
+  for (const std::string& value : picture.values) line(palette::html(value));
+  for (const std::string& wrong : picture.wrong)
+    line(
+        fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::queued, palette::wrapped(wrong) + "<BR ALIGN=\"LEFT\"/>"));
+  for (const LegendEntry& entry : legend_of(picture)) out.push_back(table_row(entry));
+  out.emplace_back("</TABLE>");
+  return out;
+}
+
+} // namespace director::compiler

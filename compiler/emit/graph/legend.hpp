@@ -1,0 +1,25 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What stands below a picture: its title, and what is meant by all that is drawn in it, and by nothing else.
+
+#include "compiler/emit/graph/picture.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::compiler {
+
+struct LegendEntry {
+  enum class Sample { task, optional, apart, need, both, push, take, text };
+  Sample sample = Sample::text;
+  std::string sign; ///< of a text: how it looks
+  std::string words;
+  bool operator==(const LegendEntry&) const = default;
+};
+
+std::vector<LegendEntry> legend_of(const Picture& picture);
+
+/// For Graphviz: a table that takes no part in the layout. A line is the border of a cell.
+std::vector<std::string> legend_table(const Picture& picture);
+
+} // namespace director::compiler

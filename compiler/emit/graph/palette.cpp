@@ -1,0 +1,55 @@
+// Door: compiler/emit/graph/palette.hpp. Test: tests/compiler/cli/picture_svg_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/emit/graph/palette.hpp"
+
+#include <algorithm>
+
+namespace director::compiler::palette {
+
+std::string html(std::string_view text) {
+  std::string out;
+  for (const char letter : text) {
+    switch (letter) {
+    case '&': out += "&amp;"; break;
+    case '<': out += "&lt;"; break;
+    case '>': out += "&gt;"; break;
+    case '"': out += "&quot;"; break;
+    case '\n': out += "&#10;"; break;
+    default: out += letter;
+    }
+  }
+  return out;
+}
+
+std::string wrapped(std::string_view text, std::size_t before) {
+  constexpr std::size_t width = 36;
+  std::string out, line;
+  const auto end_line = [&] {
+    if (line.empty()) return;
+    out += (out.empty() ? "" : "<BR ALIGN=\"LEFT\"/>") + html(line);
+    line.clear();
+  };
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (before + line.size() + end > width && !line.empty()) {
+      end_line();
+      before = 0;
+    }
+    line += (line.empty() ? "" : " ") + std::string(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  end_line();
+  return out;
+}
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') out += '\\';
+    if (letter == '\n') out += "\\n";
+    if (letter != '\n') out += letter;
+  }
+  return out + "\"";
+}
+
+} // namespace director::compiler::palette

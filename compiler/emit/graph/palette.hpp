@@ -1,0 +1,23 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// The colours of pictures, and what Graphviz' HTML wants. They stay apart for people who see no red or green, and on
+// paper; on white and on a band each has a contrast of 4.5 at least. Source: Okabe and Ito, "Color Universal Design",
+// made darker.
+
+#include <string>
+#include <string_view>
+
+namespace director::compiler::palette {
+
+inline constexpr std::string_view ink = "#202428", task = "#404040", need = "#00629B", when = "#8A5100",
+                                  push = "#00704F", take = "#A23B00", queued = "#A3171A", faint = "#8A919B",
+                                  grey = "#5A616B", frame = "#6B727C", band = "#F1F3F5", paper = "#FFFFFF";
+
+/// For the text between tags.
+std::string html(std::string_view text);
+/// The same on several lines, broken between words, each at the left.
+std::string wrapped(std::string_view text, std::size_t before = 0); ///< so much stands before it already
+/// A string of the DOT language.
+std::string quoted(std::string_view text);
+
+} // namespace director::compiler::palette

@@ -1,0 +1,167 @@
+// Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/picture_svg_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// What Graphviz cannot say: bands of the picture's whole width behind the layers, which reach from the name of one to
+// the name of the next, and what the picture is about. Nothing that it placed is moved.
+#include "compiler/emit/graph/formats.hpp"
+#include "compiler/emit/graph/palette.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace director::compiler {
+
+namespace {
+
+constexpr std::size_t nowhere = std::string::npos;
+
+std::optional<double> number_behind(const std::string& text, std::size_t from, std::string_view key) {
+  const std::size_t at = text.find(key, from);
+  if (at == nowhere) return {};
+  double out = 0;
+  const char* begin = text.data() + at + key.size();
+  const auto read = std::from_chars(begin, text.data() + text.size(), out);
+  return read.ec == std::errc() ? std::optional(out) : std::nullopt;
+}
+
+/// As Graphviz writes it in a title.
+std::string title_text(std::string_view text) {
+  std::string out;
+  for (const char letter : palette::html(text)) out += letter == '-' ? "&#45;" : std::string(1, letter);
+  return out;
+}
+
+/// Where the first text behind a place stands: its base line.
+std::optional<double> text_height(const std::string& svg, std::size_t from) {
+  const std::size_t text = svg.find("<text", from);
+  return text == nowhere ? std::nullopt : number_behind(svg, text, " y=\"");
+}
+
+struct Band {
+  double top = 0, bottom = 0;
+};
+
+std::vector<Band> bands_of(const Picture& picture, const std::string& svg, double top, double bottom) {
+  constexpr double above_name = 16;
+  std::vector<Band> out;
+  for (const PictureLayer& layer : picture.layers) {
+    if (layer.name.empty()) continue;
+    const std::size_t at = svg.find(fmt::format("<title>{}</title>", title_text("layer " + layer.name)));
+    if (at == nowhere) continue;
+    const std::optional<double> name = text_height(svg, at);
+    if (!name) continue;
+    if (!out.empty()) out.back().bottom = *name - above_name;
+    out.push_back({out.empty() ? top : *name - above_name, bottom});
+  }
+  return out;
+}
+
+/// Behind everything, which is behind the paper's own polygon.
+void add_bands(const Picture& picture, std::string& svg) {
+  constexpr double above_legend = 12;
+  const std::size_t paper = svg.find("<polygon");
+  if (paper == nowhere) return;
+  const std::size_t end = svg.find('\n', paper);
+  const std::optional<double> legend = text_height(svg, end);
+  const std::optional<double> width = number_behind(svg, 0, "viewBox=\"0.00 0.00 ");
+  const std::optional<double> height = number_behind(svg, 0, "translate(4 ");
+  if (end == nowhere || !legend || !width || !height) return;
+  std::string drawn;
+  bool dark = true;
+  for (const Band& band : bands_of(picture, svg, -*height, *legend - above_legend)) {
+    if (dark && band.bottom > band.top)
+      drawn +=
+          fmt::format("<rect class=\"band\" fill=\"{}\" x=\"-4\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n",
+                      palette::band, band.top, *width, band.bottom - band.top);
+    dark = !dark;
+  }
+  svg.insert(end + 1, drawn);
+}
+
+void replace_all(std::string& text, std::string_view old, std::string_view with) {
+  for (std::size_t at = text.find(old); at != nowhere; at = text.find(old, at + with.size()))
+    text.replace(at, old.size(), with);
+}
+
+/// The names of both ends with an arrow between them: `Walk:halting` is what findings call `Walk.halting`.
+void name_arrows(std::string& svg) {
+  constexpr std::string_view open = "<title>", close = "</title>";
+  for (std::size_t at = svg.find(open); at != nowhere; at = svg.find(open, at + 1)) {
+    const std::size_t end = svg.find(close, at);
+    if (end == nowhere) return;
+    std::string title = svg.substr(at, end - at);
+    if (title.find("&#45;&gt;") != nowhere) replace_all(title, ":", ".");
+    replace_all(title, "&#45;&gt;", " \u2192 ");
+    svg.replace(at, end - at, title);
+  }
+}
+
+void add_words(const Picture& picture, std::string& svg) {
+  const std::size_t tag = svg.find("<svg ");
+  const std::size_t end = tag == nowhere ? nowhere : svg.find('>', tag);
+  if (end == nowhere) return;
+  svg.insert(end + 1, fmt::format("\n<title>{}</title>\n<desc>{}</desc>", palette::html(picture.title),
+                                  palette::html(summary(picture))));
+  svg.insert(tag + 5, "role=\"graphics-document document\" ");
+}
+
+std::string counted(std::size_t count, std::string_view one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : one.ends_with('s') || one.ends_with("sh") ? "es" : "s");
+}
+
+} // namespace
+
+std::string summary(const Picture& picture) {
+  using Kind = PictureArrow::Kind;
+  std::size_t groups = 0, folded = 0;
+  std::string roots;
+  for (const PictureBox& box : picture.boxes) {
+    groups += box.groups.size();
+    folded += box.kind == PictureBox::Kind::folded ? 1 : 0;
+    if (box.asked) roots += (roots.empty() ? "" : ", ") + box.name;
+  }
+  const auto count = [&](auto... kinds) {
+    return static_cast<std::size_t>(std::count_if(picture.arrows.begin(), picture.arrows.end(),
+                                                  [&](const auto& arrow) { return ((arrow.kind == kinds) || ...); }));
+  };
+  std::string out = counted(groups, "group");
+  if (folded != 0) out += fmt::format(" in {}", counted(folded, "part"));
+  std::string layers;
+  for (const PictureLayer& layer : picture.layers) {
+    if (!layer.name.empty()) layers += (layers.empty() ? "" : ", ") + layer.name;
+  }
+  if (!layers.empty()) out += ", in the layers " + layers;
+  out += fmt::format("; {}, {}, {}", counted(count(Kind::task, Kind::both), "request"),
+                     counted(count(Kind::need, Kind::both), "need"), counted(count(Kind::push), "push"));
+  if (const std::size_t takes = count(Kind::take); takes != 0) out += fmt::format(", {}", counted(takes, "take-over"));
+  out += ".";
+  if (!roots.empty()) out += fmt::format(" The program requests {}.", roots);
+  if (!picture.moment.empty()) {
+    const auto marked = [&](Moment::Mark mark, std::string_view word) {
+      std::string names;
+      for (const PictureBox& box : picture.boxes) {
+        if (box.mark == mark) names += (names.empty() ? "" : ", ") + box.name;
+      }
+      if (!names.empty()) out += fmt::format(" {}: {}.", word, names);
+    };
+    out += fmt::format(" This is {}.", picture.moment);
+    marked(Moment::Mark::running, "Running");
+    marked(Moment::Mark::pushed, "Pushed");
+    marked(Moment::Mark::queued, "Queued");
+  }
+  if (!picture.doc.empty()) out = picture.doc + (picture.doc.ends_with('\n') ? "" : "\n") + out;
+  return out;
+}
+
+std::string finish_svg(const Picture& picture, const std::string& drawn) {
+  std::string out = drawn;
+  add_bands(picture, out);
+  name_arrows(out);
+  add_words(picture, out);
+  return out;
+}
+
+} // namespace director::compiler

@@ -1,0 +1,15 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What a picture shows of a moment: who runs, who waits and for what, who is pushed.
+
+#include "compiler/emit/graph/picture_options.hpp"
+#include "compiler/lower/lowered.hpp"
+#include "compiler/model/model.hpp"
+#include "runtime/core/view.hpp"
+
+namespace director::compiler {
+
+/// Without a title.
+Moment moment_of(const View& view, const Model& model, const Lowered& lowered);
+
+} // namespace director::compiler

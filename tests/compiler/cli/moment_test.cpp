@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Pictures of a moment of a scenario.
+#include "tests/compiler/cli/world.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::check_golden;
+using director::tests::World;
+
+World photographer() {
+  World world;
+  world.files.add("rover.yaml", R"(behaviour: rover
+language: 1
+states:
+  Motion: {values: [still, rolling], initial: still}
+  Weather: {values: [dry, wet], external: true}
+roots:
+  Explore: {priority: 10}
+  Photograph: {priority: 20}
+groups:
+  Explore: {tasks: [Drive]}
+  Photograph: {when: [Motion == still], needs: [Wheels], tasks: [Wheels, Camera]}
+  Drive:
+    providers:
+      - {name: rolling, needs: [Wheels], sets: [Motion == rolling], tasks: [Wheels]}
+      - {name: braking, needs: [Wheels], causing: [Motion == still], tasks: [Wheels]}
+  Wheels: {}
+  Camera: {}
+)");
+  world.files.add("s.yaml", R"(scenario: a picture
+behaviour: rover.yaml
+script:
+  Drive.rolling: {set: {Motion: rolling}, tasks: [Wheels]}
+  Drive.braking:
+    - {reason: wait, set: {Motion: still}, continue: true}
+    - {wait: 1 s, tasks: [Wheels]}
+steps:
+  - request: Explore
+  - request: Photograph
+  - advance: 2 s
+)");
+  return world;
+}
+
+TEST_CASE("a picture of a moment tells who runs, who waits for what, and who is pushed", "[golden]") {
+  World world = photographer();
+  REQUIRE(world.directorc({"graph", "s.yaml", "--step=2"}) == 0);
+  check_golden("tests/compiler/cli/golden/moment.dot", world.out);
+  REQUIRE(world.directorc({"graph", "s.yaml", "--step=2", "--format=mermaid"}) == 0);
+  check_golden("tests/compiler/cli/golden/moment.mmd", world.out);
+}
+
+TEST_CASE("a moment at a time lies within the step that passes it") {
+  World world = photographer();
+  REQUIRE(world.directorc({"graph", "s.yaml", "--at=500 ms"}) == 0);
+  const auto has = [&](const std::string& piece) { return world.out.find(piece) != std::string::npos; };
+  CHECK(has("<B>rover, in step 3 (advance 2 s), at 0.5 s</B>"));
+  CHECK(has(">Motion == rolling<"));
+  CHECK(has(">Weather is unset<"));
+  REQUIRE(world.directorc({"graph", "s.yaml", "--at=1500 ms"}) == 0);
+  CHECK(has("<B>rover, in step 3 (advance 2 s), at 1.5 s</B>"));
+  CHECK_FALSE(has("pushed to"));
+}
+
+TEST_CASE("frames are a file for each step") {
+  World world = photographer();
+  REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out", "--format=mermaid"}) == 0);
+  CHECK(world.out.empty());
+  CHECK(world.outputs.written == std::vector<std::string>{"out/step_1.mmd", "out/step_2.mmd", "out/step_3.mmd"});
+}
+
+TEST_CASE("a moment that there is not, or a scenario that is none, is told") {
+  World world = photographer();
+  const auto told = [&](const std::vector<std::string>& words) {
+    return std::to_string(world.directorc(words)) + " " + world.err;
+  };
+  CHECK(told({"graph", "s.yaml", "--step=4"}) == "2 directorc: `s.yaml` has 3 steps\n");
+  CHECK(told({"graph", "s.yaml", "--at=soon"}) ==
+        "2 directorc: `soon` is no time: a whole number and us, ms, s or min\n");
+  CHECK(told({"graph", "s.yaml", "--frames"}) ==
+        "2 directorc: --frames writes many files: -o names a folder for them\n");
+  CHECK(told({"graph", "s.yaml", "--step=1", "--frames", "-o", "x"}) == "2 directorc graph: --step excludes --frames\n"
+                                                                        "Try `directorc graph --help`.\n");
+  CHECK(told({"graph", "none.yaml", "--step=1"}).starts_with("2 directorc: "));
+  CHECK(told({"graph", "rover.yaml", "--step=1"}).starts_with("1 rover.yaml:"));
+}
+
+} // namespace

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// What Graphviz makes of pictures, measured: as people see them. Where it is not installed, nothing is.
+#include "dsl/file_access.hpp"
+#include "tests/compiler/cli/world.hpp"
+#include "tests/support/golden.hpp"
+#include "tests/support/svg.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <regex>
+
+namespace {
+
+using namespace director;
+using namespace director::tests;
+
+struct Drawn {
+  int status = 0;
+  std::string out, err;
+};
+
+/// With files of the disk and the real `dot`.
+Drawn drawn(std::vector<std::string> words) {
+  std::ostringstream out, err;
+  dsl::DiskFiles files;
+  compiler::cli::MemoryOutputs outputs;
+  compiler::cli::ChildPrograms programs;
+  compiler::cli::Console console{out, err, false, false, files, outputs, programs};
+  words.insert(words.begin(), {"graph", "--format=svg"});
+  const compiler::cli::Request request = compiler::cli::parse(words);
+  const int status = run(std::get<compiler::cli::DrawGraph>(request), console);
+  return {status, out.str(), err.str()};
+}
+
+bool has_graphviz() {
+  compiler::cli::ChildPrograms programs;
+  return programs.run({"dot", "-Tdot"}, "graph {}").started;
+}
+
+std::string behaviour(const std::string& name) { return (source_dir() / name).string(); }
+
+struct Measured {
+  std::string file;
+  std::vector<std::string> options;
+  double most_width;
+};
+
+const std::vector<Measured>& pictures() {
+  static const std::vector<Measured> all{
+      {"tests/docs/rover/rover.yaml", {}, 700},
+      {"tests/docs/tutorial/finished/gardener.yaml", {}, 700},
+      {"behaviours/greenhouse/greenhouse.yaml", {}, 700},
+      {"behaviours/team/team.yaml", {}, 700},
+      {"behaviours/soccer/soccer.yaml", {}, 1'300},
+      {"behaviours/soccer/soccer.yaml", {"--focus=Kick"}, 1'300},
+      {"behaviours/soccer/soccer.yaml", {"--view=takes"}, 1'300},
+      {"behaviours/drone/drone.yaml", {}, 1'300},
+      {"behaviours/warehouse/warehouse.yaml", {}, 1'300},
+      {"behaviours/robocup/robocup.yaml", {}, 2'600},
+      {"behaviours/robocup/webots/robocup.yaml", {}, 2'600},
+      {"behaviours/robocup/robocup.yaml", {"--collapse=module"}, 2'600},
+      {"behaviours/robocup/robocup.yaml", {"--collapse=layer"}, 700},
+      {"behaviours/robocup/robocup.yaml", {"--view=tasks"}, 2'600},
+      {"tests/docs/rover/rover.scenario.yaml", {"--step=2"}, 700},
+      {"behaviours/soccer/scenarios/a_promise_is_broken.scenario.yaml", {"--step=2"}, 1'300},
+      {"behaviours/robocup/robocup.scenario.yaml", {"--step=3"}, 2'600},
+  };
+  return all;
+}
+
+/// Each is drawn once.
+const Svg& svg_of(const Measured& picture) {
+  static std::map<std::pair<std::string, std::vector<std::string>>, Svg> known;
+  const auto found = known.find({picture.file, picture.options});
+  if (found != known.end()) return found->second;
+  std::vector<std::string> words{behaviour(picture.file)};
+  words.insert(words.end(), picture.options.begin(), picture.options.end());
+  const Drawn out = drawn(words);
+  REQUIRE(out.err.empty());
+  REQUIRE(out.status == 0);
+  return known[{picture.file, picture.options}] = read_svg(out.out);
+}
+
+TEST_CASE("boxes and labels do not overlap, and nothing sticks out of the paper") {
+  if (!has_graphviz()) return;
+  for (const Measured& picture : pictures()) {
+    const Svg& svg = svg_of(picture);
+    CAPTURE(picture.file, picture.options);
+    CHECK(svg.width <= picture.most_width);
+    std::vector<std::pair<std::string, SvgBox>> solid;
+    for (const SvgThing& thing : svg.things) {
+      CAPTURE(thing.title);
+      CHECK(svg.paper.holds(thing.box));
+      if (!thing.is_arrow) solid.emplace_back(thing.title, thing.box);
+      for (const SvgBox& label : thing.labels) {
+        CHECK(svg.paper.holds(label));
+        solid.emplace_back(thing.title, label);
+      }
+    }
+    for (std::size_t i = 0; i < solid.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (solid[i].second.overlaps(solid[j].second)) FAIL_CHECK(solid[i].first << " overlaps " << solid[j].first);
+      }
+    }
+  }
+}
+
+TEST_CASE("500 groups can be read by their modules") {
+  if (!has_graphviz()) return;
+  const std::vector<std::string> layers{"purpose", "strategy", "planning", "skill", "actuation"};
+  std::string text = "behaviour: big\nlanguage: 1\nlayers: [purpose, strategy, planning, skill, actuation]\n"
+                     "roots: {Purpose0: {priority: 10}}\ngroups:\n";
+  const auto name = [](std::size_t layer, std::size_t i) {
+    return "G" + std::to_string(layer) + "x" + std::to_string(i);
+  };
+  text.replace(text.find("Purpose0"), 8, name(0, 0));
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    for (std::size_t i = 0; i < 100; ++i) {
+      text += "  " + name(layer, i) + ": {layer: " + layers[layer] + ", module: " + layers[layer] +
+              std::to_string(i / 12) + ", tasks: [";
+      if (layer + 1 < layers.size()) text += name(layer + 1, i) + ", " + name(layer + 1, (i + 9) % 100);
+      text += "]}\n";
+    }
+  }
+  World world;
+  world.files.add("big.yaml", text);
+  REQUIRE(world.directorc({"graph", "big.yaml", "--collapse=module"}) == 0);
+  compiler::cli::ChildPrograms programs;
+  const Svg svg = read_svg(programs.run({"dot", "-Tsvg"}, world.out).output);
+  CHECK(svg.width <= 2'600);
+  std::size_t boxes = 0;
+  for (const SvgThing& thing : svg.things) boxes += thing.title.starts_with("module ") && !thing.is_arrow ? 1 : 0;
+  CHECK(boxes == 45);
+}
+
+TEST_CASE("every text can be read on what is behind it") {
+  if (!has_graphviz()) return;
+  for (const Measured& picture : pictures()) {
+    const Svg& svg = svg_of(picture);
+    for (const std::string& ink : svg.text_colours) {
+      for (const std::string& ground : svg.grounds) {
+        CAPTURE(picture.file, ink, ground);
+        CHECK(contrast(ink, ground) >= 4.5);
+      }
+    }
+  }
+}
+
+TEST_CASE("titles and tooltips are names and words, and no numbers of the program's own") {
+  if (!has_graphviz()) return;
+  static const std::regex number("(^|[^A-Za-z0-9_])(g|p|r|k|l|node|edge|cluster)[0-9]+([^A-Za-z0-9_]|$)");
+  for (const Measured& picture : pictures()) {
+    const Svg& svg = svg_of(picture);
+    CAPTURE(picture.file, picture.options);
+    CHECK_FALSE(svg.title.empty());
+    CHECK(std::regex_search(svg.description, std::regex("[0-9]+ groups?.*; [0-9]+ request")));
+    for (const SvgThing& thing : svg.things) {
+      CAPTURE(thing.title);
+      CHECK_FALSE(std::regex_search(thing.title, number));
+      CHECK(thing.title.find("->") == std::string::npos);
+      CHECK_FALSE(thing.tooltips.empty());
+      for (const std::string& words : thing.tooltips) {
+        CHECK_FALSE(words.empty());
+        CHECK_FALSE(std::regex_search(words, number));
+      }
+    }
+  }
+}
+
+TEST_CASE("each box and arrow leads to its line") {
+  if (!has_graphviz()) return;
+  const Svg& svg = svg_of({"tests/docs/rover/rover.yaml", {"--link=https://example.org/{file}?plain=1#L{line}"}, 700});
+  for (const SvgThing& thing : svg.things) {
+    if (thing.title.starts_with("layer ")) continue;
+    CAPTURE(thing.title);
+    REQUIRE_FALSE(thing.links.empty());
+    for (const std::string& link : thing.links)
+      CHECK(std::regex_match(link, std::regex("https://example\\.org/.*rover\\.yaml\\?plain=1#L[0-9]+")));
+  }
+}
+
+} // namespace

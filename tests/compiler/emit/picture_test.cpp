@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// What a picture shows, before any format.
+#include "compiler/emit/graph/legend.hpp"
+#include "compiler/emit/graph/picture.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+using namespace director;
+using namespace director::compiler;
+
+constexpr std::string_view walker = R"(behaviour: walker
+language: 1
+layers: [purpose, skill, limb]
+states:
+  Pose: {values: [moving, standing]}
+  Ball: {values: [lost, seen], external: true}
+triggers: [Sensors]
+roots:
+  Player: {priority: {normal: 10, urgent: 80}}
+  Cheer: {optional: true}
+groups:
+  Player:
+    doc: |
+      Plays.
+      And plays.
+    layer: purpose
+    providers:
+      - name: playing
+        when: [Ball == seen]
+        stay: [Ball != lost]
+        packs:
+          kick: {Kick: {priority: 20}, Walk: {priority: 10}}
+          go: {Walk: {priority: 10}, Look: {apart: true}, Cheer: {optional: true}}
+      - {name: waiting, every: 1500 ms, tasks: {Look: {}}}
+  Cheer: {layer: purpose, needs: [Arm], tasks: [Arm]}
+  Walk:
+    layer: skill
+    stop: {sets: [Pose == standing]}
+    triggers: [Sensors]
+    providers:
+      - {name: walking, needs: [Left, Right], sets: [Pose == moving], tasks: [Left, Right]}
+      - {name: halting, needs: [Left, Right], causing: [Pose == standing within 2 s], tasks: [Left, Right]}
+  Kick: {layer: skill, when: [Pose == standing], needs: [Left, Right], tasks: [Left, Right]}
+  Look: {layer: skill, needs: [Head]}
+  Left: {layer: limb, data: int}
+  Right: {layer: limb, data: int}
+  Arm: {layer: limb}
+  Head: {layer: limb}
+)";
+
+Picture picture_of(std::string_view text, const PictureOptions& options = {}) {
+  const tests::Compiled from = tests::compile(std::string(text));
+  return make_picture(from.model, make_graph(from.model), from.sources, options);
+}
+
+std::string name_of(PictureArrow::Kind kind) {
+  switch (kind) {
+  case PictureArrow::Kind::task: return "task";
+  case PictureArrow::Kind::need: return "need";
+  case PictureArrow::Kind::both: return "both";
+  case PictureArrow::Kind::push: return "push";
+  case PictureArrow::Kind::take: break;
+  }
+  return "take";
+}
+
+std::string name_of(const Picture& picture, const PictureEnd& end) {
+  const PictureBox& box = picture.boxes[end.box];
+  std::string out = box.name;
+  if (end.row && !box.rows[*end.row].name.empty()) out += "." + box.rows[*end.row].name;
+  if (end.pack) out += "." + box.rows[end.row.value_or(0)].packs[*end.pack].name;
+  return out;
+}
+
+/// A line for each arrow.
+std::string arrows_of(const Picture& picture) {
+  std::string out;
+  for (const PictureArrow& arrow : picture.arrows) {
+    std::string label = arrow.label;
+    std::replace(label.begin(), label.end(), '\n', '/');
+    out += fmt::format("{} -> {} {}{}{}{}{}\n", name_of(picture, arrow.from), name_of(picture, arrow.to),
+                       name_of(arrow.kind), arrow.optional ? " optional" : "", arrow.apart ? " apart" : "",
+                       label.empty() ? "" : " (" + label + ")", arrow.ranks ? "" : " up");
+  }
+  return out;
+}
+
+std::string boxes_of(const Picture& picture) {
+  std::string out;
+  for (const PictureLayer& layer : picture.layers) {
+    out += (layer.name.empty() ? "-" : layer.name) + ":";
+    for (const std::size_t box : layer.boxes) out += fmt::format(" [{}]", picture.boxes[box].name);
+    out += "\n";
+  }
+  return out;
+}
+
+TEST_CASE("every request has its priority, and leaves from the provider or the pack that asks") {
+  CHECK(arrows_of(picture_of(walker)) == "Player.playing.go -> Cheer task optional (0)\n"
+                                         "Player.playing -> Walk task (10)\n"
+                                         "Player.playing.kick -> Kick task (20)\n"
+                                         "Player.playing.go -> Look task apart (0)\n"
+                                         "Player.waiting -> Look task (0)\n"
+                                         "Cheer -> Arm both\n"
+                                         "Walk -> Left, Right both\n"
+                                         "Kick -> Left, Right both\n"
+                                         "Look -> Head need\n"
+                                         "Kick -> Walk.halting push (Pose == standing) up\n");
+}
+
+TEST_CASE("boxes stand in their layers, and those that all the same ones ask for share one") {
+  CHECK(boxes_of(picture_of(walker)) == "purpose: [Player] [Cheer]\n"
+                                        "skill: [Walk] [Kick] [Look]\n"
+                                        "limb: [Left, Right] [Arm] [Head]\n");
+}
+
+TEST_CASE("a box says what its group, its providers and its handlers declare") {
+  const Picture picture = picture_of(walker);
+  const auto lines = [](const std::vector<PictureLine>& all) {
+    std::string out;
+    for (const PictureLine& line : all) out += line.key + " " + line.text + "; ";
+    return out;
+  };
+  const PictureBox &player = picture.boxes[0], &cheer = picture.boxes[1], &walk = picture.boxes[2];
+  CHECK(player.asked == "normal 10, urgent 80");
+  CHECK(cheer.asked == "0, optional");
+  CHECK_FALSE(walk.asked.has_value());
+  CHECK(player.about == PictureText{"Player: Plays. And plays.", "test.yaml", 12});
+  CHECK(lines(player.rows[0].lines) == "when Ball == seen; stay Ball != lost; ");
+  CHECK(lines(player.rows[1].lines) == "every 1500 ms; ");
+  REQUIRE(player.rows[0].packs.size() == 2);
+  CHECK(player.rows[0].packs[1].about == PictureText{"Player.playing, pack go", "test.yaml", 23});
+  CHECK(lines(walk.lines) == "stop sets Pose == standing; ");
+  CHECK(lines(walk.rows[0].lines) == "sets Pose == moving; on Sensors; ");
+  CHECK(lines(walk.rows[1].lines) == "causing Pose == standing within 2 s; on Sensors; ");
+  CHECK(walk.rows[1].about ==
+        PictureText{"Walk.halting\ncausing Pose == standing within 2 s\non Sensors", "test.yaml", 32});
+}
+
+TEST_CASE("a view shows its own arrows only, and a focus what has to do with some groups") {
+  const tests::Compiled from = tests::compile(std::string(walker));
+  PictureOptions options;
+  const auto picture = [&](const PictureOptions& asked) {
+    return make_picture(from.model, make_graph(from.model), from.sources, asked);
+  };
+  const auto drawn = [&](const PictureOptions& asked) { return arrows_of(picture(asked)); };
+  options.view = PictureOptions::View::needs;
+  CHECK(drawn(options) == "Cheer -> Arm need\n"
+                          "Walk -> Left, Right need\n"
+                          "Kick -> Left, Right need\n"
+                          "Look -> Head need\n");
+  options.view = PictureOptions::View::pushes;
+  CHECK(drawn(options) == "Kick -> Walk.halting push (Pose == standing) up\n");
+  options.view = PictureOptions::View::takes;
+  options.take_overs = {{from.edge("root>Player"), from.edge("root>Cheer")}};
+  CHECK(drawn(options) == "Player -> Cheer take (the program: 10 over 0 optional)\n");
+  options = {};
+  options.focus = {from.group("Cheer")};
+  CHECK(boxes_of(picture(options)) == "purpose: [Player] [Cheer]\n"
+                                      "limb: [Arm]\n");
+  options.depth = 0;
+  CHECK(boxes_of(picture(options)) == "purpose: [Cheer]\n");
+  options.focus = {from.group("Kick")};
+  options.depth = 1;
+  CHECK(boxes_of(picture(options)) == "purpose: [Player]\n"
+                                      "skill: [Walk] [Kick]\n"
+                                      "limb: [Left, Right]\n");
+}
+
+TEST_CASE("modules and layers are folded into a box each, and arrows within them are gone") {
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::layers;
+  CHECK(arrows_of(picture_of(walker, options)) == "layer purpose -> layer skill task\n"
+                                                  "layer purpose -> layer limb both\n"
+                                                  "layer skill -> layer limb both\n");
+  CHECK(boxes_of(picture_of(walker, options)) == "-: [layer purpose] [layer skill] [layer limb]\n");
+  options.fold = PictureOptions::Fold::modules;
+  CHECK(boxes_of(picture_of(walker, options)) == "purpose: [module test]\n");
+}
+
+TEST_CASE("with more than 40 boxes an arrow stands for all providers and packs of its group") {
+  std::string text = "behaviour: large\nlanguage: 1\nroots: [Head]\ngroups:\n  Head:\n    packs:\n"
+                     "      one: {A0: {priority: 1}, A1: {}}\n      two: {A0: {priority: 2}}\n";
+  const auto with = [&](int count) {
+    std::string out = text;
+    for (int i = 0; i < count; ++i) out += fmt::format("  A{}: {{every: 1 s}}\n", i);
+    return picture_of(out);
+  };
+  const Picture small = with(39), large = with(40);
+  CHECK(arrows_of(small) == "Head.one -> A0 task (1)\nHead.two -> A0 task (2)\nHead.one -> A1 task (0)\n");
+  CHECK(small.boxes.front().rows.front().packs.size() == 2);
+  CHECK(arrows_of(large) == "Head -> A0 task (1, 2)\nHead -> A1 task (0)\n");
+  CHECK(large.boxes.front().rows.front().packs.empty());
+  CHECK(large.arrows.front().about.words ==
+        "Head, pack one, requests A0, priority 1\nHead, pack two, requests A0, priority 2");
+}
+
+TEST_CASE("the legend names what is drawn, and nothing else") {
+  const auto words = [](const Picture& picture) {
+    std::string out;
+    for (const LegendEntry& entry : legend_of(picture))
+      out += (entry.sign.empty() ? "" : entry.sign + ": ") + entry.words + "\n";
+    return out;
+  };
+  CHECK(words(picture_of("behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {}}\n")) ==
+        "thick frame: the program itself requests it\n");
+  CHECK(words(picture_of(walker)) ==
+        "requests\n"
+        "requests, optional: weaker than all that is not\n"
+        "requests, apart: granted by itself\n"
+        "needs: holds it while it runs\n"
+        "needs and requests\n"
+        "waits until that is true, and may push the other to make it true\n"
+        "20: priority among all that the same one requests: the higher one wins\n"
+        "thick frame: the program itself requests it, with that priority\n"
+        "rows: providers, the preferred one first; an arrow from one row is of that provider alone\n"
+        "\u25C7: packs: it requests one of them at a time\n"
+        "dashed box: groups that the same ones ask for in the same way\n"
+        "when, stay: must hold, for it to run and to go on\n"
+        "causing: makes that true when it is pushed\n"
+        "sets: may set that, and promises nothing\n"
+        "on, every: runs again then\n");
+}
+
+TEST_CASE("a picture in words says what it is for and how much there is of what") {
+  CHECK(
+      summary(picture_of(walker)) ==
+      "9 groups, in the layers purpose, skill, limb; 8 requests, 4 needs, 1 push. The program requests Player, Cheer.");
+}
+
+} // namespace
