@@ -119,7 +119,7 @@ void Engine::stop_group(Index group) {
     if (planted(Fault::stopped_requests_stand)) continue;
     if (s_.request[e].level == nil) continue;
     s_.request[e].level = nil;
-    s_.edge_trail[e] |= trail::changed;
+    note_rerequest(e);
   }
 }
 
@@ -225,7 +225,7 @@ void Engine::adopt_order(Index component) {
   const Index count = s_.order_count[component] = s_.next_count[component];
   const Index* const next = s_.next_order + row.order;
   Index* const order = s_.order + row.order;
-  for (Index i = 0; i < count; ++i) order[i] = next[i];
+  for (Index i = s_.first_moved[component]; i < count; ++i) order[i] = next[i];
 }
 
 void Engine::report_decisions(Index component) const {

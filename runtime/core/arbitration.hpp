@@ -6,9 +6,9 @@
 // The pass of semantics.md 4 is greedy along the order of edges: the first candidate takes what it needs, and nobody
 // behind it can change that. So one sweep decides, and only the rule that equals never take from each other can ask for
 // a repetition. A sweep goes along the order as the last one did and decides a unit again only where something reaches
-// it that is another than last time (trail.cpp); what is not reached stands as it stood. What comes out equals the pass
-// from nothing. Cost: some work for each group that is claimed or requested, and for each unit that is reached
-// providers and plans tried, each compared along its chain of holders.
+// it that is another than last time (reach.cpp); groups that hold nothing of that are passed by, each with all below it
+// (trail.cpp). What comes out equals the pass from nothing. Cost: some work for each edge of root and for each edge of a
+// group that is looked at, and for each unit reached providers and plans tried, each compared along its chain of holders.
 //
 // While it decides, a pass notes what its result may depend on besides requests, values and flags: on the assignment
 // before (then it has to be repeated on its own result), and on whose orders are outdated (then again when that
@@ -31,7 +31,9 @@ public:
 
   /// The next pass over each component begins from nothing: the last assignment is not that of its last pass.
   void forget_trail() {
-    for (Index c = 0; c < t_.components.size(); ++c) s_.known[c] = 0;
+    for (Index c = 0; c < t_.components.size(); ++c) s_.news_count[c] = nil;
+    for (Index g = 0; g < t_.groups.size(); ++g) s_.now[g] = s_.last[g];
+    for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.now.plan[slot] = s_.last.plan[slot];
   }
   /// A component of at most so many groups is decided whole. To find out what a change reaches costs more there.
   void set_most_decided_whole(Index groups) {
@@ -43,11 +45,12 @@ public:
   /// Writes State::traits and component_traits, which follow from the tables. Once, before the first pass.
   void find_traits();
 
-  /// The pass that was made last has left the group as it was, but for what follows when all is claimed.
-  bool as_before(Index group) const {
-    return !whole_ && (s_.group_trail[group] & trail::disturbed) == 0 && (s_.group_marks[group] & mark::listed) == 0 &&
-           (s_.now[group].flags & flag::needed) == 0 && s_.now[group].holder == s_.last[group].holder;
+  /// The groups that the pass that was made last looked at: all others stand as they stood.
+  std::span<const Index> opened() const {
+    return whole_ ? t_.list(c_.groups) : std::span<const Index>{s_.opened + c_.order, opened_count_};
   }
+  /// Notes of it what the next one has to know.
+  void end_trail();
   /// A plan of some group may pick one provider or another.
   bool alternatives(Index component) const { return (s_.component_traits[component] & trait::alternatives) != 0; }
   /// The result may be another one when it is the last assignment itself.
@@ -57,6 +60,10 @@ public:
 
 protected:
   bool holds(Index condition) const { return s_.truth[condition] != 0; }
+  void touch_group(Index group);
+
+  Index flipped_count_ = 0;     ///< rows of State::flipped in use
+  Index rerequested_count_ = 0; ///< rows of State::rerequested in use
 
 private:
   bool can_be_equal(const Component& row);
@@ -64,7 +71,7 @@ private:
   // choose.cpp: sections 4.2 and 4.3
   bool alive(Index edge) const;
   bool available(Index group, Index edge, bool record) {
-    const Index claimant = s_.now[group].holder;
+    const Index claimant = holder_now(group);
     if (claimant != nil) return claimant == edge;
     const Index before = s_.last[group].holder;
     return before == nil || before == edge || is_limbo(before) || !kept_by_equal(group, edge, record);
@@ -94,7 +101,8 @@ private:
   Index slot_of(Index owner, Index group) const;
 
   // pass.cpp: section 4.4
-  void clear();
+  void begin_sweep();
+  void sweep_again();
   bool denied_in_vain();
   Index stale_source(Index group) const;
   bool stale(Index group) const { return stale_source(group) != current; }
@@ -106,11 +114,27 @@ private:
     return last.holder == edge && last.granted();
   }
 
-  // trail.cpp: what is decided again
+  // trail.cpp: what is looked at. reach.cpp: what is decided again
+  template <class ComponentOf, class Take>
+  void take_own(Index* list, Index& count, ComponentOf&& component_of, Take&& take);
   void begin_trail();
-  void end_trail();
-  void take_up(Index edge);
+  void open_all();
+  void clear(Index group);
+  void open(Index group);
+  void mark_pushers();
+  template <class Visit>
+  void each_user_edge(Index group, Visit&& visit);
+  void take_up(Index edge, bool with_siblings);
   void take_up_last(Index group);
+  void reach_edge(Index edge);
+  bool has_to_be_looked_at(Index group) const;
+  bool is_outdated(Index group) const { return (s_.group_marks[group] & mark::outdated) != 0; }
+  bool outdates(Index group) const;
+  bool can_stand(Index group) const;
+  bool waits(Index group) const;
+  void open_waiting();
+  void disturb();
+  void clear_marks();
   void reach(Index group);
   void move(Index group);
   void reach_pushes_of(Index edge);
@@ -124,9 +148,12 @@ private:
   void repeat(Index edge);
   void repeat_grant(Index edge);
   void begin_decision(Index count);
+  void begin_followed(Index count);
+  void rest_on(Index edge, std::uint8_t bits);
   void end_decision(Index count) {
-    if (followed_) compare_with_last(count);
+    if (is_followed()) compare_with_last(count);
   }
+  bool is_followed() const { return c_.groups.size() > most_decided_whole_; }
   void compare_with_last(Index count);
   void compare_member(Index edge);
   void compare_claim(Index group);
@@ -136,7 +163,7 @@ private:
   void try_members(Index count, bool outdated);
   /// An edge before it has its target.
   bool taken(Index edge) const {
-    const Index holder = s_.now[target(edge)].holder;
+    const Index holder = holder_now(target(edge));
     return holder != nil && holder != edge;
   }
   bool premature(Index count);
@@ -150,6 +177,7 @@ private:
   void plan_for(Index owner, Index provider, Index begin, Index end);
   void claim_plan(Index begin, Index end);
   void block(Index count);
+  void block_alone(Index edge);
   void refuse(Index count);
   void explain(Index count, Why why, Index condition = nil);
 
@@ -162,6 +190,9 @@ private:
   void visit_root(Index edge);
   void visit(Index edge, std::uint8_t marks);
   void place(Index group);
+  void put(Index group, Index at);
+  void pass(Index group);
+  void leave_to(Index group);
   void look_ahead(Index group);
   bool look_ahead_to(Index edge, Index base);
   void try_unit(Index edge, bool outdated);
@@ -192,7 +223,7 @@ private:
   // push.cpp: the pushes of a unit
   bool in_unit(Index edge, Index count) const;
   Index collect_unmet(Index count);
-  std::span<const Index> pushed_groups() const { return {s_.pushed, pushed_count_}; }
+  std::span<const Index> pushed_groups() const { return {s_.pushed + c_.order, pushed_count_}; }
   void list_push(Index group);
   void set_push(Index group, const Push& push);
   void keep_pushes(Index count);
@@ -218,22 +249,25 @@ private:
   bool equals_ = false;  ///< edges may be equal
   bool pushed_ = false;  ///< there were pushes in the last assignment
   bool pushing_ = false; ///< there are in this one
-  bool needs_ = false;   ///< something is held for a need
-  bool limbo_ = false;   ///< or in limbo
   Index most_decided_whole_ = 16;
   bool whole_ = false;     ///< all of it is decided
-  bool followed_ = false;  ///< and what comes out is compared, for the next pass
   bool disturbed_ = false; ///< something is, or may be, another than in the last pass
   bool on_last_ = false, on_stale_ = false; ///< of the units decided before the one in hand
-  Index disturbed_count_ = 0; ///< rows of State::disturbed in use
-  Index moved_ = 0;           ///< rows of State::moved in use
-  Index pushed_count_ = 0;    ///< rows of State::pushed in use
+  Index first_moved_ = nil;     ///< the first place in the order that another group has than before
+  Index limbo_ = 0;             ///< from this place on the groups of the order are in limbo, or below such a one
+  Index top_ = nil;             ///< the group that was placed last, or one above it
+  Index opened_count_ = 0;      ///< rows of State::opened in use
+  Index reached_count_ = 0;     ///< rows of State::reached in use
+  Index kept_count_ = 0;        ///< rows of State::news that were left alone when the pass began
+  Index stale_kept_ = 0;        ///< those of them whose orders are outdated
+  Index pushed_count_ = 0;      ///< rows of State::pushed in use
   std::uint64_t decided_ = 0; ///< units
   mutable bool depends_on_last_ = false, depends_on_stale_ = false;
 };
 
 /// For this very edge, or for the first time.
 inline void Pass::claim(Index group, Index edge) {
+  if (!is_opened(group)) open(group);
   Standing& now = s_.now[group];
   if (now.holder != nil) return; // for this very edge
   now.holder = edge;
@@ -245,6 +279,21 @@ inline void Pass::claim(Index group, Index edge) {
     const Lineage& above = s_.lineage[from];
     s_.lineage[group] = {static_cast<Index>(above.depth + 1), above.top, above.optional || optional(edge)};
   }
+}
+
+/// What is decided about the group in this pass: nothing yet.
+inline void Pass::clear(Index group) {
+  s_.now[group] = Standing{};
+  s_.turn[group].counts = 0;
+  const Range slots = alternatives(component_) ? t_.groups[group].slots : Range{};
+  for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
+}
+
+/// In the new order.
+inline void Pass::put(Index group, Index at) {
+  if (at < first_moved_ && (at >= s_.order_count[component_] || s_.order[c_.order + at] != group)) first_moved_ = at;
+  s_.next_order[c_.order + at] = group;
+  s_.place[group] = at;
 }
 
 /// The target of an edge, which is claimed, runs in the provider chosen.
@@ -267,11 +316,7 @@ inline void Pass::begin_decision(Index count) {
     s_.edge_marks[s_.unit[at]] |= mark::visited;
     s_.queued[s_.unit[at]] = Queued{};
   }
-  if (!followed_) return;
-  on_last_ = depends_on_last_, on_stale_ = depends_on_stale_;
-  depends_on_last_ = depends_on_stale_ = false;
-  for (Index at = 0; at < count; ++at)
-    s_.edge_trail[s_.unit[at]] &= static_cast<std::uint8_t>(~trail::kept);
+  if (is_followed()) begin_followed(count);
 }
 
 } // namespace director

@@ -35,6 +35,7 @@ bool Pass::kept_by_equal(Index group, Index edge, bool record) {
     return false;
   depends_on_last_ = depends_on_stale_ = true;
   if (record && (s_.group_marks[group] & mark::denied) == 0) {
+    open(group);
     s_.group_marks[group] |= mark::denied;
     s_.denied[denied_++] = group;
   }

@@ -13,7 +13,7 @@ namespace director {
 /// or to what would be below it?
 bool Pass::may_deny(Index group, Index edge, Index member) const {
   const Index holder = s_.last[group].holder;
-  return holder != nil && holder != edge && s_.now[group].holder == nil && !is_limbo(holder) &&
+  return holder != nil && holder != edge && holder_now(group) == nil && !is_limbo(holder) &&
          (s_.edge_marks[holder] & mark::refused) == 0 && alive(holder) &&
          !never_equal({member, Along::now}, {holder, Along::last});
 }

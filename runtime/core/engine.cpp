@@ -37,6 +37,8 @@ void Engine::reset() {
   for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = nil;
   for (Index g = 0; g < t_.groups.size(); ++g) s_.trial[g] = s_.data_from[g] = nil;
   find_traits();
+  flipped_count_ = rerequested_count_ = 0;
+  forget_trail();
   for (Index c = 0; c < t_.components.size(); ++c) {
     Index* link = &s_.first_root[c];
     for (const Index e : t_.list(t_.components[c].edges)) {

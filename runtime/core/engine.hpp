@@ -183,6 +183,7 @@ private:
   Index next_of_queue();
   void leave_queue(Index group);
   void forget_triggers(Index group);
+  void note_rerequest(Index edge);
   void mark_request(Index edge);
   void request(Index edge, Index level);
   void withdraw(Index edge);

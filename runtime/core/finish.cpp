@@ -17,6 +17,9 @@ void Pass::hand_over() {
     s_.reach[0] = group;
     if (reached_from_stale(1, nil)) hand_over(group);
   }
+  const std::span<Index> limbo{s_.next_order + c_.order + limbo_, static_cast<std::size_t>(placed_ - limbo_)};
+  sort(limbo, Along::now); // by declaration
+  for (Index at = limbo_; at < placed_; ++at) put(limbo[at - limbo_], at);
 }
 
 void Pass::hand_over(Index group) {
@@ -26,7 +29,6 @@ void Pass::hand_over(Index group) {
   }
   depends_on_last_ = depends_on_stale_ = true;
   measured_ = false;
-  limbo_ = needs_ = true;
   claim(group, static_cast<Index>(t_.edges.size() + group));
   s_.now[group].active = s_.last[group].active;
   if (s_.last[group].planned != nil) plan_for(group, s_.last[group].planned, 0, end);
@@ -65,17 +67,15 @@ Index Pass::entries_of(Index group, const Assignment& of) {
 
 /// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
 void Pass::finish() {
-  const std::span<Index> claimed{s_.next_order + c_.order, placed_};
-  for (const Index g : needs_ ? claimed : std::span<Index>{}) {
-    if (s_.now[g].active != nil || s_.last[g].active == nil) continue;
+  leave_to(nil);
+  for (const Index g : opened()) {
+    if (s_.now[g].holder == nil || s_.now[g].active != nil || s_.last[g].active == nil) continue;
     depends_on_last_ = depends_on_stale_ = true;
     if (stale(g) || planted(Fault::unwanted_needs_live_on)) s_.now[g].active = s_.last[g].active;
   }
   s_.next_count[component_] = placed_;
+  s_.first_moved[component_] = first_moved_;
   if (pushing_) finish_pushes();
-  if (!limbo_) return;
-  sort(claimed, Along::now); // what is in limbo goes by declaration
-  for (Index i = 0; i < placed_; ++i) s_.place[claimed[i]] = i;
 }
 
 void Pass::finish_pushes() {

@@ -95,7 +95,7 @@ Engine::Taken Engine::take_request(Input& record) {
   if (planted(Fault::enabling_is_overlooked)) return Taken::change;
   const Index component = t_.groups[t_.providers[provider].group].component;
   mark(component, work::changed);
-  s_.known[component] = 0; // who may push it is not noted, and this is rare
+  s_.news_count[component] = nil; // who may push it is not noted, and this is rare
   return Taken::change;
 }
 
@@ -175,7 +175,7 @@ void Engine::look_at_conditions(Index state) {
     s_.truth[condition] = now ? 1 : 0;
     if (!s_.counters->begun || planted(Fault::conditions_are_overlooked)) continue;
     for (const Index component : t_.list(row.components)) mark(component, work::changed);
-    for (const Index group : t_.list(row.groups)) s_.group_trail[group] |= trail::touched;
+    for (const Index group : t_.list(row.groups)) touch_group(group);
   }
   s_.values[state].calm = calm;
 }

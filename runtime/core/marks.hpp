@@ -44,9 +44,11 @@ inline constexpr std::uint8_t kept = on_last | on_stale | waits;
 inline constexpr std::uint8_t disturbed = 1; ///< its holder, provider, plan or push may be another than last time
 inline constexpr std::uint8_t moved = 2;     ///< its place in the order may be another than last time
 inline constexpr std::uint8_t touched = 4;   ///< since the last pass a condition of a provider flipped
-inline constexpr std::uint8_t news = disturbed | moved | touched;
 inline constexpr std::uint8_t stale = 8;     ///< its orders were outdated in the last pass
 inline constexpr std::uint8_t asks = 16;     ///< what it requests was looked at in the last pass
+inline constexpr std::uint8_t opened = 32;   ///< this pass looks at it; otherwise it stands as it stood
+inline constexpr std::uint8_t passed = 64;   ///< it, and all below it, stands as it stood and goes before the edge in hand
+inline constexpr std::uint8_t again = 128;   ///< the next pass has to look at it, whatever happens
 } // namespace trail
 
 /// Bits of Turn::places. What else there is to tell of the group stands there too.

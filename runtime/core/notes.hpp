@@ -143,10 +143,16 @@ DIRECTOR_INLINE void Engine::forget_work() {
 
 // What inputs and runs ask for.
 
+inline void Engine::note_rerequest(Index edge) {
+  if ((s_.edge_trail[edge] & trail::changed) != 0) return;
+  s_.edge_trail[edge] |= trail::changed;
+  s_.rerequested[rerequested_count_++] = edge;
+}
+
 /// Of an edge that is requested at another level than before, or not any more.
 DIRECTOR_INLINE void Engine::mark_request(Index edge) {
   const Index component = s_.turn[s_.request[edge].target].component;
-  s_.edge_trail[edge] |= trail::changed;
+  note_rerequest(edge);
   mark(component, edge < t_.root_edges ? work::changed | work::reordered : work::changed);
 }
 

@@ -12,6 +12,14 @@
 
 namespace director {
 
+/// The walk has passed something that it is a part of.
+bool Order::is_passed(Index group) const {
+  for (; group != nil && !is_opened(group); group = requester_of_holder(s_.last[group])) {
+    if ((s_.group_trail[group] & trail::passed) != 0) return true;
+  }
+  return false;
+}
+
 Order::Chain Order::chain(Place place) const {
   Chain out;
   for (; place.edge != nil; place.edge = above(place)) {
@@ -19,7 +27,7 @@ Order::Chain Order::chain(Place place) const {
     const Index group = requester(place.edge);
     if (group == nil) {
       out.top = place.edge;
-    } else if (measured_ && place.along == Along::now && s_.now[group].holder != nil) {
+    } else if (measured_ && place.along == Along::now && holder_now(group) != nil) {
       out.length = static_cast<Index>(out.length + s_.lineage[group].depth);
       out.top = place.edge; // some edge that is not limbo: which one does not matter
       break;

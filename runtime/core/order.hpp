@@ -3,6 +3,7 @@
 // Section 4.1: the order between two edges, each with the chain of its holders up to root. It is keyed by chains that
 // move while the static ranks do not: the priority table of each requester (Level::urgency, Level::optional).
 
+#include "runtime/core/marks.hpp"
 #include "runtime/core/planted.hpp"
 #include "runtime/core/state.hpp"
 #include "runtime/core/tables.hpp"
@@ -83,10 +84,22 @@ protected:
     const Index group = requester(place.edge);
     if (group == nil) return nil;
     if (place.along == Along::last) return s_.last[group].holder;
-    return s_.now[group].holder != nil ? s_.now[group].holder : s_.trial[group];
+    const Index holder = holder_now(group);
+    return holder != nil ? holder : s_.trial[group];
   }
   /// In this pass; root always is.
-  bool claimed(Index group) const { return group == nil || s_.now[group].holder != nil; }
+  bool claimed(Index group) const { return group == nil || holder_now(group) != nil; }
+  /// The edge that has claimed the group so far. One that the pass in hand has not opened stands as in the last pass, and
+  /// counts from where the walk passes it.
+  Index holder_now(Index group) const {
+    const Index holder = s_.now[group].holder;
+    return holder == nil || !walking_ || is_opened(group) || is_passed(group) ? holder : nil;
+  }
+  bool is_opened(Index group) const { return (s_.group_trail[group] & trail::opened) != 0; }
+  bool is_passed(Index group) const;
+  Index requester_of_holder(const Standing& standing) const {
+    return standing.holder == nil ? nil : requester(standing.holder);
+  }
   Chain chain(Place place) const;
   bool optional(Index edge) const { return requested(edge) && t_.levels[s_.request[edge].level].optional; }
   Index urgency(Index edge) const {
@@ -96,6 +109,7 @@ protected:
 
   const Tables t_;
   State s_;
+  bool walking_ = false;  ///< a pass is on its way along the order
   bool measured_ = false; ///< State::lineage holds for what is claimed now, and nothing of it is in limbo
 };
 

@@ -12,47 +12,45 @@ void Pass::decide(Index component) {
   c_ = t_.components[component];
   component_ = component;
   equals_ = (s_.component_traits[component] & trait::equals) != 0;
-  depends_on_stale_ = limbo_ = false;
-  pushed_count_ = disturbed_count_ = 0;
-  whole_ = s_.known[component] == 0;
-  for (const Index g : t_.list(c_.groups)) {
-    s_.group_marks[g] = 0;
-    s_.turn[g].counts = 0;
-    if (s_.last[g].push.edge != nil) list_push(g);
-    if ((s_.group_trail[g] & trail::news) != 0) s_.disturbed[disturbed_count_++] = g;
-    s_.now[g] = Standing{};
-  }
+  pushed_ = s_.pushed_count[component] != 0;
+  begin_trail();
   pushed_ = pushed_count_ != 0;
-  depends_on_last_ = pushed_;
+  depends_on_stale_ = false;
+  depends_on_last_ = pushed_ || s_.on_last[component] != 0;
   sort_roots();
-  clear();
-  for (begin_trail();; clear()) {
+  for (begin_sweep();; sweep_again()) {
     sweep();
     if (denied_ == 0 || !denied_in_vain()) break;
-    for (const Index g : t_.list(c_.groups)) {
-      s_.group_marks[g] &= mark::forgotten | mark::listed;
-      s_.now[g] = Standing{};
-    }
   }
+  walking_ = false;
+  limbo_ = placed_;
   if (stale_granted_ != 0 && inherited_ != s_.order_count[component]) hand_over();
   finish();
-  end_trail();
   measured_ = false; // from here on it may be about several components
 }
 
-void Pass::clear() {
-  ahead_ = postponed_ = placed_ = inherited_ = denied_ = stale_granted_ = 0;
-  measured_ = pushed_ || (s_.component_traits[component_] & trait::compared) != 0;
-  pushing_ = needs_ = false;
-  for (const Index g : alternatives(component_) ? t_.list(c_.groups) : std::span<const Index>{}) {
-    const Range slots = t_.groups[g].slots;
-    for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
+void Pass::begin_sweep() {
+  ahead_ = postponed_ = placed_ = inherited_ = denied_ = 0;
+  stale_granted_ = stale_kept_;
+  first_moved_ = top_ = nil;
+  measured_ = is_followed() || pushed_ || (s_.component_traits[component_] & trait::compared) != 0;
+  pushing_ = false;
+}
+
+/// From the beginning, but for which denials are forgotten.
+void Pass::sweep_again() {
+  clear_marks();
+  mark_pushers();
+  for (const Index g : opened()) {
+    s_.group_marks[g] &= mark::forgotten | mark::listed;
+    clear(g);
   }
-  for (const Index e : t_.list(c_.edges)) s_.edge_marks[e] = 0;
-  for (const Index g : pushed_groups()) {
-    const Index pusher = s_.last[g].push.edge;
-    if (pusher != nil) s_.edge_marks[pusher] |= mark::pushes;
+  const Index* const order = s_.order + c_.order;
+  for (Index i = 0; i < s_.order_count[component_]; ++i) {
+    s_.place[order[i]] = i;
+    s_.next_order[c_.order + i] = order[i];
   }
+  begin_sweep();
 }
 
 /// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.

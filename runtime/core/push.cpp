@@ -59,8 +59,9 @@ bool Pass::somebody_satisfies(Index condition) const {
 /// The group has a push, in the last assignment or in this one.
 void Pass::list_push(Index group) {
   if ((s_.group_marks[group] & mark::listed) != 0) return;
+  if (walking_) open(group);
   s_.group_marks[group] |= mark::listed;
-  s_.pushed[pushed_count_++] = group;
+  s_.pushed[c_.order + pushed_count_++] = group;
 }
 
 void Pass::set_push(Index group, const Push& push) {
@@ -212,7 +213,7 @@ bool Pass::relax(Index provider) {
     const Index plan = number++;
     bool possible = true;
     for (Index i = 0; i < end; ++i)
-      possible = possible && s_.now[s_.entry_group[i]].holder == nil && s_.enabled[s_.entry_provider[i]] != 0;
+      possible = possible && holder_now(s_.entry_group[i]) == nil && s_.enabled[s_.entry_provider[i]] != 0;
     if (!possible) continue;
     std::uint64_t length = 1;
     Index lacks = nil;
@@ -250,7 +251,7 @@ bool Pass::relax(Index provider) {
 bool Pass::can_be_pushed(Index provider, Index member) const {
   const Index group = t_.providers[provider].group;
   const Push& there = s_.now[group].push; // by another unit
-  if (s_.enabled[provider] == 0 || s_.now[group].holder != nil || (there.edge != nil && there.provider != provider))
+  if (s_.enabled[provider] == 0 || holder_now(group) != nil || (there.edge != nil && there.provider != provider))
     return false;
   for (const Index edge : t_.list(t_.groups[group].requesters)) {
     if (requested(edge) && goes_before(member, edge)) return true;

@@ -22,6 +22,7 @@ void Engine::arbitrate() {
     ++passes_;
     decide(component);
     const bool other = changed(component, stops);
+    end_trail();
     std::uint8_t left = depends_on_stale() ? work::stale_counts : 0;
     if (other && (depends_on_last() || depends_on_stale())) left |= work::unsettled;
     s_.component[component] = left | work::listed | work::passed;
@@ -36,8 +37,7 @@ bool Engine::changed(Index component, bool& stops) {
   const Index before = differing_;
   const bool plans = alternatives(component);
   bool decision = false;
-  for (const Index g : t_.list(t_.components[component].groups)) {
-    if (as_before(g)) continue;
+  for (const Index g : opened()) {
     const Standing &now = s_.now[g], &last = s_.last[g];
     if (now.same(last) && !(plans && other_plan(g))) continue;
     s_.group_marks[g] |= mark::differs;

@@ -236,6 +236,8 @@ struct State {
   Index* asked = nullptr;           ///< edges that are marked as requested anew
   Index* next_order = nullptr;      ///< as `order`
   Index* next_count = nullptr;      ///< as `order_count`
+  Index* first_moved = nullptr;     ///< component: where that order begins to be another one
+  Index* extent = nullptr;          ///< group that is claimed: how many it and all below it are, which stand together
   Index* differing = nullptr;       ///< groups that stand elsewhere than before
   Index* sorted = nullptr;          ///< groups of several components, brought in order
   Lineage* lineage = nullptr;       ///< group that is claimed
@@ -266,13 +268,18 @@ struct State {
   Bits* condition_marks = nullptr;  ///< condition: bits of `mark`
   Bits* edge_trail = nullptr;       ///< edge: bits of `trail`, from pass to pass
   Bits* group_trail = nullptr;      ///< group: likewise
-  Bits* known = nullptr;            ///< component: 1: its trail is that of the last pass
-  Index* pushed = nullptr;          ///< groups that have a push, in the last assignment or in this one
+  Index* reached = nullptr;         ///< edges that are marked as reached
+  Index* rerequested = nullptr;     ///< edges that are marked as changed
+  Index* flipped = nullptr;         ///< groups that are marked as touched
+  Index* opened = nullptr;          ///< as `order`: groups that this pass looks at
+  Index* news = nullptr;            ///< as `order`: groups that the next pass has to look at, whatever happens
+  Index* news_count = nullptr;      ///< component: how many these are; nil: what the last pass did is not known
+  Index* on_last = nullptr;         ///< component: how many edges have trail::on_last
+  Index* pushed = nullptr;          ///< as `order`: groups that have a push, in the last assignment or in this one
+  Index* pushed_count = nullptr;    ///< component: how many these are
   Index* lacked = nullptr;          ///< conditions that the chain in search may have to make true
   Index* causers = nullptr;         ///< providers that cause one of them
   Bits* provider_marks = nullptr;   ///< provider: bits of `mark`
-  Index* disturbed = nullptr;       ///< groups that the last pass, or something since, disturbed or touched
-  Index* moved = nullptr;           ///< groups: work list of those that are in another place of the order
 
   /// Calls visit(pointer to member, count) for every array; `scratch()` between the decision state and the rest.
   template <class Self, class Visit, class Scratch>
@@ -294,7 +301,8 @@ struct State {
     each_of(s.now, n, visit);
     visit(s.own, n.groups), visit(s.first, n.groups), visit(s.touched, n.groups), visit(s.staged, n.states);
     visit(s.asked, n.edges);
-    visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.sorted, n.groups);
+    visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.first_moved, n.components);
+    visit(s.extent, n.groups), visit(s.sorted, n.groups);
     visit(s.differing, n.groups);
     visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.component_traits, n.components);
     visit(s.trial, n.groups);
@@ -306,9 +314,11 @@ struct State {
     visit(s.staged_request, n.most_edges + 1), visit(s.unmet_member, n.lacking), visit(s.unmet, n.lacking);
     visit(s.queued, n.edges), visit(s.last_queued, n.edges);
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
-    visit(s.edge_trail, n.edges), visit(s.group_trail, n.groups), visit(s.known, n.components);
-    visit(s.pushed, n.groups), visit(s.lacked, n.conditions), visit(s.causers, n.providers);
-    visit(s.provider_marks, n.providers), visit(s.disturbed, n.groups), visit(s.moved, n.groups);
+    visit(s.edge_trail, n.edges), visit(s.group_trail, n.groups), visit(s.reached, n.edges);
+    visit(s.rerequested, n.edges), visit(s.flipped, n.groups), visit(s.opened, n.groups), visit(s.news, n.groups);
+    visit(s.news_count, n.components), visit(s.on_last, n.components);
+    visit(s.pushed, n.groups), visit(s.pushed_count, n.components), visit(s.lacked, n.conditions), visit(s.causers, n.providers);
+    visit(s.provider_marks, n.providers);
   }
 
   /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.

@@ -79,7 +79,7 @@ bool Pass::premature(Index count) {
 /// one that goes before it and is not above it.
 bool Pass::reached_from_stale(Index found, Index edge) {
   const auto counts = [&](Index group) {
-    if ((s_.now[group].flags & flag::granted) == 0 || !stale(group)) return false;
+    if ((s_.now[group].flags & flag::granted) == 0 || !is_outdated(group) || holder_now(group) == nil) return false;
     const Index holder = s_.now[group].holder;
     return edge == nil || (!in_chain(holder, {edge, Along::now}) && before({holder, Along::now}, {edge, Along::now}));
   };
@@ -108,7 +108,6 @@ void Pass::grant(Index count) {
     now_granted(edge, s_.member_provider[at]);
     plan_for(group, s_.member_provider[at], begin, end);
     for (Index i = begin; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
-    needs_ = needs_ || begin != end;
     claim_plan(begin, end);
   }
   if (pushed_) keep_own_pushes(count);
@@ -159,6 +158,13 @@ void Pass::block(Index count) {
   for (Index at = 0; at < count; ++at) s_.edge_marks[s_.member[at]] |= mark::refused;
   if (planted(Fault::blocked_units_push_on)) keep_pushes(count);
   explain(count, Why::blocked);
+}
+
+/// An edge before it has its target, and what it had before is nothing: nothing else counts, and nothing differs.
+void Pass::block_alone(Index edge) {
+  s_.edge_marks[edge] |= mark::visited | mark::refused;
+  s_.queued[edge] = {Why::blocked, nil};
+  if (is_followed()) rest_on(edge, 0);
 }
 
 /// No combination is available with its conditions true.

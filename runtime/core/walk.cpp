@@ -91,22 +91,35 @@ inline void Pass::visit(Index edge, std::uint8_t marks) {
   if ((marks & mark::tried) == 0 && s_.request[edge].level != nil) {
     if ((marks & mark::alone) == 0) {
       try_unit(edge, (marks & mark::below_stale) != 0);
-    } else if (stands(edge) || runs_on(edge)) {
-      repeat(edge);
+    } else if (runs_on(edge)) {
+      s_.edge_marks[edge] |= mark::visited;
+      claim(group, edge);
+      now_granted(edge, t_.groups[group].providers.begin);
+    } else if (stands(edge)) {
+      const bool was_held = s_.last[group].holder == edge;
+      if ((marks & mark::pushes) != 0 || (was_held && is_opened(group))) {
+        repeat(edge);
+      } else if (was_held) {
+        s_.edge_marks[edge] |= mark::visited;
+        return pass(group);
+      } else {
+        s_.edge_marks[edge] |= mark::visited | mark::refused;
+      }
+    } else if ((marks & (mark::below_stale | mark::pushes)) == 0 && taken(edge) && !runs_for_now(edge)) {
+      block_alone(edge);
     } else {
       s_.unit[0] = edge;
       try_alone(edge, (marks & mark::below_stale) != 0);
     }
   }
-  if (s_.now[group].holder == edge) place(group);
+  if (s_.now[group].holder == edge && is_opened(group)) place(group);
 }
 
 /// It was granted, there is one way to grant it, which has no conditions and needs nothing, and nothing is in its way.
 inline bool Pass::runs_on(Index edge) const {
   const Index group = t_.edges[edge].target;
-  const Standing& now = s_.now[group];
-  return s_.traits[group] == (trait::flat | trait::simple) && runs_for_now(edge) &&
-         (now.holder == nil || now.holder == edge) && (s_.edge_marks[edge] & mark::pushes) == 0 &&
+  return is_opened(group) && s_.traits[group] == (trait::flat | trait::simple) && runs_for_now(edge) &&
+         !taken(edge) && (s_.edge_marks[edge] & mark::pushes) == 0 &&
          s_.enabled[t_.groups[group].providers.begin] != 0;
 }
 
@@ -152,16 +165,38 @@ void Pass::try_unit(Index edge, bool outdated) {
 /// The next in order, and what it asks for or needs stands ahead.
 inline void Pass::place(Index group) {
   if (s_.last[group].holder != nil) ++inherited_;
-  Index at = placed_++;
-  Index* const order = s_.next_order + c_.order;
-  if (planted(Fault::ancestors_are_equals) && at != 0 && order[at - 1] == requester(s_.now[group].holder)) {
-    order[at] = order[at - 1];
-    s_.place[order[at]] = at;
+  if (is_followed()) {
+    leave_to(requester_of_holder(s_.now[group]));
+    top_ = group;
+  }
+  Index at = placed_;
+  if (planted(Fault::ancestors_are_equals) && at != 0 && s_.next_order[c_.order + at - 1] == requester(s_.now[group].holder)) {
+    put(s_.next_order[c_.order + at - 1], at);
     --at;
   }
-  order[at] = group;
-  s_.place[group] = at;
+  put(group, at);
+  ++placed_;
   if (!t_.groups[group].edges.empty()) look_ahead(group);
+}
+
+/// The group, and all below it, stand as they stood.
+void Pass::pass(Index group) {
+  leave_to(requester_of_holder(s_.last[group]));
+  s_.group_trail[group] |= trail::passed;
+  const Index from = s_.place[group], count = s_.extent[group];
+  if (from != placed_) {
+    for (Index i = 0; i < count; ++i) put(s_.order[c_.order + from + i], static_cast<Index>(placed_ + i));
+  }
+  placed_ = static_cast<Index>(placed_ + count);
+  inherited_ = static_cast<Index>(inherited_ + count);
+}
+
+/// What is placed next is below this group, nil being root: of what was placed and does not lie above, all is placed.
+void Pass::leave_to(Index group) {
+  while (top_ != group && top_ != nil) {
+    s_.extent[top_] = static_cast<Index>(placed_ - s_.place[top_]);
+    top_ = requester_of_holder(s_.now[top_]);
+  }
 }
 
 /// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
@@ -181,9 +216,13 @@ void Pass::look_ahead(Index group) {
   for (Index e = edges.end; e != edges.begin;) {
     --e;
     const Index level = s_.request[e].level;
+    if (other && !whole_ && level != nil && !planted(Fault::outdated_orders_are_overlooked)) {
+      reach_edge(e);
+      if (!asks) reach_pushes_of(e);
+    }
     if (level == nil || !asks) {
-      if (s_.now[t_.edges[e].target].holder != e) {
-        if (other && s_.last[t_.edges[e].target].holder == e && !planted(Fault::lost_needs_are_overlooked)) move(t_.edges[e].target);
+      if (holder_now(t_.edges[e].target) != e) {
+        if (other && !whole_ && s_.last[t_.edges[e].target].holder == e && !planted(Fault::lost_needs_are_overlooked)) move(t_.edges[e].target);
         continue;
       }
       if (level == nil) {
@@ -201,7 +240,6 @@ void Pass::look_ahead(Index group) {
       member = e;
     }
     s_.edge_marks[e] |= all;
-    if (other && !planted(Fault::outdated_orders_are_overlooked)) s_.edge_trail[e] |= trail::reached;
     if (row.optional) {
       postpone(e);
     } else {
@@ -224,18 +262,17 @@ inline bool Pass::look_ahead_to(Index edge, Index base) {
 }
 
 /// The same as try_members where what is needed is simple and nothing can stand in the way but what is claimed already.
-inline Pass::Tried Pass::try_plain(Index edge, bool outdated) {
+[[gnu::always_inline]] inline Pass::Tried Pass::try_plain(Index edge, bool outdated) {
   const Index group = t_.edges[edge].target;
   const Standing& last = s_.last[group];
-  const Standing& now = s_.now[group];
   const bool as_before = last.holder == edge && last.granted();
   const std::uint8_t traits = s_.traits[group];
-  if ((traits & trait::flat) == 0 || (now.holder != nil && now.holder != edge)) return Tried::unclear;
+  if ((traits & trait::flat) == 0 || taken(edge)) return Tried::unclear;
   if (!as_before && (outdated || stale_granted_ != 0)) return Tried::unclear;
   if (equals_ && disputed(edge)) return Tried::unclear;
   const Range providers = t_.groups[group].providers;
   for (Index place = 0; place != providers.size(); ++place) {
-    const Index p = now.push.edge == nil ? static_cast<Index>(providers.begin + place) : preferred(group, place, edge);
+    const Index p = s_.now[group].push.edge == nil ? static_cast<Index>(providers.begin + place) : preferred(group, place, edge);
     if (s_.enabled[p] == 0 || (outdated && p != last.active)) continue;
     if ((traits & trait::conditional) != 0 && first_false(p, edge) != nil) continue;
     if ((traits & trait::simple) == 0) {
@@ -269,7 +306,6 @@ bool Pass::needs_are_free(Index edge, Range needs) const {
 void Pass::grant_plain(Index edge, Index provider) {
   claim(t_.edges[edge].target, edge);
   now_granted(edge, provider);
-  needs_ = true;
   for (const Index need : t_.list(t_.providers[provider].needs)) {
     const Index group = t_.edges[need].target;
     claim(group, need);

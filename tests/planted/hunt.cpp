@@ -72,6 +72,7 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
     {"4.4", "so is what somebody asks for whose orders are outdated, or are not any more"},
     {"4.2", "so is who looks at the last result"},
     {"4.4", "what was requested for outdated orders that are over is lost"},
+    {"4.4", "who waits for orders, or for somebody to be pushed, is looked at in every pass"},
     {"5", "who starts has a handler and a period"},
     {"5", "the order may be another where all stand as before"},
     {"5", "who stands as before may be asked anew"},

@@ -112,6 +112,63 @@ TEST_CASE("who relied on another's push is asked again when that is dropped") {
   CHECK(std::count(followed.begin(), followed.end(), "push Walk for root>Kick") == 3);
 }
 
+/// The decisions that follow from a scenario, where nothing is decided whole and where all is.
+struct Both {
+  Lines followed, whole;
+};
+
+template <class Play>
+Both play_both(const std::string& behaviour, Play&& play) {
+  const auto lines_of = [&](Index most_decided_whole) {
+    Machine machine(behaviour);
+    machine.engine().set_most_decided_whole(most_decided_whole);
+    machine.decisions = true;
+    Lines all;
+    play(machine, [&] {
+      for (const std::string& line : machine.step()) all.push_back(line);
+    });
+    return all;
+  };
+  return {lines_of(0), lines_of(1'000)};
+}
+
+TEST_CASE("who keeps a push for another one's sake is asked again when that one is replaced") {
+  const Both both = play_both(R"(
+behaviour: chained
+language: 1
+states: {Ball: {range: [0, 1], external: true}, Pose: {range: [0, 3]}}
+roots: {Play: {}, Kick: {levels: {spare: {priority: 60}}}, Walk: {levels: {firm: {}, spare: {optional: true}}}}
+groups:
+  Play: {tasks: {Pass: {}}}
+  Kick: {when: [Ball == 1]}
+  Walk:
+    providers:
+      - {name: near, causing: [Ball == 1], packs: {all: {Turn: {}}}}
+      - {name: far, needs: [Step], causing: [Ball == 0], packs: {all: {Step: {}}}}
+  Step: {providers: [{name: alone, tasks: {Lean: {}}}, {name: both, needs: [Legs]}]}
+  Pass: {when: [Ball <= 0], needs: [Legs]}
+  Legs: {needs: [Foot]}
+  Foot: {providers: [{name: set, when: [Pose == 3]}, {name: loose}]}
+  Turn: {tasks: {Lean: {}}}
+  Lean: {causing: [Pose >= 3]}
+)",
+                              [](Machine& machine, auto&& step) {
+                                machine.request("Play");
+                                step();
+                                machine.request("Walk", "spare");
+                                step();
+                                machine.set("Ball", "0");
+                                step();
+                                machine.request("Walk", "firm");
+                                step();
+                                machine.request("Kick");
+                                step();
+                              });
+  CHECK(both.followed == both.whole);
+  CHECK(std::count(both.whole.begin(), both.whole.end(), "push Lean for Play>Pass") == 1);
+  CHECK(std::count(both.whole.begin(), both.whole.end(), "release Lean") == 1);
+}
+
 TEST_CASE("an engine whose state was put back decides from nothing, and the same") {
   Machine machine(player_in_a_crowd(12));
   machine.request("Crowd");
