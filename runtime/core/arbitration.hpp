@@ -41,6 +41,8 @@ public:
     forget_trail();
   }
   std::uint64_t decided() const { return decided_; } ///< units so far, again where a pass is repeated
+  /// So far: groups placed, units decided, and choices and plans tried, those of searches for pushes among them.
+  std::uint64_t work() const { return work_; }
 
   /// Writes State::traits and component_traits, which follow from the tables. Once, before the first pass.
   void find_traits();
@@ -262,6 +264,7 @@ private:
   Index stale_kept_ = 0;        ///< those of them whose orders are outdated
   Index pushed_count_ = 0;      ///< rows of State::pushed in use
   std::uint64_t decided_ = 0; ///< units
+  std::uint64_t work_ = 0;
   mutable bool depends_on_last_ = false, depends_on_stale_ = false;
 };
 
@@ -312,6 +315,7 @@ inline void Pass::now_granted(Index edge, Index provider) {
 
 inline void Pass::begin_decision(Index count) {
   ++decided_;
+  ++work_;
   for (Index at = 0; at < count; ++at) {
     s_.edge_marks[s_.unit[at]] |= mark::visited;
     s_.queued[s_.unit[at]] = Queued{};

@@ -204,6 +204,7 @@ bool Pass::next_choice(Index at, bool fresh, bool with_conditions, bool record) 
   } else {
     found = search_plan(provider, begin, end, false, false);
     if (!found) ++place;
+    ++work_;
   }
   for (; place < providers.size(); ++place) {
     if (!found) {
@@ -214,7 +215,9 @@ bool Pass::next_choice(Index at, bool fresh, bool with_conditions, bool record) 
       if (with_conditions && first_false(provider, edge) != nil) continue;
       found = search_plan(provider, begin, end, true, false);
     }
+    ++work_;
     while (found) {
+      ++work_;
       Index keep = end;
       if (!(as_it_is && !plan_as_it_is(at)) && plan_fits(at, with_conditions, record, keep)) return true;
       drop_entries(keep, end);

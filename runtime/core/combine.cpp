@@ -60,6 +60,7 @@ bool Pass::choose_flat(bool with_conditions) {
   const Range providers = t_.groups[group].providers;
   s_.trial[group] = edge;
   for (Index place = 0; place < providers.size(); ++place) {
+    ++work_;
     const Index provider = preferred(group, place, edge);
     if (s_.enabled[provider] == 0 && !planted(Fault::disabled_providers_run)) continue;
     if (as_it_is && provider != s_.last[group].active) continue;

@@ -26,6 +26,7 @@ public:
   using Pass::decided;
   using Pass::forget_trail;
   using Pass::set_most_decided_whole;
+  using Pass::work;
 
   /// Back to the start: initial values, every provider enabled, nothing requested. What waits in the inbox stays.
   void reset();
@@ -34,6 +35,8 @@ public:
   void preset(Index state, std::int32_t value);
 
   void set_budget(std::uint32_t micro_steps) { budget_ = micro_steps; }
+  /// So much of work() may be done in one step; looked at between micro-steps, so the last one may go beyond. 0: any.
+  void set_work_budget(std::uint64_t work) { work_budget_ = work; }
 
   /// The step that runs ends with this micro-step, with StepResult::fault. For who calls an observer that throws.
   void end_with_fault();
@@ -236,6 +239,7 @@ private:
   Observer observer_;
   std::uint64_t passes_ = 0;
   std::uint32_t budget_ = default_budget;
+  std::uint64_t work_budget_ = 0;
   std::uint32_t left_ = 0;      ///< micro-steps that may still be taken
   Index differing_ = 0;         ///< rows of State::differing in use
   Index starting_ = nil;        ///< the group whose start handler runs: its data may still be staged

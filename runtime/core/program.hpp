@@ -111,6 +111,10 @@ public:
   /// Micro-steps that one step() may take before it answers budget_exhausted.
   void set_budget(std::uint32_t micro_steps) { engine_.set_budget(micro_steps); }
 
+  /// Work that one step() may do before it answers budget_exhausted: groups placed, tasks decided, choices tried. Looked
+  /// at between micro-steps, so the last one may go beyond by what one micro-step takes at most. 0: any.
+  void set_work_budget(std::uint64_t work) { engine_.set_work_budget(work); }
+
   /// For whoever looks deeper: what holds between steps, by number (the generated `names` tell what a number is
   /// called).
   const Engine& engine() const { return engine_; }

@@ -211,6 +211,7 @@ bool Pass::relax(Index provider) {
   s_.trial[row.group] = 0; // its own group counts as used
   for (bool more = search_plan(provider, 0, end, true, true); more; more = search_plan(provider, 0, end, false, true)) {
     const Index plan = number++;
+    ++work_;
     bool possible = true;
     for (Index i = 0; i < end; ++i)
       possible = possible && holder_now(s_.entry_group[i]) == nil && s_.enabled[s_.entry_provider[i]] != 0;

@@ -170,8 +170,10 @@ DIRECTOR_INLINE bool Engine::micro_step() {
       return StepResult::fault;
     }
   }
+  const std::uint64_t before = work();
   for (left_ = budget_; left_ != 0; --left_) {
     if (!micro_step()) return come_to_rest();
+    if (work_budget_ != 0 && work() - before >= work_budget_) break;
   }
   if (!faulted_ && !work_left()) return come_to_rest(); // the budget may end together with what is due
   if (!faulted_) report(Event::Kind::exhausted);

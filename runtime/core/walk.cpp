@@ -164,6 +164,7 @@ void Pass::try_unit(Index edge, bool outdated) {
 
 /// The next in order, and what it asks for or needs stands ahead.
 inline void Pass::place(Index group) {
+  ++work_;
   if (s_.last[group].holder != nil) ++inherited_;
   if (is_followed()) {
     leave_to(requester_of_holder(s_.now[group]));

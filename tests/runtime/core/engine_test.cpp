@@ -232,6 +232,47 @@ groups:
   CHECK(machine.result() == StepResult::quiescent);
 }
 
+TEST_CASE("a step ends when its work is done up, and the next one goes on; together they do what one step does") {
+  const std::string text = R"(
+behaviour: talk
+language: 1
+roots: [Talk]
+groups:
+  Talk: {tasks: [Left, Right]}
+  Left: {}
+  Right: {}
+)";
+  Machine whole(text);
+  whole.request("Talk");
+  const Lines all = whole.step();
+  CHECK(whole.result() == StepResult::quiescent);
+  const std::uint64_t work = whole.engine().work();
+  CHECK(work > 0);
+
+  Machine parts(text);
+  parts.engine().set_work_budget(1);
+  parts.request("Talk");
+  Lines together;
+  int steps = 0;
+  for (; steps == 0 || parts.result() == StepResult::budget_exhausted; ++steps) {
+    REQUIRE(steps < 100);
+    for (const std::string& line : parts.step()) {
+      if (line != "exhausted") together.push_back(line);
+    }
+  }
+  CHECK(together == all);
+  CHECK(steps > 2);
+  CHECK(parts.engine().work() == work);
+
+  SECTION("a budget for all of it is never exhausted") {
+    Machine enough(text);
+    enough.engine().set_work_budget(work + 1);
+    enough.request("Talk");
+    CHECK(enough.step() == all);
+    CHECK(enough.result() == StepResult::quiescent);
+  }
+}
+
 const std::string pair = R"(
 behaviour: pair
 language: 1

@@ -290,6 +290,7 @@ struct Drive::Parts {
     case 2: return set_several();
     case 3:
       office.set_budget(static_cast<std::uint32_t>(random.between(0, 60)));
+      office.set_work_budget(static_cast<std::uint64_t>(random.between(0, 40)));
       return night.set_budget(static_cast<std::uint32_t>(random.between(0, 60)));
     case 4:
     case 5:
@@ -303,6 +304,7 @@ struct Drive::Parts {
   template <class Behaviour>
   void bring_to_rest(Behaviour& behaviour, std::size_t which) {
     behaviour.set_budget(Engine::default_budget);
+    behaviour.set_work_budget(0);
     behaviour.cancel_all();
     int steps = 0;
     while (behaviour.step(microseconds(behaviour.engine().now())) != StepResult::quiescent) {
