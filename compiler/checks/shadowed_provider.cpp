@@ -35,22 +35,24 @@ IdTable<StateId, ValueSet> mended_values(const Model& model, const Facts& facts)
 }
 
 /// What the `when` of earlier ones leaves of its own, where its group is asked for.
-Covering find_choice_here(const Input& input, ProviderId id, const std::vector<ProviderId>& rivals,
+Covering find_choice_here(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
                           const IdTable<StateId, ValueSet>& values) {
   Region own = region_of(input.model, input.model.providers[id].when);
   own.meet(input.facts.contexts[input.model.providers[id].group]);
   std::vector<Region> others;
-  for (const ProviderId rival : rivals) others.push_back(region_of(input.model, input.model.providers[rival].when));
+  for (const Rival& rival : rivals) others.insert(others.end(), rival.ways.begin(), rival.ways.end());
   return find_covering(input.model, own, others, values, input.shared.budget());
 }
 
 /// The rivals without which it would come first; all of them where each one is enough alone or none is.
-std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const std::vector<ProviderId>& rivals,
+std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
                                       const IdTable<StateId, ValueSet>& values) {
-  for (const ProviderId rival : rivals) {
-    if (find_choice_here(input, id, {rival}, values) == Covering::covered) return {rival};
+  std::vector<ProviderId> out;
+  for (const Rival& rival : rivals) {
+    if (find_choice_here(input, id, {rival}, values) == Covering::covered) return {rival.provider};
+    out.push_back(rival.provider);
   }
-  return rivals;
+  return out;
 }
 
 /// Not for the sake of the earlier ones: what it waits for or needs never comes.

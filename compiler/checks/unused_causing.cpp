@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/unused_causing.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/clashes/pushers.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -8,22 +9,11 @@
 
 #include <algorithm>
 #include <set>
-#include <utility>
+#include <vector>
 
 namespace director::checks {
 
 namespace {
-
-/// Providers with the conditions for which some task may push them.
-std::set<std::pair<ProviderId, ConditionId>> find_pushes(const Input& input) {
-  std::set<std::pair<ProviderId, ConditionId>> out;
-  for (const Wanting& wanting : input.shared.wants()) {
-    for (const Want& want : wanting.wants) {
-      for (const ProviderId causer : want.causers) out.insert({causer, want.condition.id});
-    }
-  }
-  return out;
-}
 
 /// Those with a condition that it satisfies, of other groups.
 std::vector<const Graph::Causing*> find_waiters(const Input& input, ProviderId id, const ConditionUse& promise) {
@@ -36,48 +26,25 @@ std::vector<const Graph::Causing*> find_waiters(const Input& input, ProviderId i
   return out;
 }
 
-/// A task that looks at the promise by way of its needs never runs for another reason, which is told; it may push all
-/// the same.
-bool has_idle_task(const Input& input, const std::vector<const Graph::Causing*>& waiters) {
-  for (const ProviderId id : input.model.providers.ids()) {
-    const GroupId group = input.model.providers[id].group;
-    if (!input.facts.requested.contains(group) || input.facts.capable.contains(id)) continue;
-    const std::vector<GroupId>& needed = input.shared.units().needed(group);
-    for (const Graph::Causing* arrow : waiters) {
-      if (std::binary_search(needed.begin(), needed.end(), input.model.providers[arrow->waiter].group)) return true;
-    }
-  }
-  return false;
-}
-
-/// Members of one unit push each other, although that seldom comes to anything: none is granted without the others but
-/// below a requester with new orders.
-bool is_beside(const Input& input, ProviderId id, const std::vector<const Graph::Causing*>& waiters) {
-  const GroupId group = input.model.providers[id].group;
-  bool out = false;
-  for (const GroupId task : input.model.groups.ids()) {
-    if (out || !input.facts.requested.contains(task)) continue;
-    const std::vector<GroupId>& needed = input.shared.units().needed(task);
-    const bool waits = std::any_of(waiters.begin(), waiters.end(), [&](const Graph::Causing* arrow) {
-      return std::binary_search(needed.begin(), needed.end(), input.model.providers[arrow->waiter].group);
-    });
-    if (!waits) continue;
-    input.shared.chains().visit(task, {group}, [&](const Meeting& meeting, GroupId) {
-      out = out || (meeting.one_unit() && meeting.second->target == group && meeting.first_goes_before());
-    });
-  }
-  return out;
-}
-
 /// Nobody who looks at it ever pushes for it: it holds, or they can do without, or they go after this group.
-void report_unpushed(const Input& input, const ConditionUse& promise, const std::vector<const Graph::Causing*>& waiters,
-                     Findings& findings) {
+void report_unpushed(const Input& input, Pushers& pushers, ProviderId causer, const ConditionUse& promise,
+                     const std::vector<const Graph::Causing*>& waiters, Findings& findings) {
   const Model& model = input.model;
   dsl::Diagnostic& finding =
       findings.add(promise.span, fmt::format("no task ever pushes for {}", name_of(model, promise.id)));
   std::set<dsl::Span> noted;
   for (const Graph::Causing* arrow : waiters) {
     if (!noted.insert(arrow->condition.span).second) continue;
+    if (const auto rival = pushers.preferred(causer, arrow->condition.id);
+        rival && pushers.may_push(*rival, arrow->condition.id)) {
+      finding.notes.push_back(
+          {arrow->condition.span, fmt::format("{} waits for it here", name_of(model, arrow->waiter))});
+      if (noted.insert(model.providers[*rival].span).second)
+        finding.notes.push_back(
+            {model.providers[*rival].span,
+             fmt::format("{} causes it too, and is always pushed instead", name_of(model, *rival))});
+      continue;
+    }
     finding.notes.push_back(
         {arrow->condition.span, fmt::format("{} looks at it here, and never waits for it where it could push",
                                             name_of(model, arrow->waiter))});
@@ -89,7 +56,7 @@ void report_unpushed(const Input& input, const ConditionUse& promise, const std:
 
 void unused_causing(const Input& input, Findings& findings) {
   const Model& model = input.model;
-  const auto pushes = find_pushes(input);
+  Pushers pushers(input);
   std::set<dsl::Span> told; // waited for, and told of
   for (const Imprecise& fault : input.shared.imprecise()) told.insert(fault.promise.span);
   std::set<dsl::Span> waited;
@@ -108,12 +75,11 @@ void unused_causing(const Input& input, Findings& findings) {
         return input.facts.active.contains(arrow->waiter) || input.facts.capable.contains(arrow->waiter);
       });
       const bool any_pushes = std::any_of(waiters.begin(), waiters.end(), [&](const Graph::Causing* arrow) {
-        return pushes.count({id, arrow->condition.id}) != 0 ||
-               input.facts.is_impossible(arrow->waiter, model.conditions[arrow->condition.id].state);
+        return input.facts.is_impossible(arrow->waiter, model.conditions[arrow->condition.id].state) ||
+               (pushers.may_push(id, arrow->condition.id) && !pushers.preferred(id, arrow->condition.id));
       });
-      if (input.facts.active.contains(id) && any_runs && !any_pushes && !has_idle_task(input, waiters) &&
-          !is_beside(input, id, waiters))
-        report_unpushed(input, use, waiters, findings);
+      if (input.facts.active.contains(id) && any_runs && !any_pushes)
+        report_unpushed(input, pushers, id, use, waiters, findings);
     }
   }
 }

@@ -90,18 +90,14 @@ void Reached::look(const compiler::Machine& machine) {
 void Reached::look_below(const Engine& engine) {
   const Tables& t = engine.tables();
   for (Index g = 0; g < t.groups.size(); ++g) {
+    const Index by = engine.holder(g);
+    if (by >= t.edges.size() || engine.state(by) != RunState::running) continue;
     std::size_t steps = 0;
-    for (Index e = engine.holder(g); e < t.edges.size() && steps++ < t.groups.size();) {
+    for (Index e = by; e < t.edges.size() && steps++ < t.groups.size();) {
       const Index requester = t.edges[e].requester;
       if (requester == nil) break;
-      if (engine.state(e) == RunState::running && engine.active(requester) != nil) {
-        std::uint64_t beside = 0;
-        const Range edges = t.groups[requester].edges;
-        for (Index other = edges.begin; other != edges.end; ++other) {
-          if (engine.state(other) != RunState::none) beside |= std::uint64_t{1} << (other - edges.begin);
-        }
-        held_below.insert({ProviderId{engine.active(requester)}, EdgeId{e}, GroupId{g}, beside});
-      }
+      if (engine.state(e) == RunState::running && engine.active(requester) != nil)
+        granted_below.insert({ProviderId{engine.active(requester)}, EdgeId{e}, EdgeId{by}});
       e = engine.holder(requester);
     }
   }

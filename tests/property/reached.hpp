@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // What an exploration of everything came to see, finer than what it reports: pushes, packs that were granted whole, the
-// values of states, who held what below which request.
+// values of states, who ran below which request.
 
 #include "compiler/explore/search.hpp"
 
@@ -22,13 +22,11 @@ struct WholePack {
 
 std::vector<WholePack> whole_packs(const compiler::Model& model);
 
-/// While this provider ran, `group` was held by way of its request `edge`; `beside`: what else it requested then.
-struct HeldBelow {
+/// While this provider ran, a task was granted, by the edge `by`, by way of its request `edge`.
+struct GrantedBelow {
   compiler::ProviderId provider{};
-  compiler::EdgeId edge{};
-  compiler::GroupId group{};
-  std::uint64_t beside = 0; ///< a bit for each edge of its group, in their order
-  auto operator<=>(const HeldBelow&) const = default;
+  compiler::EdgeId edge{}, by{};
+  auto operator<=>(const GrantedBelow&) const = default;
 };
 
 class Reached {
@@ -45,7 +43,7 @@ public:
   std::set<std::pair<compiler::ProviderId, compiler::ConditionId>> pushed;
   std::set<std::pair<compiler::ProviderId, compiler::ConditionId>> pushed_to_effect; ///< it ran while the task waited
   std::vector<std::set<std::int32_t>> values;                                        ///< state
-  std::set<HeldBelow> held_below;
+  std::set<GrantedBelow> granted_below;
   /// A group that is granted and not held by a push, and the values of all states then.
   std::set<std::pair<compiler::GroupId, std::vector<std::int32_t>>> granted_in;
 

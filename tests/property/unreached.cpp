@@ -65,7 +65,13 @@ public:
     for (const auto& [push, waiters] : pushes_) {
       const std::size_t here = row++;
       if (reached_.pushed.contains(push)) continue;
-      out.push_back({"push " + way_of(push.first, waiters),
+      bool used = false;
+      for (const ConditionUse& promise : model_.providers[push.first].causing) {
+        if (!model_.satisfies(promise.id, push.second)) continue;
+        for (const auto& other : reached_.pushed)
+          used = used || (other.first == push.first && model_.satisfies(promise.id, other.second));
+      }
+      out.push_back({"push " + way_of(push.first, waiters) + (used ? " USED" : ""),
                      model_.full_name(push.first) + " for " + model_.conditions[push.second].text, told_[here]});
     }
     return out;
@@ -162,6 +168,13 @@ private:
       if (!reached_.ran[push.first.value]) ways_[row].push_back({runs(push.first)});
       if (std::none_of(waiters.begin(), waiters.end(), [&](ProviderId id) { return reached_.ran[id.value]; }))
         ways_[row].push_back(all_run(waiters));
+      // What it would take first for a need, and then wait for.
+      for (const ProviderId waiter : waiters) {
+        for (const auto& need : model_.providers[waiter].needs) {
+          const ProviderId first = model_.groups[need.id].providers.front();
+          if (!conditions_held(first)) ways_[row].push_back({can(first)});
+        }
+      }
       ++row;
     }
     for (const compiler::StateId id : model_.states.ids()) {
@@ -197,7 +210,7 @@ private:
     for (const ProviderId earlier : model_.groups[provider.group].providers) {
       if (earlier == id) break;
       for (const ConditionUse& use : model_.providers[earlier].when) {
-        if (reached_.ran[earlier.value] && always_held(use.id))
+        if (reached_.ran[earlier.value] && held_with(use.id, provider))
           ways_[runs(id)].push_back({lacks(model_.conditions[use.id].state)});
       }
     }
@@ -232,13 +245,22 @@ private:
                        [&](std::int32_t value) { return value != unset && condition.accepts.contains(value); });
   }
 
-  /// ... and would not with every value that the state might have.
-  bool always_held(ConditionId id) const {
+  /// It held whenever what the provider asks of this state did, and would not with every value that the state might
+  /// have.
+  bool held_with(ConditionId id, const compiler::Provider& provider) const {
     const compiler::Condition& condition = model_.conditions[id];
+    compiler::ValueSet own = model_.states[condition.state].domain();
+    bool may_be_unset = true;
+    for (const ConditionUse& use : provider.when) {
+      if (model_.conditions[use.id].state != condition.state) continue;
+      own = own.intersected(model_.conditions[use.id].accepts);
+      may_be_unset = false;
+    }
     const auto& seen = reached_.values[condition.state.value];
-    return !model_.states[condition.state].domain().subset_of(condition.accepts) &&
-           std::all_of(seen.begin(), seen.end(),
-                       [&](std::int32_t value) { return value != unset && condition.accepts.contains(value); });
+    return !own.subset_of(condition.accepts) && std::all_of(seen.begin(), seen.end(), [&](std::int32_t value) {
+      if (value == unset) return !may_be_unset;
+      return !own.contains(value) || condition.accepts.contains(value);
+    });
   }
 
   std::vector<ProviderId> setters_of(ConditionId id) const {

@@ -104,10 +104,11 @@ std::string note_at(const dsl::Diagnostic& finding, Span span) {
   return {};
 }
 
+/// The requester may be named with its provider.
 std::optional<EdgeId> edge_between(const Model& model, const std::string& requester, const std::string& target) {
   for (const EdgeId id : model.edges.ids()) {
     const compiler::Edge& edge = model.edges[id];
-    if (edge.requester && model.groups[*edge.requester].name.value == requester &&
+    if (edge.requester && model.groups[*edge.requester].name.value == requester.substr(0, requester.find('.')) &&
         model.groups[edge.target].name.value == target)
       return id;
   }
@@ -211,10 +212,11 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     const auto entry = places.entry(finding.span);
     const std::vector<std::string> names = quoted_in(finding.message);
     if (!entry || !entry->provider || names.size() < 3) return out;
-    if (const auto edge = edge_between(model, names[1], names[0]); edge && !says(finding, "keeps")) {
+    if (const auto edge = edge_between(model, names[1], names[0]);
+        edge && names[1].find('.') == std::string::npos && !says(finding, "keeps")) {
       out.push_back(NeverGranted{*edge});
     } else if (const auto kept = model.find_group(names.back())) {
-      out.push_back(NeverBelow{*entry->provider, entry->task->edge, *kept, std::nullopt});
+      if (edge) out.push_back(NeverBelow{*entry->provider, entry->task->edge, *edge, *kept});
     }
   } else if (id == "sibling_starvation") {
     const std::vector<std::string> names = quoted_in(finding.message);
@@ -243,6 +245,15 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
 
 std::vector<EdgeId> losers_of(const dsl::Diagnostic& finding, const Model& model) {
   std::vector<EdgeId> out;
+  if (finding.id == "task_cycle") {
+    const Places places(model);
+    const auto add = [&](Span span) {
+      if (const auto entry = places.entry(span)) out.push_back(entry->task->edge);
+    };
+    add(finding.span);
+    for (const dsl::Note& note : finding.notes) add(note.span);
+    return out;
+  }
   if (finding.id != "sibling_starvation") return out;
   for (const dsl::Note& note : finding.notes) {
     const std::vector<std::string> names = quoted_in(note.message);
@@ -254,7 +265,8 @@ std::vector<EdgeId> losers_of(const dsl::Diagnostic& finding, const Model& model
 
 std::vector<ProviderId> hints_of(const dsl::Diagnostic& finding, const Model& model) {
   static const std::set<std::string> ids{"push_in_vain",      "push_cycle",         "incompatible_pushes",
-                                         "imprecise_causing", "causer_not_running", "self_defeating_handler"};
+                                         "imprecise_causing", "causer_not_running", "self_defeating_handler",
+                                         "undone_by_stop"};
   std::vector<ProviderId> out;
   if (!ids.contains(finding.id)) return out;
   const Places places(model);
@@ -273,7 +285,8 @@ std::vector<compiler::StateId> lacking_of(const dsl::Diagnostic& finding, const 
   if (finding.id != "unreachable_when" && finding.id != "state_without_source" && finding.id != "unreachable_causing")
     return out;
   for (const ProviderId id : model.providers.ids()) {
-    for (const auto* list : {&model.providers[id].when, &model.providers[id].causing}) {
+    const Provider& provider = model.providers[id];
+    for (const auto* list : {&provider.when, &provider.stay, &provider.causing}) {
       for (const ConditionUse& use : *list) {
         if (use.span == finding.span) out.push_back(model.conditions[use.id].state);
       }
@@ -292,14 +305,7 @@ bool is_contradicted(const Claim& claim, const Model& model, const Reached& reac
       return (c.to_effect ? reached.pushed_to_effect : reached.pushed).contains({c.provider, c.condition});
     }
     bool operator()(const NeverWhole& c) const { return reached.whole[c.pack]; }
-    bool operator()(const NeverBelow& c) const {
-      const std::vector<EdgeId>& edges = model.groups[model.providers[c.provider].group].edges;
-      const std::uint64_t beside = c.beside ? std::uint64_t{1} << (c.beside->value - edges.front().value) : 0;
-      return std::any_of(reached.held_below.begin(), reached.held_below.end(), [&](const HeldBelow& held) {
-        return held.provider == c.provider && held.edge == c.edge && held.group == c.group &&
-               (held.beside & beside) == beside;
-      });
-    }
+    bool operator()(const NeverBelow& c) const { return reached.granted_below.contains({c.provider, c.edge, c.loser}); }
     bool operator()(const NeverWhile& c) const {
       return std::any_of(reached.granted_in.begin(), reached.granted_in.end(), [&](const auto& seen) {
         const std::int32_t value = seen.second[c.state.value];
@@ -324,7 +330,7 @@ std::string in_words(const Claim& claim, const Model& model) {
              " is never granted whole";
     }
     std::string operator()(const NeverBelow& c) const {
-      return model.full_name(c.provider) + " never has " + model.groups[c.group].name.value + " held by way of " +
+      return model.edge_name(c.loser) + " is never granted below " + model.full_name(c.provider) + " by way of " +
              model.edge_name(c.edge);
     }
     std::string operator()(const NeverWhile& c) const {

@@ -32,12 +32,11 @@ struct NeverPushed {
 struct NeverWhole {
   std::size_t pack = 0;
 };
-/// While the provider runs and requests `edge`, and `beside` too, nothing that this leads to holds the group.
+/// While the provider runs and requests `edge`, the task `loser` below that is never granted, for want of the group.
 struct NeverBelow {
   compiler::ProviderId provider{};
-  compiler::EdgeId edge{};
+  compiler::EdgeId edge{}, loser{};
   compiler::GroupId group{};
-  std::optional<compiler::EdgeId> beside;
 };
 /// No provider of the group runs while a state has one of these values.
 struct NeverWhile {

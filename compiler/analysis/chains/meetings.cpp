@@ -39,36 +39,39 @@ Chains::Chains(const Model& model, std::function<bool(ProviderId)> counts)
   }
 }
 
-std::vector<Chains::Above> Chains::above(GroupId waiter, bool held) const {
-  std::vector<Above> out{{waiter, false}};
-  SparseSet<GroupId> seen[2];
+std::vector<Chains::Above> Chains::above(GroupId waiter, End end) const {
+  std::vector<Above> out{{waiter, false, false}};
+  SparseSet<GroupId> seen[4];
   seen[0].add(waiter);
   for (std::size_t next = 0; next < out.size(); ++next) {
     const Above here = out[next];
-    const auto reach = [&](GroupId group, bool optional) {
-      if (seen[optional ? 1 : 0].add(group)) out.push_back({group, optional});
+    const auto reach = [&](GroupId group, bool optional, bool direct) {
+      if (seen[(optional ? 1 : 0) + (direct ? 2 : 0)].add(group)) out.push_back({group, optional, direct});
     };
+    const bool is_first = next == 0;
     for (const auto& [together, task] : entries_[here.group.value]) {
       if (!together->provider) continue;
       const GroupId requester = model_.providers[*together->provider].group;
       const Edge& edge = model_.edges[task->edge];
-      if (has_mandatory(edge)) reach(requester, here.optional);
-      if (has_optional(edge)) reach(requester, true);
+      const bool direct = is_first && end == End::pushing;
+      if (has_mandatory(edge)) reach(requester, here.optional, direct);
+      if (has_optional(edge)) reach(requester, true, direct);
     }
-    if (here.group == waiter && !held) continue; // a task that waits was requested, not only needed
+    if (is_first && end != End::held) continue; // a task that waits was requested, not only needed
+    if (here.direct) continue;
     // What is needed leads on as well: it may still run for an older request.
     for (const EdgeId id : model_.groups[here.group].requesters) {
-      if (model_.edges[id].needed) reach(*model_.edges[id].requester, here.optional);
+      if (model_.edges[id].needed) reach(*model_.edges[id].requester, here.optional, false);
     }
   }
   return out;
 }
 
-const std::vector<Chains::Entry>& Chains::entries_above(GroupId group, bool held) const {
-  const auto [at, is_new] = entries_above_[held ? 1 : 0].try_emplace(group);
+const std::vector<Chains::Entry>& Chains::entries_above(GroupId group, End end) const {
+  const auto [at, is_new] = entries_above_[static_cast<std::size_t>(end)].try_emplace(group);
   std::vector<Entry>& out = at->second;
   if (!is_new) return out;
-  for (const Above& here : above(group, held)) {
+  for (const Above& here : above(group, end)) {
     for (const auto& [together, task] : entries_[here.group.value]) {
       if (together->tasks->size() > 1) out.push_back({together, task, !here.optional, here.optional});
     }
@@ -121,7 +124,7 @@ Chains::siblings(const Together& together, const Task& task, GroupId waiter, con
 
 void Chains::visit(GroupId waiter, const std::vector<GroupId>& others,
                    const std::function<void(const Meeting&, GroupId other)>& visitor) const {
-  for (const Above& here : above(waiter, false)) {
+  for (const Above& here : above(waiter, End::requested)) {
     for (const auto& [together, first] : entries_[here.group.value]) {
       for (const auto& [second, other] : siblings(*together, *first, waiter, others)) {
         for (const Task::NamedLevel& a : first->levels) {
@@ -152,8 +155,8 @@ bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) cons
 }
 
 bool Chains::may_beat(GroupId waiter, GroupId other) const {
-  if (other == waiter) return false;
-  const std::vector<Entry>& ours = entries_above(waiter);
+  if (waiter != other && always_below(waiter, other)) return false; // that is granted by then
+  const std::vector<Entry>& ours = entries_above(waiter, End::pushing);
   const std::vector<Entry>& theirs = entries_above(other);
   auto first = theirs.begin();
   for (const Entry& waiting : ours) {
@@ -163,6 +166,22 @@ bool Chains::may_beat(GroupId waiter, GroupId other) const {
     }
   }
   return false;
+}
+
+bool Chains::always_below(GroupId group, GroupId other) const {
+  if (!below_) {
+    const auto root = static_cast<Node>(model_.groups.size());
+    Arrows arrows(root + 1);
+    for (const Together& together : together_) {
+      std::vector<Node>& row = arrows[together.provider ? model_.providers[*together.provider].group.value : root];
+      for (const Task& task : *together.tasks) row.push_back(task.target.value);
+    }
+    for (const Edge& edge : model_.edges) {
+      if (edge.needed) arrows[edge.requester->value].push_back(edge.target.value);
+    }
+    below_.emplace(arrows, root);
+  }
+  return below_->is_below(group.value, other.value);
 }
 
 } // namespace director::analysis

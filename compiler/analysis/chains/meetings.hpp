@@ -4,9 +4,11 @@
 // entries of one pack, of one flat list, or of the roots, and the ranks of these two decide.
 
 #include "compiler/analysis/chains/sparse_set.hpp"
+#include "compiler/graph/dominators.hpp"
 #include "compiler/model/model.hpp"
 
 #include <functional>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -57,9 +59,13 @@ public:
     bool mandatory = false, optional = false;
   };
 
-  /// Of places where something else is asked for too, in order of place and task. `held`: also chains at whose end the
-  /// group is only needed.
-  const std::vector<Entry>& entries_above(GroupId group, bool held = false) const;
+  enum class End {
+    requested, ///< the group is
+    held,      ///< or needed only
+    pushing    ///< it is, by one that was itself granted for a request: what only a need holds pushes nobody
+  };
+  /// Of places where something else is asked for too, in order of place and task.
+  const std::vector<Entry>& entries_above(GroupId group, End end = End::requested) const;
 
   Chains(const Model& model, std::function<bool(ProviderId)> counts);
 
@@ -68,8 +74,11 @@ public:
              const std::function<void(const Meeting&, GroupId other)>& visitor) const;
 
   /// A task for `waiter` may push the other group: that is requested by an edge that it may go before, and not granted
-  /// with it or with what is above it in one unit. Never itself.
+  /// with it or with what is above it in one unit. Itself where somebody else requests it too.
   bool may_beat(GroupId waiter, GroupId other) const;
+
+  /// Every chain that leads to the group, of requests and needs, passes the other one.
+  bool always_below(GroupId group, GroupId other) const;
 
   const std::vector<Together>& together() const { return together_; }
 
@@ -78,8 +87,9 @@ private:
   struct Above {
     GroupId group{};
     bool optional = false; ///< an edge between the two is
+    bool direct = false;   ///< it requests the group itself, as looked at with End::pushing
   };
-  std::vector<Above> above(GroupId group, bool held) const;
+  std::vector<Above> above(GroupId group, End end) const;
   bool beats(const Entry& waiting, const Entry& entry, GroupId other) const;
   /// The entries beside this one that lead to one of `others`, in order of the entries.
   std::vector<std::pair<const Entry*, GroupId>> siblings(const Together& together, const Task& task, GroupId waiter,
@@ -91,7 +101,8 @@ private:
   std::function<bool(ProviderId)> counts_;
   std::vector<Together> together_;
   std::vector<std::vector<std::pair<const Together*, const Task*>>> entries_; ///< by target
-  mutable std::unordered_map<GroupId, std::vector<Entry>> entries_above_[2];
+  mutable std::unordered_map<GroupId, std::vector<Entry>> entries_above_[3];
+  mutable std::optional<DominatorTree> below_;
 };
 
 } // namespace director::analysis

@@ -32,7 +32,7 @@ public:
 
   std::optional<Contender> run() {
     const Chains& chains = input_.shared.chains();
-    const std::vector<Entry>& theirs = chains.entries_above(group_, true);
+    const std::vector<Entry>& theirs = chains.entries_above(group_, Chains::End::held);
     auto first = theirs.begin();
     for (const Entry& ours : chains.entries_above(own_)) {
       if (candidates_.size() >= most_collected) break;

@@ -79,9 +79,11 @@ void Packmates::add_mates(GroupId requester, const ByTaken& by_taken, PackEntry&
 std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& rival, GroupId group,
                                              const PackEntry& entry) {
   const Task &by = *rival.task, &over = *entry.task;
-  const Beside beside{requester, rival.unit, &by, &over};
   const bool before = takers_.always_before(by, over);
   const bool first = before || takers_.always_first_of_equals(requester, by, over);
+  // Of two equals that are asked for together both are granted before anything below one of them is tried.
+  const bool together = !first && by.edge != over.edge && takers_.always_beside(requester, by, over);
+  const Beside beside{requester, rival.unit, &by, &over, together};
   Packmate out{
       {before ? Taker::Kind::before : Taker::Kind::unit, group, {}, &by, &over, {}, {}, true}, rival.unit, false, true};
   if (is_in(*rival.unit, &over)) {
@@ -91,13 +93,13 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
     if (!out.taker.steady) out.taker.kind = Taker::Kind::unit; // then the others wait with it
     return out;
   }
-  out.from_below = first;
+  out.from_below = first || together;
   // A unit is tried in the place of the first of its members.
   out.from_entry =
       first && (entry.unit == nullptr || std::all_of(entry.unit->begin(), entry.unit->end(), [&](const Task* each) {
                   return takers_.always_before(by, *each) || takers_.always_first_of_equals(requester, by, *each);
                 }));
-  if (!rival.at_first || (!first && !takers_.is_mandatory(over))) return std::nullopt;
+  if (!rival.at_first || (!first && !together && !takers_.is_mandatory(over))) return std::nullopt;
   out.taker.kind = Taker::Kind::before;
   out.taker.spoilers = spoilers(beside).of(takers_.takes(requester, *rival.unit).maybe);
   out.taker.steady = out.taker.spoilers.empty() && takers_.is_unconditional(by.target);

@@ -24,7 +24,8 @@ Spoilers::Spoilers(const Input& input, const Takers& takers, const Beside& besid
       over_(beside.over->target) {
   for (const Task* member : *beside.unit) own_.insert(member->target);
   find_after(beside);
-  goes_before_over_ = own_.count(over_) != 0 || after_.count(over_) != 0;
+  is_before_below_ = beside.is_before_below;
+  goes_before_over_ = is_before_below_ || own_.count(over_) != 0 || after_.count(over_) != 0;
   find_inside();
   find_early();
 }
@@ -106,6 +107,7 @@ bool Spoilers::may_hold(const Edge& edge) const {
     return own_.count(edge.target) == 0 && (edge.needed || after_.count(edge.target) == 0);
   if (!has(inside_, *edge.requester)) return true;
   if (edge.needed && early_.count(*edge.requester) != 0) return true;
+  if (is_before_below_ && edge.needed && has(input_.shared.units().needed(over_), *edge.requester)) return true;
   if (goes_before_over_ || !has(input_.shared.claims(over_).groups(), *edge.requester)) return false;
   return edge.needed ||
          std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return !level.optional; });

@@ -14,6 +14,8 @@ struct Beside {
   const Unit* unit = nullptr; ///< in which `by` is granted
   const Task* by = nullptr;
   const Task* over = nullptr;
+  bool is_before_below =
+      false; ///< `by` is granted before anything below `over` is tried, though not before that itself
 };
 
 /// Those that may hold something when `by` is tried. What surely goes after it is not asked; below `over` that is
@@ -39,7 +41,7 @@ private:
   std::set<GroupId> after_; ///< other tasks of the requester that surely go after `by`, wherever they are asked for
   std::set<GroupId> early_; ///< what the requester needs, with all that this needs: held before what it requests
   Groups inside_;           ///< what is below the unit, below those and below `over`, and below nothing else
-  bool goes_before_over_ = false;
+  bool goes_before_over_ = false, is_before_below_ = false;
 };
 
 } // namespace director::analysis

@@ -221,8 +221,12 @@ bool Takers::always_before(const Task& first, const Task& second) const {
 }
 
 bool Takers::always_first_of_equals(GroupId requester, const Task& first, const Task& second) const {
+  return first.edge < second.edge && input_.model.edges[first.edge].levels.size() == 1 &&
+         always_beside(requester, first, second);
+}
+
+bool Takers::always_beside(GroupId requester, const Task& first, const Task& second) const {
   const Model& model = input_.model;
-  if (second.edge < first.edge || model.edges[first.edge].levels.size() != 1) return false;
   const bool equal = at_all_levels(model, first, second, [](const Level& a, const Level& b) {
     return a.optional == b.optional && a.priority == b.priority;
   });

@@ -81,6 +81,8 @@ public:
   bool always_before(const Task& first, const Task& second) const;
   /// They have one rank, and the second one is never asked for without the first or before it.
   bool always_first_of_equals(GroupId requester, const Task& first, const Task& second) const;
+  /// They are equal at all levels, and whenever this requester asks for the second it asks for the first.
+  bool always_beside(GroupId requester, const Task& first, const Task& second) const;
   /// A plan of somebody else may hold the group, by any provider that can run.
   bool is_needed(GroupId group) const;
   bool is_mandatory(const Task& task) const;

@@ -78,14 +78,26 @@ std::optional<Region> Contexts::below(GroupId group) {
   std::optional<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
     if (!facts_.active.contains(id)) continue;
-    Region region = facts_.contexts[group];
-    region.meet(around(id, facts_.pushed.contains(id)));
+    Region region = around(id, facts_.pushed.contains(id));
+    if (!is_kept_adrift(group)) region.meet(facts_.contexts[group]);
     if (facts_.plans[id] == PlanVerdict::found) {
       for (const Use<GroupId>& need : model_.providers[id].needs) region.meet(around_needed(need.id));
     }
     out = out ? hull(*out, region) : region;
   }
   return out;
+}
+
+bool Contexts::is_kept_adrift(GroupId group) const {
+  const auto asks = [&](EdgeId id) { return model_.edges[id].requester.has_value(); };
+  const std::vector<EdgeId>& above = model_.groups[group].requesters;
+  return std::any_of(above.begin(), above.end(), [&](EdgeId id) {
+    if (!model_.edges[id].requester || model_.edges[id].levels.empty()) return false;
+    const std::vector<EdgeId>& next = model_.groups[*model_.edges[id].requester].requesters;
+    // One without conditions that only one group asks for has it as long as that runs.
+    return (next.size() > 1 || facts_.may_wait.contains(*model_.edges[id].requester)) &&
+           std::any_of(next.begin(), next.end(), asks);
+  });
 }
 
 const Region& Contexts::around_needed(GroupId group) {

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Under which states a group is ever asked for, and whether a provider can begin there: a task is tried only while all
-// that is above it can run, and granted with all that it needs, so the conditions of all of them hold at once.
+// Under which states a group is ever asked for, and whether a provider can begin there: a task is tried only while its
+// requester can run, and granted with all that it needs, so the conditions of both hold at once; and so on upwards as
+// far as nothing is kept for an heir.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -29,6 +30,9 @@ public:
   bool can_go_on(ProviderId id, Region within);
 
 private:
+  /// It may run on for a requester that cannot any more and is kept for an heir (semantics.md 4.4, "Hand-over"): one
+  /// that some group asks for, or needs.
+  bool is_kept_adrift(GroupId group) const;
   Region around(ProviderId id, bool pushed) const;
   const Region& around_needed(GroupId group);
   bool may_be(const Region& region) const;

@@ -26,12 +26,13 @@ public:
         graph_(graph),
         sources_(find_sources(model)),
         causers_(find_causers(model)),
-        rivals_(model, facts_.claimable),
+        rivals_(model, facts_.holding, facts_.active),
         contexts_(model, facts_) {
     const std::size_t groups = model.groups.size(), providers = model.providers.size();
     facts_.declared = facts_.values = IdTable<StateId, ValueSet>(model.states.size());
     facts_.plans = IdTable<ProviderId, PlanVerdict>(providers, PlanVerdict::found);
-    facts_.capable_groups = facts_.requested = facts_.claimable = IdSet<GroupId>(groups);
+    facts_.capable_groups = facts_.requested = planned_ = IdSet<GroupId>(groups);
+    facts_.holding = IdSet<EdgeId>(model.edges.size());
     needers_ = IdTable<GroupId, std::vector<GroupId>>(groups);
     waiters_ = IdTable<StateId, std::vector<GroupId>>(model.states.size());
     set_by_provider_ = IdTable<ProviderId, Sets>(providers);
@@ -49,7 +50,10 @@ public:
       find_impossible(id, false);
       find_impossible(id, true);
     }
-    for (const Task& root : model_.roots) request(root.target, Region{});
+    for (const Task& root : model_.roots) {
+      hold(root.edge);
+      request(root.target, Region{});
+    }
     for (const StateId state : model_.states.ids()) {
       for (const Source& source : sources_[state]) {
         if (!source.provider && !source.group) grow(state, source.values);
@@ -168,22 +172,32 @@ private:
     }
   }
 
-  /// With all that it may need.
-  void claim(GroupId group) {
-    std::vector<GroupId> open{group};
+  void hold(EdgeId edge) {
+    if (facts_.holding.add(edge)) ++news_;
+  }
+
+  /// All that its plans may hold.
+  void hold_needs(ProviderId provider) {
+    std::vector<ProviderId> open{provider};
     while (!open.empty()) {
-      const GroupId next = open.back();
+      const ProviderId id = open.back();
       open.pop_back();
-      if (!facts_.claimable.add(next)) continue;
-      for (const ProviderId id : model_.groups[next].providers) {
-        for (const Use<GroupId>& need : model_.providers[id].needs) open.push_back(need.id);
+      if (!holds_needs_.add(id)) continue;
+      const GroupId group = model_.providers[id].group;
+      for (const Use<GroupId>& need : model_.providers[id].needs) {
+        for (const EdgeId edge : model_.groups[group].edges) {
+          if (model_.edges[edge].target == need.id) hold(edge);
+        }
+        if (!planned_.add(need.id)) continue;
+        for (const ProviderId below : model_.groups[need.id].providers) {
+          if (facts_.capable.contains(below)) open.push_back(below);
+        }
       }
     }
   }
 
   void request(GroupId group, const Region& region) {
     if (!contexts_.widen(group, region)) return;
-    claim(group);
     ++news_;
     look_again(group);
   }
@@ -217,6 +231,7 @@ private:
       }
       facts_.capable.add(id);
       ++news_;
+      if (planned_.contains(group)) hold_needs(id);
       if (!facts_.capable_groups.add(group)) continue;
       for (const GroupId needer : needers_[group]) look_again(needer);
     }
@@ -239,15 +254,15 @@ private:
 
   /// Its `when` may hold while each of its rivals lacks something. Those that exclude it lack it then.
   bool may_come_first(ProviderId id) {
-    Region own = contexts_.own(id);
     const GroupId group = model_.providers[id].group;
-    if (facts_.requested.contains(group)) own.meet(facts_.contexts[group]);
+    Region own = contexts_.own(id);
+    own.meet(facts_.contexts[group]);
     std::vector<Region> others;
     bool with_needs = false; // which others may come to hold later
-    for (const ProviderId rival : rivals_.that_meet(id, own)) {
-      with_needs = with_needs || !model_.providers[rival].needs.empty();
-      if (facts_.plans[rival] == PlanVerdict::found && mended_states(rival).empty())
-        others.push_back(region_of(model_, model_.providers[rival].when));
+    for (const Rival& rival : rivals_.that_meet(id, own)) {
+      with_needs = with_needs || !model_.providers[rival.provider].needs.empty();
+      if (facts_.plans[rival.provider] == PlanVerdict::found && mended_states(rival.provider).empty())
+        others.insert(others.end(), rival.ways.begin(), rival.ways.end());
     }
     const Covering covering = find_covering(model_, own, others, facts_.values, facts_.budget);
     if (covering == Covering::undecided)
@@ -258,15 +273,16 @@ private:
   }
 
   void find_active(GroupId group) {
+    if (!facts_.requested.contains(group)) return;
     for (const ProviderId id : model_.groups[group].providers) {
-      const bool requested = facts_.requested.contains(group);
-      if (facts_.active.contains(id) || !facts_.capable.contains(id)) continue;
-      if (requested && !contexts_.can_begin(id, facts_.contexts[group])) {
-        together_.push_back(group);
+      if (!facts_.capable.contains(id) || facts_.chosen.contains(id)) continue;
+      if (!contexts_.can_begin(id, facts_.contexts[group])) {
+        if (!facts_.active.contains(id)) together_.push_back(group);
         continue;
       }
-      if (!facts_.chosen.contains(id) && may_come_first(id)) facts_.chosen.add(id);
-      if (requested && (facts_.chosen.contains(id) || facts_.pushed.contains(id))) become_active(group, id);
+      if (may_come_first(id)) facts_.chosen.add(id);
+      if (!facts_.active.contains(id) && (facts_.chosen.contains(id) || facts_.pushed.contains(id)))
+        become_active(group, id);
     }
     ask_below(group);
   }
@@ -285,6 +301,10 @@ private:
 
   void become_active(GroupId group, ProviderId id) {
     facts_.active.add(id);
+    hold_needs(id);
+    for (const Pack& pack : model_.providers[id].packs) {
+      for (const Task& task : pack.tasks) hold(task.edge);
+    }
     changed_ = true;
     ++news_;
     for (const auto& [state, source] : set_by_provider_[id]) grow(state, source->values);
@@ -319,9 +339,11 @@ private:
   using Sets = std::vector<std::pair<StateId, const Source*>>;
   IdTable<ProviderId, Sets> set_by_provider_;
   IdTable<GroupId, Sets> set_by_handlers_;
-  IdTable<GroupId, std::size_t> place_;  ///< in the graph's order
-  std::vector<GroupId> again_;           ///< that a new fact concerns
-  SparseSet<GroupId> waits_for_a_look_;  ///< ... each once
+  IdTable<GroupId, std::size_t> place_; ///< in the graph's order
+  std::vector<GroupId> again_;          ///< that a new fact concerns
+  SparseSet<GroupId> waits_for_a_look_; ///< ... each once
+  IdSet<GroupId> planned_;              ///< needed by a plan of one that may be active
+  SparseSet<ProviderId> holds_needs_;
   std::vector<GroupId> together_;        ///< that have a provider which may run if what others add lets it
   std::size_t news_ = 0, news_then_ = 0; ///< facts so far, and when that was looked at
   Facts facts_;

@@ -42,7 +42,7 @@ struct Facts {
   IdTable<StateId, ValueSet> values; ///< that the state may have
   IdSet<GroupId> capable_groups;     ///< some provider is capable
   IdSet<GroupId> requested;
-  IdSet<GroupId> claimable;          ///< requested, or needed by such a one, by any of its providers
+  IdSet<EdgeId> holding;             ///< by which something alive may hold their target: requested, or in some plan
   IdTable<GroupId, Region> contexts; ///< of requested groups: around all states in which a task for it is tried
   IdSet<ProviderId> capable;         ///< its conditions may hold, together with those of some choice for its needs
   IdSet<ProviderId> excluded; ///< capable, its group requested, but only where its conditions, or its needs', fail

@@ -31,6 +31,17 @@ std::vector<ProviderId> providers_of_plans(const Model& model, const Facts& fact
   return out;
 }
 
+/// So many earlier ones that cause the same are looked at.
+constexpr std::size_t most_rivals = 16;
+
+/// Whatever is there for the second one's needs is there for the first one's.
+bool needs_no_more(const Provider& first, const Provider& second) {
+  return std::all_of(first.needs.begin(), first.needs.end(), [&](const Use<GroupId>& need) {
+    return std::any_of(second.needs.begin(), second.needs.end(),
+                       [&](const Use<GroupId>& other) { return other.id == need.id; });
+  });
+}
+
 } // namespace
 
 Causers find_causers(const Model& model) {
@@ -63,6 +74,50 @@ Pushes::Pushes(const Model& model, const Facts& facts, const Chains& chains, con
 bool Pushes::may_hold(ConditionId id) const {
   const Condition& condition = model_.conditions[id];
   return !facts_.values[condition.state].intersected(condition.accepts).empty();
+}
+
+bool Pushes::may_lack_with(ConditionId id, ConditionId wanted) const {
+  const Condition& own = model_.conditions[id];
+  const Condition& other = model_.conditions[wanted];
+  return own.state != other.state || model_.states[own.state].may_be_unset() ||
+         !facts_.values[own.state].without(other.accepts).subset_of(own.accepts);
+}
+
+bool Pushes::holds_with(ProviderId rival, ProviderId causer, ConditionId wanted) const {
+  const std::vector<ConditionUse>& when = model_.providers[rival].when;
+  const Provider& other = model_.providers[causer];
+  return std::all_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+    const Condition& own = model_.conditions[use.id];
+    const bool is_shared = std::any_of(other.when.begin(), other.when.end(), [&](const ConditionUse& each) {
+      const Condition& theirs = model_.conditions[each.id];
+      return theirs.state == own.state && theirs.accepts.subset_of(own.accepts);
+    });
+    return (is_shared && other.stay.empty()) || !may_lack_with(use.id, wanted) ||
+           facts_.holds_always(model_, use.id, Region{});
+  });
+}
+
+bool Pushes::is_passed_over(ProviderId causer, ConditionId wanted) const {
+  const Condition& condition = model_.conditions[wanted];
+  const Provider& provider = model_.providers[causer];
+  const bool waits_too = std::any_of(provider.when.begin(), provider.when.end(), [&](const ConditionUse& use) {
+    const Condition& own = model_.conditions[use.id];
+    return own.state == condition.state && own.accepts.subset_of(condition.accepts) && !is_mended(causer, use.id);
+  });
+  return (waits_too && provider.stay.empty()) || earlier_causer(causer, wanted).has_value();
+}
+
+std::optional<ProviderId> Pushes::earlier_causer(ProviderId causer, ConditionId wanted) const {
+  std::size_t tried = 0;
+  for (const ProviderId rival : model_.group_of(causer).providers) {
+    if (rival == causer || tried == most_rivals) break;
+    if (model_.providers[rival].causing.empty() || !model_.causes(rival, wanted)) continue;
+    ++tried;
+    if (facts_.plans[rival] == PlanVerdict::found && holds_with(rival, causer, wanted) &&
+        needs_no_more(model_.providers[rival], model_.providers[causer]))
+      return rival;
+  }
+  return std::nullopt;
 }
 
 /// What is reported as impossible is taken for mended.
@@ -169,7 +224,7 @@ bool PushSearch::may_push(ProviderId causer, ConditionId condition) {
       }
     }
   }
-  return wanted_->contains(condition) && serves(causer);
+  return wanted_->contains(condition) && serves(causer) && !all_.is_passed_over(causer, condition);
 }
 
 std::vector<ProviderId> PushSearch::explore(Explored& explored) {
@@ -177,31 +232,52 @@ std::vector<ProviderId> PushSearch::explore(Explored& explored) {
   std::vector<ConditionId> wanted;
   SparseSet<ConditionId> seen;
   SparseSet<ProviderId> passed;
-  const auto want = [&](ProviderId provider) {
+  const auto want = [&](ProviderId provider, std::optional<ConditionId> lacking) {
     for (const ConditionUse& use : all_.model_.providers[provider].when) {
       if (!explored.conditions.contains(use.id) && !all_.causers_[use.id].empty() &&
-          !all_.is_mended(provider, use.id) && seen.add(use.id))
+          !all_.is_mended(provider, use.id) && (!lacking || all_.may_lack_with(use.id, *lacking)) && seen.add(use.id))
         wanted.push_back(use.id);
     }
   };
+  // And of the groups that it may need.
+  const auto want_below = [&](ProviderId causer) {
+    SparseSet<GroupId> needed;
+    std::vector<ProviderId> open{causer};
+    while (!open.empty()) {
+      const ProviderId provider = open.back();
+      open.pop_back();
+      if (provider != causer) want(provider, std::nullopt);
+      for (const Use<GroupId>& need : all_.model_.providers[provider].needs) {
+        if (!all_.facts_.may_wait.contains(need.id) || !needed.add(need.id)) continue;
+        const std::vector<ProviderId>& below = all_.model_.groups[need.id].providers;
+        open.insert(open.end(), below.begin(), below.end());
+      }
+    }
+  };
   for (const ProviderId provider : providers_) {
-    if (can_be_completed(provider)) want(provider);
+    if (can_be_completed(provider)) want(provider, std::nullopt);
   }
   for (std::size_t next = 0; next < wanted.size(); ++next) {
     for (const ProviderId causer : all_.causers_[wanted[next]]) {
-      if (passed.contains(causer) || !serves(causer)) continue;
-      passed.add(causer);
+      if (!serves(causer) || all_.is_passed_over(causer, wanted[next])) continue;
+      want(causer, wanted[next]);
+      if (!passed.add(causer)) continue;
       if (explored.pushable.add(causer)) out.push_back(causer);
-      want(causer);
+      want_below(causer);
     }
   }
   for (auto at = wanted.rbegin(); at != wanted.rend(); ++at) {
     const std::vector<ProviderId>& causers = all_.causers_[*at];
     const bool all_found = std::all_of(causers.begin(), causers.end(), [&](ProviderId causer) {
+      if (all_.is_passed_over(causer, *at)) return true;
       const std::vector<ConditionUse>& when = all_.model_.providers[causer].when;
+      const std::vector<Use<GroupId>>& needs = all_.model_.providers[causer].needs;
+      if (std::any_of(needs.begin(), needs.end(),
+                      [&](const Use<GroupId>& need) { return all_.facts_.may_wait.contains(need.id); }))
+        return false;
       return explored.pushable.contains(causer) && std::all_of(when.begin(), when.end(), [&](const ConditionUse& use) {
                return explored.conditions.contains(use.id) || all_.causers_[use.id].empty() ||
-                      all_.is_mended(causer, use.id);
+                      all_.is_mended(causer, use.id) || !all_.may_lack_with(use.id, *at);
              });
     });
     if (all_found) explored.conditions.add(*at);

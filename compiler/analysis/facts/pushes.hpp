@@ -20,6 +20,18 @@ class Pushes {
 public:
   Pushes(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers);
 
+  /// The one may be lacking while the other is.
+  bool may_lack_with(ConditionId id, ConditionId wanted) const;
+
+  /// Each condition of the rival holds wherever those of the causer do, or can be served by whoever serves those; or
+  /// because what is wanted is lacking.
+  bool holds_with(ProviderId rival, ProviderId causer, ConditionId wanted) const;
+
+  /// Never pushed for this: it waits for the same or more itself, so that whoever brings that about serves without it;
+  /// or an earlier one of its group causes it too, and can be pushed whenever this one can.
+  bool is_passed_over(ProviderId causer, ConditionId wanted) const;
+  std::optional<ProviderId> earlier_causer(ProviderId causer, ConditionId wanted) const;
+
 private:
   friend class PushSearch;
   bool may_hold(ConditionId id) const;

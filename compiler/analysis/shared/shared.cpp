@@ -42,7 +42,7 @@ const Indispensable& Shared::indispensable() const {
 }
 
 const Rivals& Shared::rivals() const {
-  if (!rivals_) rivals_.emplace(model_, facts_.claimable);
+  if (!rivals_) rivals_.emplace(model_, facts_.holding, facts_.active);
   return *rivals_;
 }
 

@@ -8,50 +8,40 @@ namespace director::analysis {
 
 namespace {
 
-struct Availability {
-  const Model& model;
-  const IdSet<GroupId>& claimable;
+/// More ways of one rival are left out.
+constexpr std::size_t most_ways = 16;
 
-  /// Somebody but `needer` may hold it.
-  bool is_contended(GroupId group, GroupId needer) const {
-    return std::any_of(model.groups[group].requesters.begin(), model.groups[group].requesters.end(), [&](EdgeId id) {
-      const Edge& edge = model.edges[id];
-      return !edge.requester || (*edge.requester != needer && claimable.contains(*edge.requester));
-    });
-  }
+DominatorTree tree_of(const Model& model) {
+  const auto root = static_cast<Node>(model.groups.size());
+  Arrows arrows(root + 1);
+  for (const Edge& edge : model.edges)
+    arrows[edge.requester ? edge.requester->value : root].push_back(edge.target.value);
+  return {arrows, root};
+}
 
-  /// The needs of `rival` can be met whenever those of `provider` are. `path`: the groups above, against going in
-  /// circles.
-  bool is_free(ProviderId rival, ProviderId provider, std::vector<GroupId>& path) const {
-    const Provider& row = model.providers[rival];
-    return std::all_of(row.needs.begin(), row.needs.end(),
-                       [&](const Use<GroupId>& need) { return can_be_had(need.id, row.group, provider, path); });
+void find_parties(const Model& model, ProviderId rival, std::set<GroupId>& out) {
+  if (model.providers[rival].needs.empty()) return;
+  out.insert(model.providers[rival].group);
+  std::vector<ProviderId> open{rival};
+  while (!open.empty()) {
+    const ProviderId id = open.back();
+    open.pop_back();
+    for (const Use<GroupId>& need : model.providers[id].needs) {
+      if (!out.insert(need.id).second) continue;
+      const std::vector<ProviderId>& below = model.groups[need.id].providers;
+      open.insert(open.end(), below.begin(), below.end());
+    }
   }
-
-  bool can_be_had(GroupId group, GroupId needer, ProviderId provider, std::vector<GroupId>& path) const {
-    // What that one needs itself it has by the same edge. What only a part of its plan needs does not count: an equal
-    // that lets that part have it may deny it to this one.
-    const auto& needs = model.providers[provider].needs;
-    if (needer == model.providers[provider].group &&
-        std::any_of(needs.begin(), needs.end(), [&](const auto& need) { return need.id == group; }))
-      return true;
-    if (is_contended(group, needer) || std::find(path.begin(), path.end(), group) != path.end()) return false;
-    path.push_back(group);
-    const std::vector<ProviderId>& providers = model.groups[group].providers;
-    const bool out = std::any_of(providers.begin(), providers.end(), [&](ProviderId id) {
-      return model.providers[id].when.empty() && is_free(id, provider, path);
-    });
-    path.pop_back();
-    return out;
-  }
-};
+}
 
 } // namespace
 
-Rivals::Rivals(const Model& model, const IdSet<GroupId>& claimable)
+Rivals::Rivals(const Model& model, const IdSet<EdgeId>& holding, const IdSet<ProviderId>& active)
     : model_(model),
-      claimable_(claimable),
-      place_(model.providers.size()) {
+      holding_(holding),
+      active_(active),
+      place_(model.providers.size()),
+      below_(tree_of(model)) {
   for (const GroupId id : model.groups.ids()) {
     const Group& group = model.groups[id];
     std::vector<Region> regions;
@@ -63,26 +53,85 @@ Rivals::Rivals(const Model& model, const IdSet<GroupId>& claimable)
   }
 }
 
-bool Rivals::is_needed(GroupId group) const {
+std::vector<Rival> Rivals::that_meet(ProviderId provider, const Region& region) const {
+  const GroupId group = model_.providers[provider].group;
+  std::vector<Rival> out;
+  for (const std::size_t place : regions_[group].meeting(region, place_[provider])) {
+    const ProviderId rival = model_.groups[group].providers[place];
+    Trial trial{provider, {group}, {}};
+    find_parties(model_, rival, trial.parties);
+    std::vector<Region> ways = this->ways(rival, trial);
+    if (!ways.empty()) out.push_back({rival, std::move(ways)});
+  }
+  return out;
+}
+
+std::vector<Region> Rivals::ways(ProviderId rival, Trial& trial) const {
+  const Provider& row = model_.providers[rival];
+  std::vector<Region> out{region_of(model_, row.when)};
+  for (const Use<GroupId>& need : row.needs) {
+    std::vector<Region> both;
+    for (const Region& below : ways(need.id, row.group, trial)) {
+      for (const Region& own : out) {
+        if (both.size() == most_ways) break;
+        Region way = own;
+        way.meet(below);
+        both.push_back(std::move(way));
+      }
+    }
+    out = std::move(both);
+    if (out.empty()) break;
+  }
+  return out;
+}
+
+std::vector<Region> Rivals::ways(GroupId group, GroupId needer, Trial& trial) const {
+  // What that one needs itself it has by the same edge. What only a part of its plan needs does not count: an equal
+  // that lets that part have it may deny it to this one.
+  const Provider& provider = model_.providers[trial.provider];
+  if (needer == provider.group &&
+      std::any_of(provider.needs.begin(), provider.needs.end(), [&](const auto& need) { return need.id == group; }))
+    return {Region{}};
+  std::vector<GroupId>& path = trial.path;
+  if (std::find(path.begin(), path.end(), group) != path.end() || is_contended(group, needer, trial)) return {};
+  path.push_back(group);
+  std::vector<Region> out;
+  for (const ProviderId id : model_.groups[group].providers) {
+    for (Region& way : ways(id, trial)) {
+      if (out.size() < most_ways) out.push_back(std::move(way));
+    }
+  }
+  path.pop_back();
+  return out;
+}
+
+/// Somebody but `needer` may hold it when the provider's group is tried, or take it in the same plan.
+bool Rivals::is_contended(GroupId group, GroupId needer, const Trial& trial) const {
+  const GroupId above = model_.providers[trial.provider].group;
   const std::vector<EdgeId>& all = model_.groups[group].requesters;
   return std::any_of(all.begin(), all.end(), [&](EdgeId id) {
     const Edge& edge = model_.edges[id];
-    return edge.needed && claimable_.contains(*edge.requester);
+    if (edge.requester == needer) return false;
+    if (edge.needed && trial.parties.count(*edge.requester) != 0) return true;
+    return holding_.contains(id) &&
+           (!edge.requester || needer != above || goes_without(*edge.requester, group, trial.provider));
   });
 }
 
-std::vector<ProviderId> Rivals::that_meet(ProviderId provider, const Region& region) const {
-  const Availability availability{model_, claimable_};
-  const GroupId group = model_.providers[provider].group;
-  std::vector<ProviderId> out;
-  for (const std::size_t place : regions_[group].meeting(region, place_[provider])) {
-    const ProviderId rival = model_.groups[group].providers[place];
-    // Two needs of one provider may come down to the same thing, and then a later choice has to serve.
-    if (is_needed(group) && !model_.providers[rival].needs.empty()) continue;
-    std::vector<GroupId> path{group};
-    if (availability.is_free(rival, provider, path)) out.push_back(rival);
-  }
-  return out;
+/// What is below the provider's group holds nothing that everything which runs there needs itself.
+bool Rivals::goes_without(GroupId holder, GroupId group, ProviderId provider) const {
+  const GroupId above = model_.providers[provider].group;
+  if (holder == above || !below_.is_below(holder.value, above.value)) return true;
+  const std::vector<EdgeId>& requesters = model_.groups[above].requesters;
+  if (std::any_of(requesters.begin(), requesters.end(),
+                  [&](EdgeId id) { return model_.edges[id].needed && holding_.contains(id); }))
+    return true;
+  const std::vector<ProviderId>& all = model_.groups[above].providers;
+  return std::any_of(all.begin(), all.end(), [&](ProviderId id) {
+    const auto& needs = model_.providers[id].needs;
+    return active_.contains(id) &&
+           std::none_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return need.id == group; });
+  });
 }
 
 Covering find_covering(const Model& model, const Region& own, const std::vector<Region>& others,
@@ -93,10 +142,10 @@ Covering find_covering(const Model& model, const Region& own, const std::vector<
   return find_covering(model, values, start, others, budget);
 }
 
-Covering find_choice(const Model& model, ProviderId provider, const std::vector<ProviderId>& rivals,
+Covering find_choice(const Model& model, ProviderId provider, const std::vector<Rival>& rivals,
                      const IdTable<StateId, ValueSet>& values, Budget& budget) {
   std::vector<Region> others;
-  for (const ProviderId rival : rivals) others.push_back(region_of(model, model.providers[rival].when));
+  for (const Rival& rival : rivals) others.insert(others.end(), rival.ways.begin(), rival.ways.end());
   return find_covering(model, region_of(model, model.providers[provider].when), others, values, budget);
 }
 

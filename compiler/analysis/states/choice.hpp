@@ -4,30 +4,48 @@
 
 #include "compiler/analysis/states/covering.hpp"
 #include "compiler/analysis/states/region_index.hpp"
+#include "compiler/graph/dominators.hpp"
 #include "compiler/model/model.hpp"
 
+#include <set>
 #include <vector>
 
 namespace director::analysis {
 
-/// For each provider the earlier ones of its group that can run whenever their `when` holds and this one can run: what
-/// they need nobody else can hold, or this one needs it itself.
+/// An earlier provider of the group, and regions in each of which it can run whenever the later one can: what it needs
+/// nobody else can hold, or the later one needs it itself.
+struct Rival {
+  ProviderId provider{};
+  std::vector<Region> ways;
+};
+
 class Rivals {
 public:
-  /// `claimable`: groups that something alive may hold; it may grow.
-  Rivals(const Model& model, const IdSet<GroupId>& claimable);
+  /// `holding`: edges by which something alive may hold their target; it may grow, and so may `active`.
+  Rivals(const Model& model, const IdSet<EdgeId>& holding, const IdSet<ProviderId>& active);
 
-  std::vector<ProviderId> of(ProviderId provider) const { return that_meet(provider, {}); }
+  std::vector<Rival> of(ProviderId provider) const { return that_meet(provider, {}); }
   /// Those whose `when` may hold within the region. The others lack something there anyway.
-  std::vector<ProviderId> that_meet(ProviderId provider, const Region& region) const;
+  std::vector<Rival> that_meet(ProviderId provider, const Region& region) const;
 
 private:
-  bool is_needed(GroupId group) const;
+  /// Of one rival.
+  struct Trial {
+    ProviderId provider{};     ///< the later one
+    std::vector<GroupId> path; ///< the groups above, against going in circles
+    std::set<GroupId> parties; ///< all that the rival's plans may hold
+  };
+  std::vector<Region> ways(ProviderId rival, Trial& trial) const;
+  std::vector<Region> ways(GroupId group, GroupId needer, Trial& trial) const;
+  bool is_contended(GroupId group, GroupId needer, const Trial& trial) const;
+  bool goes_without(GroupId holder, GroupId group, ProviderId provider) const;
 
   const Model& model_;
-  const IdSet<GroupId>& claimable_;
+  const IdSet<EdgeId>& holding_;
+  const IdSet<ProviderId>& active_;
   IdTable<ProviderId, std::size_t> place_; ///< among those of its group
   IdTable<GroupId, RegionIndex> regions_;  ///< of its providers, by `when`
+  DominatorTree below_;                    ///< of groups below the roots, over requests and needs
 };
 
 /// Whether `others` cover all of `own`, each state having one of `values` or, where `own` does not speak of it and it
@@ -35,8 +53,8 @@ private:
 Covering find_covering(const Model& model, const Region& own, const std::vector<Region>& others,
                        const IdTable<StateId, ValueSet>& values, Budget& budget);
 
-/// The same of the `when` of a provider and those of `rivals`. Covered: it never comes first.
-Covering find_choice(const Model& model, ProviderId provider, const std::vector<ProviderId>& rivals,
+/// The same of the `when` of a provider and the ways of `rivals`. Covered: it never comes first.
+Covering find_choice(const Model& model, ProviderId provider, const std::vector<Rival>& rivals,
                      const IdTable<StateId, ValueSet>& values, Budget& budget);
 
 } // namespace director::analysis

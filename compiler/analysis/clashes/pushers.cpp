@@ -1,0 +1,189 @@
+// Door: compiler/analysis/clashes/pushers.hpp. Test: tests/compiler/analysis/clashes/pushers_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/clashes/pushers.hpp"
+
+#include "compiler/analysis/chains/sparse_set.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+/// So many providers that cause a condition are looked at as better than one of them; the earliest come first.
+constexpr std::size_t most_rivals = 16;
+
+} // namespace
+
+Pushers::Pushers(const Input& input)
+    : input_(input),
+      waiting_(input.model, input.facts),
+      pushes_(input.model, input.facts, input.shared.chains(), input.shared.causers()) {
+  for (const Wanting& wanting : input.shared.wants()) {
+    for (const Want& want : wanting.wants) {
+      for (const ProviderId causer : want.causers) direct_.insert({causer, want.condition.id});
+    }
+  }
+  for (const ConditionId wanted : input.model.conditions.ids()) {
+    for (const ProviderId id : input.shared.causers()[wanted]) {
+      if (!input.facts.pushed.contains(id)) continue;
+      for (const ConditionUse& use : input.model.providers[id].when) {
+        if (pushes_.may_lack_with(use.id, wanted)) in_chains_.insert(use.id);
+      }
+    }
+  }
+  SparseSet<GroupId> seen;
+  std::vector<GroupId> open;
+  const auto add = [&](ProviderId id) {
+    for (const Use<GroupId>& need : input.model.providers[id].needs) {
+      if (input.facts.may_wait.contains(need.id) && seen.add(need.id)) open.push_back(need.id);
+    }
+  };
+  for (const ProviderId id : input.model.providers.ids()) {
+    if (input.facts.pushed.contains(id)) add(id);
+  }
+  while (!open.empty()) {
+    const GroupId group = open.back();
+    open.pop_back();
+    for (const ProviderId id : input.model.groups[group].providers) {
+      for (const ConditionUse& use : input.model.providers[id].when) in_chains_.insert(use.id);
+      add(id);
+    }
+  }
+}
+
+bool Pushers::may_push(ProviderId causer, ConditionId condition) {
+  if (is_asked_for_after(causer, condition) || pushes_.is_passed_over(causer, condition)) return false;
+  if (direct_.count({causer, condition}) != 0 || is_pushed_in_chain(causer, condition)) return true;
+  const std::vector<Waiter>& all = waiters(condition);
+  return std::any_of(all.begin(), all.end(), [&](const Waiter& waiter) {
+    return is_idle_pusher(waiter, causer, condition) || is_beside(waiter, causer, condition);
+  });
+}
+
+const std::vector<Pushers::Waiter>& Pushers::waiters(ConditionId condition) {
+  const auto [at, is_new] = waiters_.try_emplace(condition);
+  std::vector<Waiter>& out = at->second;
+  if (!is_new) return out;
+  const Model& model = input_.model;
+  SparseSet<GroupId> seen;
+  std::vector<GroupId> open;
+  for (const ProviderId id : model.providers.ids()) {
+    const Provider& provider = model.providers[id];
+    const bool looks = std::any_of(provider.when.begin(), provider.when.end(),
+                                   [&](const ConditionUse& use) { return use.id == condition; });
+    if (looks && seen.add(provider.group)) open.push_back(provider.group);
+  }
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    const GroupId group = open[next];
+    for (const EdgeId edge : model.groups[group].requesters) {
+      if (model.edges[edge].needed && seen.add(*model.edges[edge].requester))
+        open.push_back(*model.edges[edge].requester);
+    }
+    if (!input_.facts.requested.contains(group)) continue;
+    const std::vector<ProviderId>& all = model.groups[group].providers;
+    out.push_back({group, std::any_of(all.begin(), all.end(),
+                                      [&](ProviderId id) { return !input_.facts.capable.contains(id); })});
+  }
+  std::sort(out.begin(), out.end(), [](const Waiter& a, const Waiter& b) { return a.task < b.task; });
+  return out;
+}
+
+/// Its group is requested only where the condition holds.
+bool Pushers::is_asked_for_after(ProviderId causer, ConditionId condition) const {
+  const GroupId group = input_.model.providers[causer].group;
+  const std::vector<EdgeId>& above = input_.model.groups[group].requesters;
+  const bool may_be_kept = std::any_of(above.begin(), above.end(), [&](EdgeId id) {
+    if (!input_.model.edges[id].requester) return false;
+    const std::vector<EdgeId>& next = input_.model.groups[*input_.model.edges[id].requester].requesters;
+    return std::any_of(next.begin(), next.end(), [&](EdgeId each) { return input_.model.edges[each].requester; });
+  });
+  return !may_be_kept && input_.facts.holds_always(input_.model, condition, input_.facts.contexts[group]);
+}
+
+/// A provider that never runs for another reason, which is told, may be what the task waits for all the same.
+bool Pushers::is_idle_pusher(const Waiter& waiter, ProviderId causer, ConditionId condition) {
+  return waiter.idle && PushSearch(pushes_, waiter.task).may_push(causer, condition);
+}
+
+/// On the way to another push. Which task makes that, and whether it goes before this group, is not asked.
+bool Pushers::is_pushed_in_chain(ProviderId causer, ConditionId condition) {
+  return input_.facts.pushed.contains(causer) && in_chains_.count(condition) != 0;
+}
+
+/// Members of one unit push each other, although that seldom comes to anything: none is granted without the others but
+/// below a requester with new orders.
+bool Pushers::is_beside(const Waiter& waiter, ProviderId causer, ConditionId condition) {
+  const GroupId group = input_.model.providers[causer].group;
+  if (input_.facts.holds_always(input_.model, condition, input_.facts.contexts[waiter.task]) ||
+      !waiting_.may_wait(waiter.task))
+    return false;
+  bool out = false;
+  input_.shared.chains().visit(waiter.task, {group}, [&](const Meeting& meeting, GroupId) {
+    if (out || !meeting.one_unit() || meeting.second->target != group || !meeting.first_goes_before()) return;
+    // What never can be had together waits for no condition; and what is below one member finds the other granted.
+    out = meeting.first->target != waiter.task
+              ? !is_sure(group)
+              : input_.shared.units().verdict({waiter.task, group}, true) != UnitVerdict::impossible;
+  });
+  return out;
+}
+
+/// Nothing takes it from its one requester, and nothing keeps it from running on.
+bool Pushers::is_sure(GroupId group) const {
+  const Group& row = input_.model.groups[group];
+  return row.requesters.size() == 1 && std::all_of(row.providers.begin(), row.providers.end(), [&](ProviderId id) {
+           const Provider& provider = input_.model.providers[id];
+           return provider.when.empty() && provider.needs.empty();
+         });
+}
+
+std::optional<ProviderId> Pushers::preferred(ProviderId causer, ConditionId condition) {
+  if (const auto earlier = pushes_.earlier_causer(causer, condition)) return earlier;
+  std::size_t tried = 0;
+  for (const ProviderId rival : input_.shared.causers()[condition]) {
+    if (rival == causer || tried++ == most_rivals) break;
+    if (comes_first(rival, causer, condition)) return rival;
+  }
+  return std::nullopt;
+}
+
+/// The shortest chain, then the earliest declaration.
+bool Pushers::comes_first(ProviderId rival, ProviderId causer, ConditionId condition) {
+  const Model& model = input_.model;
+  const GroupId group = model.providers[rival].group;
+  return rival < causer && group != model.providers[causer].group && model.providers[rival].needs.empty() &&
+         pushes_.holds_with(rival, causer, condition) &&
+         input_.shared.chains().always_below(model.providers[causer].group, group) &&
+         is_free_for(rival, causer, condition);
+}
+
+/// Whoever waits for the condition goes before this group, which is held for nobody's need, and pushes nobody else
+/// there.
+bool Pushers::is_free_for(ProviderId rival, ProviderId causer, ConditionId condition) {
+  const Model& model = input_.model;
+  const Chains& chains = input_.shared.chains();
+  const GroupId group = model.providers[rival].group;
+  const std::vector<EdgeId>& requesters = model.groups[group].requesters;
+  if (in_chains_.count(condition) != 0 ||
+      std::any_of(requesters.begin(), requesters.end(), [&](EdgeId id) { return model.edges[id].needed; }))
+    return false;
+  for (const ProviderId id : model.groups[group].providers) {
+    if (id != rival && input_.facts.pushed.contains(id)) return false;
+  }
+  const std::vector<GroupId>& below = input_.shared.claims(group).groups();
+  const std::vector<Waiter>& all = waiters(condition);
+  return std::all_of(all.begin(), all.end(), [&](const Waiter& waiter) {
+    if (!chains.may_beat(waiter.task, model.providers[causer].group) && !is_beside(waiter, causer, condition))
+      return true;
+    if (std::binary_search(below.begin(), below.end(), waiter.task)) return false;
+    bool always = true;
+    chains.visit(waiter.task, {group}, [&](const Meeting& meeting, GroupId) {
+      always = always && meeting.first_goes_before() && !meeting.one_unit();
+    });
+    return always;
+  });
+}
+
+} // namespace director::analysis
