@@ -209,13 +209,13 @@ const char* condition(director::Index row) {
   return name_at(all, row);
 }
 
-const char* why(const director::Because& because, std::span<char> room) {
+const char* why(const director::Because& because, std::span<char> buffer) {
   static constexpr director::Names some{
       .self = nullptr, .group = [](const void*, director::Index row) { return group(row); },
       .provider = [](const void*, director::Index row) { return provider(row); },
       .edge = [](const void*, director::Index row) { return edge(row); },
       .condition = [](const void*, director::Index row) { return condition(row); }};
-  return director::to_text(because, some, room);
+  return director::to_text(because, some, buffer);
 }
 
 const director::Names& all() {

@@ -199,8 +199,8 @@ using director::name_of;                    // of kinds of events and inputs, of
 /// All of them, for what prints the events of any behaviour.
 const director::Names& all();
 
-/// What `why` answered, as a line for people. Written into `room`, cut off where that is too small.
-const char* why(const director::Because& because, std::span<char> room);
+/// What `why` answered, as a line for people. Written into `buffer`, cut off where that is too small.
+const char* why(const director::Because& because, std::span<char> buffer);
 } // namespace names
 
 } // namespace chase_ball

@@ -85,7 +85,7 @@ constexpr std::array<director::Edge, 38> edges{{
   {.requester = 1, .target = 13, .levels = {8, 9}}, // GetUp>LeftArm
   {.requester = 1, .target = 14, .levels = {9, 10}}, // GetUp>RightArm
   {.requester = 2, .target = 1, .levels = {10, 11}}, // FallRecovery>GetUp
-  {.requester = 2, .levels = {11, 12}}, // FallRecovery>Brace
+  {.requester = 2, .levels = {11, 12}, .cluster_offset = 1}, // FallRecovery>Brace
   {.requester = 3, .target = 16, .levels = {12, 13}}, // Walk>LeftLeg
   {.requester = 3, .target = 17, .levels = {13, 14}}, // Walk>RightLeg
   {.requester = 3, .target = 13, .levels = {14, 15}}, // Walk>LeftArm
@@ -95,7 +95,7 @@ constexpr std::array<director::Edge, 38> edges{{
   {.requester = 5, .target = 15, .levels = {18, 19}}, // LookAt>Head
   {.requester = 6, .target = 3, .levels = {19, 20}}, // WalkTo>Walk
   {.requester = 7, .target = 3, .levels = {20, 21}}, // KickTo>Walk
-  {.requester = 7, .target = 4, .levels = {21, 22}}, // KickTo>Kick
+  {.requester = 7, .target = 4, .levels = {21, 22}, .cluster_offset = 1}, // KickTo>Kick
   {.requester = 7, .target = 5, .levels = {22, 23}}, // KickTo>LookAt
   {.requester = 8, .target = 9, .levels = {23, 24}}, // Striker>KickToGoal
   {.requester = 8, .target = 10, .levels = {24, 25}, .need_urgency = 1}, // Striker>WalkToBall
@@ -521,13 +521,13 @@ const char* condition(director::Index row) {
   return name_at(all, row);
 }
 
-const char* why(const director::Because& because, std::span<char> room) {
+const char* why(const director::Because& because, std::span<char> buffer) {
   static constexpr director::Names some{
       .self = nullptr, .group = [](const void*, director::Index row) { return group(row); },
       .provider = [](const void*, director::Index row) { return provider(row); },
       .edge = [](const void*, director::Index row) { return edge(row); },
       .condition = [](const void*, director::Index row) { return condition(row); }};
-  return director::to_text(because, some, room);
+  return director::to_text(because, some, buffer);
 }
 
 const director::Names& all() {

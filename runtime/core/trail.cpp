@@ -201,7 +201,8 @@ void Pass::repeat_grant(Index edge) {
 void Pass::rest_on(Index edge, std::uint8_t bits) {
   Bits& trail = s_.edge_trail[edge];
   const bool was = (trail & trail::on_last) != 0, is = (bits & trail::on_last) != 0;
-  if (was != is) s_.on_last[component_] = static_cast<Index>(s_.on_last[component_] + (is ? 1 : -1));
+  if (is && !was) ++s_.on_last[component_];
+  if (was && !is) --s_.on_last[component_];
   trail = static_cast<std::uint8_t>((trail & ~trail::kept) | bits);
 }
 

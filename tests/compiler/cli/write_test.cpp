@@ -3,6 +3,7 @@
 #include "compiler/cli/change.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/own_folder.hpp"
 
 #include <catch2/catch.hpp>
 #include <sys/resource.h>
@@ -22,15 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-  fs::path path = binary_dir() / ("tests/cli-write-" + std::to_string(::getpid())); // tests run side by side
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-  std::string at(const std::string& name) const { return (path / name).string(); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
+struct Folder : director::tests::OwnFolder {
+  Folder() : OwnFolder("cli-write") {}
   /// Names, sorted, with what is in them; `?` for a temporary file.
   std::string all() const {
     std::set<std::string> lines;

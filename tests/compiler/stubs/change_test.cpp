@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/change.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/own_folder.hpp"
 
 #include <catch2/catch.hpp>
 #include <sys/resource.h>
@@ -16,15 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-  fs::path path = binary_dir() / ("tests/stubs-change-" + std::to_string(getpid())); // tests run side by side
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-  std::string at(const std::string& name) const { return (path / name).string(); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
+struct Folder : OwnFolder {
+  Folder() : OwnFolder("stubs-change") {}
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
   }

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+# judge_build(<what was changed> builds|fails <finding>): the project in WORK is built. With an empty finding none may be told. What was printed is left in
+# `output`.
+function(judge_build change expected_outcome finding)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  set(outcome fails)
+  if(status EQUAL 0)
+    set(outcome builds)
+  endif()
+  if(NOT outcome STREQUAL "${expected_outcome}")
+    message(FATAL_ERROR "with ${change} it ${outcome}, which is wrong:\n${output}")
+  endif()
+  if(finding)
+    string(FIND "${output}" "${finding}" found)
+    if(found EQUAL -1)
+      message(FATAL_ERROR "with ${change} it does not say ${finding}:\n${output}")
+    endif()
+  elseif(output MATCHES "error|warning")
+    message(FATAL_ERROR "with ${change} something is told:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
