@@ -132,6 +132,8 @@ private:
     default: break;
     }
     print_findings(checked.findings, sources_, console_.out, console_.out_colours);
+    if (console_.out_width != 0 && !checked.findings.empty())
+      console_.out << fmt::format("`directorc explain {}` says more\n", checked.findings.front().id);
     if (explained_) console_.out << to_text(*explained_, sources_);
     if (bounds_) console_.out << bounds_text(*bounds_, checked.model, shown_path(request_.file));
   }

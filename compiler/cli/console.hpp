@@ -39,6 +39,7 @@ struct Console {
   Programs& programs;
   std::string scanner = "director-clang"; ///< the program that reads C++, or where it should be
   std::string headers = {};               ///< the folder of the runtime's, as they are installed; empty: unknown
+  std::size_t out_width = 0;              ///< columns of the terminal; 0: it is none, so text stays as it is written
 };
 
 class DiskOutputs final : public Outputs {

@@ -1,6 +1,7 @@
 // Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/commands.hpp"
+#include "compiler/cli/page_text.hpp"
 #include "compiler/reference/explain_key.hpp"
 #include "dsl/suggest.hpp"
 
@@ -8,14 +9,23 @@
 
 namespace director::compiler::cli {
 
+namespace {
+
+std::string shown(std::string_view page, const Console& console) {
+  if (console.out_width == 0) return std::string(page);
+  return page_text(page, console.out_width, console.out_colours);
+}
+
+} // namespace
+
 int run(const Explain& request, Console& console) {
   if (const checks::Registered* check = checks::find_registered(request.id)) {
-    console.out << check->page;
+    console.out << shown(check->page, console);
     return clean;
   }
   const std::string_view page = language_page();
   if (const std::optional<std::string> text = explain_key(page, request.id)) {
-    console.out << *text;
+    console.out << shown(*text, console);
     return clean;
   }
   std::vector<std::string> known = keys_of(page);

@@ -5,8 +5,10 @@
 
 #include <fcntl.h>
 #include <sys/auxv.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -27,6 +29,15 @@ bool wants_colours(int stream) {
   const char* const terminal = std::getenv("TERM");
   if (no_colour != nullptr && *no_colour != '\0') return false;
   return ::isatty(stream) == 1 && terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
+}
+
+/// Columns of a terminal, some at least; 0: it is none.
+std::size_t width_of(int stream) {
+  constexpr std::size_t least = 20, usual = 80;
+  if (::isatty(stream) != 1) return 0;
+  winsize size{};
+  if (::ioctl(stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
+  return std::max<std::size_t>(size.ws_col, least);
 }
 
 /// Where this program lies; in a root without /proc, as it was called.
@@ -69,7 +80,7 @@ int main(int count, char** words) {
     DiskOutputs outputs;
     ChildPrograms programs;
     Console console{std::cout, std::cerr, wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO), files, outputs,
-                    programs,  scanner(), find_headers(own_path())};
+                    programs,  scanner(), find_headers(own_path()),     width_of(STDOUT_FILENO)};
     const Request request = parse({words + (count > 0 ? 1 : 0), words + count}, find_schemas(own_path()));
     const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
     std::cout.flush();

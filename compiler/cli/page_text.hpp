@@ -1,0 +1,19 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Text for a terminal: broken into lines between words, and pages in Markdown without their marks.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace director::compiler::cli {
+
+/// `text`, whose first line begins at column `begin`, in lines of at most `width` columns, without an end of line. The
+/// other lines begin with `indent` blanks. A word is never broken: one that is too long has a line for itself.
+std::string in_lines(std::string_view text, std::size_t width, std::size_t begin, std::size_t indent);
+
+/// A page as `directorc explain` prints it on a terminal: paragraphs and items of lists broken at `width`, code four
+/// columns to the right and as it stands, tables as they stand, of a link its text.
+std::string page_text(std::string_view markdown, std::size_t width, bool colours);
+
+} // namespace director::compiler::cli
