@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
-#include <set>
+#include <vector>
 
 namespace director::compiler {
 
@@ -13,17 +12,9 @@ namespace {
 
 class Clusters {
 public:
-  explicit Clusters(const Model& model) : model_(model), claims_(model.groups.size()), first_(model.edges.size()) {
-    std::map<std::optional<GroupId>, std::map<GroupId, EdgeId>> claimed; // of each requester: who may claim what
-    for (const EdgeId edge : model.edges.ids()) {
-      first_[edge] = edge;
-      if (model.edges[edge].levels.empty() || !model.edges[edge].requester) continue; // roots are never a unit
-      auto& of_requester = claimed[model.edges[edge].requester];
-      for (const GroupId group : claims(model.edges[edge].target)) {
-        const auto [at, is_new] = of_requester.try_emplace(group, edge);
-        if (!is_new) join(at->second, edge);
-      }
-    }
+  explicit Clusters(const Model& model) : model_(model), first_(model.edges.size()) {
+    for (const EdgeId edge : model.edges.ids()) first_[edge] = edge;
+    for (const Group& group : model.groups) look_below(group); // what the program requests is never a unit
     for (const EdgeId edge : model.edges.ids()) first_[edge] = find(edge);
   }
   IdTable<EdgeId, EdgeId> take() { return std::move(first_); }
@@ -38,25 +29,32 @@ private:
     first_[std::max(a, b)] = std::min(a, b);
   }
 
-  /// The group, and all that a plan of it may contain.
-  const std::vector<GroupId>& claims(GroupId group) {
-    if (claims_[group]) return *claims_[group];
-    std::set<GroupId> found{group};
-    std::vector<GroupId> open{group};
-    while (!open.empty()) {
-      const GroupId at = open.back();
-      open.pop_back();
-      for (const ProviderId provider : model_.groups[at].providers) {
-        for (const Use<GroupId>& need : model_.providers[provider].needs) {
-          if (found.insert(need.id).second) open.push_back(need.id);
+  /// Down from each task that it may request. Where another one of them has been, all below is known to be that one's.
+  void look_below(const Group& group) {
+    std::vector<EdgeId> requested;
+    for (const EdgeId edge : group.edges) {
+      if (!model_.edges[edge].levels.empty()) requested.push_back(edge);
+    }
+    if (requested.size() < 2) return;
+    std::map<GroupId, EdgeId> claimed;
+    for (const EdgeId edge : requested) {
+      std::vector<GroupId> open{model_.edges[edge].target};
+      while (!open.empty()) {
+        const GroupId at = open.back();
+        open.pop_back();
+        const auto [known, is_new] = claimed.try_emplace(at, edge);
+        if (!is_new) {
+          join(known->second, edge);
+          continue;
+        }
+        for (const ProviderId provider : model_.groups[at].providers) {
+          for (const Use<GroupId>& need : model_.providers[provider].needs) open.push_back(need.id);
         }
       }
     }
-    return claims_[group].emplace(found.begin(), found.end());
   }
 
   const Model& model_;
-  IdTable<GroupId, std::optional<std::vector<GroupId>>> claims_;
   IdTable<EdgeId, EdgeId> first_;
 };
 

@@ -102,7 +102,7 @@ groups:
 constexpr const char* servos[] = {"LeftHip",  "LeftKnee", "LeftAnkle", "RightHip", "RightKnee", "RightAnkle",
                                   "Shoulder", "Elbow",    "Gripper",   "Pan",      "Tilt"};
 
-constexpr const char* head = "behaviour: grown\nlanguage: 1\n";
+const std::string head = "behaviour: grown\nlanguage: 1\nlimits: {pass: 1000000000}\n"; // all of it is one component
 
 /// Numbered from 0.
 std::string rows(std::size_t count, fmt::format_string<std::size_t&> row) {
@@ -123,7 +123,7 @@ std::string providers_of_one(std::size_t size) {
 }
 
 std::string chain(std::size_t size, const char* row) {
-  std::string out = std::string(head) + "roots: [T0]\ngroups:\n";
+  std::string out = head + "roots: [T0]\ngroups:\n";
   for (std::size_t i = 0; i < size; ++i) out += fmt::format(fmt::runtime(row), i, i + 1);
   return out + fmt::format("  T{}: {{}}\n", size);
 }
@@ -142,7 +142,7 @@ std::string chain_of_causes(std::size_t size) {
 }
 
 std::string wide_packs(std::size_t size) {
-  std::string out = std::string(head) + "roots: [A]\ngroups:\n" + rows(size, "  B{}: {{}}\n") + "  A:\n    packs:\n";
+  std::string out = head + "roots: [A]\ngroups:\n" + rows(size, "  B{}: {{}}\n") + "  A:\n    packs:\n";
   for (std::size_t i = 0; i < size; ++i)
     out += fmt::format("      pack{}: {{", i) + rows(size, "B{0}: {{priority: {0}}}, ") + "}\n";
   return out;
@@ -160,19 +160,19 @@ std::string many_conditions(std::size_t size) {
 }
 
 std::string one_requests_all(std::size_t size) {
-  return std::string(head) + "roots: [All]\ngroups:\n  All:\n    tasks:\n" +
-         rows(size, "      T{0}: {{priority: {0}}}\n") + rows(size, "  T{}: {{}}\n");
+  return head + "roots: [All]\ngroups:\n  All:\n    tasks:\n" + rows(size, "      T{0}: {{priority: {0}}}\n") +
+         rows(size, "  T{}: {{}}\n");
 }
 
 /// All want one group, and none ranks before another.
 std::string rivals(std::size_t size) {
-  return std::string(head) + "roots: [All]\ngroups:\n  Shared: {}\n  All:\n    tasks:\n" +
-         rows(size, "      T{0}: {{}}\n") + rows(size, "  T{}: {{needs: [Shared], tasks: [Shared]}}\n");
+  return head + "roots: [All]\ngroups:\n  Shared: {}\n  All:\n    tasks:\n" + rows(size, "      T{0}: {{}}\n") +
+         rows(size, "  T{}: {{needs: [Shared], tasks: [Shared]}}\n");
 }
 
 /// Everybody requests all that come behind, each at its own priority.
 std::string dense(std::size_t size) {
-  std::string out = std::string(head) + "roots: [T0]\ngroups:\n";
+  std::string out = head + "roots: [T0]\ngroups:\n";
   for (std::size_t i = 0; i < size; ++i) {
     out += fmt::format("  T{}: {{tasks: {{", i);
     for (std::size_t j = i + 1; j < size; ++j) out += fmt::format("T{0}: {{priority: {0}}}, ", j);

@@ -10,7 +10,7 @@ namespace bench {
 
 namespace {
 
-constexpr const char* head = "behaviour: grown\nlanguage: 1\n";
+const std::string head = "behaviour: grown\nlanguage: 1\nlimits: {pass: 1000000000}\n"; // all of it is one component
 
 constexpr const char* tree = R"(  Robot_{0}:
     tasks:

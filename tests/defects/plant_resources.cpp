@@ -243,21 +243,29 @@ void asks_for_its_requester(Robot& robot, bool defect) {
   const std::string first = make_root(robot, "{packs: {go: {@$0: {}}}}", {middle});
   robot.group(last).add("tasks", flow("{@$0: {}}", {defect ? first : robot.add_part()}));
 }
-std::string many_ways(Robot& robot, const std::string& part) {
+/// `last`: a part that only the last way needs besides; empty: none.
+std::string many_ways(Robot& robot, const std::string& part, const std::string& last = {}) {
   const std::string name = make(robot, "{providers: []}");
   Node& list = *robot.group(name).find("providers");
   const std::string number = robot.sense(SenseKind::number).name;
   for (int i = 1; i < 12; ++i) {
     list.add(flow("{name: way$0, when: [$1 == $0], needs: [$2]}", {std::to_string(i), number, part}));
   }
-  list.add(flow("{name: otherwise, needs: [$0]}", {part}));
+  list.add(last.empty() ? flow("{name: otherwise, needs: [$0]}", {part})
+                        : flow("{name: otherwise, needs: [$0, $1]}", {part, last}));
   return name;
 }
+/// Two tasks, each with 144 plans, in one of which both need the same part.
 void many_members(Robot& robot, bool defect) {
   Node pack;
-  for (int i = 0; i < 4; ++i) {
-    const std::string name = many_ways(robot, robot.add_part());
-    pack.add(i == 0 ? "@" + name : name, flow(defect || i < 2 ? "{}" : "{apart: true}"));
+  const std::string shared = defect ? robot.add_part() : "";
+  for (int i = 0; i < 2; ++i) {
+    Node needs = Node::list();
+    needs.add(many_ways(robot, robot.add_part()));
+    needs.add(many_ways(robot, robot.add_part(), shared));
+    const std::string name = make(robot, "{}");
+    robot.group(name).add("needs", needs);
+    pack.add(i == 0 ? "@" + name : name, flow(defect || i == 0 ? "{}" : "{apart: true}"));
   }
   const std::string boss = make_root(robot, "{packs: {}}");
   robot.group(boss).find("packs")->add("all", pack);

@@ -12,7 +12,7 @@ namespace director::analysis {
 namespace {
 
 /// So many providers that cause a condition are looked at as better than one of them; the earliest come first.
-constexpr std::size_t most_rivals = 16;
+constexpr std::size_t most_preferred = 16;
 
 } // namespace
 
@@ -143,7 +143,7 @@ std::optional<ProviderId> Pushers::preferred(ProviderId causer, ConditionId cond
   if (const auto earlier = pushes_.earlier_causer(causer, condition)) return earlier;
   std::size_t tried = 0;
   for (const ProviderId rival : input_.shared.causers()[condition]) {
-    if (rival == causer || tried++ == most_rivals) break;
+    if (rival == causer || tried++ == most_preferred) break;
     if (comes_first(rival, causer, condition)) return rival;
   }
   return std::nullopt;

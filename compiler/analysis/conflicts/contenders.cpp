@@ -15,7 +15,7 @@ namespace director::analysis {
 
 namespace {
 
-using Entry = Chains::Entry;
+using ChainEntry = Chains::Entry;
 
 /// So many are looked at closely for one group; those with the shortest chains come first.
 constexpr std::size_t most_candidates_kept = 8;
@@ -32,9 +32,9 @@ public:
 
   std::optional<Contender> run() {
     const Chains& chains = input_.shared.chains();
-    const std::vector<Entry>& theirs = chains.entries_above(group_, Chains::End::held);
+    const std::vector<ChainEntry>& theirs = chains.entries_above(group_, Chains::End::held);
     auto first = theirs.begin();
-    for (const Entry& ours : chains.entries_above(own_)) {
+    for (const ChainEntry& ours : chains.entries_above(own_)) {
       if (candidates_.size() >= most_collected) break;
       while (first != theirs.end() && first->together < ours.together) ++first;
       for (auto at = first; at != theirs.end() && at->together == ours.together; ++at) {
@@ -60,7 +60,7 @@ private:
   };
 
   /// At some levels the other one does not go after.
-  bool may_win(const Entry& ours, const Entry& theirs) const {
+  bool may_win(const ChainEntry& ours, const ChainEntry& theirs) const {
     const std::vector<Level>& a = input_.model.edges[ours.task->edge].levels;
     const std::vector<Level>& b = input_.model.edges[theirs.task->edge].levels;
     return std::any_of(ours.task->levels.begin(), ours.task->levels.end(), [&](const Task::NamedLevel& own) {
@@ -72,7 +72,7 @@ private:
   }
 
   /// The nearest way of one entry, at whichever levels the two meet.
-  void look_at(const Entry& ours, const Entry& theirs) {
+  void look_at(const ChainEntry& ours, const ChainEntry& theirs) {
     const Model& model = input_.model;
     const Claims& claims = input_.shared.claims(theirs.task->target);
     std::optional<Candidate> best;

@@ -11,7 +11,7 @@ namespace director::analysis {
 namespace {
 
 /// So many that may take one group are looked at for one entry; those of the highest rank come first.
-constexpr std::size_t most_rivals = 8;
+constexpr std::size_t most_others = 8;
 
 bool is_in(const Unit& unit, const Task* task) { return std::find(unit.begin(), unit.end(), task) != unit.end(); }
 
@@ -66,7 +66,7 @@ void Packmates::add_mates(GroupId requester, const ByTaken& by_taken, PackEntry&
     std::size_t tried = 0;
     for (const Rival& rival : rivals) {
       if (rival.task == entry.task) continue;
-      if (++tried > most_rivals) break;
+      if (++tried > most_others) break;
       auto mate = find_mate(requester, rival, group, entry);
       if (!mate) continue;
       const bool is_enough = mate->taker.steady && mate->from_below && (mate->from_entry || entry.unit != nullptr);

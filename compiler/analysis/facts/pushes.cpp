@@ -32,15 +32,7 @@ std::vector<ProviderId> providers_of_plans(const Model& model, const Facts& fact
 }
 
 /// So many earlier ones that cause the same are looked at.
-constexpr std::size_t most_rivals = 16;
-
-/// Whatever is there for the second one's needs is there for the first one's.
-bool needs_no_more(const Provider& first, const Provider& second) {
-  return std::all_of(first.needs.begin(), first.needs.end(), [&](const Use<GroupId>& need) {
-    return std::any_of(second.needs.begin(), second.needs.end(),
-                       [&](const Use<GroupId>& other) { return other.id == need.id; });
-  });
-}
+constexpr std::size_t most_earlier = 16;
 
 } // namespace
 
@@ -110,7 +102,7 @@ bool Pushes::is_passed_over(ProviderId causer, ConditionId wanted) const {
 std::optional<ProviderId> Pushes::earlier_causer(ProviderId causer, ConditionId wanted) const {
   std::size_t tried = 0;
   for (const ProviderId rival : model_.group_of(causer).providers) {
-    if (rival == causer || tried == most_rivals) break;
+    if (rival == causer || tried == most_earlier) break;
     if (model_.providers[rival].causing.empty() || !model_.causes(rival, wanted)) continue;
     ++tried;
     if (facts_.plans[rival] == PlanVerdict::found && holds_with(rival, causer, wanted) &&

@@ -12,14 +12,6 @@ namespace director::analysis {
 
 namespace {
 
-/// Whatever is there for the second one's needs is there for the first one's.
-bool needs_no_more(const Provider& first, const Provider& second) {
-  return std::all_of(first.needs.begin(), first.needs.end(), [&](const Use<GroupId>& need) {
-    return std::any_of(second.needs.begin(), second.needs.end(),
-                       [&](const Use<GroupId>& other) { return other.id == need.id; });
-  });
-}
-
 /// What may be in a context: each state that it speaks of, and no value only where it does not.
 Box box_of_context(const Facts& facts, const Region& context) {
   Box out;
@@ -29,6 +21,13 @@ Box box_of_context(const Facts& facts, const Region& context) {
 }
 
 } // namespace
+
+bool needs_no_more(const Provider& first, const Provider& second) {
+  return std::all_of(first.needs.begin(), first.needs.end(), [&](const Use<GroupId>& need) {
+    return std::any_of(second.needs.begin(), second.needs.end(),
+                       [&](const Use<GroupId>& other) { return other.id == need.id; });
+  });
+}
 
 bool Waiting::may_be_first(ProviderId id) const {
   if (facts_.pushed.contains(id)) return true;

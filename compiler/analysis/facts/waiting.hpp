@@ -12,6 +12,9 @@
 
 namespace director::analysis {
 
+/// Whatever is there for the second one's needs is there for the first one's.
+bool needs_no_more(const Provider& first, const Provider& second);
+
 /// Of one moment: what the facts allow when it is asked.
 class Waiting {
 public:

@@ -32,14 +32,14 @@ std::string PictureLinks::to(const PictureText& text) const {
 namespace {
 
 using palette::html;
-using palette::quoted;
+using palette::in_quotes;
 
 class Dot {
 public:
   Dot(const Picture& picture, const PictureLinks& links) : picture_(picture), links_(links) {}
 
   std::string draw() {
-    code_.open(fmt::format("digraph {} {{", quoted(picture_.title)));
+    code_.open(fmt::format("digraph {} {{", in_quotes(picture_.title)));
     code_.line("graph [rankdir=TB, newrank=true, fontname=\"Helvetica\", fontsize=10, nodesep=0.3, ranksep=0.4, "
                "labelloc=b, labeljust=l]");
     code_.line("node [shape=plain, fontname=\"Helvetica\", fontsize=12]");
@@ -68,9 +68,9 @@ private:
   /// `"Walk":"halting"`
   std::string end(const PictureEnd& end) const {
     const PictureBox& box = picture_.boxes[end.box];
-    if (!end.row && !end.pack) return quoted(box.name);
+    if (!end.row && !end.pack) return in_quotes(box.name);
     const PictureRow& row = box.rows[end.row.value_or(0)];
-    return fmt::format("{}:{}", quoted(box.name), quoted(end.pack ? port(row, row.packs[*end.pack]) : port(row)));
+    return fmt::format("{}:{}", in_quotes(box.name), in_quotes(end.pack ? port(row, row.packs[*end.pack]) : port(row)));
   }
 
   static std::string tooltip(const PictureText& text) {
@@ -221,8 +221,8 @@ private:
     const bool alike = box.kind == PictureBox::Kind::alike;
     const Frame frame = frame_of(box);
     const std::string url = links_.to(box.about);
-    code_.open(fmt::format("{} [tooltip={}{}, label=<", quoted(box.name), quoted(tooltip(box.about)),
-                           url.empty() ? "" : ", URL=" + quoted(url)));
+    code_.open(fmt::format("{} [tooltip={}{}, label=<", in_quotes(box.name), in_quotes(tooltip(box.about)),
+                           url.empty() ? "" : ", URL=" + in_quotes(url)));
     code_.line(fmt::format("<TABLE BORDER=\"{}\" CELLBORDER=\"0\" CELLSPACING=\"{}\" CELLPADDING=\"4\" COLOR=\"{}\" "
                            "BGCOLOR=\"{}\" STYLE=\"{}\">",
                            frame.width, alike ? 3 : 0, frame.colour, palette::paper, frame.style));
@@ -284,9 +284,9 @@ private:
     const std::string apart = arrow.apart && !arrow.optional ? (arrow.label.empty() ? "apart" : ", apart") : "";
     if (const std::string label = arrow.label + apart; !label.empty()) text += ", label=<" + label_of(label) + ">";
     if (!arrow.ranks) text += ", constraint=false";
-    const std::string words = quoted(tooltip(arrow.about));
+    const std::string words = in_quotes(tooltip(arrow.about));
     text += fmt::format(", tooltip={0}, edgetooltip={0}, labeltooltip={0}", words);
-    if (const std::string url = links_.to(arrow.about); !url.empty()) text += ", URL=" + quoted(url);
+    if (const std::string url = links_.to(arrow.about); !url.empty()) text += ", URL=" + in_quotes(url);
     code_.line(fmt::format("{} -> {} [{}]", end(arrow.from), end(arrow.to), text));
   }
 
@@ -295,22 +295,22 @@ private:
     for (const PictureLayer& layer : picture_.layers) {
       if (!layer.name.empty()) named.push_back(&layer);
     }
-    const auto name = [&](std::size_t i) { return quoted("layer " + named[i]->name); };
-    const auto top = [&](std::size_t i) { return quoted("top of layer " + named[i]->name); };
+    const auto name = [&](std::size_t i) { return in_quotes("layer " + named[i]->name); };
+    const auto top = [&](std::size_t i) { return in_quotes("top of layer " + named[i]->name); };
     for (std::size_t i = 0; i < named.size(); ++i) {
       code_.line(fmt::format("{} [shape=plaintext, fontsize=11, height=0.2, fontcolor=\"{}\", label={}, tooltip={}]",
-                             name(i), palette::grey, quoted(named[i]->name), name(i)));
+                             name(i), palette::grey, in_quotes(named[i]->name), name(i)));
       code_.line(fmt::format("{} [shape=point, style=invis, width=0.01]", top(i)));
       code_.line(fmt::format("{{rank=same; {}; {};}}", name(i), top(i)));
       if (i > 0) code_.line(fmt::format("{} -> {} [style=invis, weight=100]", name(i - 1), name(i)));
     }
     for (std::size_t i = 0; i < named.size(); ++i) {
       for (const std::size_t box : named[i]->first)
-        code_.line(fmt::format("{} -> {} [style=invis, weight=0{}]", top(i), quoted(picture_.boxes[box].name),
+        code_.line(fmt::format("{} -> {} [style=invis, weight=0{}]", top(i), in_quotes(picture_.boxes[box].name),
                                i == 0 ? ", minlen=0" : "")); // the first name stands beside its boxes
       if (i + 1 == named.size()) break;
       for (const std::size_t box : named[i]->last)
-        code_.line(fmt::format("{} -> {} [style=invis, weight=0]", quoted(picture_.boxes[box].name), top(i + 1)));
+        code_.line(fmt::format("{} -> {} [style=invis, weight=0]", in_quotes(picture_.boxes[box].name), top(i + 1)));
     }
   }
 

@@ -18,6 +18,6 @@ std::string html(std::string_view text);
 /// The same on several lines, broken between words, each at the left.
 std::string wrapped(std::string_view text, std::size_t before = 0); ///< so much stands before it already
 /// A string of the DOT language.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 } // namespace director::compiler::palette

@@ -4,7 +4,7 @@
 # tested by the other projects here, so the build is only asked for its commands.
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ ${SOURCE}/../consumer/main.cpp ${SOURCE}/../consumer/lantern.yaml ${SOURCE}/../consumer/parts DESTINATION ${WORK}/project)
-cmake_path(SET sources NORMALIZE ${SOURCE}/../../..)
+cmake_path(SET sources NORMALIZE ${SOURCE}/../../../..)
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G Ninja -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
                         -D DIRECTOR_SOURCES=${sources} -D DIRECTOR_CLANG=OFF
                 OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
