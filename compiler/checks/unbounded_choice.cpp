@@ -42,7 +42,7 @@ public:
   void check() {
     for (const Task& root : model_.roots) {
       look_at(trials_.alone(root));
-      add(root.target, {trials_.pass(root).count, root.span, name_of(model_, root.target)}, trials_.pass(root));
+      add(root.target, trials_.pass(root), root.span, name_of(model_, root.target));
     }
     for (const GroupId group : model_.groups.ids()) look_at(group);
     for (const auto& [component, in_pass] : passes_) {
@@ -51,23 +51,18 @@ public:
   }
 
 private:
-  /// Of all packs and lists of a group only one is asked for at a time.
   void look_at(GroupId group) {
-    Share worst;
-    TrialCount most;
     for (const ProviderId id : model_.groups[group].providers) {
       for (const Pack& pack : model_.providers[id].packs) {
         if (const CountedUnit unit = trials_.together(pack); !unit.members.empty()) look_at(unit);
         for (const Task& task : pack.tasks) {
           if (!may_be_member(model_, task)) look_at(trials_.alone(task));
         }
-        const TrialCount in_pass = trials_.pass(pack);
-        if (in_pass.count <= most.count) continue;
-        most = in_pass;
-        worst = {in_pass.count, model_.providers[id].span, fmt::format("the tasks of {}", name_of(model_, id))};
       }
     }
-    if (most.count > 0) add(group, std::move(worst), most);
+    if (const LargestPack largest = trials_.pass(group); largest.count.count > 0)
+      add(group, largest.count, model_.providers[largest.provider].span,
+          fmt::format("the tasks of {}", name_of(model_, largest.provider)));
   }
 
   void look_at(const CountedUnit& unit) {
@@ -81,11 +76,11 @@ private:
     }
   }
 
-  void add(GroupId group, Share share, TrialCount count) {
+  void add(GroupId group, TrialCount count, Span span, std::string words) {
     InPass& pass = passes_[component_[group.value]];
     pass.sum.count += std::min(count.count, most_counted);
     pass.sum.complete = pass.sum.complete && count.complete;
-    pass.shares.push_back(std::move(share));
+    pass.shares.push_back({count.count, span, std::move(words)});
   }
 
   static std::string amount(const TrialCount& count) {

@@ -20,14 +20,10 @@ public:
   Counting(const Model& model, Bounds& out) : model_(model), out_(out), trials_(model, most_plans, budget_) {}
 
   void count(const Tables& tables) {
-    IdTable<GroupId, TrialCount> below(model_.groups.size()); // what a group asks for at a time is one pack, or list
-    for (const GroupId group : model_.groups.ids()) {
-      for (const ProviderId id : model_.groups[group].providers) {
-        for (const Pack& pack : model_.providers[id].packs) {
-          decide(trials_.together(pack));
-          for (const Task& task : pack.tasks) decide(trials_.alone(task));
-          if (const TrialCount in_pass = trials_.pass(pack); in_pass.count > below[group].count) below[group] = in_pass;
-        }
+    for (const compiler::Provider& provider : model_.providers) {
+      for (const Pack& pack : provider.packs) {
+        decide(trials_.together(pack));
+        for (const Task& task : pack.tasks) decide(trials_.alone(task));
       }
     }
     std::vector<std::int64_t> passes(tables.components.size());
@@ -41,7 +37,7 @@ public:
       decide(trials_.alone(root));
       add(root.target, trials_.pass(root).count);
     }
-    for (const GroupId group : model_.groups.ids()) add(group, below[group].count);
+    for (const GroupId group : model_.groups.ids()) add(group, trials_.pass(group).count.count);
   }
 
 private:

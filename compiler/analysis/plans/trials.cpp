@@ -111,4 +111,14 @@ TrialCount Trials::pass(const Task& root) {
   return out;
 }
 
+LargestPack Trials::pass(GroupId group) {
+  LargestPack out;
+  for (const ProviderId id : model_.groups[group].providers) {
+    for (const Pack& pack : model_.providers[id].packs) {
+      if (const TrialCount count = pass(pack); count.count > out.count.count) out = {count, id};
+    }
+  }
+  return out;
+}
+
 } // namespace director::analysis

@@ -25,6 +25,12 @@ struct TrialCount {
   bool complete = true; ///< false: at least so many
 };
 
+/// What a group asks for at a time is one pack, or list, of one of its providers: the one that one pass tries most for.
+struct LargestPack {
+  TrialCount count;      ///< 0: the group asks for nothing
+  ProviderId provider{}; ///< whose it is
+};
+
 class Trials {
 public:
   /// `most_plans`: of one provider, more are not counted.
@@ -46,6 +52,7 @@ public:
   /// below a stale group, or where others wait; each with its conditions, and then without, for what it lacks.
   TrialCount pass(const Pack& pack);
   TrialCount pass(const Task& root);
+  LargestPack pass(GroupId group);
 
 private:
   const Model& model_;
