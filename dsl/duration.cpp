@@ -65,4 +65,11 @@ std::optional<Duration> most_instead_of(std::string_view text) {
 
 std::string to_text(const Duration& duration) { return fmt::format("{} {}", duration.amount, row(duration.unit).name); }
 
+Duration in_largest_unit(std::int64_t microseconds) {
+  for (const TimeUnit unit : {TimeUnit::s, TimeUnit::ms}) {
+    if (const std::int64_t each = row(unit).microseconds; microseconds % each == 0) return {microseconds / each, unit};
+  }
+  return {microseconds, TimeUnit::us};
+}
+
 } // namespace director::dsl

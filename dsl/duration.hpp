@@ -29,4 +29,7 @@ std::optional<Duration> most_instead_of(std::string_view text);
 
 std::string to_text(const Duration& duration); ///< `500 ms`
 
+/// In seconds, milliseconds or microseconds: the largest of these units that leaves no rest.
+Duration in_largest_unit(std::int64_t microseconds);
+
 } // namespace director::dsl

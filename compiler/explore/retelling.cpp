@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/retelling.hpp"
 
+#include "dsl/duration.hpp"
+
 #include <fmt/format.h>
 
 namespace director::compiler {
@@ -37,7 +39,7 @@ void Retelling::begin_step(const Taken& taken) {
 
 bool Retelling::advance(Time by) {
   if (by <= 0) return false;
-  steps_.push_back({"advance: " + duration_in_words(by)});
+  steps_.push_back({"advance: " + dsl::to_text(dsl::in_largest_unit(by))});
   now_ += by;
   return true;
 }
@@ -67,7 +69,7 @@ bool Retelling::input(const Taken& taken) {
   case Kind::wake: {
     const LastRun& last = last_run_[row];
     if (last.cases == nullptr) return false;
-    (*last.cases)[last.at].push_back("wait: " + duration_in_words(now_ + tick - last.time));
+    (*last.cases)[last.at].push_back("wait: " + dsl::to_text(dsl::in_largest_unit(now_ + tick - last.time)));
     return advance(tick);
   }
   case Kind::expire: {

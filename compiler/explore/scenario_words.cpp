@@ -9,12 +9,6 @@
 
 namespace director::compiler {
 
-std::string duration_in_words(Time time) {
-  return time % 1'000'000 == 0 ? fmt::format("{} s", time / 1'000'000)
-         : time % 1'000 == 0   ? fmt::format("{} ms", time / 1'000)
-                               : fmt::format("{} us", time);
-}
-
 std::string ScenarioWords::provider(Index index) const {
   const ProviderId id{index};
   return m_.group_of(id).name.value + "." + m_.providers[id].name;

@@ -34,7 +34,4 @@ private:
   const Model& m_;
 };
 
-/// `20 ms`: in the largest unit that is whole. `time` is in microseconds.
-std::string duration_in_words(Time time);
-
 } // namespace director::compiler

@@ -54,3 +54,10 @@ TEST_CASE("What is too long for a duration is told apart from what is none, with
     CHECK_FALSE(most_instead_of(text));
   }
 }
+
+TEST_CASE("a time is said in the largest unit, up to seconds, that leaves no rest") {
+  CHECK(to_text(in_largest_unit(0)) == "0 s");
+  CHECK(to_text(in_largest_unit(120'000'000)) == "120 s");
+  CHECK(to_text(in_largest_unit(1'500'000)) == "1500 ms");
+  CHECK(to_text(in_largest_unit(1'000'001)) == "1000001 us");
+}

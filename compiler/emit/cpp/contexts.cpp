@@ -3,19 +3,13 @@
 //
 // The contexts that bodies and handlers get: what all have in common is in runtime/core/body.hpp, here are the packs.
 #include "compiler/emit/cpp/parts.hpp"
+#include "dsl/duration.hpp"
 
 #include <fmt/format.h>
 
 namespace director::compiler {
 
 namespace {
-
-/// In the largest unit that leaves no rest.
-std::string time_text(Microseconds time) {
-  if (time % 1'000'000 == 0) return fmt::format("{} s", time / 1'000'000);
-  if (time % 1'000 == 0) return fmt::format("{} ms", time / 1'000);
-  return fmt::format("{} us", time);
-}
 
 std::string groups_text(const Model& model, const std::vector<Use<GroupId>>& uses) {
   std::string out;
@@ -26,7 +20,8 @@ std::string groups_text(const Model& model, const std::vector<Use<GroupId>>& use
 std::string triggers_text(const Model& model, const Provider& provider) {
   std::string out;
   for (const Use<TriggerId>& use : provider.triggers) out += (out.empty() ? "" : ", ") + model.triggers[use.id].name;
-  if (provider.every) out += fmt::format("{}every {}", out.empty() ? "" : ", ", time_text(*provider.every));
+  if (provider.every)
+    out += fmt::format("{}every {}", out.empty() ? "" : ", ", dsl::to_text(dsl::in_largest_unit(*provider.every)));
   return out;
 }
 
@@ -108,7 +103,7 @@ std::string conditions_text(const Model& model, const std::vector<ConditionUse>&
   for (const ConditionUse& use : uses) {
     if (!out.empty()) out += ", ";
     out += model.conditions[use.id].text;
-    if (use.within) out += fmt::format(" within {}", time_text(*use.within));
+    if (use.within) out += fmt::format(" within {}", dsl::to_text(dsl::in_largest_unit(*use.within)));
   }
   return out;
 }

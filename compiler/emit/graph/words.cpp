@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/words.hpp"
 
+#include "dsl/duration.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,18 +14,11 @@ namespace {
 
 using LineKind = PictureLine::Kind;
 
-/// In the largest unit that says it whole.
-std::string as_time(Microseconds of) {
-  constexpr Microseconds ms = 1'000, s = 1'000'000;
-  if (of % s == 0) return fmt::format("{} s", of / s);
-  return of % ms == 0 ? fmt::format("{} ms", of / ms) : fmt::format("{} us", of);
-}
-
 void add_conditions(std::vector<PictureLine>& out, LineKind kind, std::string_view key, const Model& model,
                     const std::vector<ConditionUse>& uses) {
   for (const ConditionUse& use : uses) {
     std::string text = model.conditions[use.id].text;
-    if (use.within) text += fmt::format(" within {}", as_time(*use.within));
+    if (use.within) text += fmt::format(" within {}", dsl::to_text(dsl::in_largest_unit(*use.within)));
     out.push_back({kind, std::string(key), std::move(text)});
   }
 }
@@ -70,7 +65,8 @@ PictureRow PictureWords::row(ProviderId id) const {
   for (const Use<TriggerId>& use : provider.triggers)
     triggers += (triggers.empty() ? "" : ", ") + model_.triggers[use.id].name;
   if (!triggers.empty()) out.lines.push_back({LineKind::runs, "on", triggers});
-  if (provider.every) out.lines.push_back({LineKind::runs, "every", as_time(*provider.every)});
+  if (provider.every)
+    out.lines.push_back({LineKind::runs, "every", dsl::to_text(dsl::in_largest_unit(*provider.every))});
   if (provider.packs.size() > 1) {
     for (const Pack& pack : provider.packs) {
       const std::string name = fmt::format("{}, pack {}", model_.full_name(id), pack.name);
