@@ -16,36 +16,41 @@ namespace {
 
 bool has_data(const CppEmission& e, GroupId group) { return !e.model.groups[group].data.empty(); }
 
+/// The members of Data, and the facts that say by the type of a task which of them are its own. No base classes: with
+/// thousands of bases a C++ compiler takes minutes for one class.
 void data_facts(Code& code, const CppEmission& e) {
-  std::vector<std::string> bases;
-  for (const GroupId id : e.model.groups.ids()) {
-    if (!has_data(e, id)) continue;
-    const std::string name = group_in(e.model, id);
-    code.line("template <>");
-    code.open(fmt::format("struct Facts<{}> {{", name));
-    code.line(fmt::format("using Slots = director::Slots<{}, {}>;", name, std::max(1U, data_places(e.model, id))));
-    code.close("};");
-    bases.push_back(fmt::format("Facts<{}>::Slots", name));
-  }
-  for (const Task& root : e.model.roots) {
-    if (has_data(e, root.target)) bases.push_back(fmt::format("director::Waiting<{}>", group_in(e.model, root.target)));
-  }
-  code.blank();
+  std::vector<bool> is_root(e.model.groups.size(), false);
+  for (const Task& root : e.model.roots) is_root[root.target.value] = true;
+  std::vector<GroupId> with_data;
+  for (const GroupId id : e.model.groups.ids())
+    if (has_data(e, id)) with_data.push_back(id);
   code.comment("The data of all tasks: those of requests, and those that wait in the inbox.");
-  if (bases.empty()) {
+  if (with_data.empty()) {
     code.line("struct Data final {};");
     return code.blank();
   }
-  code.open_list("struct Data final : ", bases, " {");
+  code.open("struct Data final {");
+  for (const GroupId id : with_data) {
+    const std::string name = group_in(e.model, id);
+    code.line(fmt::format("director::Slots<{}, {}> slots_{};", name, std::max(1U, data_places(e.model, id)), id.value));
+    if (is_root[id.value]) code.line(fmt::format("director::Waiting<{}> waiting_{};", name, id.value));
+  }
   code.line("template <class Task>");
   code.open("auto& of() {");
-  code.line("return static_cast<typename Facts<Task>::Slots&>(*this);");
+  code.line("return this->*Facts<Task>::slots;");
   code.close("}");
   code.line("template <class Task>");
   code.open("auto& waiting() {");
-  code.line("return static_cast<director::Waiting<Task>&>(*this);");
+  code.line("return this->*Facts<Task>::waiting;");
   code.close("}");
   code.close("};");
+  for (const GroupId id : with_data) {
+    code.line("template <>");
+    code.open(fmt::format("struct Facts<{}> {{", group_in(e.model, id)));
+    code.line(fmt::format("static constexpr auto slots = &Data::slots_{};", id.value));
+    if (is_root[id.value]) code.line(fmt::format("static constexpr auto waiting = &Data::waiting_{};", id.value));
+    code.close("};");
+  }
   code.blank();
 }
 
