@@ -49,6 +49,7 @@ struct DrawGraph {
   std::vector<std::string> focus;     ///< groups; empty: everything
   std::optional<std::uint32_t> depth; ///< arrows away from the focus
   bool findings = false;              ///< each of them at its place
+  bool page = false;                  ///< as JSON, all that a page of `docs` tells
   std::uint32_t step = 0;             ///< of a scenario: the moment after this one; 0: no step is named
   std::optional<std::int64_t> time;   ///< of a scenario: the moment at this time, in microseconds
   bool frames = false;                ///< of a scenario: a file for each step, into the folder `output`

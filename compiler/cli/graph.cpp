@@ -4,7 +4,7 @@
 #include "compiler/emit/graph/flaws.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/artefact/notice.hpp"
-#include "compiler/play/coverage.hpp"
+#include "compiler/page/facts.hpp"
 #include "compiler/play/moment.hpp"
 #include "compiler/play/names.hpp"
 #include "compiler/play/play.hpp"
@@ -42,15 +42,6 @@ PictureOptions::View view_of(const std::string& name) {
   return found == views.end() ? View::all : found->second;
 }
 
-std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
-  std::vector<TakeOver> out;
-  for (const CoveragePoint& point : coverage_of(model, graph).points) {
-    if (point.key.kind == CoveragePoint::Kind::take_over)
-      out.push_back({EdgeId{point.key.first}, EdgeId{point.key.second}});
-  }
-  return out;
-}
-
 /// What is drawn, of a behaviour or of the one that a scenario plays.
 struct Subject {
   const Model& model;
@@ -78,11 +69,13 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
                                wrong.help.empty() ? "" : "; " + wrong.help);
     return {};
   }
-  if (out.view != PictureOptions::View::takes) return out;
-  if (!subject.lowerable) {
-    console.err << "directorc: --view=takes needs a behaviour that can run: with `roots` and without errors\n";
+  const bool takes = out.view == PictureOptions::View::takes;
+  if ((takes || request.page) && !subject.lowerable) {
+    console.err << fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
+                               takes ? "--view=takes" : "--page");
     return {};
   }
+  if (!takes) return out;
   out.take_overs = take_overs_of(subject.model, subject.graph);
   return out;
 }
@@ -93,9 +86,12 @@ std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sou
   const PictureLinks links{request.link};
   const std::string name = std::filesystem::path(request.file).filename().string();
   switch (request.format) {
-  case Format::json:
-    return to_lines(graph_json({subject.model, subject.graph, sources, options.flaws,
-                                options.moment ? &*options.moment : nullptr, subject.findings}));
+  case Format::json: {
+    Json data = graph_json({subject.model, subject.graph, sources, options.flaws,
+                            options.moment ? &*options.moment : nullptr, subject.findings});
+    if (request.page) add_page_facts(data, subject.model, subject.graph, name);
+    return to_lines(data);
+  }
   case Format::svg: {
     const std::optional<std::string> text = svg(picture, links, console);
     return text ? std::optional(svg_with_notice(name, *text)) : text;
@@ -200,7 +196,7 @@ int run(const DrawGraph& request, Console& console) {
   if (!whole && checked->model.groups.empty()) return found;
   const Graph graph = whole ? Graph{} : make_graph(checked->model);
   const Subject subject{checked->model, whole ? checked->graph : graph, checked->lowerable,
-                        request.findings ? &checked->findings : nullptr};
+                        request.findings || request.page ? &checked->findings : nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;
   if (!whole) options->flaws = find_missing(checked->spec, checked->model, sources, errors);

@@ -201,6 +201,9 @@ Make graph_options(CLI::App& app) {
   app.add_option("--link", request->link, "address behind each box and arrow, with {file} and {line} in it")
       ->type_name("ADDRESS");
   CLI::Option* findings = app.add_flag("--findings", request->findings, "also what is found, each at its place");
+  CLI::Option* page = app.add_flag("--page", request->page,
+                                   "as JSON: also all else that a page of `directorc docs` tells, findings, who beats "
+                                   "whom, verdicts of assertions and the transition matrix");
   auto time = std::make_shared<std::string>();
   CLI::Option* step = app.add_option("--step", request->step, "FILE is a scenario: the moment after this step of it")
                           ->type_name("N")
@@ -211,13 +214,15 @@ Make graph_options(CLI::App& app) {
   app.add_flag("--frames", request->frames, "FILE is a scenario: a picture for each step, into the folder of -o")
       ->excludes(step)
       ->excludes(at)
-      ->excludes(findings);
-  step->excludes(findings);
-  at->excludes(findings);
+      ->excludes(findings)
+      ->excludes(page);
+  for (CLI::Option* moment : {step, at}) moment->excludes(findings)->excludes(page);
   return [=]() -> Request {
     if (!time->empty()) {
       if (const std::optional<Say> wrong = parse_time(*time, request->time)) return *wrong;
     }
+    if (request->page && request->format != Format::json)
+      return Say{"directorc: --page needs --format=json; `directorc docs` writes pages to read\n", true};
     if (request->frames && request->output.empty())
       return Say{"directorc: --frames writes many files: -o names a folder for them\n", true};
     if (!request->link.empty() && request->link.find("{file}") == std::string::npos)
