@@ -15,7 +15,7 @@
 
 namespace director::compiler::cli {
 
-enum class Format { text, json, sarif, dot, svg, mermaid };
+enum class Format { text, json, sarif, dot, svg, mermaid, html, markdown };
 
 inline constexpr int clean = 0, found = 1, misused = 2, undecided = 3;
 
@@ -55,6 +55,13 @@ struct DrawGraph {
   bool frames = false;                ///< of a scenario: a file for each step, into the folder `output`
 };
 
+/// Pages for people, one a behaviour.
+struct Docs {
+  std::vector<std::string> files;
+  std::string folder;
+  Format format = Format::html;
+  std::string link; ///< address of a line, with {file} and {line}; empty: nothing is a link
+};
 struct Explain {
   std::string id; ///< of a check, or a key of the language
 };
@@ -120,6 +127,7 @@ struct Verify {
 int run(const Check& request, Console& console);
 int run(const Generate& request, Console& console);
 int run(const DrawGraph& request, Console& console);
+int run(const Docs& request, Console& console);
 int run(const Explain& request, Console& console);
 int run(const ListChecks& request, Console& console);
 int run(const Simulate& request, Console& console);

@@ -1,5 +1,6 @@
 // Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/cli/draw_svg.hpp"
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/emit/graph/flaws.hpp"
 #include "compiler/emit/graph/formats.hpp"
@@ -18,21 +19,6 @@
 namespace director::compiler::cli {
 
 namespace {
-
-/// The picture drawn by Graphviz; nothing, and says why, where that cannot be.
-std::optional<std::string> svg(const Picture& picture, const PictureLinks& links, Console& console) {
-  const Answer answer = console.programs.run({"dot", "-Tsvg"}, dot(picture, links));
-  if (!answer.started) {
-    console.err << "directorc: --format=svg needs the program `dot` of Graphviz, which is not installed (on Debian: "
-                   "apt-get install graphviz); --format=dot needs nothing\n";
-    return {};
-  }
-  if (answer.status != 0) {
-    console.err << fmt::format("directorc: `dot` could not draw the graph (exit status {})\n", answer.status);
-    return {};
-  }
-  return finish_svg(picture, answer.output);
-}
 
 PictureOptions::View view_of(const std::string& name) {
   using View = PictureOptions::View;
@@ -93,12 +79,14 @@ std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sou
     return to_lines(data);
   }
   case Format::svg: {
-    const std::optional<std::string> text = svg(picture, links, console);
+    const std::optional<std::string> text = draw_svg(picture, links, "--format=svg", "--format=dot", console);
     return text ? std::optional(svg_with_notice(name, *text)) : text;
   }
   case Format::mermaid: return with_notice(name, "%% ", mermaid(picture, links));
   case Format::dot:
   case Format::sarif:
+  case Format::html:
+  case Format::markdown:
   case Format::text: break;
   }
   return with_notice(name, "// ", dot(picture, links));

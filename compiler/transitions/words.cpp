@@ -131,8 +131,7 @@ std::string words_of(const Transition& cell, const Told& told) {
     return fmt::format("What {} wants from outside ends {}.{}", second, first, outside(cell.states));
   case Kind::unreachable: break;
   }
-  const bool row = !told.row.reached;
-  return fmt::format("{} cannot be brought to run. {}", row ? first : second, row ? told.row.words : told.column.words);
+  return fmt::format("{} cannot be brought to run.", told.row.reached ? second : first);
 }
 
 } // namespace transitions

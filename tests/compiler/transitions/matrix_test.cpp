@@ -230,11 +230,11 @@ groups:
   Legs: {}
   Arm: {}
 )";
-  CHECK(cell(lost, "Walk", "Swim") == R"(unreachable: Swim cannot be brought to run. Nothing that the program requests leads to it.
+  CHECK(cell(lost, "Walk", "Swim") == R"(unreachable: Swim cannot be brought to run.
 )");
-  CHECK(cell(lost, "Swim", "Walk") == R"(unreachable: Swim cannot be brought to run. Nothing that the program requests leads to it.
+  CHECK(cell(lost, "Swim", "Walk") == R"(unreachable: Swim cannot be brought to run.
 )");
-  CHECK(cell(lost, "Throw", "Catch") == R"(unreachable: Catch cannot be brought to run. Catch waits (Play>Catch): Arm, which it needs, is held by Throw>Arm, and Play>Throw (priority 2) goes before Play>Catch (priority 1).
+  CHECK(cell(lost, "Throw", "Catch") == R"(unreachable: Catch cannot be brought to run.
 )");
 }
 
