@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace director::compiler {
@@ -68,6 +69,19 @@ std::string text(std::string_view text) {
     case '"': out += "&quot;"; break;
     default: out += letter;
     }
+  }
+  return out;
+}
+
+std::string message_html(std::string_view message) {
+  std::string out;
+  bool in_code = false;
+  for (std::size_t at = 0; at <= message.size();) {
+    const std::size_t end = std::min(message.find('`', at), message.size());
+    const std::string piece = text(message.substr(at, end - at));
+    out += in_code ? fmt::format("<code>{}</code>", piece) : piece;
+    in_code = !in_code;
+    at = end + 1;
   }
   return out;
 }

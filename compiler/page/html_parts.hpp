@@ -13,6 +13,9 @@ namespace director::compiler::page {
 /// Text between tags and in attributes.
 std::string text(std::string_view text);
 
+/// The same of a finding's words, which have code between backquotes.
+std::string message_html(std::string_view text);
+
 /// What the sections are made from.
 struct HtmlInput {
   const PageInput& page;

@@ -101,7 +101,7 @@ std::string takes_html(const HtmlInput& input) {
   if (takes.items().empty()) return {};
   std::string out =
       "<p>Two tasks that want the same are compared at the closest requester of both.</p>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"Who goes before whom\"><table>\n<thead><tr><th scope=\"col\">goes first</th><th scope=\"col\">before</th>"
+      "aria-label=\"Table of who goes first\"><table>\n<thead><tr><th scope=\"col\">goes first</th><th scope=\"col\">before</th>"
       "<th scope=\"col\">decided by</th><th scope=\"col\">over</th></tr></thead>\n<tbody>\n";
   for (const Json& take : takes.items()) {
     std::string over;
@@ -130,7 +130,7 @@ std::string assertions_html(const HtmlInput& input) {
     const Json& verdict = verdicts.items()[i];
     out += fmt::format("<li><b data-verdict=\"{0}\">{0}</b>: <code>{1}</code> {2}<br>{3}", verdict["verdict"].as_text(),
                        text(verdict["assertion"].as_text()), i < assertions.size() ? place_html(assertions[i], input) : "",
-                       text(verdict["why"].as_text()));
+                       message_html(verdict["why"].as_text()));
     if (!verdict["scenario"].is_null())
       out += fmt::format("<details><summary>Scenario</summary><pre tabindex=\"0\">{}</pre></details>", text(verdict["scenario"].as_text()));
     out += "</li>\n";
@@ -144,9 +144,9 @@ std::string findings_html(const HtmlInput& input) {
   std::string out = "<ul class=\"findings\">\n";
   for (const Json& finding : findings.items()) {
     out += fmt::format("<li><b data-level=\"{0}\">{0}</b>: {1} <code>{2}</code> {3}", finding["level"].as_text(),
-                       text(finding["message"].as_text()), text(finding["id"].as_text()),
+                       message_html(finding["message"].as_text()), text(finding["id"].as_text()),
                        place_html(Json::object({{"place", finding}}), input));
-    if (!finding["help"].is_null()) out += fmt::format("<br>{}", text(finding["help"].as_text()));
+    if (!finding["help"].is_null()) out += fmt::format("<br>{}", message_html(finding["help"].as_text()));
     out += "</li>\n";
   }
   return out + "</ul>\n";

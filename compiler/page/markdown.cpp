@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace director::compiler {
 
 namespace {
@@ -34,10 +36,21 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-std::string code(std::string_view text) {
+/// Not in a table.
+std::string code(std::string_view text) { return fmt::format("`{}`", text); }
+
+/// A finding's words have code between backquotes already.
+std::string message(std::string_view text) {
   std::string out;
-  for (const char letter : text) out += letter == '|' ? std::string("\\|") : std::string(1, letter);
-  return "`" + out + "`";
+  bool in_code = false;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find('`', at), text.size());
+    const std::string_view piece = text.substr(at, end - at);
+    out += in_code ? code(piece) : escaped(piece);
+    in_code = !in_code;
+    at = end + 1;
+  }
+  return out;
 }
 
 class MarkdownPage {
@@ -218,7 +231,7 @@ private:
     out_ += "## Assertions\n\n";
     for (const Json& verdict : data_["verdicts"].items())
       out_ += fmt::format("- {}: **{}**, {}\n", code(verdict["assertion"].as_text()), verdict["verdict"].as_text(),
-                          escaped(verdict["why"].as_text()));
+                          message(verdict["why"].as_text()));
     out_ += "\n";
   }
 
@@ -227,7 +240,7 @@ private:
     if (data_["findings"].items().empty()) out_ += "None.\n";
     for (const Json& finding : data_["findings"].items())
       out_ += fmt::format("- {} at {}: {} ({})\n", finding["level"].as_text(), place(Json::object({{"place", finding}})),
-                          escaped(finding["message"].as_text()), code(finding["id"].as_text()));
+                          message(finding["message"].as_text()), code(finding["id"].as_text()));
   }
 
   const PageInput& input_;

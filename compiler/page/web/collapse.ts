@@ -15,7 +15,12 @@ export function choosePicture(section: HTMLElement): Picture[] {
     return holder;
   });
   const pictures = frames.map((frame) => new Picture(frame));
-  const show = (chosen: number): void => holders.forEach((holder, i) => (holder.hidden = i !== chosen));
+  const shown = new Set<number>();
+  const show = (chosen: number): void => {
+    holders.forEach((holder, i) => (holder.hidden = i !== chosen));
+    if (!shown.has(chosen)) pictures[chosen].show();
+    shown.add(chosen);
+  };
   if (pictures.length > 1) {
     const choice = make('fieldset', { class: 'views' }, make('legend', {}, 'Collapse'));
     pictures.forEach((picture, i) => {
@@ -26,6 +31,6 @@ export function choosePicture(section: HTMLElement): Picture[] {
     });
     holders[0].before(choice);
   }
-  show(0);
+  if (pictures.length > 0) show(0);
   return pictures;
 }

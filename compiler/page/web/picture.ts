@@ -7,6 +7,9 @@ import { button, make } from './elements';
 
 const inFront = 'near';
 
+/** Pixels a point: at this scale its text is as large as Graphviz means it. */
+const onPaper = 4 / 3;
+
 /** What Graphviz calls an arrow: `Walk.halting → Wheels`, each end with its row behind a dot. */
 function endsOf(title: string): [string, string] | undefined {
   const ends = title.split(' → ');
@@ -66,6 +69,7 @@ export class Picture {
     layer.before(moved);
     moved.append(layer);
     layer.setAttribute('transform', at);
+    this.svg.setAttribute('preserveAspectRatio', 'xMidYMin meet');
     this.motion
       .scaleExtent([0.2, 12])
       .filter((event: Event) => !(event instanceof WheelEvent) || event.ctrlKey || event.metaKey)
@@ -97,20 +101,24 @@ export class Picture {
     select(this.svg).call(this.motion.transform, zoomIdentity);
   }
 
+  /** As large as on paper where that fits, else as wide as the frame; from the top. */
+  show(): void {
+    const unit = this.svg.getScreenCTM()?.a ?? 0;
+    const view = this.svg.viewBox.baseVal;
+    if (unit === 0) return;
+    const scale = Math.max(1, Math.min(onPaper, this.frame.clientWidth / view.width) / unit);
+    select(this.svg).call(this.motion.transform, zoomIdentity.translate(((1 - scale) * view.width) / 2, 0).scale(scale));
+  }
+
   private centre(group: string): void {
     const node = this.nodes.get(group);
-    if (!node) return;
     this.whole();
-    const [box, all, view] = [node.getBoundingClientRect(), this.svg.getBoundingClientRect(), this.svg.viewBox.baseVal];
-    if (all.width === 0) return;
-    const unit = view.width / all.width;
-    const readable = Math.min(3, Math.max(1, unit / 1.33));
-    this.scale(readable);
-    select(this.svg).call(
-      this.motion.translateTo,
-      (box.left + box.width / 2 - all.left) * unit,
-      (box.top + box.height / 2 - all.top) * unit,
-    );
+    const matrix = this.svg.getScreenCTM();
+    if (!node || !matrix || matrix.a === 0) return;
+    const box = node.getBoundingClientRect();
+    const at = new DOMPoint(box.left + box.width / 2, box.top + box.height / 2).matrixTransform(matrix.inverse());
+    this.scale(Math.max(1, onPaper / matrix.a));
+    select(this.svg).call(this.motion.translateTo, at.x, at.y);
   }
 
   private tools(): HTMLElement {
