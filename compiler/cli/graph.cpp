@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/draw_svg.hpp"
 #include "compiler/cli/load_scenario.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/emit/graph/flaws.hpp"
 #include "compiler/emit/graph/formats.hpp"
-#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/page/facts.hpp"
 #include "compiler/play/moment.hpp"
 #include "compiler/play/names.hpp"

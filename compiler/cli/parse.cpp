@@ -39,10 +39,9 @@ struct Subcommand {
   Make (*options)(CLI::App& app);
 };
 
-const std::map<std::string, Format> formats{{"text", Format::text},   {"json", Format::json},
-                                            {"sarif", Format::sarif}, {"dot", Format::dot},
-                                            {"svg", Format::svg},     {"mermaid", Format::mermaid},
-                                            {"html", Format::html},   {"markdown", Format::markdown}};
+const std::map<std::string, Format> formats{
+    {"text", Format::text}, {"json", Format::json},       {"sarif", Format::sarif}, {"dot", Format::dot},
+    {"svg", Format::svg},   {"mermaid", Format::mermaid}, {"html", Format::html},   {"markdown", Format::markdown}};
 
 /// `--format` with some of the formats.
 void add_format(CLI::App& app, Format& format, const std::vector<std::string>& names) {

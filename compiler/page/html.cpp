@@ -29,8 +29,7 @@ std::string check_sum(std::string_view bytes) {
     unsigned bits = 0;
     const std::size_t count = std::min<std::size_t>(6, hex.size() - at);
     for (std::size_t i = 0; i < 6; ++i) bits = bits * 16 + (i < count ? static_cast<unsigned>(digit(hex[at + i])) : 0);
-    for (std::size_t i = 0; i < 4; ++i)
-      out += i * 6 < count * 4 ? letters[bits >> (18 - 6 * i) & 63] : '=';
+    for (std::size_t i = 0; i < 4; ++i) out += i * 6 < count * 4 ? letters[bits >> (18 - 6 * i) & 63] : '=';
   }
   return out;
 }
@@ -117,8 +116,9 @@ std::string html_page(const PageInput& input) {
     const std::string html = section.html(parts);
     if (html.empty()) continue;
     nav += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, section.title);
-    body += fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
-                        section.id, section.title, html);
+    body += fmt::format(
+        "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
+        section.id, section.title, html);
   }
   return fmt::format(
       "<!DOCTYPE html>\n<!-- {} -->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

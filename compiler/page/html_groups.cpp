@@ -16,8 +16,9 @@ std::string code_list(const Json& list) {
 }
 
 std::string mention_html(const Mention& mention) {
-  const std::string by = mention.group.empty() ? "the program"
-                                               : fmt::format("<a href=\"#group-{}\">{}</a>", text(mention.group), text(mention.by));
+  const std::string by = mention.group.empty()
+                             ? "the program"
+                             : fmt::format("<a href=\"#group-{}\">{}</a>", text(mention.group), text(mention.by));
   return mention.how.empty() ? by : fmt::format("{} ({})", by, text(mention.how));
 }
 
@@ -57,8 +58,7 @@ std::string provider_html(const Json& group, const Json& provider, const HtmlInp
     add_fact(facts, "requests in pack " + text(pack["name"].as_text()), tasks_html(pack["tasks"]));
   const bool named = provider["name"].as_text() != "default";
   std::string out;
-  if (named)
-    out += fmt::format("<h4>{} {}</h4>\n", text(provider_name(group, provider)), place_html(provider, input));
+  if (named) out += fmt::format("<h4>{} {}</h4>\n", text(provider_name(group, provider)), place_html(provider, input));
   out += doc_html(provider);
   if (!facts.empty()) out += fmt::format("<dl>\n{}</dl>\n", facts);
   return out;
@@ -73,9 +73,10 @@ std::string groups_html(const HtmlInput& input) {
     std::string about = "module " + text(group["module"].as_text());
     if (!group["layer"].is_null()) about = fmt::format("layer {}, {}", text(group["layer"].as_text()), about);
     if (!group["data"].is_null()) about += fmt::format(", data <code>{}</code>", text(group["data"].as_text()));
-    out += fmt::format("<article class=\"group\" id=\"group-{0}\" data-group=\"{0}\" tabindex=\"-1\">\n<h3>{0} {1}</h3>\n{2}"
-                       "<p class=\"about\">{3}</p>\n",
-                       text(name), place_html(group, input), doc_html(group), about);
+    out += fmt::format(
+        "<article class=\"group\" id=\"group-{0}\" data-group=\"{0}\" tabindex=\"-1\">\n<h3>{0} {1}</h3>\n{2}"
+        "<p class=\"about\">{3}</p>\n",
+        text(name), place_html(group, input), doc_html(group), about);
     for (const Json& provider : group["providers"].items()) out += provider_html(group, provider, input);
     std::string facts;
     const auto at = input.relations.groups.find(name);
@@ -94,8 +95,9 @@ std::string states_html(const HtmlInput& input) {
   std::string out;
   for (const Json& state : input.page.data["states"].items()) {
     const std::string& name = state["name"].as_text();
-    out += fmt::format("<article class=\"state\" id=\"state-{0}\" tabindex=\"-1\">\n<h3>{0} {1}</h3>\n{2}<p class=\"about\">{3}</p>\n",
-                       text(name), place_html(state, input), doc_html(state), text(state_words(state)));
+    out += fmt::format(
+        "<article class=\"state\" id=\"state-{0}\" tabindex=\"-1\">\n<h3>{0} {1}</h3>\n{2}<p class=\"about\">{3}</p>\n",
+        text(name), place_html(state, input), doc_html(state), text(state_words(state)));
     std::string facts;
     const auto at = input.relations.states.find(name);
     if (at != input.relations.states.end()) {

@@ -39,7 +39,8 @@ std::string legend_html() {
 std::string matrix_html(const Json& rows) {
   std::string out = "<div class=\"matrix\" tabindex=\"0\" role=\"region\" aria-label=\"Transition matrix\">\n<table>\n"
                     "<caption>From the group of the row to that of the column</caption>\n<thead><tr><td></td>";
-  for (const Json& row : rows.items()) out += fmt::format("<th scope=\"col\"><span>{}</span></th>", text(row["group"].as_text()));
+  for (const Json& row : rows.items())
+    out += fmt::format("<th scope=\"col\"><span>{}</span></th>", text(row["group"].as_text()));
   out += "</tr></thead>\n<tbody>\n";
   for (const Json& row : rows.items()) {
     out += fmt::format("<tr><th scope=\"row\">{}</th>", text(row["group"].as_text()));
@@ -57,8 +58,8 @@ std::string matrix_html(const Json& rows) {
 
 /// Cells that have something of their own to tell, then the others by kind.
 std::string row_html(const Json& rows, const Json& row) {
-  std::string out = fmt::format("<article class=\"row\" id=\"{}\" tabindex=\"-1\">\n<h3>From {}</h3>\n<p>{}</p>\n", anchor_of(row, nullptr),
-                                text(row["group"].as_text()), text(row["words"].as_text()));
+  std::string out = fmt::format("<article class=\"row\" id=\"{}\" tabindex=\"-1\">\n<h3>From {}</h3>\n<p>{}</p>\n",
+                                anchor_of(row, nullptr), text(row["group"].as_text()), text(row["words"].as_text()));
   std::string told;
   std::map<std::string_view, std::vector<std::string>> others;
   const std::vector<Json>& cells = row["cells"].items();
@@ -69,7 +70,8 @@ std::string row_html(const Json& rows, const Json& row) {
       others[kind.kind].push_back(column["group"].as_text());
       continue;
     }
-    told += fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> {}</dt><dd>{}</dd></div>\n",
+    told += fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
+                        "{}</dt><dd>{}</dd></div>\n",
                         anchor_of(row, &column), text(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
                         text(cells[i]["words"].as_text()));
   }
@@ -88,10 +90,12 @@ std::string pictures_html(const HtmlInput& input) {
   std::string out;
   for (const PagePicture& picture : input.page.pictures) {
     const bool first = &picture == &input.page.pictures.front();
-    const std::string figure = fmt::format(
-        "<div class=\"picture\" data-picture=\"{0}\" tabindex=\"0\" role=\"region\" aria-label=\"Picture, {0}\">\n{1}\n</div>\n",
-        text(picture.name), svg_part(picture.text));
-    out += first ? figure : fmt::format("<details class=\"more\"><summary>{}</summary>\n{}</details>\n", text(picture.name), figure);
+    const std::string figure = fmt::format("<div class=\"picture\" data-picture=\"{0}\" tabindex=\"0\" role=\"region\" "
+                                           "aria-label=\"Picture, {0}\">\n{1}\n</div>\n",
+                                           text(picture.name), svg_part(picture.text));
+    out += first ? figure
+                 : fmt::format("<details class=\"more\"><summary>{}</summary>\n{}</details>\n", text(picture.name),
+                               figure);
   }
   return out;
 }
@@ -99,10 +103,11 @@ std::string pictures_html(const HtmlInput& input) {
 std::string takes_html(const HtmlInput& input) {
   const Json& takes = input.page.data["takes"];
   if (takes.items().empty()) return {};
-  std::string out =
-      "<p>Two tasks that want the same are compared at the closest requester of both.</p>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"Table of who goes first\"><table>\n<thead><tr><th scope=\"col\">goes first</th><th scope=\"col\">before</th>"
-      "<th scope=\"col\">decided by</th><th scope=\"col\">over</th></tr></thead>\n<tbody>\n";
+  std::string out = "<p>Two tasks that want the same are compared at the closest requester of both.</p>\n<div "
+                    "class=\"wide\" tabindex=\"0\" role=\"region\" "
+                    "aria-label=\"Table of who goes first\"><table>\n<thead><tr><th scope=\"col\">goes first</th><th "
+                    "scope=\"col\">before</th>"
+                    "<th scope=\"col\">decided by</th><th scope=\"col\">over</th></tr></thead>\n<tbody>\n";
   for (const Json& take : takes.items()) {
     std::string over;
     for (const std::string& name : take["over"].as_texts()) over += (over.empty() ? "" : ", ") + group_link(name);
@@ -115,7 +120,8 @@ std::string takes_html(const HtmlInput& input) {
 std::string transitions_html(const HtmlInput& input) {
   const Json& rows = input.page.data["transitions"]["rows"];
   if (rows.items().empty()) return {};
-  std::string out = "<p>The first group runs, then the second one is asked for. What the engine does then was played.</p>\n";
+  std::string out =
+      "<p>The first group runs, then the second one is asked for. What the engine does then was played.</p>\n";
   out += legend_html() + matrix_html(rows) + "<div class=\"rows\">\n";
   for (const Json& row : rows.items()) out += row_html(rows, row);
   return out + "</div>\n";
@@ -128,11 +134,13 @@ std::string assertions_html(const HtmlInput& input) {
   std::string out = "<ul class=\"verdicts\">\n";
   for (std::size_t i = 0; i < verdicts.items().size(); ++i) {
     const Json& verdict = verdicts.items()[i];
-    out += fmt::format("<li><b data-verdict=\"{0}\">{0}</b>: <code>{1}</code> {2}<br>{3}", verdict["verdict"].as_text(),
-                       text(verdict["assertion"].as_text()), i < assertions.size() ? place_html(assertions[i], input) : "",
-                       message_html(verdict["why"].as_text()));
+    out +=
+        fmt::format("<li><b data-verdict=\"{0}\">{0}</b>: <code>{1}</code> {2}<br>{3}", verdict["verdict"].as_text(),
+                    text(verdict["assertion"].as_text()), i < assertions.size() ? place_html(assertions[i], input) : "",
+                    message_html(verdict["why"].as_text()));
     if (!verdict["scenario"].is_null())
-      out += fmt::format("<details><summary>Scenario</summary><pre tabindex=\"0\">{}</pre></details>", text(verdict["scenario"].as_text()));
+      out += fmt::format("<details><summary>Scenario</summary><pre tabindex=\"0\">{}</pre></details>",
+                         text(verdict["scenario"].as_text()));
     out += "</li>\n";
   }
   return out + "</ul>\n";

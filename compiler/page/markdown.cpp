@@ -119,7 +119,8 @@ private:
 
   std::string tasks(const Json& list) const {
     std::vector<std::string> out;
-    for (const Json& task : list.items()) out.push_back(mention({task["group"].as_text(), task["group"].as_text(), manner_of(task)}));
+    for (const Json& task : list.items())
+      out.push_back(mention({task["group"].as_text(), task["group"].as_text(), manner_of(task)}));
     return out.empty() ? "nothing" : fmt::format("{}", fmt::join(out, "; "));
   }
 
@@ -190,8 +191,9 @@ private:
     if (data_["takes"].items().empty()) return;
     out_ += "## Who goes before whom\n\n| goes first | before | decided by | over |\n| --- | --- | --- | --- |\n";
     for (const Json& take : data_["takes"].items())
-      out_ += fmt::format("| {} | {} | {} | {} |\n", escaped(take["winner"].as_text()), escaped(take["loser"].as_text()),
-                          escaped(take_words(take)), escaped(listed(take["over"].as_texts())));
+      out_ +=
+          fmt::format("| {} | {} | {} | {} |\n", escaped(take["winner"].as_text()), escaped(take["loser"].as_text()),
+                      escaped(take_words(take)), escaped(listed(take["over"].as_texts())));
     out_ += "\n";
   }
 
@@ -199,7 +201,8 @@ private:
     const Json& rows = data_["transitions"]["rows"];
     if (rows.items().empty()) return;
     out_ += "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is asked for.\n\n";
-    for (const CellKind& kind : cell_kinds()) out_ += fmt::format("- **{}** {}: {}\n", kind.sign, kind.kind, kind.meaning);
+    for (const CellKind& kind : cell_kinds())
+      out_ += fmt::format("- **{}** {}: {}\n", kind.sign, kind.kind, kind.meaning);
     out_ += "\n| from \\ to |";
     for (const Json& row : rows.items()) out_ += fmt::format(" {} |", escaped(row["group"].as_text()));
     out_ += "\n| --- |";
@@ -239,8 +242,9 @@ private:
     out_ += "## Findings\n\n";
     if (data_["findings"].items().empty()) out_ += "None.\n";
     for (const Json& finding : data_["findings"].items())
-      out_ += fmt::format("- {} at {}: {} ({})\n", finding["level"].as_text(), place(Json::object({{"place", finding}})),
-                          message(finding["message"].as_text()), code(finding["id"].as_text()));
+      out_ +=
+          fmt::format("- {} at {}: {} ({})\n", finding["level"].as_text(), place(Json::object({{"place", finding}})),
+                      message(finding["message"].as_text()), code(finding["id"].as_text()));
   }
 
   const PageInput& input_;

@@ -80,7 +80,7 @@ std::string manner_of(const Json& task) {
   std::string out;
   for (const Json& level : task["levels"].items()) {
     const std::string& name = level["name"].as_text();
-    out += fmt::format("{}{}{}{}", out.empty() ? "" : ", ", name, name.empty() ? "" : " ",
+    out += fmt::format("{}{}{}{}", out.empty() ? "priority " : ", ", name, name.empty() ? "" : " ",
                        level["priority"].as_number());
     if (level["optional"].as_boolean()) out += ", optional";
     if (level["apart"].as_boolean()) out += ", apart";
@@ -93,8 +93,6 @@ std::string provider_name(const Json& group, const Json& provider) {
   return name == "default" ? group["name"].as_text() : group["name"].as_text() + "." + name;
 }
 
-std::string time_text(const Json& microseconds) {
-  return dsl::to_text(dsl::in_largest_unit(microseconds.as_number()));
-}
+std::string time_text(const Json& microseconds) { return dsl::to_text(dsl::in_largest_unit(microseconds.as_number())); }
 
 } // namespace director::compiler::page

@@ -13,9 +13,9 @@ namespace director::compiler::page {
 
 /// Something that somebody says of it, and who.
 struct Mention {
-  std::string by;   ///< `Striker.playing, pack attack`; empty: the program
+  std::string by;    ///< `Striker.playing, pack attack`; empty: the program
   std::string group; ///< whose that is; empty: the program
-  std::string how;  ///< of a request `20, optional`, of a state the condition
+  std::string how;   ///< of a request `priority 20, optional`, of a state the condition
 };
 
 struct GroupRelations {
@@ -34,7 +34,7 @@ struct Relations {
 
 Relations find_relations(const Json& data);
 
-/// `20`, `normal 10, urgent 80`, `10, optional`
+/// `priority 20`, `priority normal 10, urgent 80`, `priority 10, optional`
 std::string manner_of(const Json& task);
 
 /// `Walk.halting`, `Kick`

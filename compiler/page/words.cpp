@@ -76,7 +76,9 @@ std::string state_words(const Json& state) {
 std::string take_words(const Json& take) {
   const auto numbers = [&](std::string_view key) {
     std::vector<std::int64_t> out;
-    for (const Json& each : take[key].items()) out.push_back(each.as_number());
+    for (const Json& each : take[key].items()) {
+      if (std::find(out.begin(), out.end(), each.as_number()) == out.end()) out.push_back(each.as_number());
+    }
     return fmt::format("{}", fmt::join(out, " or "));
   };
   const std::string who = take["requester"].is_null() ? "the program" : take["requester"].as_text();

@@ -21,7 +21,6 @@ namespace director::compiler {
 namespace {
 
 using namespace transitions;
-using Kind = Transition::Kind;
 
 /// States of which every choice is tried; beyond them all or none.
 constexpr std::size_t most_changes = 4;
@@ -54,6 +53,8 @@ public:
   }
 
 private:
+  using Kind = Transition::Kind;
+
   struct Play {
     Script script;
     std::string steps;
@@ -102,7 +103,8 @@ private:
       beginnings_.back() = {way, *outside, trial.runs, trial.rest};
       return out;
     }
-    if (!ways.empty()) out.words = why.empty() ? "No values from outside meet all conditions on the way to it." : why + ".";
+    if (!ways.empty())
+      out.words = why.empty() ? "No values from outside meet all conditions on the way to it." : why + ".";
     return out;
   }
 
@@ -128,7 +130,8 @@ private:
     const std::vector<std::pair<StateId, std::int64_t>> list(all.begin(), all.end());
     std::vector<unsigned> masks;
     for (unsigned mask = 0; mask < 1u << list.size(); ++mask) masks.push_back(mask);
-    std::stable_sort(masks.begin(), masks.end(), [](unsigned a, unsigned b) { return std::popcount(a) < std::popcount(b); });
+    std::stable_sort(masks.begin(), masks.end(),
+                     [](unsigned a, unsigned b) { return std::popcount(a) < std::popcount(b); });
     std::vector<Values> out;
     for (const unsigned mask : masks) {
       Values some;
@@ -257,7 +260,8 @@ private:
         if (event.condition != nil && model_.satisfies(use.id, lowered_.condition_ids[event.condition]))
           push.within = use.within;
       }
-      const bool known = std::any_of(out.begin(), out.end(), [&](const Transition::Push& each) { return each.to == push.to; });
+      const bool known =
+          std::any_of(out.begin(), out.end(), [&](const Transition::Push& each) { return each.to == push.to; });
       if (!known) out.push_back(std::move(push));
     }
     return out;

@@ -32,12 +32,12 @@ struct Transition {
     std::optional<Microseconds> within; ///< what it promises
   };
   Kind kind = Kind::unreachable;
-  std::string words;              ///< what happens, in sentences
-  std::vector<Push> pushes;       ///< in the order in which they were made
+  std::string words;                 ///< what happens, in sentences
+  std::vector<Push> pushes;          ///< in the order in which they were made
   std::optional<Microseconds> bound; ///< soft: the sum of what they promise; nothing: one of them promises no time
-  std::vector<GroupId> stops;      ///< what ran for the first and does not run any more
-  std::vector<GroupId> taken;      ///< what ran for the first and now runs for somebody else
-  std::vector<std::string> states; ///< `Ball == near`: what the outside says for the second
+  std::vector<GroupId> stops;        ///< what ran for the first and does not run any more
+  std::vector<GroupId> taken;        ///< what ran for the first and now runs for somebody else
+  std::vector<std::string> states;   ///< `Ball == near`: what the outside says for the second
   std::vector<std::size_t> scenario; ///< of TransitionMatrix::pieces, one after another; empty: nothing was played
 };
 

@@ -68,7 +68,8 @@ Values opposed(const Model& model, ProviderId id) {
 /// `{reason: pushed, pack: go, wait: 1 ms}`; what is empty is left out.
 std::string mapping(std::initializer_list<std::string> words) {
   std::vector<std::string> out;
-  std::copy_if(words.begin(), words.end(), std::back_inserter(out), [](const std::string& word) { return !word.empty(); });
+  std::copy_if(words.begin(), words.end(), std::back_inserter(out),
+               [](const std::string& word) { return !word.empty(); });
   return fmt::format("{{{}}}", fmt::join(out, ", "));
 }
 
@@ -103,8 +104,7 @@ const Pack& pack_of_both(const Provider& provider, const Link& row, const Link& 
 /// Where the ways part: the row's task as it is, and the column's.
 std::string leads_beside(const Model& model, const Link& row, const Link& column) {
   const Provider& provider = model.providers[column.provider];
-  if (!provider.has_packs)
-    return fmt::format("tasks: [{}, {}]", kept(model, *row.next), name_of(model, *column.next));
+  if (!provider.has_packs) return fmt::format("tasks: [{}, {}]", kept(model, *row.next), name_of(model, *column.next));
   const Pack& pack = pack_of_both(provider, row, column);
   if (!holds(pack, *row.next)) return leads_on(model, column);
   return fmt::format("pack: {}, with: [{}]", dsl::yaml_word(pack.name), kept(model, *row.next));
@@ -226,8 +226,7 @@ std::string given_text(const Model& model, const Values& values) {
 std::string done_step() { return "  - advance: 1 ms\n"; }
 
 std::string entry_text(const Model& model, ProviderId id, const std::vector<std::string>& cases) {
-  std::string out =
-      fmt::format("  {}.{}:\n", model.group_of(id).name.value, dsl::yaml_word(model.providers[id].name));
+  std::string out = fmt::format("  {}.{}:\n", model.group_of(id).name.value, dsl::yaml_word(model.providers[id].name));
   for (const std::string& each : cases) out += fmt::format("    - {}\n", each);
   return out;
 }

@@ -1,5 +1,5 @@
-// Door: compiler/transitions/transitions_json.hpp. Test: tests/compiler/page/facts_test.cpp. Schema: schemas/graph.schema.json.
-// SPDX-License-Identifier: MIT
+// Door: compiler/transitions/transitions_json.hpp. Test: tests/compiler/page/facts_test.cpp. Schema:
+// schemas/graph.schema.json. SPDX-License-Identifier: MIT
 #include "compiler/transitions/transitions_json.hpp"
 
 namespace director::compiler {
@@ -13,7 +13,8 @@ Json group_names(const std::vector<GroupId>& groups, const Model& model) {
 }
 
 Json push_json(const Transition::Push& push, const Model& model) {
-  Json out = Json::object({{"pushed", Json::text(model.full_name(push.to))}, {"condition", Json::text(push.condition)}});
+  Json out =
+      Json::object({{"pushed", Json::text(model.full_name(push.to))}, {"condition", Json::text(push.condition)}});
   if (push.within) out.add("within_us", Json::number(*push.within));
   return out;
 }

@@ -20,8 +20,8 @@ struct Rest {
     bool granted = false;
     std::optional<ProviderId> active;
   };
-  std::vector<Held> groups;        ///< by group
-  std::vector<bool> running;       ///< by edge
+  std::vector<Held> groups;               ///< by group
+  std::vector<bool> running;              ///< by edge
   std::map<StateId, std::int64_t> values; ///< those that have one
 
   /// The edge that holds it is that one, or is below that one.

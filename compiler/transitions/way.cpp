@@ -53,8 +53,8 @@ std::vector<Link> links_between(const Model& model, GroupId from, GroupId to) {
   for (const ProviderId id : model.groups[from].providers) {
     const std::vector<Pack>& packs = model.providers[id].packs;
     for (std::size_t i = 0; i < packs.size(); ++i) {
-      const auto task =
-          std::find_if(packs[i].tasks.begin(), packs[i].tasks.end(), [&](const Task& each) { return each.target == to; });
+      const auto task = std::find_if(packs[i].tasks.begin(), packs[i].tasks.end(),
+                                     [&](const Task& each) { return each.target == to; });
       if (task == packs[i].tasks.end()) continue;
       out.push_back({id, i, &*task});
       break;

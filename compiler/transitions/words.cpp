@@ -107,9 +107,10 @@ std::string words_of(const Transition& cell, const Told& told) {
     return fmt::format("{} and {} run beside each other.{}{}", first, second, pushes(cell, told.model),
                        outside(cell.states));
   case Kind::soft: {
-    const std::string all = cell.pushes.size() > 1 && cell.bound
-                                ? fmt::format(" All of that is promised within {}.", dsl::to_text(dsl::in_largest_unit(*cell.bound)))
-                                : std::string{};
+    const std::string all =
+        cell.pushes.size() > 1 && cell.bound
+            ? fmt::format(" All of that is promised within {}.", dsl::to_text(dsl::in_largest_unit(*cell.bound)))
+            : std::string{};
     const std::string bound = cell.bound ? all : " No time is promised for that.";
     return fmt::format("{} waits.{}{} Then {} takes over.{}{}", second, pushes(cell, told.model), bound, second,
                        stops(cell, told), outside(cell.states));
@@ -123,7 +124,8 @@ std::string words_of(const Transition& cell, const Told& told) {
     return fmt::format("{} does not run, nor when {} is done.{}{}", second, first, outside(cell.states),
                        sentence(told.why));
   case Kind::same_chain:
-    return told.row.group == told.column.group ? "It is the same group." : fmt::format("One of {} and {} leads to the other.", first, second);
+    return told.row.group == told.column.group ? "It is the same group."
+                                               : fmt::format("One of {} and {} leads to the other.", first, second);
   case Kind::replaced:
     return fmt::format("{} asks for {} instead of {}.{}{}{}", told.withdrawer, second, first, pushes(cell, told.model),
                        stops(cell, told), outside(cell.states));

@@ -11,7 +11,7 @@ struct Told {
   const Model& model;
   const TransitionMatrix::Row& row;
   const TransitionMatrix::Row& column;
-  std::string why;       ///< why the second does not run, from the engine
+  std::string why;        ///< why the second does not run, from the engine
   std::string withdrawer; ///< who asks for both; empty: the program
 };
 

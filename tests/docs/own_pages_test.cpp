@@ -11,7 +11,8 @@ using namespace director::tests;
 
 TEST_CASE("the pages of the behaviours that come with Director are what directorc docs writes", "[golden]") {
   const TemporaryFolder folder;
-  std::string command = "directorc docs --format=markdown --link='../../{file}#L{line}' -o '" + folder.path().string() + "'";
+  std::string command =
+      "directorc docs --format=markdown --link='../../{file}#L{line}' -o '" + folder.path().string() + "'";
   for (const std::string name : {"drone", "greenhouse", "soccer", "team", "warehouse"})
     command += " behaviours/" + name + "/" + name + ".yaml";
   const Ran ran = run_command(command, source_dir());

@@ -7,6 +7,7 @@ import { button, byId, make } from './elements';
 export class Matrix {
   private readonly panel = byId('cell');
   private readonly links: HTMLAnchorElement[][] = [];
+  private readonly places = new Map<Element, [number, number]>();
 
   constructor(private readonly data: Data) {
     const table = document.querySelector('.matrix table');
@@ -15,10 +16,10 @@ export class Matrix {
     this.links.forEach((row, i) =>
       row.forEach((link, j) => {
         link.tabIndex = i === 0 && j === 0 ? 0 : -1;
-        const [from, to] = [this.rows[i].group, this.rows[j].group];
-        link.setAttribute('aria-label', `${this.rows[i].cells[j].kind}: from ${from} to ${to}`);
+        this.places.set(link, [i, j]);
       }),
     );
+    setTimeout(() => this.name());
     this.panel.setAttribute('role', 'status');
     table.addEventListener('click', (event) => this.click(event));
     table.addEventListener('keydown', (event) => this.key(event as KeyboardEvent));
@@ -28,10 +29,16 @@ export class Matrix {
     return this.data.transitions?.rows ?? [];
   }
 
+  /** For those who hear the cells, once the page is painted. */
+  private name(): void {
+    for (const [link, [i, j]] of this.places) {
+      link.setAttribute('aria-label', `${this.rows[i].cells[j].kind}: from ${this.rows[i].group} to ${this.rows[j].group}`);
+    }
+  }
+
   private placeOf(element: Element): [number, number] | undefined {
     const link = element.closest('a');
-    const i = this.links.findIndex((row) => link !== null && row.includes(link as HTMLAnchorElement));
-    return i < 0 ? undefined : [i, this.links[i].indexOf(link as HTMLAnchorElement)];
+    return link === null ? undefined : this.places.get(link);
   }
 
   private click(event: Event): void {

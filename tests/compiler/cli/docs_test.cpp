@@ -56,7 +56,8 @@ TEST_CASE("docs: without Graphviz it says what needs it, and what does not") {
   World w = docs_world();
   w.programs.answer = {};
   CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages"}) == 2);
-  CHECK(w.err == "directorc: --format=html needs the program `dot` of Graphviz, which is not installed (on Debian: apt-get install "
+  CHECK(w.err == "directorc: --format=html needs the program `dot` of Graphviz, which is not installed (on Debian: "
+                 "apt-get install "
                  "graphviz); --format=markdown needs nothing\n");
   CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages", "--format=markdown"}) == 0);
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The whole pages of a small behaviour are goldens; what holds of every page is looked at besides.
-#include "compiler/page/pages.hpp"
-
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/page/facts.hpp"
+#include "compiler/page/pages.hpp"
 #include "tests/compiler/support/checked.hpp"
 #include "tests/support/golden.hpp"
 
@@ -45,7 +44,8 @@ Pages pages_of(const std::string& behaviour, const std::string& link) {
   compiler::Json data =
       compiler::graph_json({checked.model, checked.graph, text.sources, none, nullptr, &checked.findings});
   if (checked.lowerable) compiler::add_page_facts(data, checked.model, checked.graph, "robot.yaml");
-  const std::string drawn = "<?xml?>\n<!-- title -->\n<svg role=\"x\" id=\"s\"><g id=\"graph0\" class=\"graph\"></g></svg>\n";
+  const std::string drawn =
+      "<?xml?>\n<!-- title -->\n<svg role=\"x\" id=\"s\"><g id=\"graph0\" class=\"graph\"></g></svg>\n";
   return {compiler::html_page({data, {{"All groups", drawn}, {"By layer", drawn}}, link, "robot.yaml"}),
           compiler::markdown_page({data, {{"All groups", "flowchart TB\n"}}, link, "robot.yaml"})};
 }
@@ -78,8 +78,7 @@ std::string in_hex(const std::string& base64) {
 } // namespace
 
 TEST_CASE("a page as Markdown: texts, picture, groups, states, ranks, transitions, verdicts and findings", "[golden]") {
-  check_golden("tests/compiler/page/golden/robot.md",
-               pages_of(robot, "https://example.org/{file}#L{line}").markdown);
+  check_golden("tests/compiler/page/golden/robot.md", pages_of(robot, "https://example.org/{file}#L{line}").markdown);
 }
 
 TEST_CASE("a page as HTML, without its script and style", "[golden]") {
@@ -98,8 +97,7 @@ TEST_CASE("a page as HTML, without its script and style", "[golden]") {
 TEST_CASE("the policy of a page allows its own script and style by their check sums, and nothing else") {
   const std::string html = pages_of(robot, {}).html;
   const std::string policy = between(html, "content=\"default-src 'none'; ", "\">");
-  CHECK(in_hex(between(policy, "script-src 'sha256-", "'")) ==
-        compiler::sha256(compiler::page::page_script()));
+  CHECK(in_hex(between(policy, "script-src 'sha256-", "'")) == compiler::sha256(compiler::page::page_script()));
   CHECK(in_hex(between(policy, "style-src 'sha256-", "'")) == compiler::sha256(compiler::page::page_style()));
   CHECK(policy.substr(policy.find("base-uri")) == "base-uri 'none'; form-action 'none'");
   CHECK(html.find(" style=\"") == std::string::npos);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Small behaviours, each named for the kind of the cell that is looked at; the whole cell is compared, and its scenario.
+// Small behaviours, each named for the kind of the cell that is looked at; the whole cell is compared, and its
+// scenario.
 #include "compiler/lower/lower.hpp"
 #include "compiler/transitions/matrix.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
-#include <fmt/format.h>
-
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -77,7 +77,9 @@ groups:
 } // namespace
 
 TEST_CASE("soft: the second waits, the first is pushed, and what promises the state is named with its time") {
-  CHECK(cell(legs, "Walk", "Kick") == R"(soft: Kick waits. Walk is pushed to halting for Pose == still, within 2 s. Then Kick takes over. Walk and Legs stop.
+  CHECK(
+      cell(legs, "Walk", "Kick") ==
+      R"(soft: Kick waits. Walk is pushed to halting for Pose == still, within 2 s. Then Kick takes over. Walk and Legs stop.
 push Walk.halting for Pose == still within 2000000
 bound 2000000
 stops Walk Legs
@@ -116,7 +118,9 @@ steps:
 }
 
 TEST_CASE("waits: the weaker one is queued, and runs when the stronger one is done") {
-  CHECK(cell(legs, "Kick", "Walk") == R"(waits: Walk is queued, and runs when Kick is done. Walk waits (root>Walk): Legs, which it needs, is held by Kick>Legs, and root>Kick (priority 20) goes before root>Walk (priority 10).
+  CHECK(
+      cell(legs, "Kick", "Walk") ==
+      R"(waits: Walk is queued, and runs when Kick is done. Walk waits (root>Walk): Legs, which it needs, is held by Kick>Legs, and root>Kick (priority 20) goes before root>Walk (priority 10).
 scenario: from Kick to Walk
 behaviour: test.yaml
 script:
@@ -132,7 +136,8 @@ steps:
 )");
 }
 
-TEST_CASE("both: they share nothing") { CHECK(cell(legs, "Look", "Kick") == R"(both: Look and Kick run beside each other.
+TEST_CASE("both: they share nothing") {
+  CHECK(cell(legs, "Look", "Kick") == R"(both: Look and Kick run beside each other.
 scenario: from Look to Kick
 behaviour: test.yaml
 script:
@@ -142,7 +147,8 @@ script:
 steps:
   - request: Look
   - request: Kick
-)"); }
+)");
+}
 
 TEST_CASE("same chain: the requester leads to its task, whichever of them is first") {
   CHECK(cell(plans, "Play", "Kick") == R"(same chain: One of Play and Kick leads to the other.
@@ -180,7 +186,8 @@ groups:
   Legs: {}
   Head: {}
 )";
-  CHECK(cell(phases, "Wait", "Play") == R"(condition lost: What Play wants from outside ends Wait. The outside says Phase == playing.
+  CHECK(cell(phases, "Wait", "Play") ==
+        R"(condition lost: What Play wants from outside ends Wait. The outside says Phase == playing.
 stops Wait
 scenario: from Wait to Play
 behaviour: test.yaml
@@ -203,7 +210,9 @@ groups:
   Legs: {}
   Head: {}
 )";
-  CHECK(cell(lost, "Walk", "Wait") == R"(never: Wait does not run, nor when Walk is done. Wait waits (root>Wait): until Pose == still, which only the outside can make true.
+  CHECK(
+      cell(lost, "Walk", "Wait") ==
+      R"(never: Wait does not run, nor when Walk is done. Wait waits (root>Wait): until Pose == still, which only the outside can make true.
 scenario: from Walk to Wait
 behaviour: test.yaml
 script:
@@ -278,7 +287,8 @@ groups:
   Kick: {when: [Ball == near, Game == on], needs: [Legs]}
   Legs: {}
 )";
-  CHECK(cell(senses, "Play", "Kick") == R"(hard: Kick takes at once what Play holds. Play stops. The outside says Ball == near.
+  CHECK(cell(senses, "Play", "Kick") ==
+        R"(hard: Kick takes at once what Play holds. Play stops. The outside says Ball == near.
 stops Play
 scenario: from Play to Kick
 behaviour: test.yaml

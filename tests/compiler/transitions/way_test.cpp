@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/transitions/way.hpp"
-
 #include "tests/compiler/support/compiled.hpp"
 
 #include <catch2/catch.hpp>
