@@ -23,6 +23,7 @@ packages_main=(g++:g++ cmake:cmake ninja:ninja-build dot:graphviz
 packages_test=(doxygen:doxygen catch2 librapidcheck-dev nm:binutils make:make xz:xz-utils ccache:ccache)
 packages_arm=(arm-none-eabi-g++:gcc-arm-none-eabi libstdc++-arm-none-eabi-dev libnewlib-dev qemu-system-arm:qemu-system-arm)
 packages_schemas=(node:nodejs npm:npm)
+packages_browser=(node:nodejs npm:npm chromium:chromium)
 packages_bench=(libbenchmark-dev valgrind:valgrind)
 packages_dds=(cyclonedds-dev idlc:cyclonedds-tools)
 packages_packages=(mmdebstrap:mmdebstrap lintian:lintian dpkg-shlibdeps:dpkg-dev file:file clang-19 libclang-19-dev llvm-19-dev)

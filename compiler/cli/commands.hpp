@@ -15,7 +15,7 @@
 
 namespace director::compiler::cli {
 
-enum class Format { text, json, sarif, dot, svg, mermaid };
+enum class Format { text, json, sarif, dot, svg, mermaid, html, markdown };
 
 inline constexpr int clean = 0, found = 1, misused = 2, undecided = 3;
 
@@ -49,11 +49,19 @@ struct DrawGraph {
   std::vector<std::string> focus;     ///< groups; empty: everything
   std::optional<std::uint32_t> depth; ///< arrows away from the focus
   bool findings = false;              ///< each of them at its place
+  bool page = false;                  ///< as JSON, all that a page of `docs` tells
   std::uint32_t step = 0;             ///< of a scenario: the moment after this one; 0: no step is named
   std::optional<std::int64_t> time;   ///< of a scenario: the moment at this time, in microseconds
   bool frames = false;                ///< of a scenario: a file for each step, into the folder `output`
 };
 
+/// Pages for people, one a behaviour.
+struct Docs {
+  std::vector<std::string> files;
+  std::string folder;
+  Format format = Format::html;
+  std::string link; ///< address of a line, with {file} and {line}; empty: nothing is a link
+};
 struct Explain {
   std::string id; ///< of a check, or a key of the language
 };
@@ -119,6 +127,7 @@ struct Verify {
 int run(const Check& request, Console& console);
 int run(const Generate& request, Console& console);
 int run(const DrawGraph& request, Console& console);
+int run(const Docs& request, Console& console);
 int run(const Explain& request, Console& console);
 int run(const ListChecks& request, Console& console);
 int run(const Simulate& request, Console& console);

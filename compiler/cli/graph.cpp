@@ -1,10 +1,11 @@
 // Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/cli/draw_svg.hpp"
 #include "compiler/cli/load_scenario.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/emit/graph/flaws.hpp"
 #include "compiler/emit/graph/formats.hpp"
-#include "compiler/emit/artefact/notice.hpp"
-#include "compiler/play/coverage.hpp"
+#include "compiler/page/facts.hpp"
 #include "compiler/play/moment.hpp"
 #include "compiler/play/names.hpp"
 #include "compiler/play/play.hpp"
@@ -19,36 +20,12 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// The picture drawn by Graphviz; nothing, and says why, where that cannot be.
-std::optional<std::string> svg(const Picture& picture, const PictureLinks& links, Console& console) {
-  const Answer answer = console.programs.run({"dot", "-Tsvg"}, dot(picture, links));
-  if (!answer.started) {
-    console.err << "directorc: --format=svg needs the program `dot` of Graphviz, which is not installed (on Debian: "
-                   "apt-get install graphviz); --format=dot needs nothing\n";
-    return {};
-  }
-  if (answer.status != 0) {
-    console.err << fmt::format("directorc: `dot` could not draw the graph (exit status {})\n", answer.status);
-    return {};
-  }
-  return finish_svg(picture, answer.output);
-}
-
 PictureOptions::View view_of(const std::string& name) {
   using View = PictureOptions::View;
   static const std::map<std::string, View> views{
       {"tasks", View::tasks}, {"needs", View::needs}, {"pushes", View::pushes}, {"takes", View::takes}};
   const auto found = views.find(name);
   return found == views.end() ? View::all : found->second;
-}
-
-std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
-  std::vector<TakeOver> out;
-  for (const CoveragePoint& point : coverage_of(model, graph).points) {
-    if (point.key.kind == CoveragePoint::Kind::take_over)
-      out.push_back({EdgeId{point.key.first}, EdgeId{point.key.second}});
-  }
-  return out;
 }
 
 /// What is drawn, of a behaviour or of the one that a scenario plays.
@@ -78,11 +55,13 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
                                wrong.help.empty() ? "" : "; " + wrong.help);
     return {};
   }
-  if (out.view != PictureOptions::View::takes) return out;
-  if (!subject.lowerable) {
-    console.err << "directorc: --view=takes needs a behaviour that can run: with `roots` and without errors\n";
+  const bool takes = out.view == PictureOptions::View::takes;
+  if ((takes || request.page) && !subject.lowerable) {
+    console.err << fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
+                               takes ? "--view=takes" : "--page");
     return {};
   }
+  if (!takes) return out;
   out.take_overs = take_overs_of(subject.model, subject.graph);
   return out;
 }
@@ -93,16 +72,21 @@ std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sou
   const PictureLinks links{request.link};
   const std::string name = std::filesystem::path(request.file).filename().string();
   switch (request.format) {
-  case Format::json:
-    return to_lines(graph_json({subject.model, subject.graph, sources, options.flaws,
-                                options.moment ? &*options.moment : nullptr, subject.findings}));
+  case Format::json: {
+    Json data = graph_json({subject.model, subject.graph, sources, options.flaws,
+                            options.moment ? &*options.moment : nullptr, subject.findings});
+    if (request.page) add_page_facts(data, subject.model, subject.graph, name);
+    return to_lines(data);
+  }
   case Format::svg: {
-    const std::optional<std::string> text = svg(picture, links, console);
+    const std::optional<std::string> text = draw_svg(picture, links, "--format=svg", "--format=dot", console);
     return text ? std::optional(svg_with_notice(name, *text)) : text;
   }
   case Format::mermaid: return with_notice(name, "%% ", mermaid(picture, links));
   case Format::dot:
   case Format::sarif:
+  case Format::html:
+  case Format::markdown:
   case Format::text: break;
   }
   return with_notice(name, "// ", dot(picture, links));
@@ -200,7 +184,7 @@ int run(const DrawGraph& request, Console& console) {
   if (!whole && checked->model.groups.empty()) return found;
   const Graph graph = whole ? Graph{} : make_graph(checked->model);
   const Subject subject{checked->model, whole ? checked->graph : graph, checked->lowerable,
-                        request.findings ? &checked->findings : nullptr};
+                        request.findings || request.page ? &checked->findings : nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;
   if (!whole) options->flaws = find_missing(checked->spec, checked->model, sources, errors);

@@ -39,9 +39,9 @@ struct Subcommand {
   Make (*options)(CLI::App& app);
 };
 
-const std::map<std::string, Format> formats{{"text", Format::text},   {"json", Format::json},
-                                            {"sarif", Format::sarif}, {"dot", Format::dot},
-                                            {"svg", Format::svg},     {"mermaid", Format::mermaid}};
+const std::map<std::string, Format> formats{
+    {"text", Format::text}, {"json", Format::json},       {"sarif", Format::sarif}, {"dot", Format::dot},
+    {"svg", Format::svg},   {"mermaid", Format::mermaid}, {"html", Format::html},   {"markdown", Format::markdown}};
 
 /// `--format` with some of the formats.
 void add_format(CLI::App& app, Format& format, const std::vector<std::string>& names) {
@@ -175,6 +175,16 @@ std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_
   return {};
 }
 
+void add_link(CLI::App& app, std::string& link) {
+  app.add_option("--link", link, "address behind each box, arrow and place, with {file} and {line} in it")
+      ->type_name("ADDRESS");
+}
+
+std::optional<Say> wrong_link(const std::string& link) {
+  if (link.empty() || link.find("{file}") != std::string::npos) return {};
+  return Say{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n", true};
+}
+
 Make graph_options(CLI::App& app) {
   auto request = std::make_shared<DrawGraph>();
   app.add_option("FILE", request->file, "the behaviour")->required();
@@ -198,9 +208,11 @@ Make graph_options(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(0, 1'000))
       ->needs(focus);
-  app.add_option("--link", request->link, "address behind each box and arrow, with {file} and {line} in it")
-      ->type_name("ADDRESS");
+  add_link(app, request->link);
   CLI::Option* findings = app.add_flag("--findings", request->findings, "also what is found, each at its place");
+  CLI::Option* page = app.add_flag("--page", request->page,
+                                   "as JSON: also all else that a page of `directorc docs` tells, findings, who beats "
+                                   "whom, verdicts of assertions and the transition matrix");
   auto time = std::make_shared<std::string>();
   CLI::Option* step = app.add_option("--step", request->step, "FILE is a scenario: the moment after this step of it")
                           ->type_name("N")
@@ -211,18 +223,32 @@ Make graph_options(CLI::App& app) {
   app.add_flag("--frames", request->frames, "FILE is a scenario: a picture for each step, into the folder of -o")
       ->excludes(step)
       ->excludes(at)
-      ->excludes(findings);
-  step->excludes(findings);
-  at->excludes(findings);
+      ->excludes(findings)
+      ->excludes(page);
+  for (CLI::Option* moment : {step, at}) moment->excludes(findings)->excludes(page);
   return [=]() -> Request {
     if (!time->empty()) {
       if (const std::optional<Say> wrong = parse_time(*time, request->time)) return *wrong;
     }
+    if (request->page && request->format != Format::json)
+      return Say{"directorc: --page needs --format=json; `directorc docs` writes pages to read\n", true};
     if (request->frames && request->output.empty())
       return Say{"directorc: --frames writes many files: -o names a folder for them\n", true};
-    if (!request->link.empty() && request->link.find("{file}") == std::string::npos)
-      return Say{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n",
-                 true};
+    if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
+    return *request;
+  };
+}
+
+Make docs_options(CLI::App& app) {
+  auto request = std::make_shared<Docs>();
+  app.add_option("FILE", request->files, "the behaviours")->required();
+  app.add_option("-o,--output", request->folder, "folder for the pages, each named like its file")
+      ->type_name("FOLDER")
+      ->required();
+  add_format(app, request->format, {"html", "markdown"});
+  add_link(app, request->link);
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
     return *request;
   };
 }
@@ -347,10 +373,11 @@ Make stubs_options(CLI::App& app) {
   return [=]() -> Request { return *request; };
 }
 
-const std::array<Subcommand, 12> subcommands{{
+const std::array<Subcommand, 13> subcommands{{
     {"check", "Look for mistakes in a behaviour", check_options},
     {"generate", "Write the C++ of a behaviour", generate_options},
     {"graph", "Draw a behaviour", graph_options},
+    {"docs", "Write pages about behaviours, for a browser or as Markdown", docs_options},
     {"explain", "Print the page of a check, or what a key of the language says", explain_options},
     {"checks", "List all checks", checks_options},
     {"simulate", "Play a scenario and print what happens", simulate_options},

@@ -24,8 +24,10 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_DATA
         PATTERN dds EXCLUDE)
 if(TARGET directorc)
   director_install(compiler DirectorCompilerTargets directorc)
-  install(FILES ${CMAKE_CURRENT_LIST_DIR}/DirectorBehaviour.cmake DESTINATION ${package_folder} COMPONENT compiler)
-  configure_file(${CMAKE_CURRENT_LIST_DIR}/DirectorBehaviour.cmake ${build_folder}/DirectorBehaviour.cmake COPYONLY)
+  foreach(module IN ITEMS DirectorBehaviour.cmake DirectorDocs.cmake)
+    install(FILES ${CMAKE_CURRENT_LIST_DIR}/${module} DESTINATION ${package_folder} COMPONENT compiler)
+    configure_file(${CMAKE_CURRENT_LIST_DIR}/${module} ${build_folder}/${module} COPYONLY)
+  endforeach()
   # For editors. In a build tree they lie as they do where Director is installed: directorc finds them from its own place.
   file(GLOB schemas CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/schemas/*.schema.json)
   install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/director/schemas COMPONENT compiler)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# cmake -D PAGE=<file> -D OUT=<file> -P embed_page.cmake
-# The reference of the language as a C++ text, so that `directorc explain` has the page's own words. In pieces, as compilers limit the length of one.
+# cmake -D PAGE=<file> -D HEADER=<header> -D FUNCTION=<namespace::name> -D OUT=<file> -P embed_page.cmake
+# A file as a C++ text, which the function that HEADER declares returns: the reference of the language, and what a page of `directorc docs` has of
+# script and style. In pieces, as compilers limit the length of one.
 file(READ ${PAGE} text)
 if(text MATCHES "\\)page\"")
   message(FATAL_ERROR "${PAGE}: the page must not hold the characters that end a raw string, )page\"")
@@ -16,14 +17,11 @@ while(length GREATER 0)
   string(SUBSTRING "${text}" 8000 -1 text)
   string(LENGTH "${text}" length)
 endwhile()
-file(WRITE ${OUT} "// Written by compiler/cmake/embed_page.cmake from docs/language.md.
-#include \"compiler/reference/explain_key.hpp\"
+cmake_path(GET PAGE FILENAME name)
+file(WRITE ${OUT} "// Written by compiler/cmake/embed_page.cmake from ${name}.
+#include \"${HEADER}\"
 
-namespace director::compiler {
-
-std::string_view language_page() {
+std::string_view ${FUNCTION}() {
   return${pieces};
 }
-
-} // namespace director::compiler
 ")

@@ -67,6 +67,10 @@ std::vector<std::string> link_faults(const std::string& path, const Markdown& pa
     const fs::path target = name.empty() ? source_dir() / path : (source_dir() / path).parent_path() / name;
     if (!name.empty() && !fs::exists(target)) {
       faults.push_back(at(path, link, "there is no " + name));
+    } else if (!name.empty() && target.extension() != ".md" && anchor.starts_with('L')) {
+      const std::string text = read_file(target);
+      if (std::ranges::count(text, '\n') < std::atoi(anchor.c_str() + 1))
+        faults.push_back(at(path, link, name + " has no line " + anchor.substr(1)));
     } else if (!anchor.empty()) {
       const Lines anchors = name.empty() ? page.anchors : read_markdown(read_file(target)).anchors;
       if (std::ranges::find(anchors, anchor) == anchors.end())

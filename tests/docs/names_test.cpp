@@ -7,11 +7,13 @@ using namespace director::tests;
 
 TEST_CASE("a link must lead to a file, or to a heading in it") {
   const Markdown page = read_markdown("# Here\n[a](#here) [b](markdown.hpp) [c](https://example.org/x#y)\n"
-                                      "[d](#there) [e](no.md)\n[f](../../docs/README.md#nowhere)\n");
+                                      "[d](#there) [e](no.md)\n[f](../../docs/README.md#nowhere)\n[g](../../start#L2) "
+                                      "[h](../../start#L9999)\n");
   CHECK(link_faults("tests/docs/page.md", page) ==
         std::vector<std::string>{"tests/docs/page.md:3: there is no heading #there",
                                  "tests/docs/page.md:3: there is no no.md",
-                                 "tests/docs/page.md:4: there is no heading #nowhere in ../../docs/README.md"});
+                                 "tests/docs/page.md:4: there is no heading #nowhere in ../../docs/README.md",
+                                 "tests/docs/page.md:5: ../../start has no line 9999"});
 }
 
 TEST_CASE("a file of the source tree that stands between backticks must exist") {

@@ -71,3 +71,16 @@ expect("a change without meaning" DOES "Generating the behaviour buoy" DOES_NOT 
 build()
 expect("nothing again" DOES_NOT "Generating the" "Building" "Linking")
 build_and_run("no events" -D DIRECTOR_NO_OBSERVER=ON)
+
+# Pages are a target of their own, and name files as the project does.
+foreach(target pages texts)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${tree} --target ${target} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+file(GLOB_RECURSE pages RELATIVE "${tree}/behaviours" "${tree}/behaviours/pages/*" "${tree}/behaviours/the texts/*")
+if(NOT pages STREQUAL "pages/buoy.html;pages/light house.html;the texts/buoy.md")
+  message(FATAL_ERROR "there are other pages: ${pages}")
+endif()
+file(READ "${tree}/behaviours/pages/buoy.html" page)
+if(NOT page MATCHES "<a class=\"place\" href=\"https://example.org/behaviours/buoy.yaml#L[0-9]+\">")
+  message(FATAL_ERROR "the page of the buoy has no links to its lines")
+endif()

@@ -1,0 +1,18 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// A picture, drawn by Graphviz.
+
+#include "compiler/cli/console.hpp"
+#include "compiler/emit/graph/formats.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace director::compiler::cli {
+
+/// Nothing, and says why, where that cannot be. `wish`: what of the command line needs it; `instead`: what does not.
+std::optional<std::string> draw_svg(const Picture& picture, const PictureLinks& links, std::string_view wish,
+                                    std::string_view instead, Console& console);
+
+} // namespace director::compiler::cli

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+# director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>])
+#
+# Adds the target <target>, to be built when wanted, which has directorc write a page about each behaviour. A page that says the same already is left
+# alone.
+#
+#   FORMAT    html, one file that needs no other (without it), or markdown
+#   OUTPUT    folder of the pages; a relative one begins at the current build folder. Without it, the folder <target> there
+#   LINK      address of a line, with {file} and {line} in it, for each place
+#
+# HTML needs the program dot of Graphviz.
+
+cmake_policy(PUSH)
+cmake_policy(VERSION 3.20...3.25)
+
+function(director_add_docs)
+  set(usage "director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>])")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "FORMAT;OUTPUT;LINK" "")
+  list(LENGTH arg_UNPARSED_ARGUMENTS count)
+  if(count LESS 2)
+    message(FATAL_ERROR "director_add_docs: the target and a behaviour's file are needed: ${usage}")
+  endif()
+  if(arg_KEYWORDS_MISSING_VALUES)
+    list(JOIN arg_KEYWORDS_MISSING_VALUES ", " missing)
+    message(FATAL_ERROR "director_add_docs: nothing stands behind ${missing}: ${usage}")
+  endif()
+  if(NOT arg_FORMAT)
+    set(arg_FORMAT html)
+  endif()
+  if(NOT arg_FORMAT MATCHES "^(html|markdown)$")
+    message(FATAL_ERROR "director_add_docs: there is no format ${arg_FORMAT}: ${usage}")
+  endif()
+  list(POP_FRONT arg_UNPARSED_ARGUMENTS target)
+  if(TARGET ${target})
+    message(FATAL_ERROR "director_add_docs: there is a target ${target} already; the pages are a target of their own")
+  endif()
+  set(files "")
+  foreach(given IN LISTS arg_UNPARSED_ARGUMENTS)
+    cmake_path(ABSOLUTE_PATH given BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE OUTPUT_VARIABLE file)
+    if(NOT EXISTS ${file} OR IS_DIRECTORY ${file})
+      message(FATAL_ERROR "director_add_docs: there is no file ${file}; a relative path begins at the folder of the CMakeLists.txt that calls")
+    endif()
+    cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${CMAKE_SOURCE_DIR}) # as findings and links name it
+    list(APPEND files ${file})
+  endforeach()
+  if(NOT arg_OUTPUT)
+    set(arg_OUTPUT ${target})
+  endif()
+  cmake_path(ABSOLUTE_PATH arg_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE OUTPUT_VARIABLE folder)
+  set(link "")
+  if(arg_LINK)
+    set(link "--link=${arg_LINK}")
+  endif()
+  if(NOT TARGET Director::directorc)
+    message(FATAL_ERROR "director_add_docs: there is no directorc; find_package(Director COMPONENTS compiler REQUIRED) finds it")
+  endif()
+  add_custom_target(
+    ${target}
+    COMMAND Director::directorc docs ${files} -o ${folder} --format=${arg_FORMAT} ${link}
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+    COMMENT "Writing pages about behaviours into ${folder}"
+    VERBATIM)
+endfunction()
+
+cmake_policy(POP)

@@ -1,0 +1,115 @@
+// Door: compiler/page/facts.hpp. Test: tests/compiler/page/facts_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/page/facts.hpp"
+
+#include "compiler/explore/verdict.hpp"
+#include "compiler/lower/lower.hpp"
+#include "compiler/play/coverage.hpp"
+#include "compiler/transitions/transitions_json.hpp"
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+/// What this edge leads to, by requests and needs.
+IdSet<GroupId> led_to(const Model& model, GroupId from) {
+  IdSet<GroupId> out(model.groups.size());
+  std::vector<GroupId> open{from};
+  out.add(from);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    for (const EdgeId edge : model.groups[open[i]].edges) {
+      if (out.add(model.edges[edge].target)) open.push_back(model.edges[edge].target);
+    }
+  }
+  return out;
+}
+
+/// What both sides lead to, without what that leads to in turn.
+Json contested(const Model& model, GroupId taker, GroupId loser) {
+  const IdSet<GroupId> first = led_to(model, taker), second = led_to(model, loser);
+  const auto both = [&](GroupId id) { return first.contains(id) && second.contains(id); };
+  Json out = Json::list({});
+  for (const GroupId id : model.groups.ids()) {
+    if (!both(id)) continue;
+    const std::vector<EdgeId>& above = model.groups[id].requesters;
+    const bool below_another = std::any_of(above.begin(), above.end(), [&](EdgeId edge) {
+      return model.edges[edge].requester && both(*model.edges[edge].requester);
+    });
+    if (!below_another) out.add(Json::text(model.groups[id].name.value));
+  }
+  return out;
+}
+
+Json priorities(const Edge& edge) {
+  Json out = Json::list({});
+  for (const Level& level : edge.levels) out.add(Json::number(level.priority));
+  return out;
+}
+
+bool is_optional(const Edge& edge) {
+  return std::all_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return level.optional; });
+}
+
+std::string_view decided_by(const Edge& taker, const Edge& loser) {
+  if (is_optional(loser) != is_optional(taker)) return "optional";
+  const auto less = [](const Level& a, const Level& b) { return a.priority < b.priority; };
+  const bool higher = std::max_element(taker.levels.begin(), taker.levels.end(), less)->priority >
+                      std::min_element(loser.levels.begin(), loser.levels.end(), less)->priority;
+  return higher ? "priority" : "optional";
+}
+
+Json take_json(const TakeOver& take, const Model& model) {
+  const Edge &taker = model.edges[take.taker], &loser = model.edges[take.loser];
+  Json out = Json::object({});
+  if (taker.requester) out.add("requester", Json::text(model.groups[*taker.requester].name.value));
+  out.add("winner", Json::text(model.groups[taker.target].name.value));
+  out.add("loser", Json::text(model.groups[loser.target].name.value));
+  out.add("by", Json::text(decided_by(taker, loser)));
+  out.add("winner_priorities", priorities(taker));
+  out.add("loser_priorities", priorities(loser));
+  out.add("over", contested(model, taker.target, loser.target));
+  return out;
+}
+
+std::string_view name_of(Verdict::Kind kind) {
+  switch (kind) {
+  case Verdict::Kind::proven: return "proven";
+  case Verdict::Kind::refuted: return "refuted";
+  case Verdict::Kind::undecided: break;
+  }
+  return "not decided";
+}
+
+} // namespace
+
+std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
+  std::vector<TakeOver> out;
+  for (const CoveragePoint& point : coverage_of(model, graph).points) {
+    if (point.key.kind == CoveragePoint::Kind::take_over)
+      out.push_back({EdgeId{point.key.first}, EdgeId{point.key.second}});
+  }
+  return out;
+}
+
+void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file) {
+  Json takes = Json::list({});
+  for (const TakeOver& take : take_overs_of(model, graph)) takes.add(take_json(take, model));
+  data.add("takes", std::move(takes));
+  Json verdicts = Json::list({});
+  if (!model.assertions.empty()) {
+    const std::vector<Verdict> decided = decide_assertions(model, states_of_check);
+    for (std::size_t i = 0; i < decided.size(); ++i) {
+      Json row = Json::object({{"assertion", Json::text(words_of(model.assertions[i], model))},
+                               {"verdict", Json::text(name_of(decided[i].kind))},
+                               {"why", Json::text(decided[i].why)}});
+      if (decided[i].scenario) row.add("scenario", Json::text(*decided[i].scenario));
+      verdicts.add(std::move(row));
+    }
+  }
+  data.add("verdicts", std::move(verdicts));
+  data.add("transitions", transitions_json(find_transitions(model, lower(model), file), model));
+}
+
+} // namespace director::compiler

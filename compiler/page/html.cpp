@@ -1,0 +1,137 @@
+// Door: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// All of the page stands in it as text; the script only moves, hides and marks. Nothing is loaded: the policy allows
+// the one script and the one style whose check sums it names, and nothing else.
+#include "compiler/base/sha256.hpp"
+#include "compiler/emit/artefact/notice.hpp"
+#include "compiler/page/html_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace director::compiler {
+
+namespace page {
+
+namespace {
+
+int digit(char letter) { return letter <= '9' ? letter - '0' : letter - 'a' + 10; }
+
+/// As a policy names it.
+std::string check_sum(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::string hex = sha256(bytes);
+  std::string out = "sha256-";
+  for (std::size_t at = 0; at < hex.size(); at += 6) {
+    unsigned bits = 0;
+    const std::size_t count = std::min<std::size_t>(6, hex.size() - at);
+    for (std::size_t i = 0; i < 6; ++i) bits = bits * 16 + (i < count ? static_cast<unsigned>(digit(hex[at + i])) : 0);
+    for (std::size_t i = 0; i < 4; ++i) out += i * 6 < count * 4 ? letters[bits >> (18 - 6 * i) & 63] : '=';
+  }
+  return out;
+}
+
+/// JSON that may stand in a script's tag.
+std::string in_script(const Json& data) {
+  std::string out;
+  for (const char letter : to_line(data)) {
+    if (letter == '<') out += "\\u003c";
+    if (letter != '<') out += letter;
+  }
+  return out;
+}
+
+struct Section {
+  std::string_view id, title;
+  std::string (*html)(const HtmlInput& input);
+};
+constexpr std::array<Section, 7> sections{{{"picture", "Picture", pictures_html},
+                                           {"groups", "Groups", groups_html},
+                                           {"states", "States", states_html},
+                                           {"takes", "Who goes before whom", takes_html},
+                                           {"transitions", "Transitions", transitions_html},
+                                           {"assertions", "Assertions", assertions_html},
+                                           {"findings", "Findings", findings_html}}};
+
+} // namespace
+
+std::string text(std::string_view text) {
+  std::string out;
+  for (const char letter : text) {
+    switch (letter) {
+    case '&': out += "&amp;"; break;
+    case '<': out += "&lt;"; break;
+    case '>': out += "&gt;"; break;
+    case '"': out += "&quot;"; break;
+    default: out += letter;
+    }
+  }
+  return out;
+}
+
+std::string message_html(std::string_view message) {
+  std::string out;
+  bool in_code = false;
+  for (std::size_t at = 0; at <= message.size();) {
+    const std::size_t end = std::min(message.find('`', at), message.size());
+    const std::string piece = text(message.substr(at, end - at));
+    out += in_code ? fmt::format("<code>{}</code>", piece) : piece;
+    in_code = !in_code;
+    at = end + 1;
+  }
+  return out;
+}
+
+std::string place_html(const Json& thing, const HtmlInput& input) {
+  const std::string link = place_link(thing["place"], input.page.link);
+  const std::string words = text(place_text(thing["place"]));
+  return link.empty() ? fmt::format("<span class=\"place\">{}</span>", words)
+                      : fmt::format("<a class=\"place\" href=\"{}\">{}</a>", text(link), words);
+}
+
+std::string doc_html(const Json& thing) {
+  std::string out, rest = trimmed(thing["doc"].as_text());
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find("\n\n"), rest.size());
+    out += fmt::format("<p class=\"doc\">{}</p>\n", text(rest.substr(0, end)));
+    rest.erase(0, std::min(end + 2, rest.size()));
+  }
+  return out;
+}
+
+std::string group_link(const std::string& name) { return fmt::format("<a href=\"#group-{0}\">{0}</a>", text(name)); }
+
+} // namespace page
+
+std::string html_page(const PageInput& input) {
+  using namespace page;
+  const Relations relations = find_relations(input.data);
+  const HtmlInput parts{input, relations};
+  const std::string name = text(input.data["behaviour"].as_text());
+  std::string body, nav;
+  for (const Section& section : sections) {
+    const std::string html = section.html(parts);
+    if (html.empty()) continue;
+    nav += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, section.title);
+    body += fmt::format(
+        "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
+        section.id, section.title, html);
+  }
+  return fmt::format(
+      "<!DOCTYPE html>\n<!-- {} -->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src '{}'; style-src '{}'; "
+      "base-uri 'none'; form-action 'none'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n"
+      "<a class=\"skip\" href=\"#main\">To the text</a>\n<header>\n<h1>{}</h1>\n{}"
+      "<div id=\"finder\" hidden></div>\n</header>\n<nav aria-label=\"On this page\">\n<ul>\n{}</ul>\n</nav>\n"
+      "<main id=\"main\">\n{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n"
+      "</body>\n</html>\n",
+      notice_words(input.file), check_sum(page_script()), check_sum(page_style()), name, page_style(), name,
+      doc_html(input.data), nav, body, in_script(input.data), page_script());
+}
+
+} // namespace director::compiler

@@ -1,0 +1,40 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// The sections of the HTML page, each a text.
+
+#include "compiler/page/relations.hpp"
+#include "compiler/page/words.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace director::compiler::page {
+
+/// Text between tags and in attributes.
+std::string text(std::string_view text);
+
+/// The same of a finding's words, which have code between backquotes.
+std::string message_html(std::string_view text);
+
+/// What the sections are made from.
+struct HtmlInput {
+  const PageInput& page;
+  const Relations& relations;
+};
+
+/// Where something is declared, as a link if there are any.
+std::string place_html(const Json& thing, const HtmlInput& input);
+/// A paragraph for each that is parted by an empty line; empty where there is no text.
+std::string doc_html(const Json& thing);
+/// A group's name as a link to its section.
+std::string group_link(const std::string& name);
+
+std::string pictures_html(const HtmlInput& input);
+std::string groups_html(const HtmlInput& input);
+std::string states_html(const HtmlInput& input);
+std::string takes_html(const HtmlInput& input);
+std::string transitions_html(const HtmlInput& input);
+std::string assertions_html(const HtmlInput& input);
+std::string findings_html(const HtmlInput& input);
+
+} // namespace director::compiler::page

@@ -1,0 +1,163 @@
+// Door: compiler/page/html_parts.hpp. Test: tests/compiler/page/pages_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/page/html_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace director::compiler::page {
+
+namespace {
+
+constexpr std::size_t nowhere = std::string::npos;
+
+/// What Graphviz wrote, without what a page has once: the heads of files, and numbers of nodes as ids.
+std::string svg_part(std::string svg) {
+  const std::size_t begin = svg.find("<svg");
+  if (begin != nowhere) svg.erase(0, begin);
+  for (std::size_t at = svg.find(" id=\""); at != nowhere; at = svg.find(" id=\"", at))
+    svg.erase(at, svg.find('"', at + 5) + 1 - at);
+  for (std::size_t at = svg.find("<!--"); at != nowhere; at = svg.find("<!--", at))
+    svg.erase(at, svg.find("-->", at) + 3 - at);
+  return trimmed(std::move(svg));
+}
+
+std::string anchor_of(const Json& row, const Json* column) {
+  const std::string from = "from-" + text(row["group"].as_text());
+  return column == nullptr ? from : from + "-to-" + text((*column)["group"].as_text());
+}
+
+std::string legend_html() {
+  std::string out = "<dl class=\"legend\">\n";
+  for (const CellKind& kind : cell_kinds())
+    out += fmt::format("<div><dt><b class=\"sign\" data-kind=\"{0}\">{1}</b> {0}</dt><dd>{2}</dd></div>\n", kind.kind,
+                       kind.sign, kind.meaning);
+  return out + "</dl>\n";
+}
+
+std::string matrix_html(const Json& rows) {
+  std::string out = "<div class=\"matrix\" tabindex=\"0\" role=\"region\" aria-label=\"Transition matrix\">\n<table>\n"
+                    "<caption>From the group of the row to that of the column</caption>\n<thead><tr><td></td>";
+  for (const Json& row : rows.items())
+    out += fmt::format("<th scope=\"col\"><span>{}</span></th>", text(row["group"].as_text()));
+  out += "</tr></thead>\n<tbody>\n";
+  for (const Json& row : rows.items()) {
+    out += fmt::format("<tr><th scope=\"row\">{}</th>", text(row["group"].as_text()));
+    const std::vector<Json>& cells = row["cells"].items();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const CellKind& kind = cell_kind(cells[i]);
+      const Json* column = is_telling(cells[i]) ? &rows.items()[i] : nullptr;
+      out += fmt::format("<td data-kind=\"{}\"><a href=\"#{}\" title=\"{}\">{}</a></td>", kind.kind,
+                         anchor_of(row, column), kind.kind, kind.sign);
+    }
+    out += "</tr>\n";
+  }
+  return out + "</tbody>\n</table>\n</div>\n<div id=\"cell\" hidden></div>\n";
+}
+
+/// Cells that have something of their own to tell, then the others by kind.
+std::string row_html(const Json& rows, const Json& row) {
+  std::string out = fmt::format("<article class=\"row\" id=\"{}\" tabindex=\"-1\">\n<h3>From {}</h3>\n<p>{}</p>\n",
+                                anchor_of(row, nullptr), text(row["group"].as_text()), text(row["words"].as_text()));
+  std::string told;
+  std::map<std::string_view, std::vector<std::string>> others;
+  const std::vector<Json>& cells = row["cells"].items();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Json& column = rows.items()[i];
+    const CellKind& kind = cell_kind(cells[i]);
+    if (!is_telling(cells[i])) {
+      others[kind.kind].push_back(column["group"].as_text());
+      continue;
+    }
+    told += fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
+                        "{}</dt><dd>{}</dd></div>\n",
+                        anchor_of(row, &column), text(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
+                        text(cells[i]["words"].as_text()));
+  }
+  if (!told.empty()) out += fmt::format("<dl>\n{}</dl>\n", told);
+  for (const auto& [kind, names] : others) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + text(name);
+    out += fmt::format("<p>To {}: {}.</p>\n", list, kind);
+  }
+  return out + "</article>\n";
+}
+
+} // namespace
+
+std::string pictures_html(const HtmlInput& input) {
+  std::string out;
+  for (const PagePicture& picture : input.page.pictures) {
+    const bool first = &picture == &input.page.pictures.front();
+    const std::string figure = fmt::format("<div class=\"picture\" data-picture=\"{0}\" tabindex=\"0\" role=\"region\" "
+                                           "aria-label=\"Picture, {0}\">\n{1}\n</div>\n",
+                                           text(picture.name), svg_part(picture.text));
+    out += first ? figure
+                 : fmt::format("<details class=\"more\"><summary>{}</summary>\n{}</details>\n", text(picture.name),
+                               figure);
+  }
+  return out;
+}
+
+std::string takes_html(const HtmlInput& input) {
+  const Json& takes = input.page.data["takes"];
+  if (takes.items().empty()) return {};
+  std::string out = "<p>Two tasks that want the same are compared at the closest requester of both.</p>\n<div "
+                    "class=\"wide\" tabindex=\"0\" role=\"region\" "
+                    "aria-label=\"Table of who goes first\"><table>\n<thead><tr><th scope=\"col\">goes first</th><th "
+                    "scope=\"col\">before</th>"
+                    "<th scope=\"col\">decided by</th><th scope=\"col\">over</th></tr></thead>\n<tbody>\n";
+  for (const Json& take : takes.items()) {
+    std::string over;
+    for (const std::string& name : take["over"].as_texts()) over += (over.empty() ? "" : ", ") + group_link(name);
+    out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", group_link(take["winner"].as_text()),
+                       group_link(take["loser"].as_text()), text(take_words(take)), over);
+  }
+  return out + "</tbody>\n</table></div>\n";
+}
+
+std::string transitions_html(const HtmlInput& input) {
+  const Json& rows = input.page.data["transitions"]["rows"];
+  if (rows.items().empty()) return {};
+  std::string out =
+      "<p>The first group runs, then the second one is asked for. What the engine does then was played.</p>\n";
+  out += legend_html() + matrix_html(rows) + "<div class=\"rows\">\n";
+  for (const Json& row : rows.items()) out += row_html(rows, row);
+  return out + "</div>\n";
+}
+
+std::string assertions_html(const HtmlInput& input) {
+  const Json& verdicts = input.page.data["verdicts"];
+  if (verdicts.items().empty()) return {};
+  const std::vector<Json>& assertions = input.page.data["assertions"].items();
+  std::string out = "<ul class=\"verdicts\">\n";
+  for (std::size_t i = 0; i < verdicts.items().size(); ++i) {
+    const Json& verdict = verdicts.items()[i];
+    out +=
+        fmt::format("<li><b data-verdict=\"{0}\">{0}</b>: <code>{1}</code> {2}<br>{3}", verdict["verdict"].as_text(),
+                    text(verdict["assertion"].as_text()), i < assertions.size() ? place_html(assertions[i], input) : "",
+                    message_html(verdict["why"].as_text()));
+    if (!verdict["scenario"].is_null())
+      out += fmt::format("<details><summary>Scenario</summary><pre tabindex=\"0\">{}</pre></details>",
+                         text(verdict["scenario"].as_text()));
+    out += "</li>\n";
+  }
+  return out + "</ul>\n";
+}
+
+std::string findings_html(const HtmlInput& input) {
+  const Json& findings = input.page.data["findings"];
+  if (findings.items().empty()) return "<p>None.</p>\n";
+  std::string out = "<ul class=\"findings\">\n";
+  for (const Json& finding : findings.items()) {
+    out += fmt::format("<li><b data-level=\"{0}\">{0}</b>: {1} <code>{2}</code> {3}", finding["level"].as_text(),
+                       message_html(finding["message"].as_text()), text(finding["id"].as_text()),
+                       place_html(Json::object({{"place", finding}}), input));
+    if (!finding["help"].is_null()) out += fmt::format("<br>{}", message_html(finding["help"].as_text()));
+    out += "</li>\n";
+  }
+  return out + "</ul>\n";
+}
+
+} // namespace director::compiler::page

@@ -1,0 +1,260 @@
+// Door: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/emit/artefact/notice.hpp"
+#include "compiler/page/relations.hpp"
+#include "compiler/page/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+using namespace page;
+
+/// Text between tags and in cells of tables.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char letter : text) {
+    switch (letter) {
+    case '<': out += "&lt;"; break;
+    case '>': out += "&gt;"; break;
+    case '|': out += "\\|"; break;
+    case '*':
+    case '_':
+    case '[':
+    case ']':
+    case '`':
+    case '#': out += std::string("\\") + letter; break;
+    case '\n': out += ' '; break;
+    default: out += letter;
+    }
+  }
+  return out;
+}
+
+/// Not in a table.
+std::string code(std::string_view text) { return fmt::format("`{}`", text); }
+
+/// A finding's words have code between backquotes already.
+std::string message(std::string_view text) {
+  std::string out;
+  bool in_code = false;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find('`', at), text.size());
+    const std::string_view piece = text.substr(at, end - at);
+    out += in_code ? code(piece) : escaped(piece);
+    in_code = !in_code;
+    at = end + 1;
+  }
+  return out;
+}
+
+class MarkdownPage {
+public:
+  explicit MarkdownPage(const PageInput& input)
+      : input_(input),
+        data_(input.data),
+        relations_(find_relations(input.data)) {}
+
+  std::string write() {
+    out_ = fmt::format("# {}\n\n", escaped(data_["behaviour"].as_text()));
+    add_doc(data_);
+    for (const PagePicture& picture : input_.pictures)
+      out_ += fmt::format("## Picture: {}\n\n```mermaid\n{}```\n\n", lower(picture.name), picture.text);
+    add_groups();
+    add_states();
+    add_takes();
+    add_transitions();
+    add_assertions();
+    add_findings();
+    while (out_.ends_with("\n\n")) out_.pop_back();
+    return with_notice(input_.file, "<!-- ", out_, " -->");
+  }
+
+private:
+  static std::string lower(std::string text) {
+    if (!text.empty() && text.front() >= 'A' && text.front() <= 'Z')
+      text.front() = static_cast<char>(text.front() - 'A' + 'a');
+    return text;
+  }
+
+  void add_doc(const Json& thing) {
+    if (!thing["doc"].is_null()) out_ += escaped(trimmed(thing["doc"].as_text())) + "\n\n";
+  }
+
+  std::string place(const Json& thing) const {
+    const Json& at = thing["place"];
+    const std::string link = place_link(at, input_.link);
+    return link.empty() ? fmt::format("`{}`", place_text(at)) : fmt::format("[{}]({})", escaped(place_text(at)), link);
+  }
+
+  /// `Walk.halting` as a link to its group; the program is none.
+  static std::string mention(const Mention& mention) {
+    const std::string by =
+        mention.group.empty() ? "the program" : fmt::format("[{}](#{})", escaped(mention.by), anchor(mention.group));
+    return mention.how.empty() ? by : fmt::format("{} ({})", by, escaped(mention.how));
+  }
+  /// As GitHub makes it of a heading.
+  static std::string anchor(std::string name) {
+    for (char& letter : name) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    return name;
+  }
+
+  void add_mentions(std::string_view title, const std::vector<Mention>& mentions) {
+    if (mentions.empty()) return;
+    std::vector<std::string> all;
+    for (const Mention& each : mentions) all.push_back(mention(each));
+    out_ += fmt::format("- {}: {}\n", title, fmt::join(all, "; "));
+  }
+
+  static std::string conditions(const Json& list) {
+    std::vector<std::string> out;
+    for (const std::string& text : list.as_texts()) out.push_back(code(text));
+    return fmt::format("{}", fmt::join(out, ", "));
+  }
+
+  std::string tasks(const Json& list) const {
+    std::vector<std::string> out;
+    for (const Json& task : list.items())
+      out.push_back(mention({task["group"].as_text(), task["group"].as_text(), manner_of(task)}));
+    return out.empty() ? "nothing" : fmt::format("{}", fmt::join(out, "; "));
+  }
+
+  void add_provider(const Json& group, const Json& provider) {
+    const std::string& name = provider["name"].as_text();
+    const std::string doc = provider["doc"].as_text();
+    if (name != "default" || !doc.empty())
+      out_ += fmt::format("- **{}**{}\n", escaped(provider_name(group, provider)),
+                          doc.empty() ? "" : ": " + escaped(trimmed(doc)));
+    const std::string indent = name != "default" || !doc.empty() ? "  " : "";
+    const auto line = [&](std::string_view title, const std::string& text) {
+      if (!text.empty()) out_ += fmt::format("{}- {}: {}\n", indent, title, text);
+    };
+    line("runs when", conditions(provider["when"]));
+    line("goes on while", conditions(provider["stay"]));
+    std::vector<std::string> needs, promises;
+    for (const std::string& need : provider["needs"].as_texts()) needs.push_back(mention({need, need, {}}));
+    line("needs", fmt::format("{}", fmt::join(needs, ", ")));
+    for (const Json& promise : provider["promises"].items())
+      promises.push_back(code(promise["condition"].as_text()) +
+                         (promise["within_us"].is_null() ? "" : " within " + time_text(promise["within_us"])));
+    line("promises", fmt::format("{}", fmt::join(promises, ", ")));
+    line("sets", conditions(provider["sets"]));
+    line("triggered by", conditions(provider["triggers"]));
+    if (!provider["every_us"].is_null()) line("runs every", time_text(provider["every_us"]));
+    if (!provider["tasks"].items().empty()) line("requests", tasks(provider["tasks"]));
+    for (const Json& pack : provider["packs"].items())
+      line(fmt::format("requests in pack {}", escaped(pack["name"].as_text())), tasks(pack["tasks"]));
+  }
+
+  void add_groups() {
+    out_ += "## Groups\n\n";
+    for (const Json& group : data_["groups"].items()) {
+      const std::string& name = group["name"].as_text();
+      out_ += fmt::format("### {}\n\n", escaped(name));
+      add_doc(group);
+      std::string where = place(group);
+      if (!group["layer"].is_null()) where += fmt::format(", layer {}", escaped(group["layer"].as_text()));
+      out_ += fmt::format("{}, module {}\n\n", where, escaped(group["module"].as_text()));
+      const std::size_t before = out_.size();
+      for (const Json& provider : group["providers"].items()) add_provider(group, provider);
+      const GroupRelations& relations = relations_.groups[name];
+      add_mentions("requested by", relations.requests);
+      add_mentions("needed by", relations.needs);
+      add_mentions("may be pushed by", relations.pushes);
+      if (out_.size() != before) out_ += "\n";
+    }
+  }
+
+  void add_states() {
+    if (data_["states"].items().empty()) return;
+    out_ += "## States\n\n";
+    for (const Json& state : data_["states"].items()) {
+      const std::string& name = state["name"].as_text();
+      out_ += fmt::format("### {}\n\n", escaped(name));
+      add_doc(state);
+      out_ += fmt::format("{}: {}\n\n", place(state), escaped(state_words(state)));
+      const StateRelations& relations = relations_.states[name];
+      const std::size_t before = out_.size();
+      add_mentions("set by", relations.sets);
+      add_mentions("promised by", relations.causes);
+      add_mentions("waited for by", relations.waits);
+      if (out_.size() != before) out_ += "\n";
+    }
+  }
+
+  void add_takes() {
+    if (data_["takes"].items().empty()) return;
+    out_ += "## Who goes before whom\n\n| goes first | before | decided by | over |\n| --- | --- | --- | --- |\n";
+    for (const Json& take : data_["takes"].items())
+      out_ +=
+          fmt::format("| {} | {} | {} | {} |\n", escaped(take["winner"].as_text()), escaped(take["loser"].as_text()),
+                      escaped(take_words(take)), escaped(listed(take["over"].as_texts())));
+    out_ += "\n";
+  }
+
+  void add_transitions() {
+    const Json& rows = data_["transitions"]["rows"];
+    if (rows.items().empty()) return;
+    out_ += "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is asked for.\n\n";
+    for (const CellKind& kind : cell_kinds())
+      out_ += fmt::format("- **{}** {}: {}\n", kind.sign, kind.kind, kind.meaning);
+    out_ += "\n| from \\ to |";
+    for (const Json& row : rows.items()) out_ += fmt::format(" {} |", escaped(row["group"].as_text()));
+    out_ += "\n| --- |";
+    for (std::size_t i = 0; i < rows.items().size(); ++i) out_ += " --- |";
+    out_ += "\n";
+    for (const Json& row : rows.items()) {
+      out_ += fmt::format("| **{}** |", escaped(row["group"].as_text()));
+      for (const Json& cell : row["cells"].items()) out_ += fmt::format(" {} |", cell_kind(cell).sign);
+      out_ += "\n";
+    }
+    out_ += "\n";
+    for (const Json& row : rows.items()) add_row(rows, row);
+  }
+
+  void add_row(const Json& rows, const Json& row) {
+    out_ += fmt::format("### From {}\n\n{}\n\n", escaped(row["group"].as_text()), escaped(row["words"].as_text()));
+    const std::size_t before = out_.size();
+    for (std::size_t i = 0; i < rows.items().size(); ++i) {
+      const Json& cell = row["cells"].items()[i];
+      if (!is_telling(cell)) continue;
+      out_ += fmt::format("- to {}, {}: {}\n", escaped(rows.items()[i]["group"].as_text()), cell_kind(cell).kind,
+                          escaped(cell["words"].as_text()));
+    }
+    if (out_.size() != before) out_ += "\n";
+  }
+
+  void add_assertions() {
+    if (data_["verdicts"].items().empty()) return;
+    out_ += "## Assertions\n\n";
+    for (const Json& verdict : data_["verdicts"].items())
+      out_ += fmt::format("- {}: **{}**, {}\n", code(verdict["assertion"].as_text()), verdict["verdict"].as_text(),
+                          message(verdict["why"].as_text()));
+    out_ += "\n";
+  }
+
+  void add_findings() {
+    out_ += "## Findings\n\n";
+    if (data_["findings"].items().empty()) out_ += "None.\n";
+    for (const Json& finding : data_["findings"].items())
+      out_ +=
+          fmt::format("- {} at {}: {} ({})\n", finding["level"].as_text(), place(Json::object({{"place", finding}})),
+                      message(finding["message"].as_text()), code(finding["id"].as_text()));
+  }
+
+  const PageInput& input_;
+  const Json& data_;
+  Relations relations_;
+  std::string out_;
+};
+
+} // namespace
+
+std::string markdown_page(const PageInput& input) { return MarkdownPage(input).write(); }
+
+} // namespace director::compiler

@@ -1,0 +1,98 @@
+// Door: compiler/page/relations.hpp. Test: tests/compiler/page/pages_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/page/relations.hpp"
+
+#include "dsl/duration.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler::page {
+
+namespace {
+
+/// Of `Stability == standing`.
+std::string state_of(const std::string& condition) { return condition.substr(0, condition.find(' ')); }
+
+class RelationFinder {
+public:
+  explicit RelationFinder(const Json& data) : data_(data) {}
+
+  Relations find() {
+    for (const Json& task : data_["roots"].items())
+      out_.groups[task["group"].as_text()].requests.push_back({{}, {}, manner_of(task)});
+    for (const Json& group : data_["groups"].items()) {
+      for (const std::string_view handler : {"start", "stop"}) {
+        for (const Json& set : group[std::string(handler) + "_sets"].items())
+          mention(set, &StateRelations::sets, fmt::format("{}, when it {}s", group["name"].as_text(), handler), group);
+      }
+      for (const Json& provider : group["providers"].items()) look_at(group, provider);
+    }
+    for (const Json& row : data_["causing"].items()) {
+      const std::string& waiter = row["waiter"].as_text();
+      const std::string pushed = group_of(row["causer"].as_text());
+      if (pushed != group_of(waiter))
+        out_.groups[pushed].pushes.push_back({waiter, group_of(waiter), row["condition"].as_text()});
+    }
+    return std::move(out_);
+  }
+
+private:
+  static std::string group_of(const std::string& provider) { return provider.substr(0, provider.find('.')); }
+
+  void mention(const Json& condition, std::vector<Mention> StateRelations::*where, const std::string& by,
+               const Json& group) {
+    (out_.states[state_of(condition.as_text())].*where).push_back({by, group["name"].as_text(), condition.as_text()});
+  }
+
+  void ask(const Json& tasks, const std::string& by, const Json& group) {
+    for (const Json& task : tasks.items())
+      out_.groups[task["group"].as_text()].requests.push_back({by, group["name"].as_text(), manner_of(task)});
+  }
+
+  void look_at(const Json& group, const Json& provider) {
+    const std::string by = provider_name(group, provider);
+    ask(provider["tasks"], by, group);
+    for (const Json& pack : provider["packs"].items())
+      ask(pack["tasks"], fmt::format("{}, pack {}", by, pack["name"].as_text()), group);
+    for (const Json& need : provider["needs"].items())
+      out_.groups[need.as_text()].needs.push_back({by, group["name"].as_text(), {}});
+    for (const Json& set : provider["sets"].items()) mention(set, &StateRelations::sets, by, group);
+    for (const Json& promise : provider["promises"].items()) {
+      const Json& condition = promise["condition"];
+      const std::string time = promise["within_us"].is_null() ? "" : " within " + time_text(promise["within_us"]);
+      out_.states[state_of(condition.as_text())].causes.push_back(
+          {by, group["name"].as_text(), condition.as_text() + time});
+    }
+    for (const std::string_view key : {"when", "stay"}) {
+      for (const Json& condition : provider[key].items()) mention(condition, &StateRelations::waits, by, group);
+    }
+  }
+
+  const Json& data_;
+  Relations out_;
+};
+
+} // namespace
+
+Relations find_relations(const Json& data) { return RelationFinder(data).find(); }
+
+std::string manner_of(const Json& task) {
+  std::string out;
+  for (const Json& level : task["levels"].items()) {
+    const std::string& name = level["name"].as_text();
+    out += fmt::format("{}{}{}{}", out.empty() ? "priority " : ", ", name, name.empty() ? "" : " ",
+                       level["priority"].as_number());
+    if (level["optional"].as_boolean()) out += ", optional";
+    if (level["apart"].as_boolean()) out += ", apart";
+  }
+  return out;
+}
+
+std::string provider_name(const Json& group, const Json& provider) {
+  const std::string& name = provider["name"].as_text();
+  return name == "default" ? group["name"].as_text() : group["name"].as_text() + "." + name;
+}
+
+std::string time_text(const Json& microseconds) { return dsl::to_text(dsl::in_largest_unit(microseconds.as_number())); }
+
+} // namespace director::compiler::page

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Elements of the page, made and found.
+
+type Attributes = Record<string, string>;
+
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const out = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) out.setAttribute(name, value);
+  out.append(...children);
+  return out;
+}
+
+export function button(label: string, act: () => void, attributes: Attributes = {}): HTMLButtonElement {
+  const out = make('button', { type: 'button', ...attributes }, label);
+  out.addEventListener('click', act);
+  return out;
+}
+
+export function byId(id: string): HTMLElement | null {
+  return document.getElementById(id);
+}
+
+/** Shown, and where the keyboard is. */
+export function goTo(id: string): boolean {
+  const target = byId(id);
+  if (!target) return false;
+  for (let up = target.parentElement; up; up = up.parentElement) if (up instanceof HTMLDetailsElement) up.open = true;
+  target.scrollIntoView({ block: 'start' });
+  target.focus({ preventScroll: true });
+  return true;
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Search for groups and states by name and by what is said of them, and the focus on one group.
+
+import type { Data } from './data';
+import { button, byId, goTo, make } from './elements';
+import type { Picture } from './picture';
+
+const most = 12;
+
+export class Finder {
+  private readonly input = make('input', { type: 'search', id: 'search', autocomplete: 'off', spellcheck: 'false', 'aria-controls': 'found' });
+  private readonly list = make('ul', { id: 'found', 'aria-label': 'Found' });
+  private readonly status = make('p', { id: 'status', role: 'status' });
+  private readonly clear = button('Show everything', () => this.focus(undefined), { hidden: '' });
+
+  constructor(private readonly data: Data, private readonly pictures: Picture[]) {
+    const box = byId('finder');
+    if (!box) return;
+    box.append(make('label', { for: 'search' }, 'Search groups and states'), this.input, this.clear, this.status, this.list);
+    box.hidden = false;
+    this.input.addEventListener('input', () => this.search());
+    this.input.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') this.list.querySelector('button')?.click();
+      if (event.key === 'Escape') this.reset();
+    });
+    document.addEventListener('keydown', (event) => {
+      const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement;
+      if (event.key === '/' && !typing && !event.ctrlKey && !event.metaKey) {
+        event.preventDefault();
+        this.input.focus();
+      }
+      if (event.key === 'Escape' && !typing) this.focus(undefined);
+    });
+    for (const article of document.querySelectorAll<HTMLElement>('article.group')) {
+      const group = article.dataset.group ?? '';
+      article.querySelector('h3')?.after(button('Focus in the picture', () => this.focus(group), { class: 'focus', 'aria-label': `Focus on ${group} in the picture` }));
+    }
+    for (const picture of pictures) {
+      for (const [name, node] of picture.nodes) {
+        if (!this.isGroup(name)) continue;
+        node.classList.add('choosable');
+        node.addEventListener('click', (event) => {
+          if (!(event.target as Element).closest('a[*|href]')) this.focus(name);
+        });
+      }
+    }
+  }
+
+  focus(group: string | undefined): void {
+    for (const picture of this.pictures) picture.focus(group);
+    this.clear.hidden = group === undefined;
+    this.status.textContent = group === undefined ? '' : `Focus on ${group}: who asks for it or needs it, and what it asks for and needs.`;
+    if (group !== undefined) byId('picture')?.scrollIntoView({ block: 'start' });
+  }
+
+  private isGroup(name: string): boolean {
+    return this.data.groups.some((group) => group.name === name);
+  }
+
+  private reset(): void {
+    this.input.value = '';
+    this.search();
+  }
+
+  private search(): void {
+    const wanted = this.input.value.trim().toLowerCase();
+    const hits = wanted === '' ? [] : this.find(wanted);
+    this.list.replaceChildren(...hits.slice(0, most).map((hit) => make('li', {}, button(hit.label, () => this.open(hit)))));
+    this.status.textContent = wanted === '' ? '' : `${hits.length} found${hits.length > most ? `, the first ${most} of them` : ''}`;
+    const names = new Set(hits.map((hit) => hit.group).filter((name): name is string => name !== undefined));
+    for (const picture of this.pictures) picture.mark(names);
+  }
+
+  private find(wanted: string): { label: string; id: string; group?: string }[] {
+    const rank = (name: string): number => (name.toLowerCase().startsWith(wanted) ? 0 : name.toLowerCase().includes(wanted) ? 1 : 2);
+    const all = [
+      ...this.data.groups.map((each) => ({ each, label: each.name, id: `group-${each.name}`, group: each.name as string | undefined })),
+      ...this.data.states.map((each) => ({ each, label: `state ${each.name}`, id: `state-${each.name}`, group: undefined })),
+    ];
+    return all
+      .filter(({ each }) => rank(each.name) < 2 || (each.doc ?? '').toLowerCase().includes(wanted))
+      .sort((a, b) => rank(a.each.name) - rank(b.each.name));
+  }
+
+  private open(hit: { id: string; group?: string }): void {
+    if (hit.group !== undefined) this.focus(hit.group);
+    goTo(hit.id);
+  }
+}

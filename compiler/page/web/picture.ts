@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// A picture that moves, and that greys out what has nothing to do with one group. Its layout is that of Graphviz.
+
+import { select } from 'd3-selection';
+import { zoom, zoomIdentity } from 'd3-zoom';
+import { button, make } from './elements';
+
+const inFront = 'near';
+
+/** Pixels a point: at this scale its text is as large as Graphviz means it. */
+const onPaper = 4 / 3;
+
+/** What Graphviz calls an arrow: `Walk.halting → Wheels`, each end with its row behind a dot. */
+function endsOf(title: string): [string, string] | undefined {
+  const ends = title.split(' → ');
+  return ends.length === 2 ? [ends[0], ends[1]] : undefined;
+}
+
+const groupOf = (end: string): string => end.split('.')[0];
+
+export class Picture {
+  readonly nodes = new Map<string, SVGGElement>();
+  private readonly svg: SVGSVGElement;
+  private readonly edges: { from: string; to: string; element: SVGGElement }[] = [];
+  private readonly motion = zoom<SVGSVGElement, unknown>();
+
+  constructor(readonly frame: HTMLElement) {
+    this.svg = frame.querySelector('svg') as SVGSVGElement;
+    const layer = this.svg.querySelector('g.graph') as SVGGElement;
+    for (const node of layer.querySelectorAll<SVGGElement>('g.node')) {
+      this.nodes.set(node.querySelector('title')?.textContent ?? '', node);
+    }
+    for (const element of layer.querySelectorAll<SVGGElement>('g.edge')) {
+      const ends = endsOf(element.querySelector('title')?.textContent ?? '');
+      if (ends) this.edges.push({ from: groupOf(ends[0]), to: groupOf(ends[1]), element });
+    }
+    this.makeMovable(layer);
+    frame.before(this.tools());
+  }
+
+  get name(): string {
+    return this.frame.dataset.picture ?? '';
+  }
+
+  /** The group, whom it asks for or needs, and who asks for it or needs it; nothing: everything. */
+  focus(group?: string): void {
+    const near = new Set<string>();
+    if (group !== undefined) near.add(group);
+    for (const edge of this.edges) {
+      const touches = edge.from === group || edge.to === group;
+      if (touches) near.add(edge.from).add(edge.to);
+      edge.element.classList.toggle(inFront, touches);
+    }
+    for (const [name, node] of this.nodes) {
+      node.classList.toggle(inFront, near.has(name));
+      node.classList.toggle('chosen', name === group);
+    }
+    this.svg.classList.toggle('focused', group !== undefined);
+    if (group !== undefined) this.centre(group);
+  }
+
+  mark(names: Set<string>): void {
+    for (const [name, node] of this.nodes) node.classList.toggle('found', names.has(name));
+  }
+
+  private makeMovable(layer: SVGGElement): void {
+    const at = layer.getAttribute('transform') ?? '';
+    const moved = document.createElementNS('http://www.w3.org/2000/svg', 'g');
+    layer.before(moved);
+    moved.append(layer);
+    layer.setAttribute('transform', at);
+    this.svg.setAttribute('preserveAspectRatio', 'xMidYMin meet');
+    this.motion
+      .scaleExtent([0.2, 12])
+      .filter((event: Event) => !(event instanceof WheelEvent) || event.ctrlKey || event.metaKey)
+      .on('zoom', (event: { transform: { toString(): string } }) => moved.setAttribute('transform', event.transform.toString()));
+    select(this.svg).call(this.motion).on('dblclick.zoom', null);
+    this.frame.classList.add('moves');
+    this.frame.addEventListener('keydown', (event) => this.key(event));
+  }
+
+  private key(event: KeyboardEvent): void {
+    const step = 60;
+    const moves: Record<string, [number, number]> = {
+      ArrowLeft: [step, 0], ArrowRight: [-step, 0], ArrowUp: [0, step], ArrowDown: [0, -step],
+    };
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (moves[event.key]) select(this.svg).call(this.motion.translateBy, ...moves[event.key]);
+    else if (event.key === '+' || event.key === '=') this.scale(1.3);
+    else if (event.key === '-') this.scale(1 / 1.3);
+    else if (event.key === '0') this.whole();
+    else return;
+    event.preventDefault();
+  }
+
+  private scale(by: number): void {
+    select(this.svg).call(this.motion.scaleBy, by);
+  }
+
+  private whole(): void {
+    select(this.svg).call(this.motion.transform, zoomIdentity);
+  }
+
+  /** As large as on paper where that fits, else as wide as the frame; from the top. */
+  show(): void {
+    const unit = this.svg.getScreenCTM()?.a ?? 0;
+    const view = this.svg.viewBox.baseVal;
+    if (unit === 0) return;
+    const scale = Math.max(1, Math.min(onPaper, this.frame.clientWidth / view.width) / unit);
+    select(this.svg).call(this.motion.transform, zoomIdentity.translate(((1 - scale) * view.width) / 2, 0).scale(scale));
+  }
+
+  private centre(group: string): void {
+    const node = this.nodes.get(group);
+    this.whole();
+    const matrix = this.svg.getScreenCTM();
+    if (!node || !matrix || matrix.a === 0) return;
+    const box = node.getBoundingClientRect();
+    const at = new DOMPoint(box.left + box.width / 2, box.top + box.height / 2).matrixTransform(matrix.inverse());
+    this.scale(Math.max(1, onPaper / matrix.a));
+    select(this.svg).call(this.motion.translateTo, at.x, at.y);
+  }
+
+  private tools(): HTMLElement {
+    return make(
+      'div',
+      { class: 'tools', role: 'group', 'aria-label': `Zoom of ${this.name}` },
+      button('Larger', () => this.scale(1.3)),
+      button('Smaller', () => this.scale(1 / 1.3)),
+      button('Whole', () => this.whole()),
+      make('span', { class: 'hint' }, 'Drag to move; Ctrl and the wheel, or + and −, to zoom; arrow keys move'),
+    );
+  }
+}

@@ -1,0 +1,94 @@
+// Door: compiler/page/words.hpp. Test: tests/compiler/page/pages_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/page/words.hpp"
+
+#include "compiler/emit/graph/formats.hpp"
+#include "compiler/page/relations.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace director::compiler::page {
+
+const std::vector<CellKind>& cell_kinds() {
+  static const std::vector<CellKind> kinds{
+      {"soft", "S", "the second waits, something is pushed, then the second takes over"},
+      {"hard", "H", "the second takes at once what the first one holds"},
+      {"waits", "W", "the second is queued, and runs when the first one is done"},
+      {"never", "N", "the second does not run, nor when the first one is done"},
+      {"replaced", "R", "who asks for both withdraws the first one for the second"},
+      {"condition lost", "L", "what the second wants from outside ends the first one"},
+      {"both", "B", "they run beside each other"},
+      {"same chain", "C", "one leads to the other, or they are the same"},
+      {"unreachable", "U", "one of them cannot be brought to run at all"},
+  };
+  return kinds;
+}
+
+const CellKind& cell_kind(const Json& cell) {
+  const std::vector<CellKind>& kinds = cell_kinds();
+  const auto at = std::find_if(kinds.begin(), kinds.end(),
+                               [&](const CellKind& each) { return each.kind == cell["kind"].as_text(); });
+  return at == kinds.end() ? kinds.back() : *at;
+}
+
+bool is_telling(const Json& cell) {
+  const std::string_view kind = cell_kind(cell).kind;
+  return kind != "both" && kind != "same chain" && kind != "unreachable";
+}
+
+std::string place_text(const Json& place) {
+  return fmt::format("{}:{}", place["file"].as_text(), place["line"].as_number());
+}
+
+std::string place_link(const Json& place, const std::string& pattern) {
+  return PictureLinks{pattern}.to({{}, place["file"].as_text(), static_cast<std::uint32_t>(place["line"].as_number())});
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  if (words.empty()) return {};
+  std::string out = words.front();
+  for (std::size_t i = 1; i < words.size(); ++i) out += (i + 1 == words.size() ? " and " : ", ") + words[i];
+  return out;
+}
+
+std::string state_words(const Json& state) {
+  std::string out;
+  if (state["range"].is_list()) {
+    out = fmt::format("from {} to {}", state["range"].items()[0].as_number(), state["range"].items()[1].as_number());
+  } else {
+    out = fmt::format("{}", fmt::join(state["values"].as_texts(), ", "));
+  }
+  const std::string& initial = state["initial"].as_text();
+  out += initial.empty() ? "; unset at the beginning" : fmt::format("; {} at the beginning", initial);
+  if (state["external"].as_boolean()) out += "; told by the outside";
+  if (!state["of"].is_null()) out += fmt::format("; belongs to {}", state["of"].as_text());
+  if (const Json& expires = state["expires"]; expires.is_object()) {
+    const std::string& to = expires["to"].as_text();
+    out += fmt::format("; {} when nobody has said anything for {}", to.empty() ? "unset" : to,
+                       time_text(expires["after_us"]));
+  }
+  return out;
+}
+
+std::string take_words(const Json& take) {
+  const auto numbers = [&](std::string_view key) {
+    std::vector<std::int64_t> out;
+    for (const Json& each : take[key].items()) {
+      if (std::find(out.begin(), out.end(), each.as_number()) == out.end()) out.push_back(each.as_number());
+    }
+    return fmt::format("{}", fmt::join(out, " or "));
+  };
+  const std::string who = take["requester"].is_null() ? "the program" : take["requester"].as_text();
+  if (take["by"].as_text() == "optional") return fmt::format("{}, where the second is optional", who);
+  return fmt::format("{}, priority {} before {}", who, numbers("winner_priorities"), numbers("loser_priorities"));
+}
+
+std::string trimmed(std::string text) {
+  while (text.ends_with('\n') || text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
+} // namespace director::compiler::page

@@ -1,0 +1,36 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What the pages of all formats say alike: sentences, places, and what cells of the matrix are called.
+
+#include "compiler/page/pages.hpp"
+
+namespace director::compiler::page {
+
+/// A kind of cell: its sign in the matrix, and what it means.
+struct CellKind {
+  std::string_view kind, sign, meaning;
+};
+const std::vector<CellKind>& cell_kinds();
+const CellKind& cell_kind(const Json& cell);
+
+/// Whether the cell has something of its own to tell; else a line for all of its kind in a row will do.
+bool is_telling(const Json& cell);
+
+/// `behaviours/soccer/soccer.yaml:12`
+std::string place_text(const Json& place);
+/// Empty: it is no link.
+std::string place_link(const Json& place, const std::string& pattern);
+
+/// `a, b and c`
+std::string listed(const std::vector<std::string>& words);
+
+/// `values lost, far, near; lost at the beginning; from outside; lost after 1 s`
+std::string state_words(const Json& state);
+
+/// How it is decided who goes first: `Striker, priority 20 before 10`
+std::string take_words(const Json& take);
+
+/// The lines of a text without what is blank at its end.
+std::string trimmed(std::string text);
+
+} // namespace director::compiler::page

@@ -1,0 +1,234 @@
+// Door: compiler/transitions/script.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// A body that is on both ways answers first what leads to the row, for as many runs as it had until that was at rest,
+// and from then on what leads to the column. Where the two ways part, it keeps the one task and asks for the other.
+#include "compiler/transitions/script.hpp"
+
+#include "dsl/yaml_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace director::compiler::transitions {
+
+namespace {
+
+const std::string& name_of(const Model& model, const Task& task) { return model.groups[task.target].name.value; }
+
+bool holds(const Pack& pack, const Task& task) {
+  return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& each) { return each.edge == task.edge; });
+}
+
+/// `{Motion: still, Grip: open}`, with the first value of each; empty where there is none.
+std::string settings(const Model& model, const Values& values) {
+  std::vector<std::string> pairs;
+  for (const auto& [id, value] : values) {
+    const State& state = model.states[id];
+    pairs.push_back(fmt::format("{}: {}", state.name.value, dsl::yaml_word(state.value_text(value))));
+  }
+  return fmt::format("{{{}}}", fmt::join(pairs, ", "));
+}
+
+std::string setting_words(const Model& model, const Values& values) {
+  return values.empty() ? std::string{} : "set: " + settings(model, values);
+}
+
+/// What a pushed body sets: it keeps what it promised.
+Values promised(const Model& model, ProviderId id) {
+  Values out;
+  for (const ConditionUse& use : model.providers[id].causing) {
+    const Condition& condition = model.conditions[use.id];
+    if (!condition.accepts.empty()) out.emplace(condition.state, condition.accepts.intervals().front().low);
+  }
+  return out;
+}
+
+/// What it says that it sets, against what another provider of its group promises: who walks does not stand.
+Values opposed(const Model& model, ProviderId id) {
+  Values out;
+  const Provider& provider = model.providers[id];
+  for (const ConditionUse& use : provider.sets) {
+    const Condition& condition = model.conditions[use.id];
+    if (condition.op == Condition::Op::any || condition.accepts.count() != 1) continue;
+    const std::int64_t value = condition.accepts.intervals().front().low;
+    for (const ProviderId other : model.groups[provider.group].providers) {
+      for (const ConditionUse& promise : model.providers[other].causing) {
+        const Condition& against = model.conditions[promise.id];
+        if (other != id && against.state == condition.state && !against.accepts.contains(value))
+          out.emplace(condition.state, value);
+      }
+    }
+  }
+  return out;
+}
+
+/// `{reason: pushed, pack: go, wait: 1 ms}`; what is empty is left out.
+std::string mapping(std::initializer_list<std::string> words) {
+  std::vector<std::string> out;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(out),
+               [](const std::string& word) { return !word.empty(); });
+  return fmt::format("{{{}}}", fmt::join(out, ", "));
+}
+
+/// The first pack, or all tasks.
+std::string usual(const Model& model, ProviderId id) {
+  const Provider& provider = model.providers[id];
+  if (provider.packs.empty()) return {};
+  const Pack& pack = provider.packs.front();
+  if (provider.has_packs) return "pack: " + dsl::yaml_word(pack.name);
+  std::vector<std::string> names;
+  for (const Task& task : pack.tasks) names.push_back(name_of(model, task));
+  return names.empty() ? std::string{} : fmt::format("tasks: [{}]", fmt::join(names, ", "));
+}
+
+std::string leads_on(const Model& model, const Link& link) {
+  const Provider& provider = model.providers[link.provider];
+  if (provider.has_packs) return "pack: " + dsl::yaml_word(provider.packs[link.pack].name);
+  return fmt::format("tasks: [{}]", name_of(model, *link.next));
+}
+
+std::string kept(const Model& model, const Task& task) { return name_of(model, task) + ": {keep: true}"; }
+
+/// A pack that asks for both; the column's own, where there is none.
+const Pack& pack_of_both(const Provider& provider, const Link& row, const Link& column) {
+  const std::vector<Pack>& packs = provider.packs;
+  if (holds(packs[row.pack], *column.next)) return packs[row.pack];
+  const auto both = std::find_if(packs.begin(), packs.end(),
+                                 [&](const Pack& pack) { return holds(pack, *row.next) && holds(pack, *column.next); });
+  return both == packs.end() ? packs[column.pack] : *both;
+}
+
+/// Where the ways part: the row's task as it is, and the column's.
+std::string leads_beside(const Model& model, const Link& row, const Link& column) {
+  const Provider& provider = model.providers[column.provider];
+  if (!provider.has_packs) return fmt::format("tasks: [{}, {}]", kept(model, *row.next), name_of(model, *column.next));
+  const Pack& pack = pack_of_both(provider, row, column);
+  if (!holds(pack, *row.next)) return leads_on(model, column);
+  return fmt::format("pack: {}, with: [{}]", dsl::yaml_word(pack.name), kept(model, *row.next));
+}
+
+/// ... and when the row's task is done, only the column's, where it can be asked for alone.
+std::string goes_on_with(const Model& model, const Link& row, const Link& column) {
+  const Provider& provider = model.providers[column.provider];
+  if (!provider.has_packs) return fmt::format("tasks: [{}]", kept(model, *column.next));
+  for (const Pack& pack : provider.packs) {
+    if (holds(pack, *column.next) && !holds(pack, *row.next))
+      return fmt::format("pack: {}, with: [{}]", dsl::yaml_word(pack.name), kept(model, *column.next));
+  }
+  return "continue: true";
+}
+
+/// The bodies of providers that nobody asks anything special of: those that promise something, or set what is against
+/// a promise. The others do the usual.
+Script usual_script(const Model& model) {
+  Script out;
+  for (const ProviderId id : model.providers.ids()) {
+    const Values promise = promised(model, id), against = opposed(model, id);
+    if (!promise.empty())
+      out[id].push_back(mapping({"reason: pushed", setting_words(model, promise), usual(model, id)}));
+    if (!promise.empty() || !against.empty())
+      out[id].push_back(mapping({setting_words(model, against), usual(model, id)}));
+  }
+  return out;
+}
+
+std::vector<std::string> pushed_case(const Model& model, ProviderId id, const std::string& answer,
+                                     const std::string& wait) {
+  const Values promise = promised(model, id);
+  if (promise.empty()) return {};
+  return {mapping({"reason: pushed", setting_words(model, promise), answer, wait})};
+}
+
+/// The row's task: done a millisecond later, by then whoever could take what it holds has done so.
+void add_target(const Model& model, GroupId target, Script& out) {
+  for (const ProviderId id : model.groups[target].providers) {
+    std::vector<std::string> cases{"{reason: wait, done: true}"};
+    for (std::string& each : pushed_case(model, id, usual(model, id), "wait: 1 ms")) cases.push_back(std::move(each));
+    cases.push_back(mapping({setting_words(model, opposed(model, id)), usual(model, id), "wait: 1 ms"}));
+    out[id] = std::move(cases);
+  }
+}
+
+void add_link(const Model& model, const Link& link, bool passes_done, Script& out) {
+  std::vector<std::string> cases;
+  if (passes_done) cases.emplace_back("{reason: subtask_done, done: true}");
+  const std::string answer = leads_on(model, link);
+  for (std::string& each : pushed_case(model, link.provider, answer, {})) cases.push_back(std::move(each));
+  cases.push_back(mapping({setting_words(model, opposed(model, link.provider)), answer}));
+  out[link.provider] = std::move(cases);
+}
+
+} // namespace
+
+Parting part(const Model& model, const Way& row, const Way& column) {
+  Parting out;
+  const std::size_t most = std::min(row.links.size(), column.links.size());
+  for (std::size_t i = 0; i < most && row.group(i) == column.group(i); ++i) out.link = i;
+  if (!out.link) return out;
+  const Link &first = row.links[*out.link], &second = column.links[*out.link];
+  const Provider& provider = model.providers[second.provider];
+  out.replaced = first.provider != second.provider ||
+                 (provider.has_packs && !holds(pack_of_both(provider, first, second), *first.next));
+  return out;
+}
+
+Script script_of(const Model& model, const Way& row) {
+  Script out = usual_script(model);
+  for (const Link& link : row.links) add_link(model, link, true, out);
+  add_target(model, row.target, out);
+  return out;
+}
+
+Script script_of(const Model& model, const Way& row, const Way& column, const Runs& runs) {
+  Script out = script_of(model, row);
+  const Parting parting = part(model, row, column);
+  // Who asks for both goes on when the first one is done.
+  if (parting.link) out[row.links[*parting.link].provider].front() = "{reason: subtask_done, continue: true}";
+  for (std::size_t i = 0; i < column.links.size(); ++i) {
+    const Link& link = column.links[i];
+    const auto same = std::find_if(row.links.begin(), row.links.end(),
+                                   [&](const Link& each) { return each.provider == link.provider; });
+    const bool on_both = same != row.links.end();
+    std::vector<std::string> cases;
+    const auto ran = runs.find(link.provider);
+    for (std::uint32_t run = 1; ran != runs.end() && run <= ran->second; ++run)
+      cases.push_back(mapping({fmt::format("run: {}", run), setting_words(model, opposed(model, link.provider)),
+                               on_both ? leads_on(model, *same) : usual(model, link.provider)}));
+    std::string answer = leads_on(model, link);
+    if (on_both && parting.link == i && !parting.replaced) {
+      answer = leads_beside(model, *same, link);
+      cases.push_back(mapping({"reason: subtask_done", goes_on_with(model, *same, link)}));
+    }
+    for (std::string& each : pushed_case(model, link.provider, answer, {})) cases.push_back(std::move(each));
+    cases.push_back(mapping({setting_words(model, opposed(model, link.provider)), answer}));
+    out[link.provider] = std::move(cases);
+  }
+  return out;
+}
+
+std::string settings_step(const Model& model, const Values& values) {
+  return fmt::format("  - set: {}\n", settings(model, values));
+}
+
+std::string request_step(const Model& model, const Way& way, const Values& values) {
+  const std::string& name = name_of(model, *way.root);
+  if (values.empty()) return fmt::format("  - request: {}\n", name);
+  return fmt::format("  - inputs: [{{set: {}}}, {{request: {}}}]\n", settings(model, values), name);
+}
+
+std::string given_text(const Model& model, const Values& values) {
+  return values.empty() ? std::string{} : fmt::format("given: {}\n", settings(model, values));
+}
+
+std::string done_step() { return "  - advance: 1 ms\n"; }
+
+std::string entry_text(const Model& model, ProviderId id, const std::vector<std::string>& cases) {
+  std::string out = fmt::format("  {}.{}:\n", model.group_of(id).name.value, dsl::yaml_word(model.providers[id].name));
+  for (const std::string& each : cases) out += fmt::format("    - {}\n", each);
+  return out;
+}
+
+} // namespace director::compiler::transitions

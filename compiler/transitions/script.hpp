@@ -1,0 +1,45 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// The scenario of a cell as pieces of text: what the bodies do on the way of the row and then on that of the column. A
+// piece is said once for all cells that have it.
+
+#include "compiler/transitions/way.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace director::compiler::transitions {
+
+/// How often each provider ran before the column's request.
+using Runs = std::map<ProviderId, std::uint32_t>;
+
+/// By provider: its cases, each a mapping on one line. In the order of declaration.
+using Script = std::map<ProviderId, std::vector<std::string>>;
+
+/// Where two ways part.
+struct Parting {
+  std::optional<std::size_t> link; ///< of both; nothing: at the program
+  bool replaced = false;           ///< the requester cannot ask for both at once
+};
+Parting part(const Model& model, const Way& row, const Way& column);
+
+/// Until it rests: what leads there, and what is pushed keeps its promise. The target is done a millisecond later.
+Script script_of(const Model& model, const Way& row);
+
+/// ... and then what leads to the column.
+Script script_of(const Model& model, const Way& row, const Way& column, const Runs& runs);
+
+/// The steps: the outside says so much, and the program asks for what leads there; the outside alone; the row's task is
+/// done.
+std::string request_step(const Model& model, const Way& way, const Values& values);
+std::string settings_step(const Model& model, const Values& values);
+std::string done_step();
+
+/// `given: {Load: box}`; empty where it begins as declared.
+std::string given_text(const Model& model, const Values& values);
+
+/// The text of one entry of the script.
+std::string entry_text(const Model& model, ProviderId id, const std::vector<std::string>& cases);
+
+} // namespace director::compiler::transitions

@@ -1,0 +1,92 @@
+// Door: compiler/transitions/trial.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/transitions/trial.hpp"
+
+#include "compiler/play/play.hpp"
+#include "compiler/play/resolve_scenario.hpp"
+#include "compiler/play/why.hpp"
+#include "dsl/file_access.hpp"
+#include "dsl/read_scenario.hpp"
+
+namespace director::compiler::transitions {
+
+namespace {
+
+Rest rest_of(const View& view, const Model& model) {
+  Rest out;
+  for (const GroupId id : model.groups.ids()) {
+    const auto row = static_cast<Index>(id.value);
+    const Index holder = view.holder(row), active = view.standing[row].active;
+    Rest::Held held;
+    if (holder != nil && !view.is_limbo(holder)) held.by = EdgeId{holder};
+    if (active != nil) held.active = ProviderId{active};
+    held.granted = view.granted(row);
+    out.groups.push_back(held);
+  }
+  for (const EdgeId id : model.edges.ids())
+    out.running.push_back(view.state(static_cast<Index>(id.value)) == RunState::running);
+  for (const StateId id : model.states.ids()) {
+    const std::int32_t value = view.values[id.value].value;
+    if (value != unset) out.values.emplace(id, value);
+  }
+  return out;
+}
+
+/// Of the first group on the way that does not run for it.
+std::string why_not(const View& view, const Model& model, const Lowered& lowered, const Way& way) {
+  const auto runs = [&](const Task& task) {
+    return view.state(static_cast<Index>(task.edge.value)) == RunState::running;
+  };
+  const Task* stuck = runs(*way.root) ? nullptr : way.root;
+  for (const Link& link : way.links) {
+    if (stuck == nullptr && !runs(*link.next)) stuck = link.next;
+  }
+  return stuck == nullptr ? std::string{} : reason_why(view, stuck->target, model, lowered).text;
+}
+
+} // namespace
+
+bool Rest::is_under(const Model& model, GroupId group, EdgeId edge) const {
+  std::optional<EdgeId> by = groups[group.value].by;
+  for (std::size_t steps = 0; by && steps <= groups.size(); ++steps) {
+    if (*by == edge) return true;
+    const std::optional<GroupId> above = model.edges[*by].requester;
+    by = above ? groups[above->value].by : std::nullopt;
+  }
+  return false;
+}
+
+Trial play_trial(const std::string& text, const Model& model, const Lowered& lowered, std::uint32_t from,
+                 const Way& way) {
+  Trial out;
+  dsl::MemoryFiles files;
+  files.add("transition.scenario.yaml", text);
+  dsl::Sources sources;
+  const dsl::ReadScenarioResult read = dsl::read_scenario("transition.scenario.yaml", files, sources);
+  if (dsl::has_errors(read.diagnostics)) return out;
+  const ResolvedScenario resolved = resolve_scenario(read.scenario, model);
+  if (dsl::has_errors(resolved.findings)) return out;
+  struct Listener {
+    Trial& to;
+    std::uint32_t from, step = 0;
+  } listener{out, from};
+  PlayOptions options;
+  options.events = {[](void* self, const Event& event) {
+                      auto& me = *static_cast<Listener*>(self);
+                      if (event.kind == Event::Kind::run) ++me.to.runs[ProviderId{event.provider}];
+                      if (me.step >= me.from) me.to.events.push_back(event);
+                    },
+                    &listener};
+  options.end = [&](const Engine& engine) {
+    const View view = engine.view();
+    out.rest = rest_of(view, model);
+    out.why = why_not(view, model, lowered, way);
+  };
+  const Played played = play(resolved.scenario, model, lowered, options, [&](const Happening& happening) {
+    if (happening.kind == Happening::Kind::input) listener.step = happening.step;
+  });
+  out.good = !played.refused && !played.budget_exhausted;
+  return out;
+}
+
+} // namespace director::compiler::transitions

@@ -1,0 +1,217 @@
+// Door: compiler/transitions/way.hpp. Test: tests/compiler/transitions/way_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// A `when` is a conjunction of conditions on one state each, so what a choice of providers wants is a set of values for
+// each state, and the first value of each set will do. Only a preferred provider that would run instead of the one that
+// is chosen asks for more: one of its conditions has to be false, and which one is searched.
+#include "compiler/transitions/way.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+
+namespace director::compiler::transitions {
+
+namespace {
+
+constexpr std::size_t most_ways = 32; ///< choices of providers that are tried for one group
+
+/// By group: what asks for it first, breadth first from the program.
+struct FirstAsked {
+  bool reached = false;
+  std::optional<GroupId> by; ///< nothing: the program
+};
+
+IdTable<GroupId, FirstAsked> find_first_asked(const Model& model) {
+  IdTable<GroupId, FirstAsked> out(model.groups.size());
+  std::deque<GroupId> open;
+  const auto reach = [&](GroupId group, std::optional<GroupId> by) {
+    if (out[group].reached) return;
+    out[group] = {true, by};
+    open.push_back(group);
+  };
+  for (const Task& task : model.roots) reach(task.target, {});
+  for (; !open.empty(); open.pop_front()) {
+    const GroupId group = open.front();
+    for (const EdgeId edge : model.groups[group].edges) {
+      if (!model.edges[edge].levels.empty()) reach(model.edges[edge].target, group);
+    }
+  }
+  return out;
+}
+
+/// From the first group below the program to this one. A group leads to itself by no chain.
+std::vector<GroupId> chain_to(const IdTable<GroupId, FirstAsked>& asked, GroupId group) {
+  std::vector<GroupId> out{group};
+  while (asked[out.back()].by) out.push_back(*asked[out.back()].by);
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
+std::vector<Link> links_between(const Model& model, GroupId from, GroupId to) {
+  std::vector<Link> out;
+  for (const ProviderId id : model.groups[from].providers) {
+    const std::vector<Pack>& packs = model.providers[id].packs;
+    for (std::size_t i = 0; i < packs.size(); ++i) {
+      const auto task = std::find_if(packs[i].tasks.begin(), packs[i].tasks.end(),
+                                     [&](const Task& each) { return each.target == to; });
+      if (task == packs[i].tasks.end()) continue;
+      out.push_back({id, i, &*task});
+      break;
+    }
+  }
+  return out;
+}
+
+const Task* root_to(const Model& model, GroupId group) {
+  const auto at =
+      std::find_if(model.roots.begin(), model.roots.end(), [&](const Task& task) { return task.target == group; });
+  return at == model.roots.end() ? nullptr : &*at;
+}
+
+/// Every choice of providers along this chain.
+void add_ways(const Model& model, const std::vector<GroupId>& chain, std::vector<Way>& out) {
+  std::vector<Way> ways{{root_to(model, chain.front()), {}, chain.back(), {}}};
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    std::vector<Way> longer;
+    for (const Way& way : ways) {
+      for (const Link& link : links_between(model, chain[i], chain[i + 1])) {
+        if (longer.size() >= most_ways) break;
+        longer.push_back(way);
+        longer.back().links.push_back(link);
+      }
+    }
+    ways = std::move(longer);
+  }
+  for (const Way& way : ways) {
+    for (const ProviderId id : model.groups[chain.back()].providers) {
+      if (out.size() >= most_ways) return;
+      out.push_back(way);
+      out.back().runs = id;
+    }
+  }
+}
+
+class Wants {
+public:
+  Wants(const Model& model, Assume assume) : model_(model), assume_(assume) {}
+
+  std::optional<Outside> find(const Way& way) {
+    for (const Link& link : way.links) add(link.provider);
+    add(way.runs);
+    if (impossible_ || !avoid(0)) return {};
+    Outside out;
+    for (const auto& [state, values] : wanted_) {
+      const State& row = model_.states[state];
+      if (row.external) out.wanted.emplace(state, values);
+      if (row.initial && values.contains(*row.initial)) continue;
+      (row.external ? out.values : out.given).emplace(state, values.intervals().front().low);
+    }
+    return out;
+  }
+
+private:
+  bool may_choose(const State& state) const { return state.external || assume_ == Assume::inside; }
+
+  void want(const std::vector<ConditionUse>& uses) {
+    for (const ConditionUse& use : uses) {
+      const Condition& condition = model_.conditions[use.id];
+      const State& state = model_.states[condition.state];
+      if (!may_choose(state)) continue;
+      ValueSet& set = wanted_.try_emplace(condition.state, state.domain()).first->second;
+      set = set.intersected(condition.accepts);
+      impossible_ = impossible_ || set.empty();
+    }
+  }
+
+  /// With the first provider of each group that it needs.
+  void add(ProviderId id) {
+    if (std::find(added_.begin(), added_.end(), id) != added_.end()) return;
+    added_.push_back(id);
+    const Provider& provider = model_.providers[id];
+    want(provider.when);
+    for (const ProviderId preferred : model_.groups[provider.group].providers) {
+      if (preferred == id) break;
+      avoided_.push_back(preferred);
+    }
+    for (const Use<GroupId>& need : provider.needs) {
+      if (!model_.groups[need.id].providers.empty()) add(model_.groups[need.id].providers.front());
+    }
+  }
+
+  std::optional<std::int64_t> value_of(StateId id) const {
+    const State& state = model_.states[id];
+    const auto wanted = wanted_.find(id);
+    if (wanted == wanted_.end() || (state.initial && wanted->second.contains(*state.initial))) return state.initial;
+    return wanted->second.intervals().front().low;
+  }
+
+  bool would_run(ProviderId id) const {
+    const std::vector<ConditionUse>& when = model_.providers[id].when;
+    return std::all_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+      const Condition& condition = model_.conditions[use.id];
+      const std::optional<std::int64_t> value = value_of(condition.state);
+      return value && condition.accepts.contains(*value);
+    });
+  }
+
+  /// From this one on, none of those that are preferred would run.
+  bool avoid(std::size_t at) {
+    while (at < avoided_.size() && !would_run(avoided_[at])) ++at;
+    if (at == avoided_.size()) return true;
+    if (++tried_ > most_ways) return false;
+    for (const ConditionUse& use : model_.providers[avoided_[at]].when) {
+      const Condition& condition = model_.conditions[use.id];
+      const State& state = model_.states[condition.state];
+      if (!may_choose(state)) continue;
+      const std::map<StateId, ValueSet> before = wanted_;
+      ValueSet& set = wanted_.try_emplace(condition.state, state.domain()).first->second;
+      set = set.without(condition.accepts);
+      if (!set.empty() && avoid(0)) return true;
+      wanted_ = before;
+    }
+    return false;
+  }
+
+  const Model& model_;
+  const Assume assume_;
+  std::vector<ProviderId> added_, avoided_;
+  std::map<StateId, ValueSet> wanted_;
+  bool impossible_ = false;
+  std::size_t tried_ = 0;
+};
+
+} // namespace
+
+bool Way::passes(GroupId id) const {
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (group(i) == id) return true;
+  }
+  return false;
+}
+
+std::vector<Way> find_ways(const Model& model, GroupId target) {
+  const IdTable<GroupId, FirstAsked> asked = find_first_asked(model);
+  std::vector<Way> out;
+  if (!asked[target].reached) return out;
+  add_ways(model, chain_to(asked, target), out);
+  for (const EdgeId id : model.groups[target].requesters) {
+    const Edge& edge = model.edges[id];
+    if (edge.levels.empty() || edge.requester == asked[target].by) continue;
+    std::vector<GroupId> chain{target};
+    if (edge.requester) {
+      if (!asked[*edge.requester].reached) continue;
+      chain = chain_to(asked, *edge.requester);
+      if (std::find(chain.begin(), chain.end(), target) != chain.end()) continue;
+      chain.push_back(target);
+    }
+    add_ways(model, chain, out);
+  }
+  return out;
+}
+
+std::optional<Outside> outside_for(const Model& model, const Way& way, Assume assume) {
+  return Wants(model, assume).find(way);
+}
+
+} // namespace director::compiler::transitions

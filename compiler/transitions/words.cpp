@@ -1,0 +1,141 @@
+// Door: compiler/transitions/words.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/transitions/words.hpp"
+
+#include "dsl/duration.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace director::compiler {
+
+std::string_view name_of(Transition::Kind kind) {
+  using Kind = Transition::Kind;
+  switch (kind) {
+  case Kind::both: return "both";
+  case Kind::soft: return "soft";
+  case Kind::hard: return "hard";
+  case Kind::waits: return "waits";
+  case Kind::never: return "never";
+  case Kind::same_chain: return "same chain";
+  case Kind::replaced: return "replaced";
+  case Kind::condition_lost: return "condition lost";
+  case Kind::unreachable: break;
+  }
+  return "unreachable";
+}
+
+namespace transitions {
+
+namespace {
+
+std::string listed(const std::vector<std::string>& words) {
+  if (words.empty()) return {};
+  std::string out = words.front();
+  for (std::size_t i = 1; i < words.size(); ++i) out += (i + 1 == words.size() ? " and " : ", ") + words[i];
+  return out;
+}
+
+/// Behind another sentence, or nothing.
+std::string sentence(std::string text) {
+  if (text.empty()) return {};
+  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return (text.ends_with('.') ? " " + text : " " + text + ".");
+}
+
+/// The first few of them.
+std::string names_of(const std::vector<GroupId>& groups, const Model& model) {
+  constexpr std::size_t most = 6;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < groups.size() && (i < most || groups.size() == most + 1); ++i)
+    names.push_back(model.groups[groups[i]].name.value);
+  if (groups.size() > names.size()) names.push_back(fmt::format("{} more", groups.size() - names.size()));
+  return listed(names);
+}
+
+std::string stops(const Transition& cell, const Told& told) {
+  std::string out;
+  if (!cell.stops.empty())
+    out += fmt::format(" {} {}.", names_of(cell.stops, told.model), cell.stops.size() == 1 ? "stops" : "stop");
+  if (!cell.taken.empty())
+    out += fmt::format(" {} {} on, but not for {} any more.", names_of(cell.taken, told.model),
+                       cell.taken.size() == 1 ? "runs" : "run", told.model.groups[told.row.group].name.value);
+  return out;
+}
+
+std::string pushes(const Transition& cell, const Model& model) {
+  std::string out;
+  for (const Transition::Push& push : cell.pushes) {
+    const std::string& group = model.group_of(push.to).name.value;
+    out += fmt::format(" {} is pushed to {} for {}", group, model.providers[push.to].name, push.condition);
+    if (push.within) out += fmt::format(", within {}", dsl::to_text(dsl::in_largest_unit(*push.within)));
+    out += '.';
+  }
+  return out;
+}
+
+std::string outside(const std::vector<std::string>& states) {
+  return states.empty() ? std::string{} : fmt::format(" The outside says {}.", listed(states));
+}
+
+} // namespace
+
+std::vector<std::string> words_of(const Values& values, const Model& model) {
+  std::vector<std::string> out;
+  for (const auto& [id, value] : values) {
+    const State& state = model.states[id];
+    out.push_back(fmt::format("{} == {}", state.name.value, state.value_text(value)));
+  }
+  return out;
+}
+
+std::string words_of(const TransitionMatrix::Row& row, const Model& model) {
+  std::vector<std::string> names;
+  for (const GroupId group : row.chain) names.push_back(model.groups[group].name.value);
+  names.push_back(model.groups[row.group].name.value);
+  const std::string given =
+      row.given.empty() ? std::string{} : fmt::format(" It begins with {}, which only bodies set.", listed(row.given));
+  return fmt::format("Requested by way of {}.{}{}", fmt::join(names, " \u2192 "), outside(row.states), given);
+}
+
+std::string words_of(const Transition& cell, const Told& told) {
+  using Kind = Transition::Kind;
+  const std::string& first = told.model.groups[told.row.group].name.value;
+  const std::string& second = told.model.groups[told.column.group].name.value;
+  switch (cell.kind) {
+  case Kind::both:
+    return fmt::format("{} and {} run beside each other.{}{}", first, second, pushes(cell, told.model),
+                       outside(cell.states));
+  case Kind::soft: {
+    const std::string all =
+        cell.pushes.size() > 1 && cell.bound
+            ? fmt::format(" All of that is promised within {}.", dsl::to_text(dsl::in_largest_unit(*cell.bound)))
+            : std::string{};
+    const std::string bound = cell.bound ? all : " No time is promised for that.";
+    return fmt::format("{} waits.{}{} Then {} takes over.{}{}", second, pushes(cell, told.model), bound, second,
+                       stops(cell, told), outside(cell.states));
+  }
+  case Kind::hard:
+    return fmt::format("{} takes at once what {} holds.{}{}", second, first, stops(cell, told), outside(cell.states));
+  case Kind::waits:
+    return fmt::format("{} is queued, and runs when {} is done.{}{}{}", second, first, pushes(cell, told.model),
+                       outside(cell.states), sentence(told.why));
+  case Kind::never:
+    return fmt::format("{} does not run, nor when {} is done.{}{}", second, first, outside(cell.states),
+                       sentence(told.why));
+  case Kind::same_chain:
+    return told.row.group == told.column.group ? "It is the same group."
+                                               : fmt::format("One of {} and {} leads to the other.", first, second);
+  case Kind::replaced:
+    return fmt::format("{} asks for {} instead of {}.{}{}{}", told.withdrawer, second, first, pushes(cell, told.model),
+                       stops(cell, told), outside(cell.states));
+  case Kind::condition_lost:
+    return fmt::format("What {} wants from outside ends {}.{}", second, first, outside(cell.states));
+  case Kind::unreachable: break;
+  }
+  return fmt::format("{} cannot be brought to run.", told.row.reached ? second : first);
+}
+
+} // namespace transitions
+
+} // namespace director::compiler

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// node pages.mjs CHROMIUM FOLDER: what people do with the pages in FOLDER. Leaves pictures of what they see there.
+import { strict as assert } from 'node:assert';
+import { readFileSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const [program, folder] = process.argv.slice(2);
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
+let failed = 0;
+
+/** A page of its own for each situation; it may say nothing, and ask for nothing but itself. Axe is put in with `bypassCSP`. */
+async function situation(title, name, options, act) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  const said = [];
+  const address = pathToFileURL(join(folder, `${name}.html`)).href;
+  page.on('console', (message) => said.push(`console: ${message.text()}`));
+  page.on('pageerror', (error) => said.push(`error: ${error.message}`));
+  page.on('request', (request) => request.url().split('#')[0] === address || said.push(`request: ${request.url()}`));
+  try {
+    await page.goto(address);
+    await act(page, said);
+    assert.deepEqual(said, []);
+    console.log(`ok ${title} (${name})`);
+  } catch (error) {
+    ++failed;
+    console.log(`not ok ${title} (${name}): ${error.message}`);
+    await page.screenshot({ path: join(folder, `failed_${failed}.png`) });
+  }
+  await context.close();
+}
+
+async function check(page) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+  assert.deepEqual(violations.map((each) => `${each.id}: ${each.nodes.slice(0, 3).map((node) => node.html.slice(0, 160)).join(' | ')}`), []);
+}
+
+const shot = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
+const near = (page) => page.locator('.holder:not([hidden]) g.node.near title').allTextContents();
+const focused = (page) => page.evaluate(() => document.activeElement?.id || document.activeElement?.textContent);
+
+for (const colorScheme of ['light', 'dark']) {
+  for (const name of ['soccer', 'photo']) {
+    await situation(`axe finds nothing, ${colorScheme}`, name, { colorScheme, bypassCSP: true }, async (page) => {
+      await shot(page, `${name}_${colorScheme}`);
+      await check(page);
+      await page.locator('.matrix td a').nth(1).click();
+      await page.fill('#search', 'e');
+      await check(page);
+      await page.locator('#transitions').evaluate((section) => section.scrollIntoView());
+      await shot(page, `${name}_${colorScheme}_matrix`);
+    });
+  }
+}
+
+await situation('a search finds by name, then by what is said; Enter goes there', 'soccer', {}, async (page) => {
+  await page.keyboard.press('/');
+  assert.equal(await focused(page), 'search');
+  await page.keyboard.type('kick');
+  assert.deepEqual((await page.locator('#found button').allTextContents()).slice(0, 3), ['Kick', 'KickTo', 'KickToGoal']);
+  assert.deepEqual(await page.locator('.holder:not([hidden]) g.node.found title').evaluateAll((all) => all.map((each) => each.textContent).sort()), ['Kick', 'KickTo', 'KickToGoal']);
+  await page.keyboard.press('Enter');
+  assert.equal(await focused(page), 'group-Kick');
+  await page.fill('#search', 'inertial sensor');
+  assert.deepEqual(await page.locator('#found button').allTextContents(), ['state Stability']);
+  await page.fill('#search', 'no such thing');
+  assert.equal(await page.locator('#status').textContent(), '0 found');
+});
+
+await situation('a focus greys out what has nothing to do with the group, Escape ends it', 'soccer', {}, async (page) => {
+  await page.locator('#group-KickTo button.focus').click();
+  assert.deepEqual((await near(page)).sort(), ['Kick', 'KickTo', 'KickToGoal', 'LookAt', 'Walk']);
+  await shot(page, 'soccer_focus');
+  const grey = await page.locator('.holder:not([hidden]) g.node:not(.near)').first().evaluate((node) => getComputedStyle(node).opacity);
+  assert.ok(Number(grey) < 0.5);
+  await page.locator('h1').click();
+  await page.keyboard.press('Escape');
+  assert.deepEqual(await near(page), []);
+});
+
+await situation('the picture is moved and zoomed by keys, wheel and buttons', 'soccer', {}, async (page) => {
+  const place = () => page.locator('.holder:not([hidden]) svg > g').getAttribute('transform');
+  await page.locator('.holder:not([hidden]) .picture').focus();
+  const before = await place();
+  await page.keyboard.press('ArrowRight');
+  const moved = await place();
+  assert.notEqual(moved, before);
+  await page.keyboard.press('+');
+  const larger = await place();
+  assert.notEqual(larger, moved);
+  await page.keyboard.press('0');
+  assert.equal(await place(), 'translate(0,0) scale(1)');
+  await page.getByRole('button', { name: 'Larger' }).first().click();
+  assert.equal(await page.locator('.holder:not([hidden]) svg > g').getAttribute('transform').then((text) => /scale\(1\.3\)/.test(text)), true);
+});
+
+await situation('collapsed to modules and to layers, one picture is shown', 'soccer', {}, async (page) => {
+  for (const view of ['By module', 'By layer', 'All groups']) {
+    await page.getByLabel(view, { exact: true }).check();
+    assert.deepEqual(await page.locator('.picture:visible').evaluateAll((all) => all.map((each) => each.dataset.picture)), [view]);
+  }
+});
+
+await situation('a cell explains itself, with a scenario; arrow keys go to its neighbours', 'soccer', {}, async (page) => {
+  await page.getByRole('link', { name: 'soft: from WalkTo to Kick' }).click();
+  assert.match(await page.locator('#cell').textContent(), /From WalkTo to Kick: soft.*Walk is pushed to halting for Stability == standing, within 2 s/s);
+  assert.match(await page.locator('#cell pre').textContent(), /^scenario: from WalkTo to Kick\nbehaviour: soccer\.yaml\nscript:\n/);
+  await shot(page, 'soccer_cell');
+  await page.getByRole('button', { name: 'Close' }).click();
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('aria-label')), 'soft: from WalkTo to Kick');
+  await page.keyboard.press('ArrowRight');
+  assert.match(await page.evaluate(() => document.activeElement?.getAttribute('aria-label')), /from WalkTo to LookAt$/);
+  assert.equal(await page.locator('.matrix a[tabindex="0"]').count(), 1);
+});
+
+await situation('without JavaScript all of the text is there, and each cell leads to its words', 'soccer', { javaScriptEnabled: false }, async (page) => {
+  assert.equal(await page.locator('#finder').isVisible(), false);
+  assert.equal(await page.locator('.picture').first().isVisible(), true);
+  const link = page.locator('.matrix td[data-kind="soft"] a').first();
+  const target = page.locator((await link.getAttribute('href')));
+  assert.match(await target.textContent(), /waits\. .* is pushed to /);
+  await shot(page, 'soccer_plain');
+});
+
+await situation('at 200 % nothing is cut off at the side', 'soccer', { viewport: { width: 640, height: 450 }, deviceScaleFactor: 2 }, async (page) => {
+  const [inner, whole] = await page.evaluate(() => [document.documentElement.clientWidth, document.documentElement.scrollWidth]);
+  assert.ok(whole <= inner, `${whole} points in ${inner}`);
+  await shot(page, 'soccer_200');
+});
+
+await situation('on paper there are no buttons, and it fits', 'soccer', {}, async (page) => {
+  await page.emulateMedia({ media: 'print' });
+  assert.equal(await page.locator('button:visible').count(), 0);
+  await page.pdf({ path: join(folder, 'soccer.pdf'), format: 'A4' });
+});
+
+await situation('seventy groups are one page of at most 1.5 MB', 'robocup', {}, async (page) => {
+  assert.ok(statSync(join(folder, 'robocup.html')).size <= 1.5e6);
+  await page.fill('#search', 'walk');
+  await page.keyboard.press('Enter');
+  await shot(page, 'robocup_focus');
+});
+
+await situation('the policy refuses a script that is not its own', 'photo', {}, async (page, said) => {
+  const blocked = page.evaluate(() => new Promise((resolve) => document.addEventListener('securitypolicyviolation', (event) => resolve(event.effectiveDirective), { once: true })));
+  await page.evaluate(() => {
+    const script = document.createElement('script');
+    script.textContent = 'globalThis.ran = true';
+    document.body.append(script);
+  });
+  assert.equal(await blocked, 'script-src-elem');
+  assert.equal(await page.evaluate(() => globalThis.ran), undefined);
+  assert.match(said.splice(0).join(), /violates the following Content Security Policy/);
+});
+
+await browser.close();
+process.exit(failed === 0 ? 0 : 1);

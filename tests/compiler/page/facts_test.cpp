@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/graph/graph.hpp"
+#include "compiler/page/facts.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace director::tests {
+
+namespace {
+
+compiler::Json facts(const std::string& behaviour) {
+  const Compiled compiled = compile("behaviour: test\nlanguage: 1\n" + behaviour);
+  compiler::Json out = compiler::Json::object({});
+  compiler::add_page_facts(out, compiled.model, compiler::make_graph(compiled.model), "test.yaml");
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("of two tasks of the program the table says which goes first, by what priorities, and over what") {
+  CHECK(to_lines(facts(R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
+groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {needs: [Knee]}, Knee: {}}
+)")["takes"]) == R"([
+  {
+    "winner": "GetUp",
+    "loser": "Walk",
+    "by": "priority",
+    "winner_priorities": [
+      20
+    ],
+    "loser_priorities": [
+      10
+    ],
+    "over": [
+      "Legs"
+    ]
+  }
+]
+)");
+}
+
+TEST_CASE("what is optional gives way at its requester, whatever its priority") {
+  CHECK(
+      to_line(facts(R"(roots: [Play]
+groups:
+  Play:
+    packs:
+      all: {Kick: {apart: true}, Look: {optional: true, priority: 5}}
+  Kick: {needs: [Head]}
+  Look: {needs: [Head]}
+  Head: {}
+)")["takes"]) ==
+      R"([{"requester":"Play","winner":"Kick","loser":"Look","by":"optional","winner_priorities":[0],"loser_priorities":[5],"over":["Head"]}])");
+}
+
+TEST_CASE("each assertion has its verdict and why, one that is refuted a scenario") {
+  const compiler::Json verdicts = facts(R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
+groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}
+assertions:
+  - never_together: [GetUp, Walk]
+  - soft: {from: Walk, to: GetUp}
+)")["verdicts"];
+  REQUIRE(verdicts.items().size() == 2);
+  CHECK(
+      to_line(verdicts.items()[0]) ==
+      R"({"assertion":"never_together [GetUp, Walk]","verdict":"proven","why":"no two of them can be granted without `Legs`, and a group has one holder"})");
+  CHECK(verdicts.items()[1]["verdict"].as_text() == "refuted");
+  CHECK(verdicts.items()[1]["scenario"].as_text().starts_with("scenario: \"refuted: soft {from: Walk, to: GetUp}\"\n"));
+}
+
+TEST_CASE("the matrix has a row and a column for each group that asks for something or needs it") {
+  const compiler::Json transitions = facts(R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
+groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}
+)")["transitions"];
+  CHECK(
+      to_line(transitions["rows"].items()[1]) ==
+      R"({"group":"Walk","reached":true,"words":"Requested by way of Walk.","chain":[],"states":[],"given":[],"cells":[)"
+      R"({"kind":"hard","words":"GetUp takes at once what Walk holds. Walk stops.","stops":["Walk"],"scenario":[0,3,2,1,4,5,11,7,9,8]},)"
+      R"({"kind":"same chain","words":"It is the same group."}]})");
+}
+
+} // namespace director::tests

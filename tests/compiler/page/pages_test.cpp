@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The whole pages of a small behaviour are goldens; what holds of every page is looked at besides.
+#include "compiler/base/sha256.hpp"
+#include "compiler/emit/graph/formats.hpp"
+#include "compiler/page/facts.hpp"
+#include "compiler/page/pages.hpp"
+#include "tests/compiler/support/checked.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace director::tests {
+
+namespace {
+
+const char* const robot = R"(doc: A robot that walks & kicks, <softly>.
+layers: [plan, skill]
+states:
+  Pose: {doc: How it stands., values: [moving, still], initial: still}
+  Ball: {values: [lost, near], initial: lost, external: true, expires: {after: 1 s, to: lost}}
+roots: {Kick: {priority: 20, doc: At times.}, Walk: {priority: 10}}
+groups:
+  Kick: {doc: One leg swings., layer: plan, when: [Pose == still, Ball == near], needs: [Legs]}
+  Walk:
+    layer: skill
+    providers:
+      - {name: walking, doc: Step by step., needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}
+  Legs: {layer: skill, stop: {sets: [Pose == still]}}
+assertions:
+  - never_together: [Kick, Walk]
+)";
+
+/// Both pages, with a picture that is no more than a name.
+struct Pages {
+  std::string html, markdown;
+};
+
+Pages pages_of(const std::string& behaviour, const std::string& link) {
+  const CheckedText text = check_text(behaviour);
+  INFO(text.findings());
+  const compiler::Checked& checked = text.checked;
+  const compiler::PictureFlaws none;
+  compiler::Json data =
+      compiler::graph_json({checked.model, checked.graph, text.sources, none, nullptr, &checked.findings});
+  if (checked.lowerable) compiler::add_page_facts(data, checked.model, checked.graph, "robot.yaml");
+  const std::string drawn =
+      "<?xml?>\n<!-- title -->\n<svg role=\"x\" id=\"s\"><g id=\"graph0\" class=\"graph\"></g></svg>\n";
+  return {compiler::html_page({data, {{"All groups", drawn}, {"By layer", drawn}}, link, "robot.yaml"}),
+          compiler::markdown_page({data, {{"All groups", "flowchart TB\n"}}, link, "robot.yaml"})};
+}
+
+/// What stands between the last of these before the end and that.
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t from = text.find(begin);
+  REQUIRE(from != std::string::npos);
+  const std::size_t to = text.find(end, from + begin.size());
+  REQUIRE(to != std::string::npos);
+  return text.substr(from + begin.size(), to - from - begin.size());
+}
+
+std::string in_hex(const std::string& base64) {
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::string digits = "0123456789abcdef";
+  std::string bits, out;
+  for (const char letter : base64) {
+    if (letter == '=') continue;
+    for (int bit = 5; bit >= 0; --bit) bits += (letters.find(letter) >> bit & 1) != 0 ? '1' : '0';
+  }
+  for (std::size_t at = 0; at + 4 <= bits.size() && out.size() < 64; at += 4) {
+    std::size_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value * 2 + (bits[at + i] == '1' ? 1 : 0);
+    out += digits[value];
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("a page as Markdown: texts, picture, groups, states, ranks, transitions, verdicts and findings", "[golden]") {
+  check_golden("tests/compiler/page/golden/robot.md", pages_of(robot, "https://example.org/{file}#L{line}").markdown);
+}
+
+TEST_CASE("a page as HTML, without its script and style", "[golden]") {
+  std::string html = pages_of(robot, {}).html;
+  const auto leave_out = [&](std::string_view what, const std::string& with) {
+    const std::size_t at = html.find(what);
+    REQUIRE(at != std::string::npos);
+    html.replace(at, what.size(), with);
+  };
+  leave_out(compiler::page::page_script(), "(script)");
+  leave_out(compiler::page::page_style(), "(style)");
+  leave_out(between(html, "<meta http-equiv=", ">"), "(policy)");
+  check_golden("tests/compiler/page/golden/robot.html", html);
+}
+
+TEST_CASE("the policy of a page allows its own script and style by their check sums, and nothing else") {
+  const std::string html = pages_of(robot, {}).html;
+  const std::string policy = between(html, "content=\"default-src 'none'; ", "\">");
+  CHECK(in_hex(between(policy, "script-src 'sha256-", "'")) == compiler::sha256(compiler::page::page_script()));
+  CHECK(in_hex(between(policy, "style-src 'sha256-", "'")) == compiler::sha256(compiler::page::page_style()));
+  CHECK(policy.substr(policy.find("base-uri")) == "base-uri 'none'; form-action 'none'");
+  CHECK(html.find(" style=\"") == std::string::npos);
+  CHECK(html.find("<link") == std::string::npos);
+  CHECK(html.find(" src=") == std::string::npos);
+}
+
+TEST_CASE("a module that is no deployment has a page without what only a deployment has") {
+  const std::string html = pages_of("groups: {Walk: {needs: [Legs]}, Legs: {}}\n", {}).html;
+  CHECK(html.find("id=\"groups\"") != std::string::npos);
+  CHECK(html.find("id=\"transitions\"") == std::string::npos);
+  CHECK(html.find("id=\"takes\"") == std::string::npos);
+}
+
+} // namespace director::tests

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+// Small behaviours, each named for the kind of the cell that is looked at; the whole cell is compared, and its
+// scenario.
+#include "compiler/lower/lower.hpp"
+#include "compiler/transitions/matrix.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::tests {
+
+namespace {
+
+using compiler::GroupId;
+using compiler::Transition;
+using compiler::TransitionMatrix;
+
+std::string names(const compiler::Model& model, const std::vector<GroupId>& groups) {
+  std::string out;
+  for (const GroupId id : groups) out += " " + model.groups[id].name.value;
+  return out;
+}
+
+/// Its kind and words, what stops and what is taken, then its scenario.
+std::string cell(const std::string& behaviour, const std::string& from, const std::string& to) {
+  const Compiled compiled = compile("behaviour: test\nlanguage: 1\n" + behaviour);
+  const compiler::Model& model = compiled.model;
+  const TransitionMatrix matrix = compiler::find_transitions(model, compiler::lower(model), "test.yaml");
+  const auto at = [&](const std::string& name) {
+    return static_cast<std::size_t>(
+        std::find_if(matrix.rows.begin(), matrix.rows.end(),
+                     [&](const TransitionMatrix::Row& row) { return model.groups[row.group].name.value == name; }) -
+        matrix.rows.begin());
+  };
+  REQUIRE(at(from) < matrix.rows.size());
+  REQUIRE(at(to) < matrix.rows.size());
+  const Transition& found = matrix.rows[at(from)].cells[at(to)];
+  std::string out = fmt::format("{}: {}\n", name_of(found.kind), found.words);
+  for (const Transition::Push& push : found.pushes)
+    out += fmt::format("push {} for {} within {}\n", model.full_name(push.to), push.condition,
+                       push.within ? std::to_string(*push.within) : "-");
+  if (found.bound) out += fmt::format("bound {}\n", *found.bound);
+  if (!found.stops.empty()) out += "stops" + names(model, found.stops) + "\n";
+  if (!found.taken.empty()) out += "taken" + names(model, found.taken) + "\n";
+  for (const std::size_t piece : found.scenario) out += matrix.pieces[piece];
+  return out;
+}
+
+const char* const legs = R"(states: {Pose: {values: [moving, still], initial: still}}
+roots: {Kick: {priority: 20}, Walk: {priority: 10}, Look: {}}
+groups:
+  Kick: {when: [Pose == still], needs: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}
+  Look: {needs: [Head]}
+  Legs: {}
+  Head: {}
+)";
+
+const char* const plans = R"(roots: [Play, Sleep]
+groups:
+  Play:
+    packs:
+      shoot: {Kick: {}}
+      run: {Walk: {}}
+  Kick: {needs: [Legs]}
+  Walk: {needs: [Legs]}
+  Sleep: {needs: [Legs]}
+  Legs: {}
+)";
+
+} // namespace
+
+TEST_CASE("soft: the second waits, the first is pushed, and what promises the state is named with its time") {
+  CHECK(
+      cell(legs, "Walk", "Kick") ==
+      R"(soft: Kick waits. Walk is pushed to halting for Pose == still, within 2 s. Then Kick takes over. Walk and Legs stop.
+push Walk.halting for Pose == still within 2000000
+bound 2000000
+stops Walk Legs
+scenario: from Walk to Kick
+behaviour: test.yaml
+script:
+  Walk.walking:
+    - {reason: wait, done: true}
+    - {set: {Pose: moving}, tasks: [Legs], wait: 1 ms}
+  Walk.halting:
+    - {reason: wait, done: true}
+    - {reason: pushed, set: {Pose: still}, tasks: [Legs], wait: 1 ms}
+    - {tasks: [Legs], wait: 1 ms}
+steps:
+  - request: Walk
+  - request: Kick
+)");
+}
+
+TEST_CASE("hard: the second takes what the first one holds, and nobody is pushed") {
+  const char* const plain = R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
+groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {}}
+)";
+  CHECK(cell(plain, "Walk", "GetUp") == R"(hard: GetUp takes at once what Walk holds. Walk and Legs stop.
+stops Walk Legs
+scenario: from Walk to GetUp
+behaviour: test.yaml
+script:
+  Walk.default:
+    - {reason: wait, done: true}
+    - {tasks: [Legs], wait: 1 ms}
+steps:
+  - request: Walk
+  - request: GetUp
+)");
+}
+
+TEST_CASE("waits: the weaker one is queued, and runs when the stronger one is done") {
+  CHECK(
+      cell(legs, "Kick", "Walk") ==
+      R"(waits: Walk is queued, and runs when Kick is done. Walk waits (root>Walk): Legs, which it needs, is held by Kick>Legs, and root>Kick (priority 20) goes before root>Walk (priority 10).
+scenario: from Kick to Walk
+behaviour: test.yaml
+script:
+  Kick.default:
+    - {reason: wait, done: true}
+    - {wait: 1 ms}
+  Walk.walking:
+    - {set: {Pose: moving}, tasks: [Legs]}
+steps:
+  - request: Kick
+  - request: Walk
+  - advance: 1 ms
+)");
+}
+
+TEST_CASE("both: they share nothing") {
+  CHECK(cell(legs, "Look", "Kick") == R"(both: Look and Kick run beside each other.
+scenario: from Look to Kick
+behaviour: test.yaml
+script:
+  Look.default:
+    - {reason: wait, done: true}
+    - {wait: 1 ms}
+steps:
+  - request: Look
+  - request: Kick
+)");
+}
+
+TEST_CASE("same chain: the requester leads to its task, whichever of them is first") {
+  CHECK(cell(plans, "Play", "Kick") == R"(same chain: One of Play and Kick leads to the other.
+)");
+  CHECK(cell(plans, "Kick", "Play") == R"(same chain: One of Kick and Play leads to the other.
+)");
+  CHECK(cell(plans, "Kick", "Kick") == R"(same chain: It is the same group.
+)");
+}
+
+TEST_CASE("replaced: the requester of both has no pack in which they stand together") {
+  CHECK(cell(plans, "Walk", "Kick") == R"(replaced: Play asks for Kick instead of Walk. Walk stops.
+stops Walk
+scenario: from Walk to Kick
+behaviour: test.yaml
+script:
+  Play.default:
+    - {run: 1, pack: run}
+    - {pack: shoot}
+  Walk.default:
+    - {reason: wait, done: true}
+    - {wait: 1 ms}
+steps:
+  - request: Play
+  - request: Play
+)");
+}
+
+TEST_CASE("condition lost: what the second wants from outside ends the first one") {
+  const char* const phases = R"(states: {Phase: {values: [ready, playing], initial: ready, external: true}}
+roots: [Wait, Play]
+groups:
+  Wait: {when: [Phase == ready], needs: [Legs]}
+  Play: {when: [Phase == playing], needs: [Head]}
+  Legs: {}
+  Head: {}
+)";
+  CHECK(cell(phases, "Wait", "Play") ==
+        R"(condition lost: What Play wants from outside ends Wait. The outside says Phase == playing.
+stops Wait
+scenario: from Wait to Play
+behaviour: test.yaml
+script:
+  Wait.default:
+    - {reason: wait, done: true}
+    - {wait: 1 ms}
+steps:
+  - request: Wait
+  - inputs: [{set: {Phase: playing}}, {request: Play}]
+)");
+}
+
+TEST_CASE("never: what it waits for nobody brings about, also when the first one is done") {
+  const char* const lost = R"(states: {Pose: {values: [moving, still]}}
+roots: [Walk, Wait]
+groups:
+  Walk: {needs: [Legs]}
+  Wait: {when: [Pose == still], needs: [Head]}
+  Legs: {}
+  Head: {}
+)";
+  CHECK(
+      cell(lost, "Walk", "Wait") ==
+      R"(never: Wait does not run, nor when Walk is done. Wait waits (root>Wait): until Pose == still, which only the outside can make true.
+scenario: from Walk to Wait
+behaviour: test.yaml
+script:
+  Walk.default:
+    - {reason: wait, done: true}
+    - {wait: 1 ms}
+steps:
+  - request: Walk
+  - request: Wait
+  - advance: 1 ms
+)");
+}
+
+TEST_CASE("unreachable: nothing leads to it, or it never gets what it needs") {
+  const char* const lost = R"(roots: [Walk, Play]
+groups:
+  Walk: {needs: [Legs]}
+  Swim: {needs: [Legs]}
+  Play:
+    packs:
+      all: {Throw: {priority: 2, apart: true}, Catch: {priority: 1, apart: true}}
+  Throw: {needs: [Arm]}
+  Catch: {needs: [Arm]}
+  Legs: {}
+  Arm: {}
+)";
+  CHECK(cell(lost, "Walk", "Swim") == R"(unreachable: Swim cannot be brought to run.
+)");
+  CHECK(cell(lost, "Swim", "Walk") == R"(unreachable: Swim cannot be brought to run.
+)");
+  CHECK(cell(lost, "Throw", "Catch") == R"(unreachable: Catch cannot be brought to run.
+)");
+}
+
+TEST_CASE("what only bodies set may be what a row begins with, and the row says so") {
+  const char* const boxes = R"(states: {Load: {values: [none, box], initial: none, of: Carry}}
+roots: {Carry: {priority: 1}, Rest: {priority: 2}}
+groups:
+  Carry:
+    providers:
+      - {name: putting_down, when: [Load == box], tasks: [PutDown]}
+      - {name: picking, sets: [Load == box], tasks: [Arm]}
+  PutDown: {needs: [Arm]}
+  Rest: {needs: [Arm]}
+  Arm: {}
+)";
+  CHECK(cell(boxes, "PutDown", "Rest") == R"(hard: Rest takes at once what PutDown holds. PutDown stops.
+stops PutDown
+scenario: from PutDown to Rest
+behaviour: test.yaml
+script:
+  Carry.putting_down:
+    - {reason: subtask_done, done: true}
+    - {tasks: [PutDown]}
+  PutDown.default:
+    - {reason: wait, done: true}
+    - {wait: 1 ms}
+given: {Load: box}
+steps:
+  - request: Carry
+  - request: Rest
+)");
+}
+
+TEST_CASE("states from outside: the first declared value that does, and no more of them than are needed") {
+  const char* const senses = R"(states:
+  Ball: {values: [lost, far, near], initial: lost, external: true}
+  Game: {values: [off, on], external: true}
+roots: {Play: {priority: 1}, Kick: {priority: 2}}
+groups:
+  Play: {when: [Ball != lost, Game == on], needs: [Legs]}
+  Kick: {when: [Ball == near, Game == on], needs: [Legs]}
+  Legs: {}
+)";
+  CHECK(cell(senses, "Play", "Kick") ==
+        R"(hard: Kick takes at once what Play holds. Play stops. The outside says Ball == near.
+stops Play
+scenario: from Play to Kick
+behaviour: test.yaml
+script:
+  Play.default:
+    - {reason: wait, done: true}
+    - {wait: 1 ms}
+steps:
+  - inputs: [{set: {Ball: far, Game: "on"}}, {request: Play}]
+  - inputs: [{set: {Ball: near}}, {request: Kick}]
+)");
+}
+
+} // namespace director::tests
