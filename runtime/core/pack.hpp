@@ -11,7 +11,7 @@ namespace director {
 /// An entry of a pack, of `tasks` or of `roots`. `edge`: from the requester to the task. `place`: that edge's place
 /// among those that lead to the task, for its data. `rows`: of Tables::levels, first that of the entry's first level,
 /// then one for each level that the task has a name for (LevelOf::number), nil where this entry does not have it.
-template <TaskType T, bool mandatory, Index edge_row, Index place_at, Index... rows>
+template <class T, bool mandatory, Index edge_row, Index place_at, Index... rows>
 struct Member {
   using Task = T;
   static constexpr bool needed = mandatory;
@@ -24,9 +24,9 @@ struct Member {
   }
 };
 
-template <TaskType T, Index edge, Index place, Index... rows>
+template <class T, Index edge, Index place, Index... rows>
 using Must = Member<T, true, edge, place, rows...>;
-template <TaskType T, Index edge, Index place, Index... rows>
+template <class T, Index edge, Index place, Index... rows>
 using May = Member<T, false, edge, place, rows...>;
 
 namespace detail {
