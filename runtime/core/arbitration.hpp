@@ -87,6 +87,7 @@ private:
   Index first_false(Index provider, Index edge) const;
   bool may_deny(Index group, Index edge, Index member) const;
   bool may_be_denied(Index member);
+  void take_in_hand(Index member);
   bool disputed(Index member) const;
   bool choose_flat(bool with_conditions);
   bool take_needs(Index provider, bool with_conditions);
@@ -249,6 +250,7 @@ private:
   Index inherited_ = 0; ///< those of them that were held before
   Index denied_ = 0, stale_granted_ = 0;
   bool equals_ = false;  ///< edges may be equal
+  bool disputed_ = false; ///< an equal may stand in the way of the one member in hand, whose target is flat
   bool pushed_ = false;  ///< there were pushes in the last assignment
   bool pushing_ = false; ///< there are in this one
   Index most_decided_whole_ = 16;

@@ -39,9 +39,14 @@ bool Pass::may_be_denied(Index member) {
   return yes;
 }
 
+/// One member alone. Whether it is disputed is asked once for all that is tried with it.
+void Pass::take_in_hand(Index member) {
+  s_.member[0] = member;
+  disputed_ = equals_ && (s_.traits[target(member)] & trait::flat) != 0 && !taken(member) && disputed(member);
+}
+
 /// The same where the member's target is flat: nothing is needed by what it needs.
 bool Pass::disputed(Index member) const {
-  if (!equals_) return false;
   const Index group = t_.edges[member].target;
   bool yes = may_deny(group, member, member);
   const Range providers = t_.groups[group].providers;
@@ -101,7 +106,7 @@ bool Pass::take_needs(Index provider, bool with_conditions) {
 /// once, and then combined.
 bool Pass::combine(Index count, bool with_conditions) {
   for (Index i = 0; count > 1 && i < count; ++i) s_.member[i] = s_.unit[i];
-  if (count == 1 && (s_.traits[target(s_.member[0])] & trait::flat) != 0 && !disputed(s_.member[0]))
+  if (count == 1 && (s_.traits[target(s_.member[0])] & trait::flat) != 0 && !disputed_)
     return choose_flat(with_conditions);
   if (count == 1 && t_.groups[target(s_.member[0])].single_choice()) return next_choice(0, true, with_conditions, true);
   bool deniable = false;

@@ -50,7 +50,7 @@ bool Pass::try_simple(Index count) {
 /// What was granted before stays, the others wait for the runs to come.
 void Pass::defer(Index count) {
   for (Index i = 0; i < count; ++i) {
-    s_.member[0] = s_.unit[i];
+    take_in_hand(s_.unit[i]);
     if (runs_for_now(s_.member[0]) && combine(1, true)) {
       grant(1);
     } else {

@@ -130,7 +130,7 @@ inline void Pass::try_alone(Index edge, bool outdated) {
 }
 
 inline void Pass::decide_alone(Index edge, bool outdated) {
-  s_.member[0] = edge;
+  take_in_hand(edge);
   switch (try_plain(edge, outdated)) {
   case Tried::granted: return;
   case Tried::refused: return refuse(1);
@@ -156,9 +156,12 @@ void Pass::try_unit(Index edge, bool outdated) {
   for (Index i = 0; as_before && i < count; ++i) repeat(s_.unit[i]);
   if (as_before) return;
   begin_decision(count);
-  for (Index i = 0; outdated && i < count; ++i) decide_alone(s_.unit[i], true);
-  for (Index i = 0; i < count; ++i) s_.member[i] = s_.unit[i];
-  if (!outdated && !try_simple(count)) try_members(count, false);
+  if (outdated || count == 1) {
+    for (Index i = 0; i < count; ++i) decide_alone(s_.unit[i], outdated);
+  } else {
+    for (Index i = 0; i < count; ++i) s_.member[i] = s_.unit[i];
+    if (!try_simple(count)) try_members(count, false);
+  }
   end_decision(count);
 }
 
@@ -270,7 +273,7 @@ inline bool Pass::look_ahead_to(Index edge, Index base) {
   const std::uint8_t traits = s_.traits[group];
   if ((traits & trait::flat) == 0 || taken(edge)) return Tried::unclear;
   if (!as_before && (outdated || stale_granted_ != 0)) return Tried::unclear;
-  if (equals_ && disputed(edge)) return Tried::unclear;
+  if (disputed_) return Tried::unclear;
   const Range providers = t_.groups[group].providers;
   for (Index place = 0; place != providers.size(); ++place) {
     const Index p = s_.now[group].push.edge == nil ? static_cast<Index>(providers.begin + place) : preferred(group, place, edge);
