@@ -1,0 +1,158 @@
+// Door: runtime/core/engine/engine.hpp, run.hpp. Test: tests/runtime/core/engine/engine_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// What the engine is asked from outside a micro-step, and what bodies and handlers ask of it.
+
+#include "runtime/core/engine/engine.hpp"
+
+#include "runtime/core/base/marks.hpp"
+
+namespace director {
+
+Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
+    : Pass(tables, State::in(memory, Shape::of(tables))),
+      bodies_(bodies),
+      inbox_(inbox),
+      observer_(observer) {
+  reset();
+}
+
+void Engine::reset() {
+  passes_ = 0;
+  const Shape shape = Shape::of(t_);
+  State::each(
+      s_, shape,
+      []<class T>(T*& array, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) array[i] = T{};
+      },
+      [] {});
+  clear_timers();
+  for (Index i = 0; i < t_.states.size(); ++i) {
+    s_.values[i].value = t_.states[i].initial;
+    s_.handler_values[i] = unset;
+    look_at_conditions(i);
+  }
+  for (Index p = 0; p < t_.providers.size(); ++p) s_.enabled[p] = 1;
+  for (Index e = 0; e < t_.edges.size(); ++e) s_.request[e].target = t_.edges[e].target;
+  for (Index slot = 0; slot < t_.plan_groups.size(); ++slot) s_.last.plan[slot] = nil;
+  for (Index g = 0; g < t_.groups.size(); ++g) s_.trial[g] = s_.data_from[g] = nil;
+  find_traits();
+  flipped_count_ = rerequested_count_ = 0;
+  forget_trail();
+  for (Index c = 0; c < t_.components.size(); ++c) {
+    Index* link = &s_.first_root[c];
+    for (const Index e : t_.list(t_.components[c].edges)) {
+      if (t_.edges[e].requester != nil) break; // edges of root come first
+      *link = e;
+      link = &s_.next_root[e];
+    }
+    *link = nil;
+    for (const Index g : t_.list(t_.components[c].groups)) {
+      RunQueueEntry& entry = s_.run_queue[g];
+      entry.component = c;
+      entry.edges = t_.groups[g].edges;
+      entry.flags = flags_of(g);
+    }
+  }
+  starting_ = nil;
+  inside_ = faulted_ = false;
+}
+
+/// The bits that follow from the tables.
+std::uint8_t Engine::flags_of(Index group) const {
+  const Group& row = t_.groups[group];
+  bool ends = row.stop || !row.owned.empty();
+  for (Index p = row.providers.begin; p != row.providers.end; ++p) ends = ends || t_.providers[p].every != 0;
+  return static_cast<std::uint8_t>((row.listens.empty() ? 0 : group_flag::listens) | (ends ? group_flag::ends : 0));
+}
+
+void Engine::preset(Index state, std::int32_t value) {
+  s_.values[state].value = value;
+  look_at_conditions(state);
+}
+
+RunState Engine::state(Index edge) const {
+  const Index group = t_.edges[edge].target;
+  if (granted(group) && s_.last[group].holder == edge) return RunState::running;
+  return s_.request[edge].level != nil ? RunState::queued : RunState::none;
+}
+
+bool Engine::done(Index edge) const {
+  return s_.run_queue[t_.edges[edge].target].done != 0 && state(edge) == RunState::running;
+}
+
+bool Engine::failed(Index edge) const {
+  return (s_.run_queue[t_.edges[edge].target].done & result::failed) != 0 && state(edge) == RunState::running;
+}
+
+/// Where the data of the task are that the group was given last. A start handler may be called for a request of this
+/// very micro-step, whose data are settled after the act.
+DataPlace Engine::data_of(Index group) const {
+  const Index edge = s_.data_from[group];
+  if (edge == nil) return {DataPlace::Slot::group, group};
+  if (starting_ == group && s_.request[edge].anew != 0) return {DataPlace::Slot::staging, edge};
+  return {DataPlace::Slot::edge, edge};
+}
+
+void Engine::tell(const Event& event) const {
+  const bool inside = inside_;
+  inside_ = true;
+  observer_.tell(observer_.self, event);
+  inside_ = inside;
+}
+
+Event Engine::event(Event::Kind kind, Index group) const {
+  Event out;
+  out.kind = kind;
+  out.group = group;
+  out.time = s_.counters->now;
+  out.micro_step = s_.counters->micro_step;
+  return out;
+}
+
+// What a body sees and asks for.
+
+Time Run::now() const { return engine_.now(); }
+RunState Run::state(Index edge) const { return engine_.state(edge); }
+bool Run::done(Index edge) const { return engine_.done(edge); }
+bool Run::failed(Index edge) const { return engine_.failed(edge); }
+DataPlace Run::data() const { return engine_.data_of(group_); }
+void Run::wait(Time duration) { wait_ = duration; }
+
+void Run::set(Index state, std::int32_t value) {
+  const State& s = engine_.s_;
+  if (s.values[state].staged == unset) s.staged[s.counters->staged_count++] = state;
+  s.values[state].staged = value;
+}
+
+bool Run::triggered(Index trigger) const {
+  const Range listens = engine_.t_.groups[group_].listens;
+  for (Index slot = listens.begin; slot != listens.end; ++slot) {
+    if (engine_.t_.listened[slot] == trigger) return engine_.s_.fired[slot] != 0;
+  }
+  return false;
+}
+
+void Run::refuse(Index state, std::int32_t value) {
+  if (!engine_.observed()) return;
+  Event event = engine_.event(Event::Kind::refused, group_);
+  event.provider = provider_;
+  event.state = state;
+  event.value = value;
+  engine_.tell(event);
+}
+
+Time Handling::now() const { return engine_.now(); }
+DataPlace Handling::data() const { return engine_.data_of(group_); }
+
+void Handling::set(Index state, std::int32_t value) { engine_.set_by_handler(state, value); }
+
+void Handling::refuse(Index state, std::int32_t value) {
+  if (!engine_.observed()) return;
+  Event event = engine_.event(Event::Kind::refused, group_);
+  event.state = state;
+  event.value = value;
+  engine_.tell(event);
+}
+
+} // namespace director
