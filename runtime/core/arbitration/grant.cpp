@@ -1,192 +1,171 @@
-// Door: runtime/core/arbitration/arbitration.hpp. Test: tests/runtime/core/arbitration/arbitration_test.cpp.
+// docs/semantics.md, section 4.4, Grant: a unit gets its targets, and all that their plans need.
 // SPDX-License-Identifier: MIT
-//
-// Section 4.4: what becomes of a unit: granted, deferred or refused.
-#include "runtime/core/arbitration/arbitration.hpp"
-#include "runtime/core/base/marks.hpp"
+
+#include "runtime/core/arbitration/grant.hpp"
+
+#include "runtime/core/arbitration/availability.hpp"
+#include "runtime/core/arbitration/choices.hpp"
+#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/combination.hpp"
+#include "runtime/core/arbitration/plan.hpp"
+#include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/arbitration/refuse.hpp"
+#include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/marks.hpp"
 
-namespace director {
+namespace director::arbitration {
 
-void Pass::try_members(Index count, bool outdated) {
-  if (outdated && any_new(count) && !injected(Fault::outdated_orders_acquire)) {
-    for (Index at = 0; at < count; ++at) s_.edge_marks[s_.member[at]] |= mark::refused;
-    keep_pushes(count); // it is not even tried
-    return explain(count, Why::outdated);
+namespace {
+
+enum class Tried : std::uint8_t { granted, refused, unclear };
+
+void grant_plain(Context& x, Index edge, Index provider) {
+  claim(x, x.t.edges[edge].target, edge);
+  now_granted(x, edge, provider);
+  for (const Index need : x.t.list(x.t.providers[provider].needs)) {
+    const Index group = x.t.edges[need].target;
+    claim(x, group, need);
+    x.s.now[group].flags |= flag::needed;
+    if (!x.s.now[group].granted()) x.s.now[group].planned = x.t.groups[group].providers.begin;
   }
-  if (count == 1 && taken(s_.member[0])) return block(1);
-  if (!combine(count, true)) return refuse(count);
-  if (!premature(count)) return grant(count);
-  depends_on_stale_ = true;
-  leave_combination(count);
-  defer(count); // of a stale requester nothing gets here: the members in hand are those of the unit
+}
+
+void repeat_grant(Context& x, Index edge) {
+  const Index group = target(x, edge), provider = x.s.last[group].active;
+  const std::uint8_t traits = x.s.traits[group];
+  if ((traits & trait::flat) == 0) {
+    const Index end = entries_of(x, group, x.s.last);
+    claim(x, group, edge);
+    now_granted(x, edge, provider);
+    plan_for(x, group, provider, 0, end);
+    for (Index i = 0; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
+    claim_plan(x, 0, end);
+  } else if ((traits & trait::simple) == 0) {
+    grant_plain(x, edge, provider);
+  } else {
+    claim(x, group, edge);
+    now_granted(x, edge, provider);
+  }
+}
+
+/// What a provider of the flat target of `edge` needs: nobody has claimed it, and it can run.
+bool needs_are_free(const Context& x, Index edge, Range needs) {
+  const auto is_free = [&](Index need) {
+    const Index group = x.t.edges[need].target, provider = x.t.groups[group].providers.begin;
+    return !taken(x, need) && x.s.enabled[provider] != 0 &&
+           ((x.s.traits[group] & trait::conditional) == 0 || first_false(x, provider, need) == nil);
+  };
+  bool all = true;
+  Index& above = x.s.trial[x.t.edges[edge].target]; // the chains of what it needs go through it
+  above = edge;
+  for (const Index need : x.t.list(needs)) all = all && is_free(need);
+  above = nil;
+  return all;
+}
+
+/// The same as try_members where what is needed is simple and nothing can stand in the way but what is claimed already.
+[[gnu::always_inline]] inline Tried try_plain(Context& x, Index edge, bool outdated) {
+  const Index group = x.t.edges[edge].target;
+  const GroupAssignment& last = x.s.last[group];
+  const bool as_before = last.holder == edge && last.granted();
+  const std::uint8_t traits = x.s.traits[group];
+  if ((traits & trait::flat) == 0 || taken(x, edge)) return Tried::unclear;
+  if (!as_before && (outdated || x.stale_granted != 0)) return Tried::unclear;
+  if (x.disputed) return Tried::unclear;
+  const Range providers = x.t.groups[group].providers;
+  for (Index place = 0; place != providers.size(); ++place) {
+    const Index p = x.s.now[group].push.edge == nil ? static_cast<Index>(providers.begin + place) : preferred(x, group, place, edge);
+    if (x.s.enabled[p] == 0 || (outdated && p != last.active)) continue;
+    if ((traits & trait::conditional) != 0 && first_false(x, p, edge) != nil) continue;
+    if ((traits & trait::simple) == 0) {
+      if (!needs_are_free(x, edge, x.t.providers[p].needs)) continue;
+      grant_plain(x, edge, p);
+    } else {
+      claim(x, group, edge);
+      now_granted(x, edge, p);
+    }
+    if ((x.s.edge_marks[edge] & mark::pushes) != 0) keep_pushes_of_plain(x, edge, p);
+    return Tried::granted;
+  }
+  return injected(Fault::disabled_providers_run) ? Tried::unclear : Tried::refused;
+}
+
+} // namespace
+
+void try_members(Context& x, Index count, bool outdated) {
+  if (outdated && any_new(x, count) && !injected(Fault::outdated_orders_acquire)) {
+    for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at]] |= mark::refused;
+    keep_pushes(x, count); // it is not even tried
+    return explain(x, count, Why::outdated);
+  }
+  if (count == 1 && taken(x, x.s.member[0])) return block(x, 1);
+  if (!combine(x, count, true)) return refuse(x, count);
+  if (!premature(x, count)) return grant(x, count);
+  x.depends_on_stale = true;
+  leave_combination(x, count);
+  defer(x, count); // of a stale requester nothing gets here: the members in hand are those of the unit
 }
 
 /// The same as all that follows, where several members have nothing to choose: each target has one provider, which
 /// needs nothing, and all goes well. False: it does not, and nothing was claimed.
-bool Pass::try_simple(Index count) {
+bool try_simple(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
-    const Index edge = s_.member[at], group = t_.edges[edge].target;
-    if ((s_.traits[group] & trait::simple) == 0) return false;
-    if (!runs_for_now(edge)) {
-      if (stale_granted_ != 0 || !available(group, edge, true)) return false;
-    } else if (taken(edge)) {
+    const Index edge = x.s.member[at], group = x.t.edges[edge].target;
+    if ((x.s.traits[group] & trait::simple) == 0) return false;
+    if (!runs_for_now(x, edge)) {
+      if (x.stale_granted != 0 || !available(x, group, edge, true)) return false;
+    } else if (taken(x, edge)) {
       return false;
     }
-    const Index provider = t_.groups[group].providers.begin;
-    if (s_.enabled[provider] == 0) return false;
-    if ((s_.traits[group] & trait::conditional) != 0 && first_false(provider, edge) != nil) return false;
-    s_.member_provider[at] = provider;
-    s_.member_entries[at] = 0;
+    const Index provider = x.t.groups[group].providers.begin;
+    if (x.s.enabled[provider] == 0) return false;
+    if ((x.s.traits[group] & trait::conditional) != 0 && first_false(x, provider, edge) != nil) return false;
+    x.s.member_provider[at] = provider;
+    x.s.member_entries[at] = 0;
   }
   for (Index at = 0; at < count; ++at) {
-    claim(t_.edges[s_.member[at]].target, s_.member[at]);
-    now_granted(s_.member[at], s_.member_provider[at]);
+    claim(x, x.t.edges[x.s.member[at]].target, x.s.member[at]);
+    now_granted(x, x.s.member[at], x.s.member_provider[at]);
   }
-  if (pushed_) keep_own_pushes(count);
+  if (x.had_pushes) keep_own_pushes(x, count);
   return true;
 }
 
-/// What was granted before stays, the others wait for the runs to come.
-void Pass::defer(Index count) {
-  for (Index i = 0; i < count; ++i) {
-    take_in_hand(s_.unit[i]);
-    if (runs_for_now(s_.member[0]) && combine(1, true)) {
-      grant(1);
-    } else {
-      s_.edge_marks[s_.member[0]] |= mark::refused;
-      keep_pushes(1);
-      explain(1, Why::deferred);
-    }
-  }
-}
-
-/// For a member that is new, the combination in hand claims what a stale group that goes before it may still ask for.
-bool Pass::premature(Index count) {
-  if (stale_granted_ == 0 || injected(Fault::nothing_is_deferred)) return false;
+void grant(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
-    const Index edge = s_.member[at];
-    if (runs_for_now(edge)) continue;
-    Index found = 0;
-    s_.reach[found++] = target(edge);
-    for (Index i = entries_begin(at); i < s_.member_entries[at]; ++i) s_.reach[found++] = s_.entry_group[i];
-    if (reached_from_stale(found, edge)) return true;
+    const Index edge = x.s.member[at], group = x.t.edges[edge].target, begin = entries_begin(x, at),
+                end = x.s.member_entries[at];
+    claim(x, group, edge);
+    now_granted(x, edge, x.s.member_provider[at]);
+    plan_for(x, group, x.s.member_provider[at], begin, end);
+    for (Index i = begin; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
+    claim_plan(x, begin, end);
   }
-  return false;
+  if (x.had_pushes) keep_own_pushes(x, count);
+  leave_combination(x, count);
 }
 
-/// Upwards from the groups in `reach`: may a granted stale group ask for one of them, transitively? With an edge: only
-/// one that goes before it and is not above it.
-bool Pass::reached_from_stale(Index found, Index edge) {
-  const auto counts = [&](Index group) {
-    if ((s_.now[group].flags & flag::granted) == 0 || !is_outdated(group) || holder_now(group) == nil) return false;
-    const Index holder = s_.now[group].holder;
-    return edge == nil || (!in_chain(holder, {edge, Chains::current}) && before({holder, Chains::current}, {edge, Chains::current}));
-  };
-  const Index claims = found;
-  bool yes = false;
-  for (Index i = 0; i < found && !yes; ++i) {
-    for (const Index up : t_.list(t_.groups[s_.reach[i]].requesters)) {
-      const Index group = t_.edges[up].requester;
-      if (group == nil || (s_.group_marks[group] & mark::reached) != 0) continue;
-      s_.group_marks[group] |= mark::reached;
-      yes = yes || counts(group);
-      bool listed = false;
-      for (Index j = 0; j < claims; ++j) listed = listed || s_.reach[j] == group;
-      if (!listed) s_.reach[found++] = group;
-    }
+/// A unit of this one edge stands as it stood.
+void repeat(Context& x, Index edge) {
+  x.s.edge_marks[edge] |= mark::visited;
+  if (runs_for_now(x, edge)) {
+    repeat_grant(x, edge);
+  } else {
+    x.s.edge_marks[edge] |= mark::refused;
   }
-  for (Index i = 0; i < found; ++i) s_.group_marks[s_.reach[i]] &= static_cast<std::uint8_t>(~mark::reached);
-  return yes;
+  if ((x.s.edge_marks[edge] & mark::pushes) == 0) return;
+  x.s.member[0] = edge;
+  keep_pushes(x, 1);
 }
 
-void Pass::grant(Index count) {
-  for (Index at = 0; at < count; ++at) {
-    const Index edge = s_.member[at], group = t_.edges[edge].target, begin = entries_begin(at),
-                end = s_.member_entries[at];
-    claim(group, edge);
-    now_granted(edge, s_.member_provider[at]);
-    plan_for(group, s_.member_provider[at], begin, end);
-    for (Index i = begin; i < end; ++i) claim(s_.entry_group[i], s_.entry_need[i]);
-    claim_plan(begin, end);
-  }
-  if (pushed_) keep_own_pushes(count);
-  leave_combination(count);
-}
-
-/// A member in hand has made a push before.
-bool Pass::pushes(Index count) const {
-  for (Index at = 0; at < count; ++at) {
-    if ((s_.edge_marks[s_.member[at]] & mark::pushes) != 0) return true;
-  }
-  return false;
-}
-
-void Pass::keep_own_pushes(Index count) {
-  if (!pushes(count)) return;
-  if (!injected(Fault::served_pushes_end)) keep_serving_pushes(count);
-  // What serves one member of a unit serves all; below a stale group each member has only its own.
-  depends_on_stale_ = depends_on_stale_ || count > 1;
-}
-
-/// The plan of `owner` for its provider is entries [begin, end).
-void Pass::plan_for(Index owner, Index provider, Index begin, Index end) {
-  const Range slots = t_.groups[owner].slots;
-  s_.now[owner].planned = provider;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) s_.now.plan[slot] = nil;
-  if (slots.empty()) return;
-  for (Index i = begin; i < end; ++i) {
-    const Index slot = slot_of(owner, s_.entry_group[i]);
-    if (slot != nil) s_.now.plan[slot] = s_.entry_provider[i];
+void decide_alone(Context& x, Index edge, bool outdated) {
+  take_in_hand(x, edge);
+  switch (try_plain(x, edge, outdated)) {
+  case Tried::granted: return;
+  case Tried::refused: return refuse(x, 1);
+  case Tried::unclear: return try_members(x, 1, outdated);
   }
 }
 
-/// Every group of a plan is needed from now on; one that is not granted has the part of the plan that it needs.
-void Pass::claim_plan(Index begin, Index end) {
-  for (Index i = begin; i < end; ++i) {
-    const Index group = s_.entry_group[i];
-    s_.now[group].flags |= flag::needed;
-    if ((s_.now[group].flags & flag::granted) != 0) continue;
-    auto below = static_cast<Index>(i + 1); // depth first: what an entry needs stands right behind it
-    while (below < end && s_.entry_parent[below] != nil && s_.entry_parent[below] >= i) ++below;
-    plan_for(group, s_.entry_provider[i], static_cast<Index>(i + 1), below);
-  }
-}
-
-/// Whatever is chosen, something of it is not available.
-void Pass::block(Index count) {
-  for (Index at = 0; at < count; ++at) s_.edge_marks[s_.member[at]] |= mark::refused;
-  if (injected(Fault::blocked_units_push_on)) keep_pushes(count);
-  explain(count, Why::blocked);
-}
-
-/// An edge before it has its target, and what it had before is nothing: nothing else counts, and nothing differs.
-void Pass::block_alone(Index edge) {
-  s_.edge_marks[edge] |= mark::visited | mark::refused;
-  s_.queued[edge] = {Why::blocked, nil};
-  if (is_followed()) rest_on(edge, 0);
-}
-
-/// No combination is available with its conditions true.
-void Pass::refuse(Index count) {
-  for (Index at = 0; at < count; ++at) s_.edge_marks[s_.member[at]] |= mark::refused;
-  if (!combine(count, false)) return block(count);
-  depends_on_last_ = true;
-  const Index unmet = collect_unmet(count);
-  const bool early = stale_requester(s_.member[0]) || premature(count);
-  depends_on_stale_ = depends_on_stale_ || early;
-  leave_combination(count);
-  explain(count, Why::waiting, s_.unmet[0]);
-  if (early) return keep_pushes(count);
-  for (Index i = 0; i < unmet; ++i) {
-    if (somebody_satisfies(s_.unmet[i]) || injected(Fault::pushes_though_the_outside_decides)) continue;
-    return; // it waits for the outside, and holds nobody back
-  }
-  push_for(count, unmet);
-}
-
-void Pass::explain(Index count, Why why, Index condition) {
-  for (Index at = 0; at < count; ++at) s_.queued[s_.member[at]] = {why, condition};
-}
-
-} // namespace director
+} // namespace director::arbitration

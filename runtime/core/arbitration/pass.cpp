@@ -1,93 +1,86 @@
-// Door: runtime/core/arbitration/arbitration.hpp. Test: tests/runtime/core/arbitration/arbitration_test.cpp.
+// docs/semantics.md, section 4.4: the pass.
 // SPDX-License-Identifier: MIT
-//
-// Section 4.4: the pass, and whose orders are outdated in it.
-#include "runtime/core/arbitration/arbitration.hpp"
-#include "runtime/core/base/marks.hpp"
+
+#include "runtime/core/arbitration/pass.hpp"
+
+#include "runtime/core/arbitration/availability.hpp"
+#include "runtime/core/arbitration/limbo.hpp"
+#include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/arbitration/staleness.hpp"
+#include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/arbitration/walk.hpp"
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/marks.hpp"
 
-namespace director {
+namespace director::arbitration {
 
-void Pass::decide(Index component) {
-  c_ = t_.components[component];
-  component_ = component;
-  equals_ = (s_.component_traits[component] & trait::equals) != 0;
-  pushed_ = s_.pushed_count[component] != 0;
-  begin_trail();
-  pushed_ = pushed_count_ != 0;
-  depends_on_stale_ = false;
-  depends_on_last_ = pushed_ || s_.on_last[component] != 0;
-  sort_roots();
-  for (begin_sweep();; sweep_again()) {
-    sweep();
-    if (denied_ == 0 || !denied_in_vain()) break;
-  }
-  walking_ = false;
-  limbo_ = placed_;
-  if (stale_granted_ != 0 && inherited_ != s_.order_count[component]) hand_over();
-  finish();
-  lineage_is_valid_ = false; // from here on it may be about several components
-}
+namespace {
 
-void Pass::begin_sweep() {
-  ahead_ = postponed_ = placed_ = inherited_ = denied_ = 0;
-  stale_granted_ = stale_kept_;
-  first_moved_ = top_ = nil;
-  lineage_is_valid_ = is_followed() || pushed_ || (s_.component_traits[component_] & trait::compared) != 0;
-  pushing_ = false;
+void begin_sweep(Context& x) {
+  x.ahead = x.postponed = x.placed = x.inherited = x.denied_count = 0;
+  x.stale_granted = x.stale_kept;
+  x.first_moved = x.top = nil;
+  x.lineage_is_valid = is_followed(x) || x.had_pushes || (x.s.component_traits[x.component] & trait::compared) != 0;
+  x.pushing = false;
 }
 
 /// From the beginning, but for which denials are forgotten.
-void Pass::sweep_again() {
-  clear_marks();
-  mark_pushers();
-  for (const Index g : opened()) {
-    s_.group_marks[g] &= mark::forgotten | mark::listed;
-    clear(g);
+void sweep_again(Context& x) {
+  clear_marks(x);
+  mark_pushers(x);
+  for (const Index g : opened(x)) {
+    x.s.group_marks[g] &= mark::forgotten | mark::listed;
+    clear(x, g);
   }
-  const Index* const order = s_.order + c_.order;
-  for (Index i = 0; i < s_.order_count[component_]; ++i) {
-    s_.place[order[i]] = i;
-    s_.next_order[c_.order + i] = order[i];
+  const Index* const order = x.s.order + x.row.order;
+  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
+    x.s.place[order[i]] = i;
+    x.s.next_order[x.row.order + i] = order[i];
   }
-  begin_sweep();
+  begin_sweep(x);
 }
 
-/// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.
-bool Pass::denied_in_vain() {
-  for (Index i = 0; i < denied_; ++i) {
-    const Index group = s_.denied[i];
-    if (s_.now[group].holder == s_.last[group].holder || injected(Fault::denials_are_final)) continue;
-    s_.group_marks[group] |= mark::forgotten;
-    reach(group);
-    return true;
+/// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
+void finish(Context& x) {
+  leave_to(x, nil);
+  for (const Index g : opened(x)) {
+    if (x.s.now[g].holder == nil || x.s.now[g].active != nil || x.s.last[g].active == nil) continue;
+    x.depends_on_last = x.depends_on_stale = true;
+    if (stale(x, g) || injected(Fault::unwanted_needs_live_on)) x.s.now[g].active = x.s.last[g].active;
   }
-  return false;
+  x.s.next_count[x.component] = x.placed;
+  x.s.first_moved[x.component] = x.first_moved;
+  if (x.pushing) finish_pushes(x);
 }
 
-/// A group's orders are outdated because of which granted group's; nil: because it is in limbo; `current`: they are
-/// not.
-Index Pass::stale_source(Index group) const {
-  for (;;) {
-    const GroupAssignment& now = s_.now[group];
-    if (now.granted()) return (s_.group_marks[group] & mark::outdated) != 0 ? group : current;
-    if (is_limbo(now.holder)) return nil;
-    group = requester(now.holder); // held only as a need: while its requester is stale
-    if (group == nil) return current;
+} // namespace
+
+void decide(Context& x, Index component) {
+  x.row = x.t.components[component];
+  x.component = component;
+  x.equals = (x.s.component_traits[component] & trait::equals) != 0;
+  x.had_pushes = x.s.pushed_count[component] != 0;
+  begin_trail(x);
+  x.had_pushes = x.pushed_count != 0;
+  x.depends_on_stale = false;
+  x.depends_on_last = x.had_pushes || x.s.on_last[component] != 0;
+  sort_roots(x);
+  for (begin_sweep(x);; sweep_again(x)) {
+    sweep(x);
+    if (x.denied_count == 0 || !denied_in_vain(x)) break;
   }
+  x.walking = false;
+  x.limbo_begin = x.placed;
+  if (x.stale_granted != 0 && x.inherited != x.s.order_count[component]) keep_for_heirs(x);
+  finish(x);
+  x.lineage_is_valid = false; // from here on it may be about several components
 }
 
-bool Pass::stale_requester(Index edge) const {
-  const Index group = requester(edge);
-  return group != nil && stale(group);
+/// The next pass over each component begins from nothing: the last assignment is not that of its last pass.
+void forget_trail(Context& x) {
+  for (Index c = 0; c < x.t.components.size(); ++c) x.s.news_count[c] = nil;
+  for (Index g = 0; g < x.t.groups.size(); ++g) x.s.now[g] = x.s.last[g];
+  for (Index slot = 0; slot < x.t.plan_groups.size(); ++slot) x.s.now.plan[slot] = x.s.last.plan[slot];
 }
 
-/// Something new among the members in hand, whose requester's orders are outdated.
-bool Pass::any_new(Index count) const {
-  for (Index at = 0; at < count; ++at) {
-    if (!runs_for_now(s_.member[at])) return true;
-  }
-  return false;
-}
-
-} // namespace director
+} // namespace director::arbitration

@@ -3,7 +3,9 @@
 // The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration.hpp) and
 // acts on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
 
-#include "runtime/core/arbitration/arbitration.hpp"
+#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/pass.hpp"
+#include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/duration.hpp"
 #include "runtime/core/engine/inbox.hpp"
 #include "runtime/core/base/observer.hpp"
@@ -12,8 +14,7 @@
 
 namespace director {
 
-/// Arbitration is its base: so all look at the tables and the memory through one pointer.
-class Engine : private Pass {
+class Engine {
 public:
   static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
 
@@ -21,11 +22,6 @@ public:
   Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
-
-  using Pass::decided;
-  using Pass::forget_trail;
-  using Pass::set_most_decided_whole;
-  using Pass::work;
 
   /// Back to the start: initial values, every provider enabled, nothing requested. What waits in the inbox stays.
   void reset();
@@ -43,26 +39,26 @@ public:
   /// Micro-steps until quiescence: the inputs that are in the inbox now (at time `now`), then what is due, each due
   /// time to quiescence before the next. An earlier `now` counts as the last one, `never` as last_time.
   StepResult step(Time now) {
-    Counters& c = *s_.counters;
+    Counters& c = *x_.s.counters;
     if (now >= c.quiet_until || !inbox_.empty()) return take_step(now);
     if (now > c.until) c.until = c.now = now;
     return StepResult::quiescent;
   }
   /// The same without another time.
   StepResult step() {
-    const Counters& c = *s_.counters; // what is due later than `now` stays so
+    const Counters& c = *x_.s.counters; // what is due later than `now` stays so
     return c.quiet_until == first_time || !inbox_.empty() ? take_step(c.now) : StepResult::quiescent;
   }
 
   /// An input that sets a state, without the way through the inbox: taken at once where the next step would take it
   /// first, and nothing else could come of it. False: post it. For the thread that calls step().
   bool take_at_once(Index state, std::int32_t value) {
-    Counters& c = *s_.counters;
-    if (c.quiet_until == first_time || observed() || inside_ || !s_.values[state].unchanged.has(value) ||
-        t_.states[state].expires != 0 || !inbox_.empty())
+    Counters& c = *x_.s.counters;
+    if (c.quiet_until == first_time || observed() || inside_ || !x_.s.values[state].unchanged.has(value) ||
+        x_.t.states[state].expires != 0 || !inbox_.empty())
       return false;
     ++c.micro_step;
-    s_.values[state].value = value;
+    x_.s.values[state].value = value;
     return true;
   }
 
@@ -70,7 +66,7 @@ public:
   /// now on. False: something waits already, so post it. For the thread that calls step().
   bool take_first(const Input& input) {
     if (inside_ || !inbox_.put_first(input)) return false;
-    s_.counters->quiet_until = first_time;
+    x_.s.counters->quiet_until = first_time;
     return true;
   }
 
@@ -81,26 +77,36 @@ public:
   }
 
   /// The next time at which a step would have something to do without an input; `never` if there is nil.
-  Time next_due() const { return s_.counters->next_due; }
+  Time next_due() const { return x_.s.counters->next_due; }
 
   // What holds between steps.
-  std::int32_t value(Index state) const { return s_.values[state].value; }
-  bool enabled(Index provider) const { return s_.enabled[provider] != 0; }
+  std::int32_t value(Index state) const { return x_.s.values[state].value; }
+  bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; }
   RunState state(Index edge) const; ///< of a request: running, queued or none
   bool done(Index edge) const;      ///< the target said done or failed; only while running
   bool failed(Index edge) const;
-  Index holder(Index group) const { return s_.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
-  Index active(Index group) const { return s_.last[group].active; } ///< provider, or nil
-  bool granted(Index group) const { return (s_.last[group].flags & flag::granted) != 0; }
-  bool in_force(Index group) const { return (s_.last[group].flags & flag::in_force) != 0; }
-  Queued queued(Index edge) const { return s_.queued[edge]; } ///< why it does not run
-  Time now() const { return s_.counters->now; }
-  std::uint64_t micro_steps() const { return s_.counters->micro_step; } ///< so far
+  Index holder(Index group) const { return x_.s.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
+  Index active(Index group) const { return x_.s.last[group].active; } ///< provider, or nil
+  bool granted(Index group) const { return (x_.s.last[group].flags & flag::granted) != 0; }
+  bool in_force(Index group) const { return (x_.s.last[group].flags & flag::in_force) != 0; }
+  Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it does not run
+  Time now() const { return x_.s.counters->now; }
+  std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< so far
   std::uint64_t passes() const { return passes_; } ///< of arbitration over a component, so far
   bool inside() const { return inside_; }          ///< a body, handler or observer is running; for the thread that calls step()
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs so far; from any thread
-  const Tables& tables() const { return t_; }
-  const State& memory() const { return s_; }
+  std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
+  /// So far: groups placed, units decided, and choices and plans tried, those of searches for pushes among them.
+  std::uint64_t work() const { return x_.work; }
+  /// For tests of what is decided again. The next pass over each component begins from nothing.
+  void forget_trail() { arbitration::forget_trail(x_); }
+  /// The same; a component of at most so many groups is decided whole.
+  void set_most_decided_whole(Index groups) {
+    x_.most_decided_whole = groups;
+    forget_trail();
+  }
+  const Tables& tables() const { return x_.t; }
+  const State& memory() const { return x_.s; }
 
 private:
   friend class Run;
@@ -158,8 +164,8 @@ private:
   void set_timer(Index index, Time due);
   void clear_timers();
   Index soonest(std::size_t node) const {
-    const std::size_t timers = t_.states.size() + 2 * t_.groups.size() + t_.promises.size();
-    return node < timers ? s_.soonest[node] : static_cast<Index>(node - timers);
+    const std::size_t timers = x_.t.states.size() + 2 * x_.t.groups.size() + x_.t.promises.size();
+    return node < timers ? x_.s.soonest[node] : static_cast<Index>(node - timers);
   }
   Index sooner(std::size_t node) const;
   Taken take_timer();
@@ -184,7 +190,6 @@ private:
   Index next_of_queue();
   void leave_queue(Index group);
   void forget_triggers(Index group);
-  void note_rerequest(Index edge);
   void mark_request(Index edge);
   void request(Index edge, Index level);
   void withdraw(Index edge);
@@ -205,7 +210,7 @@ private:
   void act(Index passes, bool stops);
   void act_on_touched();
   void act_on_all_touched();
-  void sort_by_place(std::span<Index> groups, Chains along) const;
+  void sort_by_place(std::span<Index> groups, arbitration::Chains along) const;
   std::span<const Index> held_before(Index passes);
   std::span<const Index> with_reasons();
   void end_what_it_has(Index group);
@@ -232,6 +237,7 @@ private:
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 
+  arbitration::Context x_; ///< the tables, the memory, and what arbitration knows
   Bodies bodies_;
   Inbox& inbox_;
   Observer observer_;

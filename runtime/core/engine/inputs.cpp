@@ -15,7 +15,7 @@ Engine::Taken Engine::take_posted() {
 
 /// What is long stands apart, and the call of it is the last thing that is done: so the way to it is short.
 Engine::Taken Engine::take_input(Input& record) {
-  ++s_.counters->micro_step;
+  ++x_.s.counters->micro_step;
   if (observed()) return take_observed(record);
   if (record.kind == Input::Kind::request) return take_request(record);
   return take_rarer(record);
@@ -76,41 +76,41 @@ Engine::Taken Engine::take_request(Input& record) {
 }
 
 [[gnu::noinline]] Engine::Taken Engine::take_cancel(Index edge) {
-  if (s_.request[edge].level == nil) return Taken::no_change;
+  if (x_.s.request[edge].level == nil) return Taken::no_change;
   withdraw(edge);
   return Taken::change;
 }
 
 [[gnu::noinline]] Engine::Taken Engine::take_cancel_of_all() {
   Taken taken = Taken::no_change;
-  for (Index edge = 0; edge < t_.root_edges; ++edge) {
+  for (Index edge = 0; edge < x_.t.root_edges; ++edge) {
     if (take_cancel(edge) == Taken::change) taken = Taken::change;
   }
   return taken;
 }
 
 [[gnu::noinline]] Engine::Taken Engine::take_enabled(Index provider, std::uint8_t wanted) {
-  if (s_.enabled[provider] == wanted) return Taken::no_change;
-  s_.enabled[provider] = wanted;
+  if (x_.s.enabled[provider] == wanted) return Taken::no_change;
+  x_.s.enabled[provider] = wanted;
   if (injected(Fault::enabling_is_overlooked)) return Taken::change;
-  const Index component = t_.groups[t_.providers[provider].group].component;
+  const Index component = x_.t.groups[x_.t.providers[provider].group].component;
   mark(component, work::changed);
-  s_.news_count[component] = nil; // who may push it is not noted, and this is rare
+  x_.s.news_count[component] = nil; // who may push it is not noted, and this is rare
   return Taken::change;
 }
 
 /// What start and stop handlers set during one act, merged into one input.
 Engine::Taken Engine::take_handlers_input() {
-  Counters& c = *s_.counters;
+  Counters& c = *x_.s.counters;
   ++c.micro_step;
   c.handlers_set = false;
   bool changes = false;
-  const std::span<Index> states{s_.handled, c.handled_count};
+  const std::span<Index> states{x_.s.handled, c.handled_count};
   c.handled_count = 0;
   heap_sort(states, [](Index a, Index b) { return a < b; });
   for (const Index state : states) {
-    const std::int32_t value = s_.handler_values[state];
-    s_.handler_values[state] = unset;
+    const std::int32_t value = x_.s.handler_values[state];
+    x_.s.handler_values[state] = unset;
     if (value == unset || !set_value(state, value)) continue;
     changes = true;
     report_set(state);
@@ -119,23 +119,23 @@ Engine::Taken Engine::take_handlers_input() {
 }
 
 void Engine::set_by_handler(Index state, std::int32_t value) {
-  Counters& c = *s_.counters;
+  Counters& c = *x_.s.counters;
   c.handlers_set = true;
-  std::int32_t& merged = s_.handler_values[state];
-  if (merged == unset && value != unset) s_.handled[c.handled_count++] = state;
+  std::int32_t& merged = x_.s.handler_values[state];
+  if (merged == unset && value != unset) x_.s.handled[c.handled_count++] = state;
   merged = value;
 }
 
 /// True if somebody listens.
 bool Engine::fire(Index trigger) {
   bool heard = false;
-  for (const Index provider : t_.list(t_.triggers[trigger].listeners)) {
-    const Index group = t_.providers[provider].group;
-    if (s_.last[group].active != provider) continue;
+  for (const Index provider : x_.t.list(x_.t.triggers[trigger].listeners)) {
+    const Index group = x_.t.providers[provider].group;
+    if (x_.s.last[group].active != provider) continue;
     add_reason(group, Reason::trigger);
-    const Range listens = t_.groups[group].listens;
+    const Range listens = x_.t.groups[group].listens;
     for (Index slot = listens.begin; slot != listens.end; ++slot) {
-      if (t_.listened[slot] == trigger) s_.fired[slot] = 1;
+      if (x_.t.listened[slot] == trigger) x_.s.fired[slot] = 1;
     }
     heard = true;
   }
@@ -165,26 +165,26 @@ inline bool narrow(UnchangedInterval& unchanged, std::span<const Interval> accep
 /// The state has another value. Components in which a condition flips have to decide again, unless nothing has begun.
 /// Without a value nothing is true, and nothing stays unchanged but at that number, which no value has.
 void Engine::look_at_conditions(Index state) {
-  const std::int32_t value = s_.values[state].value;
+  const std::int32_t value = x_.s.values[state].value;
   UnchangedInterval unchanged{unset + 1, 2147483647};
   if (value == unset) unchanged = {unset, unset};
-  for (const Index condition : t_.list(t_.states[state].conditions)) {
-    const Condition& row = t_.conditions[condition];
-    const bool now = value != unset && narrow(unchanged, t_.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
-    if (now == holds(condition)) continue;
-    s_.truth[condition] = now ? 1 : 0;
-    if (!s_.counters->begun || injected(Fault::conditions_are_overlooked)) continue;
-    for (const Index component : t_.list(row.components)) mark(component, work::changed);
-    for (const Index group : t_.list(row.groups)) touch_group(group);
+  for (const Index condition : x_.t.list(x_.t.states[state].conditions)) {
+    const Condition& row = x_.t.conditions[condition];
+    const bool now = value != unset && narrow(unchanged, x_.t.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
+    if (now == arbitration::holds(x_, condition)) continue;
+    x_.s.truth[condition] = now ? 1 : 0;
+    if (!x_.s.counters->begun || injected(Fault::conditions_are_overlooked)) continue;
+    for (const Index component : x_.t.list(row.components)) mark(component, work::changed);
+    for (const Index group : x_.t.list(row.groups)) arbitration::touch_group(x_, group);
   }
-  s_.values[state].unchanged = unchanged;
+  x_.s.values[state].unchanged = unchanged;
 }
 
 void Engine::report_set(Index state) const {
   if (!observed()) return;
   Event set = event(Event::Kind::set);
   set.state = state;
-  set.value = s_.values[state].value;
+  set.value = x_.s.values[state].value;
   tell(set);
 }
 
@@ -200,7 +200,7 @@ void Engine::report_lost() {
 
 void Engine::report_cancel(Index edge) const {
   if (!observed()) return;
-  Event cancel = event(Event::Kind::input, t_.edges[edge].target);
+  Event cancel = event(Event::Kind::input, x_.t.edges[edge].target);
   cancel.input = Event::Input::cancel;
   cancel.edge = edge;
   tell(cancel);
@@ -209,8 +209,8 @@ void Engine::report_cancel(Index edge) const {
 void Engine::report_input(const Input& record) const {
   if (!observed()) return;
   if (record.kind == Input::Kind::cancel && record.thing == nil) {
-    for (Index edge = 0; edge < t_.root_edges; ++edge) {
-      if (s_.request[edge].level != nil) report_cancel(edge);
+    for (Index edge = 0; edge < x_.t.root_edges; ++edge) {
+      if (x_.s.request[edge].level != nil) report_cancel(edge);
     }
     return;
   }
@@ -222,7 +222,7 @@ void Engine::report_input(const Input& record) const {
   case Input::Kind::cancel: return report_cancel(record.thing);
   case Input::Kind::request:
     input.edge = record.thing;
-    input.group = t_.edges[record.thing].target;
+    input.group = x_.t.edges[record.thing].target;
     break;
   case Input::Kind::set:
     input.state = record.thing;
@@ -232,7 +232,7 @@ void Engine::report_input(const Input& record) const {
   case Input::Kind::enable:
   case Input::Kind::disable:
     input.provider = record.thing;
-    input.group = t_.providers[record.thing].group;
+    input.group = x_.t.providers[record.thing].group;
     break;
   }
   tell(input);

@@ -11,21 +11,21 @@ namespace director {
 
 /// From the first step on, values expire.
 void Engine::take_first_step(Time now) {
-  s_.counters->begun = true;
-  s_.counters->until = now;
-  for (Index i = 0; i < t_.states.size(); ++i) {
-    if (t_.states[i].expires != 0 && s_.values[i].value != unset) arm(Due::expiry, i, later(now, t_.states[i].expires));
+  x_.s.counters->begun = true;
+  x_.s.counters->until = now;
+  for (Index i = 0; i < x_.t.states.size(); ++i) {
+    if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset) arm(Due::expiry, i, later(now, x_.t.states[i].expires));
   }
 }
 
 // A run.
 
 DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
-  Staged* staged = s_.staged_request;
+  Staged* staged = x_.s.staged_request;
   for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
     const Index level = staged->level;
     if (level == nil) {
-      if (observed() && s_.request[e].level != nil) report_request(Event::Kind::withdraw, e);
+      if (observed() && x_.s.request[e].level != nil) report_request(Event::Kind::withdraw, e);
       withdraw(e);
       continue;
     }
@@ -43,15 +43,15 @@ DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
 
 /// Everything that a run asked for, together.
 DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
-  RunQueueEntry& entry = s_.run_queue[group];
+  RunQueueEntry& entry = x_.s.run_queue[group];
   forget_triggers(group);
-  if (s_.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
+  if (x_.s.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
     commit_pack(entry.edges);
     entry.done = 0;
     if (wait <= 0) end_wait(group);
   } else {
-    for (Index i = 0; i < entry.edges.size(); ++i) s_.staged_request[i].level = nil;
+    for (Index i = 0; i < entry.edges.size(); ++i) x_.s.staged_request[i].level = nil;
     if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && entry.done == 0)
       answer(group, kind == Outcome::Kind::failed);
     if (kind == Outcome::Kind::fault) {
@@ -65,7 +65,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
     }
   }
   if (wait <= 0) return;
-  const Time due = later(s_.counters->now, wait);
+  const Time due = later(x_.s.counters->now, wait);
   if (observed()) report_wait(group, due);
   entry.flags |= group_flag::waits;
   arm(Due::wait, group, due);
@@ -74,23 +74,23 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
 /// The oldest run calls its provider, and everything that it asked for takes effect together. The group that ran; nil:
 /// none did.
 DIRECTOR_INLINE Index Engine::run_next() {
-  Counters& c = *s_.counters;
+  Counters& c = *x_.s.counters;
   ++c.micro_step;
   const Index group = next_of_queue();
-  std::uint8_t reasons = s_.run_queue[group].pending;
-  s_.run_queue[group].pending = 0;
+  std::uint8_t reasons = x_.s.run_queue[group].pending;
+  x_.s.run_queue[group].pending = 0;
   mark_stale(group);
   const bool pushed = in_force(group);
-  const Index provider = s_.last[group].active;
+  const Index provider = x_.s.last[group].active;
   if (!pushed) reasons &= static_cast<std::uint8_t>(~reason::pushed);
   if (reasons == 0) return nil; // nobody pushes it any more
 
-  if (pushed && !t_.promises.empty() && s_.promised[group].provider == nil) { // section 7: its first run on that push
-    s_.promised[group] = {s_.last[group].push.edge, provider};
-    const Range own = t_.providers[provider].promises;
-    for (Index i = own.begin; i != own.end; ++i) arm(Due::promise, i, later(c.now, t_.promises[i].within));
+  if (pushed && !x_.t.promises.empty() && x_.s.promised[group].provider == nil) { // section 7: its first run on that push
+    x_.s.promised[group] = {x_.s.last[group].push.edge, provider};
+    const Range own = x_.t.providers[provider].promises;
+    for (Index i = own.begin; i != own.end; ++i) arm(Due::promise, i, later(c.now, x_.t.promises[i].within));
   }
-  Run run(*this, s_, s_.run_queue[group].edges.begin, group, provider, Reasons{reasons});
+  Run run(*this, x_.s, x_.s.run_queue[group].edges.begin, group, provider, Reasons{reasons});
   if (observed()) {
     Event running = event(Event::Kind::run, group);
     running.provider = provider;
@@ -108,7 +108,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
 
 /// Without its end. `ran`: the group that ran, if one did.
 DIRECTOR_INLINE Engine::Taken Engine::take_next(Index& ran) {
-  Counters& c = *s_.counters;
+  Counters& c = *x_.s.counters;
   for (;;) {
     if (c.handlers_set) return take_handlers_input();
     if (inbox_.is_open()) {
@@ -138,7 +138,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   Index ran = nil;
   const Taken taken = take_next(ran);
   if (taken != Taken::change) return taken != Taken::nothing;
-  Counters& c = *s_.counters;
+  Counters& c = *x_.s.counters;
   c.unsettled = false;
   if (c.work_count != 0) {
     arbitrate();
@@ -147,14 +147,14 @@ DIRECTOR_INLINE bool Engine::micro_step() {
     act_on_touched();
     if (c.asked_count != 0) settle_requests();
   }
-  if (!t_.promises.empty() && ran != nil) keep_promises(ran);
+  if (!x_.t.promises.empty() && ran != nil) keep_promises(ran);
   return true;
 }
 
 [[gnu::aligned(64)]] StepResult Engine::take_step(Time now) {
   if (inside_) return StepResult::refused;
   if (now > last_time) now = last_time;
-  Counters& c = *s_.counters;
+  Counters& c = *x_.s.counters;
   if (!c.begun) take_first_step(now);
   c.quiet_until = first_time;
   // Called again for the same time because the budget ran out: what was begun goes on at its own time.
@@ -188,7 +188,7 @@ void Engine::end_with_fault() {
 }
 
 StepResult Engine::come_to_rest() {
-  Counters& c = *s_.counters;
+  Counters& c = *x_.s.counters;
   c.serving = false;
   c.now = c.until;
   c.quiet_until = c.next_due;
@@ -196,35 +196,35 @@ StepResult Engine::come_to_rest() {
 }
 
 bool Engine::work_left() const {
-  const Counters& c = *s_.counters;
+  const Counters& c = *x_.s.counters;
   return c.handlers_set || c.queue_first != nil || c.unsettled || inbox_.due() || next_due() <= c.until;
 }
 
 void Engine::commit_states(bool fault) {
-  Counters& c = *s_.counters;
+  Counters& c = *x_.s.counters;
   for (Index i = 0; i < c.staged_count; ++i) {
-    const Index state = s_.staged[i];
-    const std::int32_t value = s_.values[state].staged;
-    s_.values[state].staged = unset;
+    const Index state = x_.s.staged[i];
+    const std::int32_t value = x_.s.values[state].staged;
+    x_.s.values[state].staged = unset;
     if (!fault && set_value(state, value)) report_set(state);
   }
   c.staged_count = 0;
 }
 
 void Engine::answer(Index group, bool failed) {
-  s_.run_queue[group].done = failed ? result::done | result::failed : result::done;
+  x_.s.run_queue[group].done = failed ? result::done | result::failed : result::done;
   report(failed ? Event::Kind::failed : Event::Kind::done, group);
-  const Index holder = s_.last[group].holder;
-  if (holder < t_.root_edges) {
+  const Index holder = x_.s.last[group].holder;
+  if (holder < x_.t.root_edges) {
     withdraw(holder);
   } else {
-    add_reason(t_.edges[holder].requester, Reason::subtask_done);
+    add_reason(x_.t.edges[holder].requester, Reason::subtask_done);
   }
 }
 
 void Engine::report_request(Event::Kind kind, Index edge, Index level) const {
   if (!observed()) return;
-  Event request = event(kind, t_.edges[edge].target);
+  Event request = event(kind, x_.t.edges[edge].target);
   request.edge = edge;
   request.level = level;
   tell(request);

@@ -12,32 +12,32 @@ namespace director {
 
 Index Engine::sooner(std::size_t node) const {
   const Index a = soonest(2 * node), b = soonest(2 * node + 1);
-  if (s_.due[a] != s_.due[b]) return s_.due[a] < s_.due[b] ? a : b;
+  if (x_.s.due[a] != x_.s.due[b]) return x_.s.due[a] < x_.s.due[b] ? a : b;
   return a < b ? a : b;
 }
 
 void Engine::clear_timers() {
-  const std::size_t timers = Shape::of(t_).timers();
-  for (std::size_t i = 0; i < timers; ++i) s_.due[i] = never;
-  for (std::size_t node = timers; node-- > 1;) s_.soonest[node] = sooner(node);
-  s_.counters->next_due = never;
+  const std::size_t timers = Shape::of(x_.t).timers();
+  for (std::size_t i = 0; i < timers; ++i) x_.s.due[i] = never;
+  for (std::size_t node = timers; node-- > 1;) x_.s.soonest[node] = sooner(node);
+  x_.s.counters->next_due = never;
 }
 
 void Engine::set_timer(Index index, Time due) {
-  s_.due[index] = due;
-  for (std::size_t node = (index + Shape::of(t_).timers()) / 2; node >= 1; node /= 2) {
+  x_.s.due[index] = due;
+  for (std::size_t node = (index + Shape::of(x_.t).timers()) / 2; node >= 1; node /= 2) {
     const Index first = sooner(node);
-    if (s_.soonest[node] == first && first != index) return;
-    s_.soonest[node] = first;
+    if (x_.s.soonest[node] == first && first != index) return;
+    x_.s.soonest[node] = first;
   }
-  s_.counters->next_due = s_.due[soonest(1)];
+  x_.s.counters->next_due = x_.s.due[soonest(1)];
 }
 
 /// What is due at the time being served, which began with the earliest: states that expire, waits, promises, `every`,
 /// each in order of declaration. Each is an input of its own. What one of them cancels is not due any more when its
 /// turn comes.
 Engine::Taken Engine::take_timer() {
-  Counters& c = *s_.counters;
+  Counters& c = *x_.s.counters;
   const Time when = next_due();
   if (when > c.now) {
     c.serving = false;
@@ -55,13 +55,13 @@ Engine::Taken Engine::take_timer() {
 
 /// True if that is an input with an effect.
 bool Engine::serve_timer(Due kind, Index row, Time when) {
-  const Counters& c = *s_.counters;
+  const Counters& c = *x_.s.counters;
   switch (kind) {
   case Due::expiry: return expire(row);
   case Due::promise: return break_promise(row);
   case Due::wait: add_reason(row, Reason::wait); break;
   case Due::every: {
-    const Time period = t_.providers[s_.last[row].active].every;
+    const Time period = x_.t.providers[x_.s.last[row].active].every;
     // One that is late runs once, and is due again at the first multiple after it. Two times may be further apart than
     // a Time can say.
     const auto late = static_cast<std::uint64_t>(c.until) - static_cast<std::uint64_t>(when);
@@ -75,22 +75,22 @@ bool Engine::serve_timer(Due kind, Index row, Time when) {
 }
 
 bool Engine::expire(Index state) {
-  if (!assign(state, t_.states[state].expires_to)) return false;
+  if (!assign(state, x_.t.states[state].expires_to)) return false;
   report_set(state);
   return true;
 }
 
 /// Once for a push: the other promises of this run of it are over too. True if somebody listens.
 bool Engine::break_promise(Index promise) {
-  const Index provider = t_.promises[promise].provider;
-  const Range all = t_.providers[provider].promises;
+  const Index provider = x_.t.promises[promise].provider;
+  const Range all = x_.t.providers[provider].promises;
   for (Index i = all.begin; i != all.end; ++i) disarm(Due::promise, i);
   if (observed()) {
-    Event broken = event(Event::Kind::broken, t_.providers[provider].group);
+    Event broken = event(Event::Kind::broken, x_.t.providers[provider].group);
     broken.provider = provider;
     tell(broken);
   }
-  const Index trigger = t_.promises[promise].trigger;
+  const Index trigger = x_.t.promises[promise].trigger;
   return trigger != nil && fire(trigger);
 }
 
@@ -108,8 +108,8 @@ void Engine::report_timer(Due kind, Index row) const {
     break;
   case Due::promise:
     input.input = Event::Input::within;
-    input.provider = t_.promises[row].provider;
-    input.group = t_.providers[input.provider].group;
+    input.provider = x_.t.promises[row].provider;
+    input.group = x_.t.providers[input.provider].group;
     break;
   case Due::every:
     input.input = Event::Input::every;
