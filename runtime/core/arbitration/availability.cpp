@@ -43,7 +43,8 @@ bool disputed(const Context& x, Index member) {
   bool yes = may_deny(x, group, member, member);
   const Range providers = x.t.groups[group].providers;
   for (Index p = providers.begin; p != providers.end && !yes; ++p) {
-    for (const Index need : x.t.list(x.t.providers[p].needs)) yes = yes || may_deny(x, x.t.edges[need].target, need, member);
+    for (const Index need : x.t.list(x.t.providers[p].needs))
+      yes = yes || may_deny(x, x.t.edges[need].target, need, member);
   }
   return yes;
 }
@@ -91,7 +92,8 @@ bool may_be_denied(Context& x, Index member) {
 /// One member alone. Whether it is disputed is asked once for all that is tried with it.
 void take_in_hand(Context& x, Index member) {
   x.s.member[0] = member;
-  x.disputed = x.equals && (x.s.traits[target(x, member)] & trait::flat) != 0 && !taken(x, member) && disputed(x, member);
+  x.disputed =
+      x.equals && (x.s.traits[target(x, member)] & trait::flat) != 0 && !taken(x, member) && disputed(x, member);
 }
 
 /// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.

@@ -30,7 +30,8 @@ bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& k
   const Index begin = entries_begin(x, at), end = x.s.member_entries[at];
   keep = end;
   for (Index i = begin; i < end; ++i) {
-    if (x.s.enabled[x.s.entry_provider[i]] != 0 && available(x, x.s.entry_group[i], x.s.entry_need[i], record)) continue;
+    if (x.s.enabled[x.s.entry_provider[i]] != 0 && available(x, x.s.entry_group[i], x.s.entry_need[i], record))
+      continue;
     keep = static_cast<Index>(i + 1);
     return false;
   }

@@ -35,7 +35,9 @@ inline Index requester(const Context& x, Index edge) { return is_limbo(x, edge) 
 
 inline bool requested(const Context& x, Index edge) { return !is_limbo(x, edge) && x.s.request[edge].level != nil; }
 
-inline bool optional(const Context& x, Index edge) { return requested(x, edge) && x.t.levels[x.s.request[edge].level].optional; }
+inline bool optional(const Context& x, Index edge) {
+  return requested(x, edge) && x.t.levels[x.s.request[edge].level].optional;
+}
 
 inline Index urgency(const Context& x, Index edge) {
   if (is_limbo(x, edge)) return 0;

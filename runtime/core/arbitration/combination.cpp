@@ -99,7 +99,8 @@ bool combine(Context& x, Index count, bool with_conditions) {
   for (Index i = 0; count > 1 && i < count; ++i) x.s.member[i] = x.s.unit[i];
   if (count == 1 && (x.s.traits[target(x, x.s.member[0])] & trait::flat) != 0 && !x.disputed)
     return choose_flat(x, with_conditions);
-  if (count == 1 && x.t.groups[target(x, x.s.member[0])].single_choice()) return next_choice(x, 0, true, with_conditions, true);
+  if (count == 1 && x.t.groups[target(x, x.s.member[0])].single_choice())
+    return next_choice(x, 0, true, with_conditions, true);
   bool deniable = false;
   for (Index at = 0; at < count && !deniable; ++at) deniable = may_be_denied(x, x.s.member[at]);
   if (deniable && !each_has_choice(x, 0, count, with_conditions, true)) return false;

@@ -20,17 +20,18 @@ struct Context {
   Index flipped_count = 0;       ///< rows of State::flipped in use
   Index rerequested_count = 0;   ///< rows of State::rerequested in use
   std::uint64_t decided = 0;     ///< units so far, again where a pass is repeated
-  std::uint64_t work = 0; ///< so far: groups placed, units decided, choices and plans tried, also in searches for pushes
+  std::uint64_t work =
+      0; ///< so far: groups placed, units decided, choices and plans tried, also in searches for pushes
 
   // The pass in hand.
-  Component row;       ///< of the component
-  Index component = 0; ///< which one that is
-  bool whole = false;  ///< all of it is decided
-  bool equals = false; ///< edges may be equal
+  Component row;                 ///< of the component
+  Index component = 0;           ///< which one that is
+  bool whole = false;            ///< all of it is decided
+  bool equals = false;           ///< edges may be equal
   bool walking = false;          ///< the pass is on its way along the order
   bool lineage_is_valid = false; ///< State::lineage holds for what is claimed now, and nothing of it is in limbo
   bool disturbed = false;        ///< something is, or may be, another than in the last pass
-  bool disputed = false; ///< an equal may stand in the way of the one member in hand, whose target is flat
+  bool disputed = false;         ///< an equal may stand in the way of the one member in hand, whose target is flat
   /// The result may be another one when it is the last assignment itself, or when other groups are stale.
   mutable bool depends_on_last = false, depends_on_stale = false;
   bool on_last = false, on_stale = false; ///< the same of the units decided before the one in hand

@@ -75,7 +75,8 @@ bool needs_are_free(const Context& x, Index edge, Range needs) {
   if (x.disputed) return Tried::unclear;
   const Range providers = x.t.groups[group].providers;
   for (Index place = 0; place != providers.size(); ++place) {
-    const Index p = x.s.now[group].push.edge == nil ? static_cast<Index>(providers.begin + place) : preferred(x, group, place, edge);
+    const Index p = x.s.now[group].push.edge == nil ? static_cast<Index>(providers.begin + place)
+                                                    : preferred(x, group, place, edge);
     if (x.s.enabled[p] == 0 || (outdated && p != last.active)) continue;
     if ((traits & trait::conditional) != 0 && first_false(x, p, edge) != nil) continue;
     if ((traits & trait::simple) == 0) {

@@ -44,7 +44,8 @@ void keep_for_heirs(Context& x) {
     x.s.reach[0] = group;
     if (reached_from_stale(x, 1, nil)) keep_in_limbo(x, group);
   }
-  const std::span<Index> limbo{x.s.next_order + x.row.order + x.limbo_begin, static_cast<std::size_t>(x.placed - x.limbo_begin)};
+  const std::span<Index> limbo{x.s.next_order + x.row.order + x.limbo_begin,
+                               static_cast<std::size_t>(x.placed - x.limbo_begin)};
   sort_by_holders(x, limbo, Chains::current); // by declaration
   for (Index at = x.limbo_begin; at < x.placed; ++at) put(x, limbo[at - x.limbo_begin], at);
 }

@@ -1,9 +1,9 @@
 // docs/semantics.md, section 4.1: which of two edges goes first.
 // SPDX-License-Identifier: MIT
 //
-// Along both chains from the bottom up at equal height, the pair of different edges nearest to root is where they part: all
-// below it belongs to one side only. One walk finds that pair and whether something optional lies on either side. Cost: the
-// length of the longer chain.
+// Along both chains from the bottom up at equal height, the pair of different edges nearest to root is where they part:
+// all below it belongs to one side only. One walk finds that pair and whether something optional lies on either side.
+// Cost: the length of the longer chain.
 
 #include "runtime/core/arbitration/order.hpp"
 
@@ -68,8 +68,8 @@ int compare_relatives(const Context& x, Index a, Index b, bool in_order) {
 }
 
 int compare_chains(const Context& x, Place a, Place b, bool in_order) {
-  if (x.lineage_is_valid && a.along == Chains::current && b.along == Chains::current && claimed(x, requester(x, a.edge)) &&
-      claimed(x, requester(x, b.edge)))
+  if (x.lineage_is_valid && a.along == Chains::current && b.along == Chains::current &&
+      claimed(x, requester(x, a.edge)) && claimed(x, requester(x, b.edge)))
     return compare_claimed(x, a.edge, b.edge, in_order);
   const Chain of_a = chain(x, a), of_b = chain(x, b);
   const bool limbo_a = is_limbo(x, of_a.top), limbo_b = is_limbo(x, of_b.top);

@@ -53,7 +53,8 @@ inline int compare(const Context& x, Place a, Place b, bool in_order) {
   if (a.along != b.along || is_limbo(x, a.edge) || is_limbo(x, b.edge) ||
       x.t.edges[a.edge].requester != x.t.edges[b.edge].requester)
     return compare_chains(x, a, b, in_order);
-  return a.edge == b.edge ? 0 : compare_siblings(x, {a.edge, optional(x, a.edge)}, {b.edge, optional(x, b.edge)}, in_order);
+  return a.edge == b.edge ? 0
+                          : compare_siblings(x, {a.edge, optional(x, a.edge)}, {b.edge, optional(x, b.edge)}, in_order);
 }
 
 inline bool before(const Context& x, Place a, Place b) { return compare(x, a, b, false) < 0; }
@@ -63,13 +64,15 @@ inline bool before_in_order(const Context& x, Index a, Index b, Chains along) {
   const Assignment& held = along == Chains::current ? x.s.now : x.s.last;
   if (requester(x, held[b].holder) == a && !is_limbo(x, held[b].holder)) return true; // its own requester
   if (requester(x, held[a].holder) == b && !is_limbo(x, held[a].holder)) return false;
-  if (x.lineage_is_valid && along == Chains::current) return compare_claimed(x, held[a].holder, held[b].holder, true) < 0;
+  if (x.lineage_is_valid && along == Chains::current)
+    return compare_claimed(x, held[a].holder, held[b].holder, true) < 0;
   return compare(x, {held[a].holder, along}, {held[b].holder, along}, true) < 0;
 }
 
 /// Of two candidates: their requesters are claimed or root.
 inline bool goes_first(const Context& x, Index a, Index b) {
-  return (x.lineage_is_valid ? compare_claimed(x, a, b, true) : compare(x, {a, Chains::current}, {b, Chains::current}, true)) < 0;
+  return (x.lineage_is_valid ? compare_claimed(x, a, b, true)
+                             : compare(x, {a, Chains::current}, {b, Chains::current}, true)) < 0;
 }
 
 } // namespace director::arbitration

@@ -1,9 +1,9 @@
 // docs/semantics.md, section 4.3: need plans.
 // SPDX-License-Identifier: MIT
 //
-// A plan is searched, not enumerated: it is a stack of entries (group, provider, who needs it), extended depth first; the
-// next plan changes the last entry that has another provider. The plans of all members of a unit lie on one stack, one
-// behind the other.
+// A plan is searched, not enumerated: it is a stack of entries (group, provider, who needs it), extended depth first;
+// the next plan changes the last entry that has another provider. The plans of all members of a unit lie on one stack,
+// one behind the other.
 
 #include "runtime/core/arbitration/plan.hpp"
 
@@ -32,7 +32,7 @@ bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh
   const auto pick = [&](Index entry) {
     const Index group = x.s.entry_group[entry], choice = x.s.entry_choice[entry];
     x.s.entry_provider[entry] = by_declaration ? static_cast<Index>(x.t.groups[group].providers.begin + choice)
-                                              : preferred(x, group, choice, x.s.entry_need[entry]);
+                                               : preferred(x, group, choice, x.s.entry_need[entry]);
   };
   if (fresh) end = begin;
   for (bool back = !fresh;;) {

@@ -1,9 +1,9 @@
 // docs/semantics.md, sections 4.3 and 4.4: the life of a push: made, kept, in force, dropped.
 // SPDX-License-Identifier: MIT
 //
-// For each condition that a unit waits for, the shortest chain of causing providers is searched: the length of a chain is 1
-// for its last provider plus the lengths for all that this one lacks, a least fixed point over conditions, found by
-// relaxing every causing provider until nothing gets shorter.
+// For each condition that a unit waits for, the shortest chain of causing providers is searched: the length of a chain
+// is 1 for its last provider plus the lengths for all that this one lacks, a least fixed point over conditions, found
+// by relaxing every causing provider until nothing gets shorter.
 
 #include "runtime/core/arbitration/push.hpp"
 
@@ -100,7 +100,8 @@ bool relax(Context& x, Index provider) {
   bool changed = false;
   Index end = 0, number = 0;
   x.s.trial[row.group] = 0; // its own group counts as used
-  for (bool more = search_plan(x, provider, 0, end, true, true); more; more = search_plan(x, provider, 0, end, false, true)) {
+  for (bool more = search_plan(x, provider, 0, end, true, true); more;
+       more = search_plan(x, provider, 0, end, false, true)) {
     const Index plan = number++;
     ++x.work;
     bool possible = true;
@@ -237,8 +238,8 @@ void push_for(Context& x, Index count, Index unmet) {
   const auto theirs = [&](Index g) -> const Push& { return x.s.now[g].push; }; // made by units before this one
   const auto begin = [&](Index g) {
     const Push& push = x.s.last[g].push;
-    const bool ours =
-        push.edge != nil && in_unit(x, push.edge, count) && (theirs(g).edge == nil || theirs(g).provider == push.provider);
+    const bool ours = push.edge != nil && in_unit(x, push.edge, count) &&
+                      (theirs(g).edge == nil || theirs(g).provider == push.provider);
     x.s.own[g] = ours ? push : Push{};
     x.s.first[g] = Push{};
     x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);

@@ -26,8 +26,7 @@ void compare_member(Context& x, Index edge) {
   compare_claim(x, group);
   bool other = runs != ran || now.active != last.active || now.planned != last.planned;
   const Range slots = x.t.groups[group].slots;
-  for (Index slot = slots.begin; slot != slots.end; ++slot)
-    other = other || x.s.now.plan[slot] != x.s.last.plan[slot];
+  for (Index slot = slots.begin; slot != slots.end; ++slot) other = other || x.s.now.plan[slot] != x.s.last.plan[slot];
   if (other) reach(x, group);
   if ((x.s.traits[group] & trait::simple) != 0) return;
   const auto compare_plan = [&](const Assignment& of) {
@@ -84,8 +83,8 @@ void begin_followed(Context& x, Index count) {
 
 /// What the decision rests on is noted, and what came out otherwise than in the last pass reaches others.
 void compare_with_last(Context& x, Index count) {
-  const auto bits = static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) |
-                                              (x.depends_on_stale ? trail::on_stale : 0));
+  const auto bits =
+      static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0));
   x.depends_on_last = x.depends_on_last || x.on_last;
   x.depends_on_stale = x.depends_on_stale || x.on_stale;
   bool pushing = false;

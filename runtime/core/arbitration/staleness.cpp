@@ -73,9 +73,11 @@ bool premature(Context& x, Index count) {
 /// one that goes before it and is not above it.
 bool reached_from_stale(Context& x, Index found, Index edge) {
   const auto counts = [&](Index group) {
-    if ((x.s.now[group].flags & flag::granted) == 0 || !is_outdated(x, group) || holder_now(x, group) == nil) return false;
+    if ((x.s.now[group].flags & flag::granted) == 0 || !is_outdated(x, group) || holder_now(x, group) == nil)
+      return false;
     const Index holder = x.s.now[group].holder;
-    return edge == nil || (!in_chain(x, holder, {edge, Chains::current}) && before(x, {holder, Chains::current}, {edge, Chains::current}));
+    return edge == nil || (!in_chain(x, holder, {edge, Chains::current}) &&
+                           before(x, {holder, Chains::current}, {edge, Chains::current}));
   };
   const Index claims = found;
   bool yes = false;

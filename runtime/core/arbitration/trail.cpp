@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A unit's decision depends on what units before it claimed, pushed and were denied, on its conditions and requests, on
-// whose orders are outdated, and on the last result. So a pass goes along the order as the last one did, and decides only
-// units that something different reaches (reach.cpp).
+// whose orders are outdated, and on the last result. So a pass goes along the order as the last one did, and decides
+// only units that something different reaches (reach.cpp).
 //
 // Between passes State::now is what State::last is. A pass opens the groups that it has to look at, each with all above
 // it, and clears what is now of these alone. A group that is not opened stands with all below it: the walk passes it in
@@ -45,7 +45,8 @@ bool can_stand(const Context& x, Index group) {
   if (lives_for_need || x.s.lineage[group].top == nil || (is_outdated(x, group) && !outdates(x, group))) return false;
   const Range edges = x.t.groups[group].edges;
   for (Index e = edges.begin; e != edges.end; ++e) {
-    if ((x.s.edge_trail[e] & trail::on_stale) != 0 || optional(x, e)) return false; // what is optional comes after all else
+    if ((x.s.edge_trail[e] & trail::on_stale) != 0 || optional(x, e))
+      return false; // what is optional comes after all else
   }
   return true;
 }

@@ -62,7 +62,8 @@ void try_unit(Context& x, Index edge, bool outdated) {
 
 /// It comes before what stands ahead of its siblings?
 inline bool look_ahead_to(Context& x, Index edge, Index base) {
-  const bool in_order = x.ahead == base || compare_siblings(x, {edge, false}, {x.s.candidate[x.ahead - 1], false}, true) < 0;
+  const bool in_order =
+      x.ahead == base || compare_siblings(x, {edge, false}, {x.s.candidate[x.ahead - 1], false}, true) < 0;
   x.s.candidate[x.ahead++] = edge;
   return in_order;
 }
@@ -103,7 +104,9 @@ void look_ahead(Context& x, Index group) {
     }
     if (level == nil || !asks) {
       if (holder_now(x, x.t.edges[e].target) != e) {
-        if (other && !x.whole && x.s.last[x.t.edges[e].target].holder == e && !injected(Fault::lost_needs_are_overlooked)) move(x, x.t.edges[e].target);
+        if (other && !x.whole && x.s.last[x.t.edges[e].target].holder == e &&
+            !injected(Fault::lost_needs_are_overlooked))
+          move(x, x.t.edges[e].target);
         continue;
       }
       if (level == nil) {
@@ -144,7 +147,8 @@ inline void place(Context& x, Index group) {
     x.top = group;
   }
   Index at = x.placed;
-  if (injected(Fault::ancestors_are_equals) && at != 0 && x.s.next_order[x.row.order + at - 1] == requester(x, x.s.now[group].holder)) {
+  if (injected(Fault::ancestors_are_equals) && at != 0 &&
+      x.s.next_order[x.row.order + at - 1] == requester(x, x.s.now[group].holder)) {
     put(x, x.s.next_order[x.row.order + at - 1], at);
     --at;
   }
@@ -201,7 +205,9 @@ inline void walk_on(Context& x) {
   }
 }
 
-inline void visit_root(Context& x, Index edge) { visit(x, edge, static_cast<std::uint8_t>(x.s.edge_marks[edge] | mark::alone)); }
+inline void visit_root(Context& x, Index edge) {
+  visit(x, edge, static_cast<std::uint8_t>(x.s.edge_marks[edge] | mark::alone));
+}
 
 Index first_of_heap(Context& x) {
   const Index first = heap_at(x, 0), moved = heap_at(x, --x.postponed);

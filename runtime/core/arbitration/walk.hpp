@@ -13,7 +13,8 @@ void leave_to(Context& x, Index group);
 
 /// In the new order.
 inline void put(Context& x, Index group, Index at) {
-  if (at < x.first_moved && (at >= x.s.order_count[x.component] || x.s.order[x.row.order + at] != group)) x.first_moved = at;
+  if (at < x.first_moved && (at >= x.s.order_count[x.component] || x.s.order[x.row.order + at] != group))
+    x.first_moved = at;
   x.s.next_order[x.row.order + at] = group;
   x.s.place[group] = at;
 }

@@ -1,4 +1,4 @@
-// Door: runtime/core/base/state.hpp. Test: tests/runtime/core/base/state_test.cpp.
+// docs/bounds.md: the memory of one behaviour, as arrays in one block.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/base/state.hpp"

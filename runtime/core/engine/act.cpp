@@ -1,12 +1,12 @@
-// Door: runtime/core/engine/engine.hpp. Test: tests/runtime/core/engine/engine_test.cpp.
+// docs/semantics.md, section 5: acting on the difference between the last assignment and the new one.
 // SPDX-License-Identifier: MIT
 //
-// Section 5: acting on the difference between the last assignment and the new one. First stops, in the old order, so
-// that a group is cleaned up before others begin; then, in the new order, starts and reasons to run.
+// First stops, in the old order, so that a group is cleaned up before others begin; then, in the new order, starts and
+// reasons to run.
 
+#include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/engine/notes.hpp"
-#include "runtime/core/base/fault_injection.hpp"
 
 namespace director {
 

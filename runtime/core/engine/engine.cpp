@@ -1,7 +1,5 @@
-// Door: runtime/core/engine/engine.hpp, run.hpp. Test: tests/runtime/core/engine/engine_test.cpp.
+// docs/semantics.md, section 6: what is asked from outside a micro-step, and what bodies and handlers see and ask for.
 // SPDX-License-Identifier: MIT
-//
-// What the engine is asked from outside a micro-step, and what bodies and handlers ask of it.
 
 #include "runtime/core/engine/engine.hpp"
 

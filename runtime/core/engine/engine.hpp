@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration.hpp) and
+// The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration/pass.hpp) and
 // acts on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
 
 #include "runtime/core/arbitration/order.hpp"

@@ -1,4 +1,4 @@
-// Door: runtime/core/engine/inbox.hpp. Test: tests/runtime/core/engine/inbox_test.cpp.
+// docs/semantics.md, section 7: the queue of posted inputs.
 // SPDX-License-Identifier: MIT
 //
 // A cell's sequence number says who may use it: equal to a writer's position, it is free for that writer; one more, it is full

@@ -1,7 +1,5 @@
-// Door: runtime/core/engine/engine.hpp. Test: tests/runtime/core/engine/engine_test.cpp.
+// docs/semantics.md, section 3, Inputs: what the outside asks for, sets and fires, and what handlers set.
 // SPDX-License-Identifier: MIT
-//
-// Section 3, Inputs: what the outside asks for, sets and fires, and what handlers set.
 
 #include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/engine/notes.hpp"

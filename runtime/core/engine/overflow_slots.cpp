@@ -1,4 +1,4 @@
-// Door: runtime/core/engine/overflow_slots.hpp. Test: tests/runtime/core/engine/overflow_slots_test.cpp.
+// docs/semantics.md, section 7: what a full inbox does not refuse.
 // SPDX-License-Identifier: MIT
 //
 // A place is free, then being filled by one writer, then published (at most one in a slot, the newest record), then in the

@@ -1,9 +1,9 @@
-// Door: runtime/core/engine/engine.hpp. Test: tests/runtime/core/engine/engine_test.cpp.
+// docs/semantics.md, section 3: after every micro-step, arbitrate and act.
 // SPDX-License-Identifier: MIT
 //
-// After every micro-step: arbitrate, and act. Arbitration is a pass, but only over the components whose
+// Arbitration is a pass, but only over the components whose
 // result can be another one than the last: those with a changed input, those whose last pass may decide differently on
-// its own result, and those in which it counts whose orders are outdated, when that has changed (see arbitration.hpp).
+// its own result, and those in which it counts whose orders are outdated, when that has changed (pass.hpp).
 // Everything else stays as it is, and only groups that gained a reason to run have to be looked at.
 
 #include "runtime/core/arbitration/plan.hpp"

@@ -1,7 +1,7 @@
-// Door: runtime/core/engine/engine.hpp. Test: tests/runtime/core/engine/engine_test.cpp.
+// docs/semantics.md, section 3: micro-steps, and runs.
 // SPDX-License-Identifier: MIT
 //
-// Section 3: micro-steps. One loop takes them in the order of choice: what handlers set, the oldest input, what is due
+// One loop takes them in the order of choice: what handlers set, the oldest input, what is due
 // at the time being served, the oldest run, one more arbitration; then the next due time. What most micro-steps are
 // made of, a run, is a part of that loop, without a call.
 

@@ -1,7 +1,7 @@
-// Door: runtime/core/engine/engine.hpp. Test: tests/runtime/core/engine/engine_test.cpp.
+// docs/semantics.md, section 3, Time.
 // SPDX-License-Identifier: MIT
 //
-// Section 3, Time. Timers are numbered kind by kind, in the order in which those that are due together are served, and
+// Timers are numbered kind by kind, in the order in which those that are due together are served, and
 // by declaration. Above them stands a tree: node n knows which one below it is due first, 2n and 2n+1 being the nodes
 // below n and the timers its leaves, so that node 1 knows the first of all. Cost: the root is read; a change climbs as
 // far as it matters.

@@ -1,4 +1,4 @@
-// Door: runtime/core/inspect/snapshot.hpp. Test: tests/runtime/core/inspect/snapshot_test.cpp.
+// docs/semantics.md, section 2, as other threads may see it.
 // SPDX-License-Identifier: MIT
 //
 // Readers only ever enter the buffer that was finished last, so the other one becomes empty by itself.

@@ -1,4 +1,4 @@
-// Door: runtime/core/inspect/view.hpp. Test: tests/runtime/core/inspect/snapshot_test.cpp.
+// docs/semantics.md, section 2, as one may see it from outside.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/inspect/view.hpp"

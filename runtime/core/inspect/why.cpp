@@ -1,4 +1,4 @@
-// Door: runtime/core/inspect/why.hpp. Test: tests/runtime/core/inspect/why_test.cpp, tests/property/property_test.cpp.
+// docs/semantics.md, section 4, for people: why a group runs or does not.
 // SPDX-License-Identifier: MIT
 //
 // The last pass has noted for each request why it was refused; what is looked for here is the whom and the where. Who

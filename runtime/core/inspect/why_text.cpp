@@ -1,4 +1,4 @@
-// Door: runtime/core/inspect/why_text.hpp. Test: tests/runtime/core/inspect/why_test.cpp, tests/system/api/outside_test.cpp.
+// The answers of why.cpp as sentences.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/inspect/why_text.hpp"
