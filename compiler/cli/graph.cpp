@@ -9,6 +9,7 @@
 #include "compiler/play/moment.hpp"
 #include "compiler/play/names.hpp"
 #include "compiler/play/play.hpp"
+#include "runtime/core/inspect/view.hpp"
 
 #include <fmt/format.h>
 
@@ -119,7 +120,7 @@ std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step
   PlayOptions options;
   options.steps = step;
   options.until = time;
-  options.end = [&](const Engine& engine) { out = moment_of(engine.view(), loaded.model, loaded.lowered); };
+  options.end = [&](const Engine& engine) { out = moment_of(view_of(engine), loaded.model, loaded.lowered); };
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
   if (played.refused) {
     print_findings({*played.refused}, sources, console.err, console.err_colours);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/print_bounds.hpp"
 
-#include "runtime/core/engine.hpp"
+#include "runtime/core/engine/engine.hpp"
 
 #include <fmt/format.h>
 

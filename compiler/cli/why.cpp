@@ -5,6 +5,7 @@
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/play/names.hpp"
 #include "compiler/play/play.hpp"
+#include "runtime/core/inspect/view.hpp"
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ int run(const Why& request, Console& console) {
   options.steps = request.step;
   options.until = request.time;
   options.end = [&](const Engine& engine) {
-    reasoning = reason_why(engine.view(), *group, loaded.model, loaded.lowered);
+    reasoning = reason_why(view_of(engine), *group, loaded.model, loaded.lowered);
   };
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
   if (played.refused) {

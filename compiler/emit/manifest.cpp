@@ -7,7 +7,7 @@
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/base/sha256.hpp"
 #include "compiler/base/version.hpp"
-#include "runtime/core/state.hpp"
+#include "runtime/core/base/state.hpp"
 
 namespace director::compiler {
 

@@ -7,7 +7,7 @@
 #include "compiler/explore/blame.hpp"
 
 #include "compiler/explore/watch.hpp"
-#include "runtime/core/why.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -24,7 +24,7 @@ public:
   Unit(const Engine& engine, Index edge, Index winner, Index loser)
       : engine_(engine),
         t_(engine.tables()),
-        view_(engine.view()),
+        view_(view_of(engine)),
         edge_(edge),
         loser_(loser) {
     members_.push_back(edge);

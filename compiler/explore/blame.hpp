@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Who blocks a task: whether it would be granted if one side held nothing.
 
-#include "runtime/core/engine.hpp"
+#include "runtime/core/engine/engine.hpp"
 
 namespace director::compiler {
 

@@ -50,7 +50,7 @@ std::uint64_t Foresight::effect_of(const Deed& deed) {
   if (asks) {
     for (const Ask& ask : ground_.bodies[deed.provider].packs[deed.pack]) {
       const Index target = t.edges[ask.edge].target;
-      const bool has_new_task = (s.turn[target].pending & static_cast<std::uint8_t>(Reason::new_task)) != 0;
+      const bool has_new_task = (s.run_queue[target].pending & static_cast<std::uint8_t>(Reason::new_task)) != 0;
       const bool stays = deed.answer == Deed::Answer::kept && s.request[ask.edge].level == ask.level;
       const bool is_news = !stays && s.last[target].holder == ask.edge && !has_new_task;
       request_[ask.edge].level = ask.level;
@@ -60,7 +60,7 @@ std::uint64_t Foresight::effect_of(const Deed& deed) {
   for (Index e = own.begin; e != own.end; ++e)
     request_[e].stamp = request_[e].level == s.request[e].level ? s.request[e].stamp : s.counters->micro_step + 1;
   printer_.add_places(all, deed.group, request_.data());
-  const bool stays_done = deed.answer == Deed::Answer::keep && s.turn[deed.group].done != 0;
+  const bool stays_done = deed.answer == Deed::Answer::keep && s.run_queue[deed.group].done != 0;
   all.add(deed.answer == Deed::Answer::done ? 2U : stays_done ? 1U : 0U);
   return all.sum();
 }

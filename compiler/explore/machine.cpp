@@ -86,7 +86,7 @@ void Machine::find_answers() {
   deed.answer = Deed::Answer::keep;
   answers_.push_back(deed);
   deed.answer = Deed::Answer::done;
-  if (engine_.memory().turn[deed.group].done == 0) answers_.push_back(deed);
+  if (engine_.memory().run_queue[deed.group].done == 0) answers_.push_back(deed);
 }
 
 Outcome Machine::run(Run& run) {
@@ -162,7 +162,7 @@ bool Machine::runs_next() const {
   const Index group = s.counters->queue_first;
   if (phase_ == Phase::rest || s.counters->handlers_set || group == nil) return false;
   const auto pushed = static_cast<std::uint8_t>(Reason::pushed);
-  return engine_.in_force(group) ? s.turn[group].pending != 0 : (s.turn[group].pending & ~pushed) != 0;
+  return engine_.in_force(group) ? s.run_queue[group].pending != 0 : (s.run_queue[group].pending & ~pushed) != 0;
 }
 
 bool Machine::takes_inputs() const {

@@ -46,7 +46,7 @@ void overwrite(std::uint64_t* rows, Index begin, Index end, int byte) {
 
 } // namespace
 
-static_assert(std::has_unique_object_representations_v<Standing>, "it is hashed as the bytes that it is");
+static_assert(std::has_unique_object_representations_v<GroupAssignment>, "it is hashed as the bytes that it is");
 
 std::uint64_t key_of(const Print& print, std::uint64_t watch) {
   const std::uint64_t sum = fold(fold(print.rest ^ salt[3], print.values ^ salt[7]) ^ salt[1], watch ^ salt[4]);
@@ -62,7 +62,7 @@ Printer::Printer(const Ground& ground, const Engine& engine) : ground_(ground), 
   std::size_t contested_edges = 0;
   for (const Contested& each : contested_) contested_edges += each.edges.size();
   projection_.resize(words(t.edges.size(), sizeof(Index)) + contested_edges / 4 + contested_.size() +
-                     words(t.groups.size(), sizeof(Standing)) + words(t.plan_groups.size(), sizeof(Index)) +
+                     words(t.groups.size(), sizeof(GroupAssignment)) + words(t.plan_groups.size(), sizeof(Index)) +
                      2 * words(t.groups.size(), 1) + 1 + words(t.states.size(), sizeof(std::int32_t)) +
                      t.groups.size() + Projection::stride);
 }
@@ -137,17 +137,17 @@ std::uint64_t* Printer::add_holdings(Projection& out) const {
   const director::State& s = engine_.memory();
   out.add(s.last.group, t.groups.size());
   out.add(s.last.plan, t.plan_groups.size());
-  const auto done_of = [](const Turn& turn) { return turn.done; };
-  const auto pending_of = [](const Turn& turn) { return turn.pending; };
-  std::uint64_t* const done = out.add(s.turn, t.groups.size(), done_of);
-  std::uint64_t* word = out.add(s.turn, t.groups.size(), pending_of);
+  const auto done_of = [](const RunQueueEntry& entry) { return entry.done; };
+  const auto pending_of = [](const RunQueueEntry& entry) { return entry.pending; };
+  std::uint64_t* const done = out.add(s.run_queue, t.groups.size(), done_of);
+  std::uint64_t* word = out.add(s.run_queue, t.groups.size(), pending_of);
   for (; word != out.end(); ++word) *word = classes_of(*word);
   return done;
 }
 
 void Printer::add_queue(Projection& out, Index first) const {
   const director::State& s = engine_.memory();
-  for (Index g = first; g != nil; g = s.turn[g].runs_before) out.add(std::uint64_t{g} + 1);
+  for (Index g = first; g != nil; g = s.run_queue[g].runs_before) out.add(std::uint64_t{g} + 1);
 }
 
 Print Printer::print(Phase phase) const {
@@ -186,7 +186,7 @@ std::uint64_t Printer::rest_before(Index group) const {
     overwrite<Bits>(done + Projection::words_of(t.groups.size()), group, group + 1, 0);
   }
   all.add(std::uint64_t{group} + 1);
-  add_queue(all, runs ? s.turn[group].runs_before : s.counters->queue_first);
+  add_queue(all, runs ? s.run_queue[group].runs_before : s.counters->queue_first);
   return all.sum();
 }
 

@@ -4,7 +4,7 @@
 
 #include "compiler/explore/happens.hpp"
 #include "compiler/explore/hash.hpp"
-#include "runtime/core/engine.hpp"
+#include "runtime/core/engine/engine.hpp"
 
 #include <cstdint>
 #include <vector>

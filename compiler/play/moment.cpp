@@ -27,7 +27,7 @@ std::string reason(const View& view, GroupId group, const Model& model, const Lo
 
 Moment::Standing standing_of(const View& view, GroupId group, const Model& model, const Lowered& lowered) {
   const auto row = static_cast<Index>(group.value);
-  const Standing& now = view.standing[row];
+  const GroupAssignment& now = view.assignment[row];
   Moment::Standing out;
   if (now.active != nil) out.active = ProviderId{now.active};
   bool asked = false;
@@ -60,7 +60,7 @@ Moment moment_of(const View& view, const Model& model, const Lowered& lowered) {
   Moment out;
   for (const GroupId group : model.groups.ids()) {
     out.groups.push_back(standing_of(view, group, model, lowered));
-    const Push& push = view.standing[group.value].push;
+    const Push& push = view.assignment[group.value].push;
     if (push.edge == nil) continue;
     const GroupId waits = model.edges[EdgeId{push.edge}].target;
     const ProviderId to{push.provider};

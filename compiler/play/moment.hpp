@@ -5,7 +5,7 @@
 #include "compiler/emit/graph/picture_options.hpp"
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
-#include "runtime/core/view.hpp"
+#include "runtime/core/inspect/view.hpp"
 
 namespace director::compiler {
 

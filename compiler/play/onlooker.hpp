@@ -3,7 +3,7 @@
 // Who looks on while a scenario is played: told of every run of a body, and shown the engine after every micro-step.
 
 #include "compiler/play/scenario.hpp"
-#include "runtime/core/engine.hpp"
+#include "runtime/core/engine/engine.hpp"
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 #include "compiler/play/play.hpp"
 
 #include "compiler/play/scripted_bodies.hpp"
-#include "runtime/core/engine.hpp"
+#include "runtime/core/engine/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 
 #include <algorithm>

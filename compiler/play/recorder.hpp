@@ -5,7 +5,7 @@
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/play/happening.hpp"
-#include "runtime/core/observer.hpp"
+#include "runtime/core/base/observer.hpp"
 
 #include <functional>
 

@@ -6,7 +6,7 @@
 #include "compiler/play/data_slots.hpp"
 #include "compiler/play/onlooker.hpp"
 #include "compiler/play/scenario.hpp"
-#include "runtime/core/run.hpp"
+#include "runtime/core/engine/run.hpp"
 
 namespace director::compiler {
 

@@ -3,7 +3,7 @@
 #include "compiler/play/why.hpp"
 
 #include "dsl/colours.hpp"
-#include "runtime/core/why_text.hpp"
+#include "runtime/core/inspect/why_text.hpp"
 
 #include <fmt/format.h>
 
@@ -107,7 +107,7 @@ private:
   /// What a provider that promises the condition does about it.
   void causer(ProviderId id, const Because& because) {
     const Index group = model_.providers[id].group.value;
-    const Standing& standing = v_.standing[group];
+    const GroupAssignment& standing = v_.assignment[group];
     const std::string name = model_.full_name(id);
     std::string text;
     if (v_.enabled[id.value] == 0) {
@@ -148,7 +148,7 @@ private:
         say("the program may", span);
       } else {
         const std::string& name = model_.groups[GroupId{requester}].name.value;
-        const bool lives = v_.standing[requester].active != nil;
+        const bool lives = v_.assignment[requester].active != nil;
         say(fmt::format("{} may, {}", name, lives ? "and does not ask now" : "and does not run"), span);
       }
     }

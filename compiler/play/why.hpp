@@ -1,13 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Why a group runs, or does not: what the engine finds (runtime/core/why.hpp), in the words of the specification and
+// Why a group runs, or does not: what the engine finds (runtime/core/inspect/why.hpp), in the words of the specification and
 // with its places.
 
 #include "compiler/base/json.hpp"
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/source_file.hpp"
-#include "runtime/core/why.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <string>
 #include <vector>

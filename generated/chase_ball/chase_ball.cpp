@@ -8,7 +8,7 @@
 
 namespace chase_ball {
 
-// The tables; see runtime/core/tables.hpp. A column that is not named has its initial value.
+// The tables; see runtime/core/base/tables.hpp. A column that is not named has its initial value.
 namespace {
 
 constexpr std::array<director::Group, 2> groups{{

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/decision.hpp"
 
-#include "runtime/core/event_names.hpp"
+#include "runtime/core/api/event_names.hpp"
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What an event of the engine says, in names. Not for who steps: it makes strings.
 
-#include "runtime/core/observer.hpp"
+#include "runtime/core/base/observer.hpp"
 #include "runtime/dds/plug.hpp"
 
 #include <optional>

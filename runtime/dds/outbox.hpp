@@ -3,7 +3,7 @@
 // The way out of a step: a fixed ring between the thread that steps and the one that writes to the network. Whoever
 // steps never waits, allocates or locks; what finds no room is counted.
 
-#include "runtime/core/observer.hpp"
+#include "runtime/core/base/observer.hpp"
 
 #include <atomic>
 #include <cstddef>

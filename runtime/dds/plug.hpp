@@ -3,7 +3,7 @@
 // A behaviour as a bridge sees it: its engine, what rows are called, and the way in by number. Made from any generated
 // Behaviour, which must outlive it.
 
-#include "runtime/core/program.hpp"
+#include "runtime/core/api/program.hpp"
 
 #include <cstdint>
 #include <functional>

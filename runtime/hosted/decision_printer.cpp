@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/hosted/decision_printer.hpp"
 
-#include "runtime/core/event_names.hpp"
+#include "runtime/core/api/event_names.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 // No heap, no exceptions. It writes where the step is called: into a buffered stream, what a line takes is some
 // microseconds, and a disk or a terminal that is slow makes the step slow.
 
-#include "runtime/core/observer.hpp"
-#include "runtime/core/why_text.hpp"
+#include "runtime/core/base/observer.hpp"
+#include "runtime/core/inspect/why_text.hpp"
 
 #include <cstdio>
 #include <span>

@@ -3,7 +3,7 @@
 // The memory of an engine whose tables are known only while running, from the heap, taken once. Generated code has it
 // in its Behaviour and does not need this.
 
-#include "runtime/core/state.hpp"
+#include "runtime/core/base/state.hpp"
 
 #include <cstddef>
 #include <span>

@@ -12,7 +12,7 @@
 // What the specification does not declare does not compile here either. Errors of a test (data that nobody asked for)
 // are thrown as std::logic_error. Link what is generated; the modules' own sources are the only ones besides.
 
-#include "runtime/core/behaviour.hpp"
+#include "runtime/core/api/behaviour.hpp"
 
 #include <algorithm>
 #include <array>
@@ -98,7 +98,7 @@ struct Rig {
 
   typename Whole::Data data;
   std::array<Inbox::Cell, Whole::inbox_cells> cells;
-  std::array<LastWords::Slot, WordSlots<Whole>::count> words;
+  std::array<OverflowSlots::Slot, OverflowSlotOf<Whole>::count> words;
   alignas(8) std::array<std::byte, State::bytes(Whole::shape)> memory;
   Inbox inbox;
   Engine engine;
@@ -293,7 +293,7 @@ public:
     if (fares != Fares::none && level == nil && !levels.empty()) level = levels.begin;
     state.last[target].holder = granted ? edge : nil;
     state.last[target].flags = granted ? flag::granted : 0;
-    state.turn[target].done = fares == Fares::done     ? result::done
+    state.run_queue[target].done = fares == Fares::done     ? result::done
                               : fares == Fares::failed ? static_cast<std::uint8_t>(result::done | result::failed)
                                                        : std::uint8_t{0};
     return *this;
@@ -350,7 +350,7 @@ private:
     const Range edges = tables.groups[group].edges;
     for (Index e = edges.begin; e != edges.end; ++e) {
       state.request[e].level = state.staged_request[e - edges.begin].level;
-      Standing& target = state.last[tables.edges[e].target];
+      GroupAssignment& target = state.last[tables.edges[e].target];
       if (state.request[e].level == nil && target.holder == e) target = {};
     }
   }

@@ -5,7 +5,7 @@
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
-#include "runtime/core/engine.hpp"
+#include "runtime/core/engine/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 #include "tests/bench/random_behaviour.hpp"
 

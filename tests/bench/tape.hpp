@@ -3,7 +3,7 @@
 // The floor of a workload: what the engine calls and writes for each input is recorded once. Then the same calls and
 // writes are made by hand, in the same order, by function pointers, and nothing is decided.
 
-#include "runtime/core/observer.hpp"
+#include "runtime/core/base/observer.hpp"
 
 #include <cstdint>
 #include <vector>

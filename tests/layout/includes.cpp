@@ -21,7 +21,14 @@ struct Component {
 // against it.
 const std::vector<Component>& components() {
   static const std::vector<Component> all{
-      {"runtime/core/", {"runtime/core/"}},
+      {"runtime/core/base/", {"runtime/core/base/"}},
+      {"runtime/core/arbitration/", {"runtime/core/base/", "runtime/core/arbitration/"}},
+      {"runtime/core/engine/", {"runtime/core/base/", "runtime/core/arbitration/", "runtime/core/engine/"}},
+      {"runtime/core/inspect/",
+       {"runtime/core/base/", "runtime/core/arbitration/", "runtime/core/engine/", "runtime/core/inspect/"}},
+      {"runtime/core/api/",
+       {"runtime/core/base/", "runtime/core/engine/", "runtime/core/inspect/", "runtime/core/api/"}},
+      {"runtime/core/", {"runtime/core/"}}, // headers that forward
       {"runtime/hosted/", {"runtime/core/", "runtime/hosted/"}},
       {"runtime/dds/", {"runtime/core/", "runtime/dds/"}},
       {"schemas/", {}},

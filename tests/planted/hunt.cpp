@@ -4,7 +4,7 @@
 // Plants one fault after the other in the engine and lets the random cases of tests/property look for it: each must
 // differ from the oracle, break an invariant or hang within a small part of the cases that a usual run has. Prints a
 // table.
-#include "runtime/core/planted.hpp"
+#include "runtime/core/base/fault_injection.hpp"
 #include "tests/property/compare.hpp"
 #include "tests/property/generate.hpp"
 
@@ -18,7 +18,7 @@
 #include <sstream>
 
 namespace director {
-Fault planted_fault = Fault::none;
+Fault injected_fault = Fault::none;
 }
 
 namespace {
@@ -82,7 +82,7 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
 
 /// The number of the case that shows the fault in hand; 0: none does.
 void hunt(volatile std::uint64_t& in_hand, volatile bool& found) {
-  const std::uint64_t cases = planted_fault == Fault::none ? sound_cases : most_cases;
+  const std::uint64_t cases = injected_fault == Fault::none ? sound_cases : most_cases;
   for (std::uint64_t seed = 1; seed <= cases; ++seed) {
     in_hand = seed;
     ::alarm(most_seconds);
@@ -104,7 +104,7 @@ std::string catch_fault(Shared& shared, Fault fault) {
   shared.found = false;
   const pid_t child = ::fork();
   if (child == 0) {
-    planted_fault = fault;
+    injected_fault = fault;
     hunt(shared.in_hand, shared.found);
     ::_exit(0);
   }

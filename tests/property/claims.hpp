@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What `why` claims, held against what holds, by means of the oracle's order and plans.
 
-#include "runtime/core/why.hpp"
+#include "runtime/core/inspect/why.hpp"
 #include "tests/property/compiled.hpp"
 #include "tests/property/snapshot.hpp"
 

@@ -1,5 +1,6 @@
 // Door: tests/property/compare.hpp. Test: tests/property/property_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "runtime/core/inspect/view.hpp"
 #include "tests/property/compare.hpp"
 
 #include "compiler/analysis/plans/bounds.hpp"
@@ -95,7 +96,7 @@ private:
 
   /// What `why` says of each group is true.
   bool explains(const Snapshot& now, bool at_rest) {
-    const View view = engine_.engine().view();
+    const View view = view_of(engine_.engine());
     for (const oracle::GroupId g : c_.model.groups.ids()) {
       const Because claim = why(view, static_cast<Index>(g.value));
       const auto kind = static_cast<std::size_t>(claim.kind);

@@ -102,7 +102,7 @@ Snapshot EngineRun::snapshot() const {
       group.push = oracle::Push{oracle::EdgeId{push.edge}, oracle::ProviderId{push.provider},
                                 compiled_.lowered.condition_ids[push.condition]};
     }
-    const Reasons pending(s.turn[g].pending);
+    const Reasons pending(s.run_queue[g].pending);
     for (const auto& [reason, there] : {std::pair{oracle::Reason::new_task, director::Reason::new_task},
                                         std::pair{oracle::Reason::pushed, director::Reason::pushed},
                                         std::pair{oracle::Reason::subtask_done, director::Reason::subtask_done},
@@ -120,7 +120,7 @@ Snapshot EngineRun::snapshot() const {
     const std::int32_t value = engine_.value(v);
     out.values.push_back(value == unset ? std::nullopt : std::optional<std::int64_t>(value));
   }
-  for (Index g = s.counters->queue_first; g != nil; g = s.turn[g].runs_before) out.queue.push_back(oracle::GroupId{g});
+  for (Index g = s.counters->queue_first; g != nil; g = s.run_queue[g].runs_before) out.queue.push_back(oracle::GroupId{g});
   return out;
 }
 

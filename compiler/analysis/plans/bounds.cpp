@@ -3,7 +3,7 @@
 #include "compiler/analysis/plans/bounds.hpp"
 
 #include "compiler/analysis/plans/trials.hpp"
-#include "runtime/core/state.hpp"
+#include "runtime/core/base/state.hpp"
 
 #include <algorithm>
 #include <limits>

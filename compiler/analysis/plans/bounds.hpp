@@ -4,7 +4,7 @@
 // bound.
 
 #include "compiler/model/model.hpp"
-#include "runtime/core/tables.hpp"
+#include "runtime/core/base/tables.hpp"
 
 namespace director::analysis {
 

@@ -3,7 +3,7 @@
 //
 // What the C++ compiler must know of the specification: numbers of rows, and what each body may ask for.
 #include "compiler/emit/cpp/parts.hpp"
-#include "runtime/core/state.hpp"
+#include "runtime/core/base/state.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The tables of runtime/core/tables.hpp as constants. A row names the columns that say something; its comment says what
+// The tables of runtime/core/base/tables.hpp as constants. A row names the columns that say something; its comment says what
 // the row is.
 #include "compiler/emit/cpp/parts.hpp"
 
@@ -201,7 +201,7 @@ Code tables_part(const CppEmission& e) {
     return names;
   };
   Code code;
-  code.comment("The tables; see runtime/core/tables.hpp. A column that is not named has its initial value.", "//");
+  code.comment("The tables; see runtime/core/base/tables.hpp. A column that is not named has its initial value.", "//");
   code.line("namespace {");
   code.blank();
   const auto group = [&](std::size_t i) { return m.groups[GroupId{id(i)}].name.value; };

@@ -4,7 +4,7 @@
 // kept as lines: `run Walk.halting pushed`, `start Walk`, `queue root>Kick waiting`.
 
 #include "compiler/lower/lower.hpp"
-#include "runtime/core/engine.hpp"
+#include "runtime/core/engine/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 #include "tests/compiler/support/compiled.hpp"
 

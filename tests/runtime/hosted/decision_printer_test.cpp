@@ -6,7 +6,7 @@
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
 #include "dsl/read_scenario.hpp"
-#include "runtime/core/event_names.hpp"
+#include "runtime/core/api/event_names.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "tests/support/golden.hpp"
 

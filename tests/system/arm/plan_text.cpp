@@ -4,7 +4,7 @@
 
 #include "compiler/emit/cpp/parts.hpp"
 #include "compiler/play/scripted_bodies.hpp"
-#include "runtime/core/words.hpp"
+#include "runtime/core/base/words.hpp"
 
 #include <fmt/format.h>
 
@@ -222,7 +222,7 @@ void PlanText::add(const std::string& title, const dsl::Sources& sources, const 
 
 std::string PlanText::text() const {
   Code code;
-  code.line("#include \"runtime/core/behaviour.hpp\""); // what generated code stands on
+  code.line("#include \"runtime/core/api/behaviour.hpp\""); // what generated code stands on
   code.line("#include \"tests/system/arm/target/plan.hpp\"");
   code.blank();
   code.line("#include <array>");

@@ -87,7 +87,7 @@ std::vector<std::string> colliding_words(const std::string& compiler, const std:
   add_macros(compiler, folder, words);
   const fs::path root = DIRECTOR_SOURCE_DIR;
   for (const char* place : {"runtime/core", "generated/soccer"}) {
-    for (const auto& entry : fs::directory_iterator(root / place)) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / place)) {
       const fs::path extension = entry.path().extension();
       if (extension == ".hpp" || extension == ".cpp") add_words(read(entry.path()), words);
     }

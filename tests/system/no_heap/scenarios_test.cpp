@@ -10,7 +10,7 @@
 #include "compiler/play/scripted_bodies.hpp"
 #include "dsl/read_behaviour.hpp"
 #include "dsl/read_scenario.hpp"
-#include "runtime/core/engine.hpp"
+#include "runtime/core/engine/engine.hpp"
 #include "tests/system/no_heap/heap_trap.hpp"
 #include "tests/support/golden.hpp"
 

@@ -4,7 +4,7 @@
 // A second player beside compiler/play, on constants and without heap: the two agree on every line, or the test fails.
 #include "tests/system/arm/target/player.hpp"
 
-#include "runtime/core/engine.hpp"
+#include "runtime/core/engine/engine.hpp"
 #include "tests/system/arm/target/text.hpp"
 
 #include <new>

@@ -1,0 +1,100 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Which tasks a body, or the program, may ask for, as types: generated code lists them, and what does not fit the list
+// does not compile. Nothing here is kept at run time but the numbers of edges and levels.
+
+#include "runtime/core/api/slots.hpp"
+#include "runtime/core/api/task.hpp"
+
+namespace director {
+
+/// An entry of a pack, of `tasks` or of `roots`. `edge`: from the requester to the task. `place`: that edge's place
+/// among those that lead to the task, for its data. `rows`: of Tables::levels, first that of the entry's first level,
+/// then one for each level that the task has a name for (LevelOf::number), nil where this entry does not have it.
+template <class T, bool mandatory, Index edge_row, Index place_at, Index... rows>
+struct Member {
+  using Task = T;
+  static constexpr bool needed = mandatory;
+  static constexpr Index edge = edge_row;
+  static constexpr Index place = place_at;
+  static constexpr Index row(LevelOf<T> level) {
+    constexpr std::array<Index, sizeof...(rows)> all{rows...};
+    const std::size_t at = level.number == LevelOf<T>::first ? 0U : level.number + 1U;
+    return at < all.size() ? all[at] : nil;
+  }
+};
+
+template <class T, Index edge, Index place, Index... rows>
+using Must = Member<T, true, edge, place, rows...>;
+template <class T, Index edge, Index place, Index... rows>
+using May = Member<T, false, edge, place, rows...>;
+
+namespace detail {
+
+template <class T, bool mandatory, Index edge, Index place, Index... rows>
+Member<T, mandatory, edge, place, rows...> member_for(const Member<T, mandatory, edge, place, rows...>&);
+
+template <class Task, class... Given>
+inline constexpr std::size_t times = (std::size_t{std::is_same_v<Task, TaskOf<Given>>} + ... + 0U);
+
+} // namespace detail
+
+template <class... Members>
+struct Pack : Members... {
+  static constexpr std::size_t size = sizeof...(Members);
+
+  template <class Task>
+  static constexpr bool has = (std::is_same_v<Task, typename Members::Task> || ...);
+
+  /// Every task given is one of the pack's.
+  template <class... Given>
+  static constexpr bool takes = (has<TaskOf<Given>> && ...);
+
+  /// No task is given twice.
+  template <class... Given>
+  static constexpr bool once = ((detail::times<TaskOf<Given>, Given...> == 1) && ...);
+
+  /// The task that this edge leads to is one of the pack's and carries no data.
+  static constexpr bool bare_at(Index edge) {
+    return ((Members::edge == edge && !has_data<typename Members::Task>) || ...);
+  }
+
+  template <class Task>
+  using For = decltype(detail::member_for<Task>(std::declval<const Pack&>()));
+};
+
+/// The named packs of a provider, in the order in which they are declared.
+template <class... All>
+struct Packs {
+  template <class Task>
+  static constexpr bool has = (All::template has<Task> || ...);
+};
+
+/// The task is among those given.
+template <class Task, class... Given>
+inline constexpr bool given = detail::times<Task, Given...> > 0;
+
+/// Asks for one task of a pack. False: it has not the level that was named.
+template <class Pack, class Data, class Given>
+bool ask_for(Run& run, Data& data, Given& request) {
+  using Task = TaskOf<Given>;
+  using Member = typename Pack::template For<Task>;
+  TaskBase<Task>& task = detail::Given<Given>::task(request);
+  const Index row = Member::row(task.level);
+  if (row == nil) return false;
+  const bool anew = run.request(Member::edge, row, detail::Given<Given>::kept);
+  if constexpr (has_data<Task>) {
+    if (anew) data.template of<Task>().stage(Member::place, std::move(task.data));
+  }
+  return true;
+}
+
+/// Asks for everything that is given and for nothing else. A level that the requester does not declare for a task is a
+/// fault of the body: nothing is asked for, and the observer and whoever called step() hear of it.
+template <class Pack, class Data, class... Given>
+Outcome ask(Run& run, Data& data, std::uint16_t number, Given&... requests) {
+  const bool declared = (ask_for<Pack>(run, data, requests) && ...);
+  return declared ? run.pack(number) : run.fault();
+}
+
+} // namespace director

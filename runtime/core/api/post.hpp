@@ -1,0 +1,204 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// The way into a behaviour from outside, typed: what programs, other threads and bodies may ask of it. `Facts`: see
+// program.hpp.
+
+#include "runtime/core/api/body.hpp"
+#include "runtime/core/engine/engine.hpp"
+#include "runtime/core/engine/inbox.hpp"
+#include "runtime/core/api/overflow_slot_of.hpp"
+
+#include <array>
+#include <utility>
+
+namespace director {
+
+/// The way in. Any thread and any interrupt may use one, at any time, from anywhere. Each call is one input, taken by
+/// the next step(). False: nothing was posted, since the inbox is full or a value is outside its state's domain. Root
+/// tasks are requested and cancelled, and single states set, even so: for what finds no room each has a slot of its
+/// own, where the last call counts, and which is taken after what the inbox held then. What the inbox refuses, and what
+/// a slot held when a later call took it over, is counted (BehaviourView::lost), and the observer is told at the next step.
+template <class Facts>
+class Post {
+  using States = typename Facts::States;
+  using Roots = typename Facts::Roots;
+
+public:
+  /// `engine`: only in the thread that calls step(), where an input for which nobody waits goes straight to it.
+  Post(Inbox& inbox, typename Facts::Data& data, Engine* engine = nullptr)
+      : inbox_(&inbox),
+        data_(&data),
+        engine_(engine) {}
+
+  /// Root tasks, with their data; several come together. `request(soccer::Kick{command})` False: only for a level that
+  /// the program does not declare in `roots`.
+  template <class Task, class... More>
+  bool request(Task task, More... more) const {
+    static_assert(Roots::template takes<Task, More...>,
+                  "only tasks that stand in `roots` can be requested from outside");
+    std::array records{record(task), record(more)...};
+    for (const Input& input : records) {
+      if (input.level == nil) return false;
+    }
+    link(records);
+    Input* input = records.data();
+    const bool room = (wait(task, *input) && ... && wait(more, *++input));
+    if (room && (goes_first(records) || inbox_->post_in_turn(records))) return true;
+    std::array words = records;
+    inbox_->reserve(words);
+    input = words.data();
+    const Input* before = records.data();
+    say(task, *before, *input);
+    (say(more, *++before, *++input), ...);
+    inbox_->publish(words);
+    return true;
+  }
+
+  /// Root tasks without data, at their first level. `request<soccer::Striker>()`
+  template <class Task, class... More>
+  bool request() const {
+    return request(Task{}, More{}...);
+  }
+
+  /// The program does not want this root task any more. Never refused.
+  template <class Task>
+  bool cancel() const {
+    static_assert(Roots::template has<Task>, "only tasks that stand in `roots` can be cancelled from outside");
+    std::array input{Input{.kind = Input::Kind::cancel, .thing = Roots::template For<Task>::edge}};
+    return goes_first(input) || inbox_->insist(input);
+  }
+
+  /// All root tasks are cancelled together: nothing starts between one and the next. Never refused.
+  bool cancel_all() const {
+    const std::array input{Input{.kind = Input::Kind::cancel, .thing = nil}};
+    return goes_first(input) || inbox_->put(input[0], OverflowSlotOf<Facts>::of_all);
+  }
+
+  /// A state of this type is set from outside.
+  template <class Value>
+  static consteval bool external() {
+    if constexpr (States::template has<Value>) return States::domains[States::template row<Value>].external;
+    return false;
+  }
+
+  /// Values of external states, all at once. `set(soccer::Stability::fallen, soccer::Charge{80})` Of one state it is
+  /// never refused, but for a value outside of its domain. Several are never split: they are refused if the inbox has
+  /// no room for all.
+  template <class Value, class... More>
+  [[nodiscard]] bool set(Value value, More... more) const {
+    static_assert((external<Value>() && ... && external<More>()),
+                  "only states that are `external` can be set from outside");
+    std::array records{record(States::setting(value)), record(States::setting(more))...};
+    bool inside = true;
+    for (const Input& input : records) inside = inside && States::domains[input.thing].has(input.value);
+    link(records);
+    if constexpr (sizeof...(More) > 0) {
+      return inside && send(records);
+    } else {
+      constexpr Index slot = OverflowSlotOf<Facts>::of_state(States::template row<Value>);
+      return inside && (goes_first(records) || inbox_->put(records[0], slot));
+    }
+  }
+
+  /// Fires a trigger. False: the inbox is full.
+  template <class Trigger>
+  [[nodiscard]] bool fire() const {
+    static_assert(Facts::Triggers::template has<Trigger>, "this is not a trigger of the behaviour");
+    const std::array input{Input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>}};
+    return send(input);
+  }
+
+  /// A provider that is not enabled does not run. `enable<soccer::Walk::Halting>(false)`
+  template <class Provider>
+  [[nodiscard]] bool enable(bool enabled) const {
+    static_assert(Facts::Providers::template has<Provider>, "this is not a provider of the behaviour");
+    const std::array input{Input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
+                                 .thing = Facts::Providers::template row<Provider>}};
+    return send(input);
+  }
+
+  // By number, for whoever meets names only while the program runs, such as a bridge to other processes.
+
+  /// Root tasks that carry no data. False: there is no such edge, the task carries data, or the level is not the
+  /// edge's.
+  [[nodiscard]] bool request_row(Index edge, Index level) const {
+    if (!Roots::bare_at(edge) || !has_level(edge, level)) return false;
+    Input input{.kind = Input::Kind::request, .thing = edge, .level = level};
+    return inbox_->insist({&input, 1});
+  }
+  /// False: root has no such edge.
+  bool cancel_row(Index edge) const {
+    if (edge >= Roots::size) return false;
+    Input input{.kind = Input::Kind::cancel, .thing = edge};
+    return inbox_->insist({&input, 1});
+  }
+  /// False also for a state that is not external.
+  [[nodiscard]] bool set_row(Index state, std::int32_t value) const {
+    if (state >= States::domains.size() || !States::domains[state].external) return false;
+    const Input input{.kind = Input::Kind::set, .thing = state, .value = value};
+    return States::domains[state].has(value) && inbox_->put(input, OverflowSlotOf<Facts>::of_state(state));
+  }
+
+private:
+  static bool has_level(Index edge, Index level) {
+    const Range levels = Facts::tables().edges[edge].levels;
+    return levels.begin <= level && level < levels.end;
+  }
+
+  /// True: the engine has it, as nothing waits that it would overtake.
+  template <std::size_t count>
+  bool goes_first(const std::array<Input, count>& records) const {
+    return count == 1 && engine_ != nullptr && engine_->take_first(records[0]);
+  }
+  template <std::size_t count>
+  bool send(const std::array<Input, count>& records) const {
+    return engine_ != nullptr ? engine_->post(records) : inbox_->post(records);
+  }
+
+  template <std::size_t count>
+  static void link(std::array<Input, count>& records) {
+    for (std::size_t i = 0; i + 1 < count; ++i) records[i].more = true;
+  }
+
+  static Input record(Setting setting) {
+    return {.kind = Input::Kind::set, .thing = setting.state, .value = setting.value};
+  }
+
+  /// Without a level (nil) if the task has not the one that was named.
+  template <class Task>
+  static Input record(const Task& task) {
+    using Root = typename Roots::template For<Task>;
+    const TaskBase<Task>& base = task;
+    return {.kind = Input::Kind::request, .thing = Root::edge, .level = Root::row(base.level)};
+  }
+
+  /// Puts the data where they wait for the inbox to be taken. False: no place is left, and they stay where they are.
+  template <class Task>
+  bool wait([[maybe_unused]] Task& task, [[maybe_unused]] Input& input) const {
+    if constexpr (has_data<Task>) {
+      TaskBase<Task>& base = task;
+      input.handle = data_->template waiting<Task>().put(std::move(base.data));
+      return input.handle != nil;
+    }
+    return true;
+  }
+
+  /// Puts the data, from where they are by now, where they belong to the newest record.
+  template <class Task>
+  void say([[maybe_unused]] Task& task, [[maybe_unused]] const Input& before,
+           [[maybe_unused]] const Input& word) const {
+    if constexpr (has_data<Task>) {
+      auto& waiting = data_->template waiting<Task>();
+      TaskBase<Task>& base = task;
+      if (word.handle != nil)
+        waiting.put_at(word.handle, std::move(before.handle == nil ? base.data : waiting.value(before.handle)));
+      if (before.handle != nil) waiting.free(before.handle);
+    }
+  }
+
+  Inbox* inbox_;
+  typename Facts::Data* data_;
+  Engine* engine_;
+};
+
+} // namespace director

@@ -1,0 +1,112 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Where the data of tasks lie: in slots inside the Behaviour, without heap. Each way of requesting a task has a slot
+// and a staging slot, its group one more for the data of a request that has been replaced while the group lives on it.
+// Root requests wait in slots of their own until the engine takes them.
+
+#include "runtime/core/engine/overflow_slots.hpp"
+#include "runtime/core/engine/run.hpp"
+#include "runtime/core/api/task.hpp"
+
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <utility>
+
+namespace director {
+
+/// Room for one value, which may be there or not.
+template <class T>
+class Slot {
+public:
+  Slot() = default;
+  Slot(const Slot&) = delete;
+  Slot& operator=(const Slot&) = delete;
+  ~Slot() { clear(); }
+
+  void put(T&& value) noexcept {
+    clear();
+    ::new (static_cast<void*>(room_)) T(std::move(value));
+    full_ = true;
+  }
+  void take_from(Slot& other) noexcept {
+    if (!other.full_) return clear();
+    put(std::move(other.value()));
+    other.clear();
+  }
+  void clear() noexcept {
+    if (full_) value().~T();
+    full_ = false;
+  }
+  bool full() const { return full_; }
+  T& value() { return *std::launder(reinterpret_cast<T*>(room_)); }
+  const T& value() const { return *std::launder(reinterpret_cast<const T*>(room_)); }
+
+private:
+  alignas(T) std::byte room_[sizeof(T)];
+  bool full_ = false;
+};
+
+/// The data of one group's task. `places`: the number of edges by which it can be requested; a place is such an edge.
+template <TaskType Task, std::size_t places>
+class Slots {
+  static_assert(has_data<Task>, "`data: void`: a task without data has no `data`");
+  using Data = typename TaskBase<Task>::data_type;
+
+public:
+  void stage(Index place, Data&& data) noexcept { staged_[place].put(std::move(data)); }
+  void settle(Index place) noexcept { settled_[place].take_from(staged_[place]); }
+  void retain(Index place) noexcept { retained_.take_from(settled_[place]); }
+
+  const Data& at(DataPlace::Slot slot, Index place) const {
+    switch (slot) {
+    case DataPlace::Slot::edge: return settled_[place].value();
+    case DataPlace::Slot::staging: return staged_[place].value();
+    case DataPlace::Slot::group: break;
+    }
+    return retained_.value();
+  }
+
+private:
+  std::array<Slot<Data>, places> settled_, staged_;
+  Slot<Data> retained_;
+};
+
+/// The data of requests of one root task that the engine has not taken yet. Many writers, one reader; needs what Inbox
+/// needs. First the places of those that wait in the inbox, then one for each place of the task's newest record.
+template <TaskType Task>
+class Waiting {
+  using Data = typename TaskBase<Task>::data_type;
+
+public:
+  /// From any thread: a place for the data of a request that is to go into the inbox, or nil if all are taken.
+  Index put(Data&& data) noexcept {
+    std::uint32_t taken = taken_.load(std::memory_order_relaxed);
+    for (;;) {
+      const auto place = static_cast<Index>(std::countr_one(taken));
+      if (place >= waiting_requests) return nil;
+      if (!taken_.compare_exchange_weak(taken, taken | (1U << place), std::memory_order_acquire)) continue;
+      slots_[place].put(std::move(data));
+      return place;
+    }
+  }
+  /// The same for a newest record: the caller has this handle for itself.
+  void put_at(Index handle, Data&& data) noexcept { slots_[handle].put(std::move(data)); }
+  Data& value(Index handle) { return slots_[handle].value(); }
+  /// The handle of a newest record is free again when its word is.
+  void free(Index handle) noexcept {
+    slots_[handle].clear();
+    if (handle >= waiting_requests) return;
+    std::uint32_t taken = taken_.load(std::memory_order_relaxed);
+    while (!taken_.compare_exchange_weak(taken, taken & ~(1U << handle), std::memory_order_release)) {}
+  }
+
+private:
+  std::array<Slot<Data>, waiting_requests + OverflowSlots::places> slots_;
+  std::atomic<std::uint32_t> taken_{0};
+};
+
+} // namespace director

@@ -1,0 +1,111 @@
+// docs/semantics.md, section 4.2: which groups are available to an edge: equals never take from each other.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/arbitration/availability.hpp"
+
+#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/reach.hpp"
+#include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/marks.hpp"
+
+namespace director::arbitration {
+
+namespace {
+
+/// Requested or needed by its requester's active provider, whose own chain is alive up to root.
+bool alive(const Context& x, Index edge) {
+  for (;;) {
+    if (is_limbo(x, edge)) return false;
+    const Index group = target(x, edge);
+    const bool needed = x.s.last[group].holder == edge && (x.s.last[group].flags & flag::needed) != 0;
+    if (!requested(x, edge) && !needed) return false;
+    const Index from = requester(x, edge);
+    if (from == nil) return true;
+    edge = x.s.last[from].holder;
+    if (edge == nil) return false;
+  }
+}
+
+/// Was the group, which may be claimed by `edge` for this member, held by another edge that may be equal to the member
+/// or to what would be below it?
+bool may_deny(const Context& x, Index group, Index edge, Index member) {
+  const Index holder = x.s.last[group].holder;
+  return holder != nil && holder != edge && holder_now(x, group) == nil && !is_limbo(x, holder) &&
+         (x.s.edge_marks[holder] & mark::refused) == 0 && alive(x, holder) &&
+         !never_equal(x, {member, Chains::current}, {holder, Chains::previous});
+}
+
+/// The same where the member's target is flat: nothing is needed by what it needs.
+bool disputed(const Context& x, Index member) {
+  const Index group = x.t.edges[member].target;
+  bool yes = may_deny(x, group, member, member);
+  const Range providers = x.t.groups[group].providers;
+  for (Index p = providers.begin; p != providers.end && !yes; ++p) {
+    for (const Index need : x.t.list(x.t.providers[p].needs))
+      yes = yes || may_deny(x, x.t.edges[need].target, need, member);
+  }
+  return yes;
+}
+
+} // namespace
+
+/// Equals never take from each other. Its last holder is an edge, and another one.
+bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
+  if (!x.equals) return false;
+  const Index holder = x.s.last[group].holder;
+  if (injected(Fault::equals_take) || (x.s.edge_marks[holder] & mark::refused) != 0 ||
+      (x.s.group_marks[group] & mark::forgotten) != 0 || !alive(x, holder) ||
+      compare(x, {edge, Chains::current}, {holder, Chains::previous}, false) != 0)
+    return false;
+  x.depends_on_last = x.depends_on_stale = true;
+  if (record && (x.s.group_marks[group] & mark::denied) == 0) {
+    open(x, group);
+    x.s.group_marks[group] |= mark::denied;
+    x.s.denied[x.denied_count++] = group;
+  }
+  return true;
+}
+
+/// Can an equal stand in the way of a choice of this member, whatever is chosen?
+bool may_be_denied(Context& x, Index member) {
+  if (!x.equals) return false;
+  Index found = 0;
+  const auto look_at = [&](Index edge) {
+    const Index group = x.t.edges[edge].target;
+    if ((x.s.group_marks[group] & mark::looked_at) == 0) x.s.reach[found++] = group;
+    x.s.group_marks[group] |= mark::looked_at;
+    return may_deny(x, group, edge, member);
+  };
+  bool yes = look_at(member);
+  for (Index i = 0; i < found && !yes; ++i) {
+    const Range providers = x.t.groups[x.s.reach[i]].providers;
+    for (Index p = providers.begin; p != providers.end; ++p) {
+      for (const Index need : x.t.list(x.t.providers[p].needs)) yes = yes || look_at(need);
+    }
+  }
+  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]] &= static_cast<std::uint8_t>(~mark::looked_at);
+  return yes;
+}
+
+/// One member alone. Whether it is disputed is asked once for all that is tried with it.
+void take_in_hand(Context& x, Index member) {
+  x.s.member[0] = member;
+  x.disputed =
+      x.equals && (x.s.traits[target(x, member)] & trait::flat) != 0 && !taken(x, member) && disputed(x, member);
+}
+
+/// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.
+bool denied_in_vain(Context& x) {
+  for (Index i = 0; i < x.denied_count; ++i) {
+    const Index group = x.s.denied[i];
+    if (x.s.now[group].holder == x.s.last[group].holder || injected(Fault::denials_are_final)) continue;
+    x.s.group_marks[group] |= mark::forgotten;
+    reach(x, group);
+    return true;
+  }
+  return false;
+}
+
+} // namespace director::arbitration

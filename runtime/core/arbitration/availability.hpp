@@ -1,0 +1,22 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Which groups are available to an edge. docs/semantics.md, section 4.2.
+
+#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/context.hpp"
+
+namespace director::arbitration {
+
+bool kept_by_equal(Context& x, Index group, Index edge, bool record);
+bool may_be_denied(Context& x, Index member);
+void take_in_hand(Context& x, Index member);
+bool denied_in_vain(Context& x);
+
+inline bool available(Context& x, Index group, Index edge, bool record) {
+  const Index claimant = holder_now(x, group);
+  if (claimant != nil) return claimant == edge;
+  const Index before = x.s.last[group].holder;
+  return before == nil || before == edge || is_limbo(x, before) || !kept_by_equal(x, group, edge, record);
+}
+
+} // namespace director::arbitration

@@ -1,0 +1,62 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What every rule of arbitration works on: the tables, the memory, and the pass in hand. From requests, state values,
+// enabled flags, pending reasons and the last assignment comes a new assignment, over one component of the tables: what
+// is decided in one never depends on another. Each rule is a few functions over a Context, in a file named for it.
+
+#include "runtime/core/base/marks.hpp"
+#include "runtime/core/base/state.hpp"
+
+namespace director::arbitration {
+
+struct Context {
+  Context(const Tables& tables, const State& memory) : t(tables), s(memory) {}
+
+  const Tables t;
+  State s;
+
+  // What is known from pass to pass.
+  Index most_decided_whole = 16; ///< a component of at most so many groups is decided whole
+  Index flipped_count = 0;       ///< rows of State::flipped in use
+  Index rerequested_count = 0;   ///< rows of State::rerequested in use
+  std::uint64_t decided = 0;     ///< units so far, again where a pass is repeated
+  std::uint64_t work =
+      0; ///< so far: groups placed, units decided, choices and plans tried, also in searches for pushes
+
+  // The pass in hand.
+  Component row;                 ///< of the component
+  Index component = 0;           ///< which one that is
+  bool whole = false;            ///< all of it is decided
+  bool equals = false;           ///< edges may be equal
+  bool walking = false;          ///< the pass is on its way along the order
+  bool lineage_is_valid = false; ///< State::lineage holds for what is claimed now, and nothing of it is in limbo
+  bool disturbed = false;        ///< something is, or may be, another than in the last pass
+  bool disputed = false;         ///< an equal may stand in the way of the one member in hand, whose target is flat
+  /// The result may be another one when it is the last assignment itself, or when other groups are stale.
+  mutable bool depends_on_last = false, depends_on_stale = false;
+  bool on_last = false, on_stale = false; ///< the same of the units decided before the one in hand
+
+  // Pushes.
+  bool had_pushes = false; ///< there were pushes in the last assignment
+  bool pushing = false;    ///< there are in this one
+  Index pushed_count = 0;  ///< rows of State::pushed in use
+
+  // The walk along the order.
+  Index ahead = 0;         ///< edges that it has before it
+  Index postponed = 0;     ///< and those that are optional
+  Index placed = 0;        ///< groups that are claimed and come before it
+  Index inherited = 0;     ///< those of them that were held before
+  Index top = nil;         ///< the group that was placed last, or one above it
+  Index first_moved = nil; ///< the first place in the order that another group has than before
+  Index limbo_begin = 0;   ///< from this place on the groups of the order are in limbo, or below such a one
+  Index denied_count = 0;  ///< rows of State::denied in use
+  Index stale_granted = 0; ///< groups that are granted, and whose orders are outdated
+
+  // The trail.
+  Index opened_count = 0;  ///< rows of State::opened in use
+  Index reached_count = 0; ///< rows of State::reached in use
+  Index kept_count = 0;    ///< rows of State::news that were left alone when the pass began
+  Index stale_kept = 0;    ///< those of them whose orders are outdated
+};
+
+} // namespace director::arbitration

@@ -1,0 +1,48 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What becomes of a unit that gets what it asks for. docs/semantics.md, section 4.4, Grant.
+
+#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/marks.hpp"
+
+namespace director::arbitration {
+
+void try_members(Context& x, Index count, bool outdated);
+bool try_simple(Context& x, Index count);
+void grant(Context& x, Index count);
+void repeat(Context& x, Index edge);
+void decide_alone(Context& x, Index edge, bool outdated);
+
+/// For this very edge, or for the first time.
+inline void claim(Context& x, Index group, Index edge) {
+  if (!is_opened(x, group)) open(x, group);
+  GroupAssignment& now = x.s.now[group];
+  if (now.holder != nil) return; // for this very edge
+  now.holder = edge;
+  if (!x.lineage_is_valid) return;
+  const Index from = requester(x, edge);
+  if (from == nil) {
+    x.s.lineage[group] = {1, edge, optional(x, edge)};
+  } else {
+    const Lineage& above = x.s.lineage[from];
+    x.s.lineage[group] = {static_cast<Index>(above.depth + 1), above.top, above.optional || optional(x, edge)};
+  }
+}
+
+/// The target of an edge, which is claimed, runs in the provider chosen.
+inline void now_granted(Context& x, Index edge, Index provider) {
+  const Index group = x.t.edges[edge].target;
+  GroupAssignment& now = x.s.now[group];
+  const GroupAssignment& last = x.s.last[group];
+  now.active = now.planned = provider;
+  now.flags |= flag::granted;
+  if ((x.s.run_queue[group].pending & reason::outdating) == 0 && x.s.request[edge].anew == 0 && edge == last.holder &&
+      provider == last.active)
+    return;
+  x.s.group_marks[group] |= mark::outdated;
+  ++x.stale_granted;
+}
+
+} // namespace director::arbitration

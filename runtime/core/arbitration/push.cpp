@@ -1,0 +1,324 @@
+// docs/semantics.md, sections 4.3 and 4.4: the life of a push: made, kept, in force, dropped.
+// SPDX-License-Identifier: MIT
+//
+// For each condition that a unit waits for, the shortest chain of causing providers is searched: the length of a chain
+// is 1 for its last provider plus the lengths for all that this one lacks, a least fixed point over conditions, found
+// by relaxing every causing provider until nothing gets shorter.
+
+#include "runtime/core/arbitration/push.hpp"
+
+#include "runtime/core/arbitration/choices.hpp"
+#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/plan.hpp"
+#include "runtime/core/arbitration/reach.hpp"
+#include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/marks.hpp"
+
+namespace director::arbitration {
+
+namespace {
+
+constexpr std::uint64_t endless = ~std::uint64_t{0};
+
+/// A member in hand has made a push before.
+bool pushes(const Context& x, Index count) {
+  for (Index at = 0; at < count; ++at) {
+    if ((x.s.edge_marks[x.s.member[at]] & mark::pushes) != 0) return true;
+  }
+  return false;
+}
+
+bool in_unit(const Context& x, Index edge, Index count) {
+  for (Index at = 0; at < count; ++at) {
+    if (x.s.member[at] == edge) return true;
+  }
+  return false;
+}
+
+bool satisfies(const Context& x, Index provider, Index condition) {
+  for (const Index effect : x.t.list(x.t.providers[provider].effects)) {
+    if (effect == condition) return true;
+  }
+  return false;
+}
+
+void set_push(Context& x, Index group, const Push& push) {
+  list_push(x, group);
+  x.s.now[group].push = push;
+  x.pushing = true;
+}
+
+/// Conditions that are wanted are marked; unmarked with another mark of 0.
+void want(Context& x, Range conditions, std::uint8_t bits) {
+  for (const Index condition : x.t.list(conditions)) x.s.condition_marks[condition] = bits;
+}
+
+/// The unit is granted: of its pushes those stay that serve the choices in hand, or a push that does.
+void keep_serving_pushes(Context& x, Index count) {
+  const auto want_provider = [&](Index provider, std::uint8_t bits) {
+    want(x, x.t.providers[provider].when, bits);
+    want(x, x.t.providers[provider].stay, bits);
+  };
+  const auto want_all = [&](std::uint8_t bits) {
+    for (Index at = 0; at < count; ++at) {
+      want_provider(x.s.member_provider[at], bits);
+      for (Index i = entries_begin(x, at); i < x.s.member_entries[at]; ++i) want_provider(x.s.entry_provider[i], bits);
+    }
+  };
+  const auto serves = [&](Index provider) {
+    for (const Index effect : x.t.list(x.t.providers[provider].effects)) {
+      if (x.s.condition_marks[effect] != 0) return true;
+    }
+    return false;
+  };
+  want_all(mark::wanted);
+  for (const Index g : pushed_groups(x)) x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
+  for (bool more = true; more;) {
+    more = false;
+    for (const Index g : pushed_groups(x)) {
+      const Push& push = x.s.last[g].push;
+      if (push.edge == nil || (x.s.group_marks[g] & mark::busy) != 0 || !in_unit(x, push.edge, count) ||
+          !serves(push.provider))
+        continue;
+      x.s.group_marks[g] |= mark::busy;
+      want(x, x.t.providers[push.provider].aims, mark::wanted);
+      if (x.s.now[g].push.edge == nil) set_push(x, g, push);
+      more = true;
+    }
+  }
+  want_all(0);
+  for (const Index g : pushed_groups(x)) {
+    if ((x.s.group_marks[g] & mark::busy) != 0) want(x, x.t.providers[x.s.last[g].push.provider].aims, 0);
+  }
+}
+
+/// Does this provider, with one of its plans, make a chain shorter (or as short, and declared earlier)?
+bool relax(Context& x, Index provider) {
+  const Provider& row = x.t.providers[provider];
+  bool changed = false;
+  Index end = 0, number = 0;
+  x.s.trial[row.group] = 0; // its own group counts as used
+  for (bool more = search_plan(x, provider, 0, end, true, true); more;
+       more = search_plan(x, provider, 0, end, false, true)) {
+    const Index plan = number++;
+    ++x.work;
+    bool possible = true;
+    for (Index i = 0; i < end; ++i)
+      possible = possible && holder_now(x, x.s.entry_group[i]) == nil && x.s.enabled[x.s.entry_provider[i]] != 0;
+    if (!possible) continue;
+    std::uint64_t length = 1;
+    Index lacks = nil;
+    const auto add = [&](Index of) {
+      if (stays(x, of)) return;
+      for (const Index condition : x.t.list(x.t.providers[of].when)) {
+        if (holds(x, condition)) continue;
+        if (lacks == nil) lacks = condition;
+        const std::uint64_t more_length = x.s.cost[condition];
+        length = more_length >= endless - length ? endless : length + more_length;
+      }
+    };
+    add(provider);
+    for (Index i = 0; i < end; ++i) add(x.s.entry_provider[i]);
+    if (length == endless) continue;
+    for (const Index effect : x.t.list(row.effects)) {
+      if ((x.s.condition_marks[effect] & mark::lacked) == 0) continue;
+      const bool shorter = length < x.s.cost[effect];
+      const Index other = x.s.cost_at[effect];
+      const bool declared_first = injected(Fault::the_later_provider_is_pushed) ? provider > other : provider < other;
+      const bool earlier =
+          length == x.s.cost[effect] && (declared_first || (provider == other && plan < x.s.cost_plan[effect]));
+      if (!shorter && !earlier) continue;
+      x.s.cost[effect] = length;
+      x.s.cost_at[effect] = provider;
+      x.s.cost_plan[effect] = plan;
+      x.s.cost_next[effect] = lacks;
+      changed = true;
+    }
+  }
+  x.s.trial[row.group] = nil;
+  return changed;
+}
+
+/// The edge's last chain reaches root, `member` goes before it, and it is not below `member`.
+bool goes_before(const Context& x, Index member, Index edge) {
+  const Index top = chain(x, {edge, Chains::previous}).top;
+  return top != nil && !is_limbo(x, top) && !in_chain(x, member, {edge, Chains::previous}) &&
+         compare(x, {member, Chains::current}, {edge, Chains::previous}, false) < 0;
+}
+
+bool can_be_pushed(const Context& x, Index provider, Index member) {
+  const Index group = x.t.providers[provider].group;
+  const Push& there = x.s.now[group].push; // by another unit
+  if (x.s.enabled[provider] == 0 || holder_now(x, group) != nil || (there.edge != nil && there.provider != provider))
+    return false;
+  for (const Index edge : x.t.list(x.t.groups[group].requesters)) {
+    if (requested(x, edge) && goes_before(x, member, edge)) return true;
+  }
+  return false;
+}
+
+/// The first push of the shortest chain that makes a condition of `member` true. What can lead to it is found
+/// backwards: who causes it, what these lack, who causes that, and so on.
+bool find_chain(Context& x, Index condition, Index member, Push& out) {
+  Index lacking = 0, causers = 0;
+  const auto lack = [&](Index c) {
+    if ((x.s.condition_marks[c] & mark::lacked) != 0) return;
+    x.s.condition_marks[c] = mark::lacked;
+    x.s.cost[c] = endless;
+    x.s.lacked[lacking++] = c;
+  };
+  lack(condition);
+  for (Index i = 0; i < lacking; ++i) {
+    for (const Index provider : x.t.list(x.t.conditions[x.s.lacked[i]].causers)) {
+      if ((x.s.provider_marks[provider] & mark::looked_at) != 0) continue;
+      x.s.provider_marks[provider] |= mark::looked_at;
+      x.s.causers[causers++] = provider;
+      if (!can_be_pushed(x, provider, member)) continue;
+      x.s.provider_marks[provider] |= mark::pushable;
+      for (const Index aim : x.t.list(x.t.providers[provider].aims)) {
+        if (!holds(x, aim)) lack(aim);
+      }
+    }
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Index i = 0; i < causers; ++i) {
+      if ((x.s.provider_marks[x.s.causers[i]] & mark::pushable) != 0) changed = relax(x, x.s.causers[i]) || changed;
+    }
+  }
+  const bool found = x.s.cost[condition] != endless;
+  if (found) {
+    while (x.s.cost_next[condition] != nil) condition = x.s.cost_next[condition];
+    out = {member, x.s.cost_at[condition], condition};
+  }
+  for (Index i = 0; i < lacking; ++i) x.s.condition_marks[x.s.lacked[i]] = 0;
+  for (Index i = 0; i < causers; ++i) x.s.provider_marks[x.s.causers[i]] = 0;
+  return found;
+}
+
+/// By root or a live group.
+bool asked_for(const Context& x, Index group) {
+  for (const Index edge : x.t.list(x.t.groups[group].requesters)) {
+    const Index from = x.t.edges[edge].requester;
+    if (requested(x, edge) && (from == nil || x.s.now[from].active != nil)) return true;
+  }
+  return false;
+}
+
+} // namespace
+
+void keep_own_pushes(Context& x, Index count) {
+  if (!pushes(x, count)) return;
+  if (!injected(Fault::served_pushes_end)) keep_serving_pushes(x, count);
+  // What serves one member of a unit serves all; below a stale group each member has only its own.
+  x.depends_on_stale = x.depends_on_stale || count > 1;
+}
+
+/// The group has a push, in the last assignment or in this one.
+void list_push(Context& x, Index group) {
+  if ((x.s.group_marks[group] & mark::listed) != 0) return;
+  if (x.walking) open(x, group);
+  x.s.group_marks[group] |= mark::listed;
+  x.s.pushed[x.row.order + x.pushed_count++] = group;
+}
+
+/// The pushes that the unit made before stay.
+void keep_pushes(Context& x, Index count) {
+  if (!pushes(x, count)) return;
+  for (const Index g : pushed_groups(x)) {
+    const Push& push = x.s.last[g].push;
+    if (push.edge != nil && x.s.now[g].push.edge == nil && in_unit(x, push.edge, count)) set_push(x, g, push);
+  }
+}
+
+/// Pushes made before stay; new ones are made only if every condition is served.
+void push_for(Context& x, Index count, Index unmet) {
+  const auto theirs = [&](Index g) -> const Push& { return x.s.now[g].push; }; // made by units before this one
+  const auto begin = [&](Index g) {
+    const Push& push = x.s.last[g].push;
+    const bool ours = push.edge != nil && in_unit(x, push.edge, count) &&
+                      (theirs(g).edge == nil || theirs(g).provider == push.provider);
+    x.s.own[g] = ours ? push : Push{};
+    x.s.first[g] = Push{};
+    x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
+  };
+  // It looks at the requests, claims and pushes of many.
+  for (Index at = 0; at < count; ++at) x.s.edge_trail[x.s.member[at]] |= trail::waits;
+  for (const Index g : pushed_groups(x)) begin(g);
+  bool all_served = true;
+  for (Index i = 0; i < unmet; ++i) {
+    bool served = false;
+    for (const Index g : pushed_groups(x)) {
+      if (x.s.own[g].edge == nil || !satisfies(x, x.s.own[g].provider, x.s.unmet[i])) continue;
+      x.s.group_marks[g] |= mark::busy;
+      served = true;
+    }
+    Push push;
+    if (served) continue;
+    if (!find_chain(x, x.s.unmet[i], x.s.unmet_member[i], push)) {
+      all_served = false;
+      continue;
+    }
+    const Index group = x.t.providers[push.provider].group;
+    if ((x.s.group_marks[group] & mark::listed) == 0) list_push(x, group), begin(group);
+    Push& first = x.s.first[group];
+    if (first.edge == nil) first = push; // one group serves one condition after the other
+  }
+  for (const Index g : pushed_groups(x)) {
+    const bool free = (x.s.group_marks[g] & mark::busy) == 0 && theirs(g).edge == nil;
+    if (all_served && x.s.first[g].edge != nil && free && x.s.own[g].provider != x.s.first[g].provider)
+      x.s.own[g] = x.s.first[g];
+    if (x.s.own[g].edge != nil && theirs(g).edge == nil) set_push(x, g, x.s.own[g]);
+  }
+}
+
+void finish_pushes(Context& x) {
+  for (const Index g : pushed_groups(x)) {
+    Push& push = x.s.now[g].push;
+    if (push.edge == nil) continue;
+    x.depends_on_last = true;
+    if (x.s.now[g].holder == nil) {
+      if (asked_for(x, g) || injected(Fault::pushes_outlive_requests)) continue;
+      x.s.edge_trail[push.edge] |= trail::on_stale; // whoever makes it again has to be asked again
+      push = Push{};
+      continue;
+    }
+    const bool was_in_force = (x.s.last[g].flags & flag::in_force) != 0;
+    if (x.s.now[g].active != push.provider || (!x.s.now[g].granted() && !was_in_force) ||
+        !applies(x, push, x.s.now[g].holder))
+      continue;
+    x.s.now[g].flags |= flag::in_force;
+    if (!holds(x, push.condition)) x.s.now[g].flags |= flag::serving;
+  }
+}
+
+/// Who made a push in the last assignment is asked what becomes of it.
+void mark_pushers(Context& x) {
+  for (const Index g : pushed_groups(x)) {
+    const Index pusher = x.s.last[g].push.edge;
+    if (pusher == nil) continue;
+    x.s.edge_marks[pusher] |= mark::pushes;
+    if (requester(x, pusher) != nil) open(x, requester(x, pusher));
+  }
+}
+
+void reach_pushes_of(Context& x, Index edge) {
+  if ((x.s.edge_marks[edge] & mark::pushes) == 0) return;
+  for (const Index g : pushed_groups(x)) {
+    if (x.s.last[g].push.edge == edge) reach(x, g);
+  }
+}
+
+void keep_pushes_of_plain(Context& x, Index edge, Index provider) {
+  Index end = 0;
+  for (const Index need : x.t.list(x.t.providers[provider].needs))
+    x.s.entry_provider[end++] = x.t.groups[x.t.edges[need].target].providers.begin;
+  x.s.member[0] = edge;
+  x.s.member_provider[0] = provider;
+  x.s.member_entries[0] = end;
+  keep_own_pushes(x, 1);
+}
+
+} // namespace director::arbitration

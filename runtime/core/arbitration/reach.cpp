@@ -1,0 +1,177 @@
+// docs/semantics.md, section 4.4: which units a change reaches, so that they are decided again.
+// SPDX-License-Identifier: MIT
+//
+// What changed is an input, or a group whose claim, plan, push or place in the order is another than in the last pass.
+
+#include "runtime/core/arbitration/reach.hpp"
+
+#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/plan.hpp"
+#include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/marks.hpp"
+
+namespace director::arbitration {
+
+namespace {
+
+void compare_member(Context& x, Index edge) {
+  const Index group = target(x, edge);
+  const GroupAssignment &now = x.s.now[group], &last = x.s.last[group];
+  const bool runs = is_opened(x, group) && now.holder == edge && now.granted(), ran = runs_for_now(x, edge);
+  if (!runs && !ran) return;
+  // Below outdated orders it was tried as what ran before.
+  if (!runs) rest_on(x, edge, static_cast<std::uint8_t>((x.s.edge_trail[edge] & trail::kept) | trail::on_last));
+  compare_claim(x, group);
+  bool other = runs != ran || now.active != last.active || now.planned != last.planned;
+  const Range slots = x.t.groups[group].slots;
+  for (Index slot = slots.begin; slot != slots.end; ++slot) other = other || x.s.now.plan[slot] != x.s.last.plan[slot];
+  if (other) reach(x, group);
+  if ((x.s.traits[group] & trait::simple) != 0) return;
+  const auto compare_plan = [&](const Assignment& of) {
+    const Index end = entries_of(x, group, of);
+    for (Index i = 0; i < end; ++i) {
+      compare_claim(x, x.s.entry_group[i]);
+      if (other) reach(x, x.s.entry_group[i]); // it may be needed otherwise
+    }
+  };
+  if (ran) compare_plan(x.s.last);
+  if (runs) compare_plan(x.s.now);
+}
+
+/// Units that may look at the group. Who is not held has none, and when it gets hold of something, all of its own are
+/// decided anyway.
+template <class Take>
+void each_user_edge(Context& x, Index group, Take&& take) {
+  for (const Index user : x.t.list(x.t.groups[group].users)) {
+    if (user != group && injected(Fault::who_uses_it_is_overlooked)) continue;
+    for (const Index e : x.t.list(x.t.groups[user].requesters)) {
+      const Index from = x.t.edges[e].requester;
+      if (x.s.request[e].level != nil && (from == nil || x.s.last[from].holder != nil)) take(e);
+    }
+  }
+  const Index pusher = x.s.last[group].push.edge;
+  if (pusher != nil) reach_edge(x, pusher);
+}
+
+} // namespace
+
+/// What the decision about an edge rests on; the bits of trail::kept that there were are forgotten.
+void rest_on(Context& x, Index edge, std::uint8_t bits) {
+  Bits& trail = x.s.edge_trail[edge];
+  const bool was = (trail & trail::on_last) != 0, is = (bits & trail::on_last) != 0;
+  if (is && !was) ++x.s.on_last[x.component];
+  if (was && !is) --x.s.on_last[x.component];
+  trail = static_cast<std::uint8_t>((trail & ~trail::kept) | bits);
+}
+
+/// What its decision looks at and may lose is cleared first.
+void begin_followed(Context& x, Index count) {
+  x.on_last = x.depends_on_last, x.on_stale = x.depends_on_stale;
+  x.depends_on_last = x.depends_on_stale = false;
+  for (Index at = 0; at < count; ++at) {
+    const Index edge = x.s.unit[at], group = target(x, edge);
+    rest_on(x, edge, 0);
+    if (x.s.last[group].holder != edge) continue;
+    open(x, group);
+    if (!runs_for_now(x, edge) || (x.s.traits[group] & trait::simple) != 0) continue;
+    const Index end = entries_of(x, group, x.s.last);
+    for (Index i = 0; i < end; ++i) open(x, x.s.entry_group[i]);
+  }
+}
+
+/// What the decision rests on is noted, and what came out otherwise than in the last pass reaches others.
+void compare_with_last(Context& x, Index count) {
+  const auto bits =
+      static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0));
+  x.depends_on_last = x.depends_on_last || x.on_last;
+  x.depends_on_stale = x.depends_on_stale || x.on_stale;
+  bool pushing = false;
+  for (Index at = 0; at < count; ++at) {
+    const Index edge = x.s.unit[at];
+    rest_on(x, edge, static_cast<std::uint8_t>(bits | (x.s.edge_trail[edge] & trail::waits)));
+    pushing = pushing || (x.s.edge_marks[edge] & mark::pushes) != 0;
+    compare_member(x, edge);
+  }
+  if (!pushing && !x.pushing) return;
+  const auto ours = [&](Index edge) {
+    for (Index at = 0; at < count; ++at) {
+      if (x.s.unit[at] == edge) return true;
+    }
+    return false;
+  };
+  bool lost = false;
+  for (const Index g : pushed_groups(x)) {
+    const Push &now = x.s.now[g].push, &last = x.s.last[g].push;
+    if (now == last) continue;
+    const bool was_ours = ours(last.edge);
+    lost = lost || was_ours;
+    if (was_ours || ours(now.edge)) reach(x, g);
+  }
+  // Of its pushes those stay that serve another: so it is asked again what becomes of the rest.
+  for (Index at = 0; lost && at < count; ++at) x.s.edge_trail[x.s.unit[at]] |= trail::on_stale;
+}
+
+void compare_claim(Context& x, Index group) {
+  if (!x.whole && x.s.now[group].holder != x.s.last[group].holder) move(x, group);
+}
+
+/// Its unit is decided again.
+void reach_edge(Context& x, Index edge) {
+  if (x.whole || (x.s.edge_trail[edge] & trail::reached) != 0) return;
+  x.s.edge_trail[edge] |= trail::reached;
+  x.s.reached[x.reached_count++] = edge;
+  if (requester(x, edge) != nil) open(x, requester(x, edge));
+}
+
+/// The edge is requested at another level than before, or not any more; and with it its unit has another member.
+void take_up(Context& x, Index edge, bool with_siblings) {
+  const Index group = target(x, edge), from = requester(x, edge);
+  reach_edge(x, edge);
+  const Range edges = from == nil || !with_siblings ? Range{} : x.t.groups[from].edges;
+  for (Index e = edges.begin; e != edges.end && !injected(Fault::other_members_are_overlooked); ++e) reach_edge(x, e);
+  reach(x, group);
+  reach_pushes_of(x, edge);
+  if (x.s.last[group].holder == edge) move(x, group);
+}
+
+/// The last pass changed where the group stands. Who looks at the last result looks at another one now.
+void take_up_last(Context& x, Index group) {
+  disturb(x);
+  if (injected(Fault::the_last_result_is_overlooked)) return;
+  each_user_edge(x, group, [&](Index e) {
+    if (x.had_pushes || (x.s.edge_trail[e] & trail::on_last) != 0) reach_edge(x, e);
+  });
+}
+
+/// Who may look at the group is decided again.
+void reach(Context& x, Index group) {
+  if (x.whole || (x.s.group_trail[group] & trail::disturbed) != 0) return;
+  x.s.group_trail[group] |= trail::disturbed;
+  disturb(x);
+  open(x, group);
+  each_user_edge(x, group, [&](Index e) { reach_edge(x, e); });
+}
+
+/// What holds the group, or where that stands in the order, is another: so are the places of all below it.
+void move(Context& x, Index group) {
+  Index found = 0;
+  const auto add = [&](Index g) {
+    reach(x, g);
+    if ((x.s.group_trail[g] & trail::moved) != 0) return;
+    x.s.group_trail[g] |= trail::moved;
+    x.s.reach[found++] = g;
+  };
+  add(group);
+  for (Index i = 0; i < found && !injected(Fault::what_is_below_is_overlooked); ++i) {
+    const Range edges = x.t.groups[x.s.reach[i]].edges;
+    for (Index e = edges.begin; e != edges.end; ++e) {
+      reach_edge(x, e);
+      reach_pushes_of(x, e);
+      if (x.s.last[x.t.edges[e].target].holder == e) add(x.t.edges[e].target);
+    }
+  }
+}
+
+} // namespace director::arbitration

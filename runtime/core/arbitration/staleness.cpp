@@ -1,0 +1,106 @@
+// docs/semantics.md, section 4.4, Stale and Defer: whose orders are outdated, and who waits for them.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/arbitration/staleness.hpp"
+
+#include "runtime/core/arbitration/availability.hpp"
+#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/combination.hpp"
+#include "runtime/core/arbitration/grant.hpp"
+#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/plan.hpp"
+#include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/arbitration/refuse.hpp"
+#include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/marks.hpp"
+
+namespace director::arbitration {
+
+/// A group's orders are outdated because of which granted group's; nil: because it is in limbo; `up_to_date`: they are
+/// not.
+Index stale_source(const Context& x, Index group) {
+  for (;;) {
+    const GroupAssignment& now = x.s.now[group];
+    if (now.granted()) return (x.s.group_marks[group] & mark::outdated) != 0 ? group : up_to_date;
+    if (is_limbo(x, now.holder)) return nil;
+    group = requester(x, now.holder); // held only as a need: while its requester is stale
+    if (group == nil) return up_to_date;
+  }
+}
+
+bool stale_requester(const Context& x, Index edge) {
+  const Index group = requester(x, edge);
+  return group != nil && stale(x, group);
+}
+
+/// Something new among the members in hand, whose requester's orders are outdated.
+bool any_new(const Context& x, Index count) {
+  for (Index at = 0; at < count; ++at) {
+    if (!runs_for_now(x, x.s.member[at])) return true;
+  }
+  return false;
+}
+
+/// What was granted before stays, the others wait for the runs to come.
+void defer(Context& x, Index count) {
+  for (Index i = 0; i < count; ++i) {
+    take_in_hand(x, x.s.unit[i]);
+    if (runs_for_now(x, x.s.member[0]) && combine(x, 1, true)) {
+      grant(x, 1);
+    } else {
+      x.s.edge_marks[x.s.member[0]] |= mark::refused;
+      keep_pushes(x, 1);
+      explain(x, 1, Why::deferred);
+    }
+  }
+}
+
+/// For a member that is new, the combination in hand claims what a stale group that goes before it may still ask for.
+bool premature(Context& x, Index count) {
+  if (x.stale_granted == 0 || injected(Fault::nothing_is_deferred)) return false;
+  for (Index at = 0; at < count; ++at) {
+    const Index edge = x.s.member[at];
+    if (runs_for_now(x, edge)) continue;
+    Index found = 0;
+    x.s.reach[found++] = target(x, edge);
+    for (Index i = entries_begin(x, at); i < x.s.member_entries[at]; ++i) x.s.reach[found++] = x.s.entry_group[i];
+    if (reached_from_stale(x, found, edge)) return true;
+  }
+  return false;
+}
+
+/// Upwards from the groups in `reach`: may a granted stale group ask for one of them, transitively? With an edge: only
+/// one that goes before it and is not above it.
+bool reached_from_stale(Context& x, Index found, Index edge) {
+  const auto counts = [&](Index group) {
+    if ((x.s.now[group].flags & flag::granted) == 0 || !is_outdated(x, group) || holder_now(x, group) == nil)
+      return false;
+    const Index holder = x.s.now[group].holder;
+    return edge == nil || (!in_chain(x, holder, {edge, Chains::current}) &&
+                           before(x, {holder, Chains::current}, {edge, Chains::current}));
+  };
+  const Index claims = found;
+  bool yes = false;
+  for (Index i = 0; i < found && !yes; ++i) {
+    for (const Index up : x.t.list(x.t.groups[x.s.reach[i]].requesters)) {
+      const Index group = x.t.edges[up].requester;
+      if (group == nil || (x.s.group_marks[group] & mark::reached) != 0) continue;
+      x.s.group_marks[group] |= mark::reached;
+      yes = yes || counts(group);
+      bool listed = false;
+      for (Index j = 0; j < claims; ++j) listed = listed || x.s.reach[j] == group;
+      if (!listed) x.s.reach[found++] = group;
+    }
+  }
+  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]] &= static_cast<std::uint8_t>(~mark::reached);
+  return yes;
+}
+
+/// Something, if it is granted, makes the orders that the group gave outdated.
+bool outdates(const Context& x, Index group) {
+  const Index holder = x.s.last[group].holder;
+  return (x.s.run_queue[group].pending & reason::outdating) != 0 ||
+         (holder != nil && !is_limbo(x, holder) && x.s.request[holder].anew != 0);
+}
+
+} // namespace director::arbitration

@@ -1,0 +1,24 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Whose orders are outdated, and who has to wait for them. docs/semantics.md, section 4.4, Stale and Defer.
+
+#include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/base/marks.hpp"
+
+namespace director::arbitration {
+
+inline constexpr Index up_to_date = static_cast<Index>(nil - 1); ///< instead of a group: nobody's orders are outdated
+
+Index stale_source(const Context& x, Index group);
+bool stale_requester(const Context& x, Index edge);
+bool any_new(const Context& x, Index count);
+void defer(Context& x, Index count);
+bool premature(Context& x, Index count);
+bool reached_from_stale(Context& x, Index found, Index edge);
+bool outdates(const Context& x, Index group);
+
+inline bool is_outdated(const Context& x, Index group) { return (x.s.group_marks[group] & mark::outdated) != 0; }
+
+inline bool stale(const Context& x, Index group) { return stale_source(x, group) != up_to_date; }
+
+} // namespace director::arbitration

@@ -1,0 +1,65 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What a pass looks at, and what it leaves as it is. docs/semantics.md, section 4.4.
+
+#include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/arbitration/plan.hpp"
+#include "runtime/core/arbitration/reach.hpp"
+#include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/marks.hpp"
+
+namespace director::arbitration {
+
+void begin_trail(Context& x);
+void disturb(Context& x);
+void open(Context& x, Index group);
+void touch_group(Context& x, Index group);
+void end_trail(Context& x);
+void clear_marks(Context& x);
+
+/// What is decided about the group in this pass: nothing yet.
+inline void clear(Context& x, Index group) {
+  x.s.now[group] = GroupAssignment{};
+  x.s.run_queue[group].counts = 0;
+  const Range slots = alternatives(x, x.component) ? x.t.groups[group].slots : Range{};
+  for (Index slot = slots.begin; slot != slots.end; ++slot) x.s.now.plan[slot] = nil;
+}
+
+/// A component of few groups is decided whole: to find out what a change reaches costs more there.
+inline bool is_followed(const Context& x) { return x.row.groups.size() > x.most_decided_whole; }
+
+/// Nothing that the decision about it looks at is another than in the last pass.
+inline bool stands(const Context& x, Index edge) {
+  if (x.whole) return false;
+  const std::uint8_t bits = x.s.edge_trail[edge];
+  const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::who_waits_is_overlooked);
+  return (bits & (trail::reached | trail::on_stale)) == 0 && !searches;
+}
+
+/// The groups that the pass that was made last looked at: all others stand as they stood.
+inline std::span<const Index> opened(const Context& x) {
+  return x.whole ? x.t.list(x.row.groups) : std::span<const Index>{x.s.opened + x.row.order, x.opened_count};
+}
+
+/// The request of the edge is another one since the last pass.
+inline void note_rerequest(Context& x, Index edge) {
+  if ((x.s.edge_trail[edge] & trail::changed) != 0) return;
+  x.s.edge_trail[edge] |= trail::changed;
+  x.s.rerequested[x.rerequested_count++] = edge;
+}
+
+inline void begin_decision(Context& x, Index count) {
+  ++x.decided;
+  ++x.work;
+  for (Index at = 0; at < count; ++at) {
+    x.s.edge_marks[x.s.unit[at]] |= mark::visited;
+    x.s.queued[x.s.unit[at]] = Queued{};
+  }
+  if (is_followed(x)) begin_followed(x, count);
+}
+
+inline void end_decision(Context& x, Index count) {
+  if (is_followed(x)) compare_with_last(x, count);
+}
+
+} // namespace director::arbitration

@@ -1,0 +1,22 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Candidates in order. docs/semantics.md, section 4.4.
+
+#include "runtime/core/arbitration/context.hpp"
+
+namespace director::arbitration {
+
+void sort_roots(Context& x);
+void sweep(Context& x);
+void sweep_below(Context& x, Index group);
+void leave_to(Context& x, Index group);
+
+/// In the new order.
+inline void put(Context& x, Index group, Index at) {
+  if (at < x.first_moved && (at >= x.s.order_count[x.component] || x.s.order[x.row.order + at] != group))
+    x.first_moved = at;
+  x.s.next_order[x.row.order + at] = group;
+  x.s.place[group] = at;
+}
+
+} // namespace director::arbitration

@@ -1,0 +1,111 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Durations in 64 bits: those of std::chrono, of any rep and period, become microseconds here, without its header. What
+// is beyond the range of Time becomes its end, in a conversion and in a sum: the longest duration is `never`.
+
+#include "runtime/core/base/tables.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <type_traits>
+
+namespace director {
+
+/// A duration of std::chrono, without its header.
+template <class T>
+concept Duration = requires(const T& duration) {
+  duration.count();
+  T::period::num;
+  T::period::den;
+};
+
+/// The time that is so much later. Nothing is later than `never`.
+constexpr Time later(Time time, Time duration) { return time > never - duration ? never : time + duration; }
+
+namespace detail {
+
+constexpr Time greatest_divisor(Time a, Time b) { return b == 0 ? a : greatest_divisor(b, a % b); }
+
+/// Microseconds in one tick of a clock: num / den.
+template <class Period>
+struct Tick {
+  static constexpr Time second = 1'000'000;
+  static constexpr Time common = greatest_divisor(second, Period::den);
+  static constexpr Time den = Period::den / common;
+  static constexpr bool endless = Period::num > never / (second / common); ///< one tick is more than Time holds
+  static constexpr Time num = endless ? 1 : Period::num * (second / common);
+  static_assert(num <= never / den, "microseconds cannot be made of this unit in 64 bits");
+};
+
+/// The nearest Time.
+template <class Count>
+constexpr Time saturated(Count count) {
+  if constexpr (sizeof(Count) > sizeof(Time) || (sizeof(Count) == sizeof(Time) && Count(-1) > Count(0))) {
+    if (count > static_cast<Count>(never)) return never;
+  }
+  if constexpr (sizeof(Count) > sizeof(Time) && Count(-1) < Count(0)) {
+    if (count < static_cast<Count>(first_time)) return first_time;
+  }
+  return static_cast<Time>(count);
+}
+
+/// `factor`: above 0.
+constexpr Time saturated_product(Time count, Time factor) {
+  if (count > never / factor) return never;
+  return count < first_time / factor ? first_time : count * factor;
+}
+
+constexpr Time saturated_sum(Time a, Time b) {
+  if (b > 0) return later(a, b);
+  return a < first_time - b ? first_time : a + b;
+}
+
+template <class Tick, class Count>
+constexpr Time whole_microseconds(Count count, bool up) {
+  if constexpr (Tick::endless) return count > Count(0) ? never : count < Count(0) ? first_time : 0;
+  using Wide = std::common_type_t<Count, Time>; // 64 bits at least, with a sign where the count has one
+  const Wide ticks = count, den = static_cast<Wide>(Tick::den);
+  const auto rest = static_cast<Time>(ticks % den) * Tick::num;
+  const Time whole = saturated_sum(saturated_product(saturated(ticks / den), Tick::num), rest / Tick::den);
+  return up && rest % Tick::den > 0 ? later(whole, 1) : whole;
+}
+
+/// What is no number is the first time.
+template <class Tick, class Count>
+constexpr Time microseconds_of_fraction(Count count, bool up) {
+  using Wide = std::common_type_t<Count, double>;
+  constexpr Wide end = 9223372036854775808.0; // 2 to the 63rd
+  const Wide exact =
+      static_cast<Wide>(count) * static_cast<Wide>(Tick::endless ? never : Tick::num) / static_cast<Wide>(Tick::den);
+  if (exact >= end) return never;
+  if (!(exact > -end)) return first_time;
+  const auto whole = static_cast<Time>(exact);
+  return up && static_cast<Wide>(whole) < exact ? later(whole, 1) : whole;
+}
+
+template <Duration T>
+constexpr Time to_microseconds(const T& duration, bool up) {
+  using Count = std::remove_cvref_t<decltype(duration.count())>;
+  using Ticks = Tick<typename T::period>;
+  if constexpr (std::is_floating_point_v<Count>) {
+    return microseconds_of_fraction<Ticks>(duration.count(), up);
+  } else {
+    return whole_microseconds<Ticks>(duration.count(), up);
+  }
+}
+
+} // namespace detail
+
+/// Whole microseconds in a duration; what begins another one is left out.
+template <Duration T>
+constexpr Time microseconds_begun(const T& duration) {
+  return detail::to_microseconds(duration, false);
+}
+
+/// The same, what begins another one counting as a whole: no wait is shorter than it was asked for.
+template <Duration T>
+constexpr Time microseconds(const T& duration) {
+  return detail::to_microseconds(duration, true);
+}
+
+} // namespace director

@@ -1,0 +1,50 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Sorting in place without memory, library or recursion. What comes nearly sorted, as most does here, costs little more
+// than one comparison a row: rows are put into those before them, and only where that moves many it is a heap's turn.
+
+#include "runtime/core/base/tables.hpp"
+
+namespace director {
+
+namespace detail {
+
+template <class GoesFirst>
+void sort_by_heap(std::span<Index> rows, GoesFirst&& goes_first) {
+  const auto swap = [&](std::size_t a, std::size_t b) {
+    const Index moved = rows[a];
+    rows[a] = rows[b];
+    rows[b] = moved;
+  };
+  const auto sink = [&](std::size_t at, std::size_t end) {
+    for (std::size_t child = 2 * at + 1; child < end; child = 2 * at + 1) {
+      if (child + 1 < end && goes_first(rows[child], rows[child + 1])) ++child;
+      if (!goes_first(rows[at], rows[child])) return;
+      swap(at, child);
+      at = child;
+    }
+  };
+  for (std::size_t i = rows.size() / 2; i-- > 0;) sink(i, rows.size());
+  for (std::size_t end = rows.size(); end-- > 1;) {
+    swap(0, end);
+    sink(0, end);
+  }
+}
+
+} // namespace detail
+
+/// `goes_first(a, b)`: a strict order of rows.
+template <class GoesFirst>
+void heap_sort(std::span<Index> rows, GoesFirst&& goes_first) {
+  std::size_t moves = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Index row = rows[i];
+    std::size_t at = i;
+    for (; at > 0 && goes_first(row, rows[at - 1]); --at) rows[at] = rows[at - 1];
+    rows[at] = row;
+    moves += i - at;
+    if (moves > 4 * rows.size()) return detail::sort_by_heap(rows, goes_first);
+  }
+}
+
+} // namespace director

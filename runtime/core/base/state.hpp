@@ -1,0 +1,362 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// All memory of the engine that changes: one block of bytes, owned by the caller, whose size follows from the tables.
+// It begins with the decision state: everything that the next decision depends on, trivially copyable, so that two
+// blocks with equal decision bytes behave alike. Behind it lies what one pass needs and forgets.
+
+#include "runtime/core/base/tables.hpp"
+#include "runtime/core/base/words.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace director {
+
+/// How many rows of everything; what the size of the memory depends on.
+struct Shape {
+  std::size_t groups = 0, providers = 0, edges = 0, conditions = 0, states = 0, promises = 0;
+  std::size_t plan_slots = 0, listen_slots = 0, most_edges = 0, components = 0;
+  std::size_t lacking = 0; ///< the most conditions that one combination of choices can lack
+
+  constexpr std::size_t timers() const { return states + 2 * groups + promises; }
+
+  static constexpr Shape of(const Tables& t) {
+    Shape n{t.groups.size(),   t.providers.size(),   t.edges.size(),    t.conditions.size(), t.states.size(),
+            t.promises.size(), t.plan_groups.size(), t.listened.size(), t.most_edges,        t.components.size()};
+    for (const Group& group : t.groups) {
+      Index most = 0;
+      for (Index p = group.providers.begin; p != group.providers.end; ++p) {
+        if (t.providers[p].when.size() > most) most = t.providers[p].when.size();
+      }
+      n.lacking += most;
+    }
+    return n;
+  }
+};
+
+/// Bits of Assignment::flags.
+namespace flag {
+inline constexpr Index granted = 1;  ///< a unit got it as its target in the last pass
+inline constexpr Index needed = 2;   ///< its holder claimed it for a plan
+inline constexpr Index in_force = 4; ///< its active provider runs because of the push on it
+inline constexpr Index serving = 8;  ///< and the condition that the push was made for is false
+} // namespace flag
+
+/// Bits of State::component: what the next arbitration has to know about it.
+namespace work {
+inline constexpr std::uint8_t changed = 1;        ///< a request, value or flag that it depends on is another one
+inline constexpr std::uint8_t unsettled = 2;      ///< the last pass may decide differently on its own result
+inline constexpr std::uint8_t stale_counts = 4;   ///< whose orders are outdated made a difference in the last pass
+inline constexpr std::uint8_t stale_changed = 8;  ///< and may be another since
+inline constexpr std::uint8_t listed = 16;        ///< it stands in State::work
+inline constexpr std::uint8_t passed = 32;        ///< it was decided again in this micro-step
+inline constexpr std::uint8_t reordered = 64;     ///< an edge of root may be in another place among its like
+inline constexpr std::uint8_t kept = stale_counts | reordered; ///< also where nothing is to be decided
+} // namespace work
+
+/// Bits of RunQueueEntry::pending, as Reason.
+namespace reason {
+inline constexpr auto new_task = static_cast<std::uint8_t>(Reason::new_task);
+inline constexpr auto pushed = static_cast<std::uint8_t>(Reason::pushed);
+inline constexpr auto outdating = static_cast<std::uint8_t>(new_task | pushed); ///< the orders that a group gave
+} // namespace reason
+
+/// Bits of RunQueueEntry::done.
+namespace result {
+inline constexpr std::uint8_t done = 1;
+inline constexpr std::uint8_t failed = 2; ///< with `done`
+} // namespace result
+
+/// A byte of bits. It is no `char`, which may stand for anything: after writing one, the compiler would read every
+/// pointer to an array again.
+class Bits {
+public:
+  constexpr operator std::uint8_t() const { return static_cast<std::uint8_t>(raw_); }
+  constexpr Bits& operator=(std::uint8_t bits) {
+    raw_ = static_cast<Raw>(bits);
+    return *this;
+  }
+  constexpr Bits& operator|=(std::uint8_t bits) { return *this = static_cast<std::uint8_t>(*this | bits); }
+  constexpr Bits& operator&=(std::uint8_t bits) { return *this = static_cast<std::uint8_t>(*this & bits); }
+
+private:
+  enum class Raw : std::uint8_t {};
+  Raw raw_{};
+};
+
+/// A push (u, k, c), k being the row, and the unmet condition that it was made for. No push: edge == nil.
+struct Push {
+  Index edge = nil, provider = nil, condition = nil;
+  constexpr bool operator==(const Push&) const = default;
+};
+
+/// Why an edge is queued; the first false condition where it waits for one.
+struct Queued {
+  Why why = Why::none;
+  Index condition = nil;
+  constexpr bool operator==(const Queued&) const = default;
+};
+
+/// Where a group stands: what a pass decides about it. All of one group lies together, because a pass, and what
+/// compares and adopts its result, goes from group to group.
+struct GroupAssignment {
+  Index holder = nil;  ///< edge that controls it, limbo edges are edges.size() + group; nil: nobody
+  Index active = nil;  ///< provider that runs for it; nil: it is not live
+  Index planned = nil; ///< provider whose needs its plan meets; nil: it has no plan
+  Index flags = 0;     ///< bits of `flag`
+  Push push{};
+  constexpr bool granted() const { return (flags & flag::granted) != 0; }
+  constexpr bool operator==(const GroupAssignment&) const = default;
+  /// What the page calls a change: after it, it is arbitrated once more at rest.
+  constexpr bool decides_otherwise_than(const GroupAssignment& last) const {
+    return holder != last.holder || active != last.active || granted() != last.granted() || push != last.push;
+  }
+  constexpr bool stops_after(const GroupAssignment& last) const { return last.active != nil && active == nil; }
+  /// The same as ==, in one comparison: mostly all is equal.
+  constexpr bool same(const GroupAssignment& other) const {
+    return ((holder ^ other.holder) | (active ^ other.active) | (planned ^ other.planned) | (flags ^ other.flags) |
+            (push.edge ^ other.push.edge) | (push.provider ^ other.push.provider) |
+            (push.condition ^ other.push.condition)) == 0;
+  }
+};
+
+/// What is asked of an edge.
+struct Requested {
+  std::uint64_t stamp = 0; ///< micro-step in which it became requested or changed its level
+  Index level = nil;       ///< of Tables::levels, at which it is requested; nil
+  Index target = 0;        ///< as Edge::target
+  Bits anew{};             ///< 1: requested anew in this micro-step
+};
+
+/// Where a group stands in the run queue, and why. Behind GroupAssignment, what most micro-steps look at; so with it lies what
+/// they have to know from the tables.
+struct RunQueueEntry {
+  Index runs_after = nil;  ///< group that is to run: the one before it in the queue; nil
+  Index runs_before = nil; ///< and the one behind it
+  Index counts = 0;        ///< 1: that its orders were outdated made a difference in the last pass
+  Index component = 0;     ///< as Group::component
+  Range edges{};           ///< as Group::edges
+  Bits flags{};            ///< bits of `group_flag`
+  Bits pending{};          ///< bits of Reason
+  Bits done{};             ///< bits of `result`
+};
+
+/// The push for which promises were taken.
+struct Promised {
+  Index edge = nil;     ///< the pusher
+  Index provider = nil; ///< nil: no promise
+};
+
+/// One assignment: what a pass decides. The committed one is a part of the decision state; a pass writes another.
+struct Assignment {
+  GroupAssignment* group = nullptr;
+  Index* plan = nullptr; ///< slot: provider picked in the plan of the slot's owner; nil: not in it
+  GroupAssignment& operator[](Index g) const { return group[g]; }
+};
+
+/// The values around that of a state at which none of its conditions flips.
+struct UnchangedInterval {
+  std::int32_t low = 0, high = -1;
+  constexpr bool has(std::int32_t value) const { return low <= value && value <= high; }
+};
+
+/// What a state is worth.
+struct StateValue {
+  std::int32_t value = unset;
+  UnchangedInterval unchanged{};
+  std::int32_t staged = unset; ///< what the running body set; unset: nothing
+};
+
+/// What the running body asks of an edge.
+struct Staged {
+  Index level = nil; ///< nil: nothing
+  bool keep = false; ///< a request of that level stays as it is
+};
+
+/// The chain of holders above a group that is claimed, root being above all.
+struct Lineage {
+  Index depth = 0;       ///< its length
+  Index top = nil;       ///< its edge of root
+  bool optional = false; ///< one of its edges is
+};
+
+struct Counters {
+  Time now = 0;                  ///< the engine's time: that of the input or timer being served
+  Time until = 0;                ///< the time that `step` was given last
+  Time next_due = never;         ///< when the first timer is due
+  Time quiet_until = first_time; ///< a step before it has nothing to do without an input; first_time: any step has
+  std::uint64_t micro_step = 0;  ///< how many were taken
+  Index queue_first = nil;       ///< the group that is to run next; nil: nobody
+  Index queue_last = nil;        ///< the one that is to run last
+  Index work_count = 0;          ///< rows of State::work in use
+  Index touched_count = 0;       ///< rows of State::touched in use; 0 between micro-steps
+  Index staged_count = 0;        ///< rows of State::staged in use; 0 between micro-steps
+  Index asked_count = 0;         ///< rows of State::asked in use; 0 between micro-steps
+  Index handled_count = 0;       ///< rows of State::handled in use
+  bool begun = false;            ///< the first step was taken
+  bool unsettled = false;        ///< the last arbitration changed something
+  bool handlers_set = false;     ///< State::handler_values holds an input
+  bool serving = false;          ///< what is due at `now` is being served
+};
+
+struct State {
+  // The decision state.
+  Counters* counters = nullptr;
+  Requested* request = nullptr;           ///< edge
+  Time* due = nullptr;                    ///< timer (see timers.cpp): when; never
+  Index* soonest = nullptr;               ///< timers, as a tree of which one is due first
+  StateValue* values = nullptr;           ///< state
+  Bits* truth = nullptr;                  ///< condition: it holds
+  std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
+  Index* handled = nullptr;               ///< states with such a value
+  Assignment last;                        ///< what the last pass decided
+  Index* order = nullptr;                 ///< component after component, its groups that are held, in order
+  Index* order_count = nullptr;           ///< component: how many these are
+  Index* place = nullptr;                 ///< group that is held: where it stands in that order
+  Index* first_root = nullptr;            ///< component: its first edge of root, in order; nil
+  Index* next_root = nullptr;             ///< edge of root: the next one of its component; nil
+  RunQueueEntry* run_queue = nullptr;                   ///< group
+  Index* data_from = nullptr;             ///< group: edge whose slot holds its data; nil: its own slot
+  Promised* promised = nullptr;           ///< group; no rows where nobody promises anything
+  Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
+  Bits* component = nullptr;              ///< component: bits of `work`
+  Bits* enabled = nullptr;                ///< provider
+  Bits* fired = nullptr;                  ///< listening slot (Group::listens): the trigger fired since the last run
+
+  // What one pass, commit or act needs and forgets.
+  std::uint64_t* cost = nullptr;    ///< condition: length of the shortest chain of pushes that makes it true
+  Index* cost_at = nullptr;         ///< condition: first provider of that chain
+  Index* cost_plan = nullptr;       ///< condition: number of its plan
+  Index* cost_next = nullptr;       ///< condition: the first condition that it lacks; nil: nothing
+  Assignment now;                   ///< what this pass decides
+  Push* own = nullptr;              ///< group: the pushes of the unit in hand
+  Push* first = nullptr;            ///< group: new pushes of the unit in hand
+  Index* touched = nullptr;         ///< groups that gained a reason to run since the last act
+  Index* staged = nullptr;          ///< states that the running body set
+  Index* asked = nullptr;           ///< edges that are marked as requested anew
+  Index* next_order = nullptr;      ///< as `order`
+  Index* next_count = nullptr;      ///< as `order_count`
+  Index* first_moved = nullptr;     ///< component: where that order begins to be another one
+  Index* extent = nullptr;          ///< group that is claimed: how many it and all below it are, which stand together
+  Index* differing = nullptr;       ///< groups that stand elsewhere than before
+  Index* sorted = nullptr;          ///< groups of several components, brought in order
+  Lineage* lineage = nullptr;       ///< group that is claimed
+  Bits* traits = nullptr;           ///< group: bits of `trait`, which follow from the tables
+  Bits* component_traits = nullptr; ///< component: likewise
+  Index* trial = nullptr;           ///< group: edge that would claim it in the combination in hand
+  Index* entry_group = nullptr;     ///< 2 * groups: plans of the members in hand, as stacks of entries
+  Index* entry_need = nullptr;      ///< the edge by which an entry is needed
+  Index* entry_choice = nullptr;    ///< its provider, as a place in the order of preference
+  Index* entry_provider = nullptr;  ///< its provider
+  Index* entry_parent = nullptr;    ///< entry that needs it; nil: the provider that the plan is for
+  Index* entry_place = nullptr;     ///< place of the need in its needer's list
+  Index* unit = nullptr;            ///< most_edges + 1: edges that are tried together
+  Index* member = nullptr;          ///< those of them that are in hand
+  Index* member_choice = nullptr;   ///< provider of the member's target, as a place in the order of preference
+  Index* member_provider = nullptr; ///< that provider
+  Index* member_entries = nullptr;  ///< one past the last entry of the member's plan
+  Index* candidate = nullptr;       ///< edges that are candidates: a heap, the first in order on top
+  Index* reach = nullptr;           ///< groups: work list of a search
+  Index* denied = nullptr;          ///< groups in the order in which they were denied for their holder's sake
+  Staged* staged_request = nullptr; ///< place among the running group's edges
+  Index* unmet_member = nullptr;    ///< false conditions of the combination in hand: the member,
+  Index* unmet = nullptr;           ///< and the condition
+  Queued* queued = nullptr;         ///< edge: why it does not run, by the last pass; see View::queued
+  Queued* last_queued = nullptr;    ///< edge: why it did not run before this pass, for an observer
+  Bits* edge_marks = nullptr;       ///< edge: bits of `mark`
+  Bits* group_marks = nullptr;      ///< group: bits of `mark`
+  Bits* condition_marks = nullptr;  ///< condition: bits of `mark`
+  Bits* edge_trail = nullptr;       ///< edge: bits of `trail`, from pass to pass
+  Bits* group_trail = nullptr;      ///< group: likewise
+  Index* reached = nullptr;         ///< edges that are marked as reached
+  Index* rerequested = nullptr;     ///< edges that are marked as changed
+  Index* flipped = nullptr;         ///< groups that are marked as touched
+  Index* opened = nullptr;          ///< as `order`: groups that this pass looks at
+  Index* news = nullptr;            ///< as `order`: groups that the next pass has to look at, whatever happens
+  Index* news_count = nullptr;      ///< component: how many these are; nil: what the last pass did is not known
+  Index* on_last = nullptr;         ///< component: how many edges have trail::on_last
+  Index* pushed = nullptr;          ///< as `order`: groups that have a push, in the last assignment or in this one
+  Index* pushed_count = nullptr;    ///< component: how many these are
+  Index* lacked = nullptr;          ///< conditions that the chain in search may have to make true
+  Index* causers = nullptr;         ///< providers that cause one of them
+  Bits* provider_marks = nullptr;   ///< provider: bits of `mark`
+
+  /// Calls visit(pointer to member, count) for every array; `scratch()` between the decision state and the rest.
+  template <class Self, class Visit, class Scratch>
+  static constexpr void each(Self& s, const Shape& n, Visit&& visit, Scratch&& scratch) {
+    visit(s.counters, 1);
+    visit(s.request, n.edges), visit(s.due, n.timers()), visit(s.soonest, n.timers());
+    visit(s.values, n.states), visit(s.handler_values, n.states), visit(s.handled, n.states);
+    each_of(s.last, n, visit);
+    visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
+    visit(s.first_root, n.components), visit(s.next_root, n.edges);
+    visit(s.run_queue, n.groups), visit(s.data_from, n.groups);
+    visit(s.promised, n.promises == 0 ? 0 : n.groups), visit(s.work, n.components);
+    visit(s.component, n.components), visit(s.enabled, n.providers);
+    visit(s.truth, n.conditions);
+    visit(s.fired, n.listen_slots);
+    scratch();
+    visit(s.cost, n.conditions), visit(s.cost_at, n.conditions), visit(s.cost_plan, n.conditions);
+    visit(s.cost_next, n.conditions);
+    each_of(s.now, n, visit);
+    visit(s.own, n.groups), visit(s.first, n.groups), visit(s.touched, n.groups), visit(s.staged, n.states);
+    visit(s.asked, n.edges);
+    visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.first_moved, n.components);
+    visit(s.extent, n.groups), visit(s.sorted, n.groups);
+    visit(s.differing, n.groups);
+    visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.component_traits, n.components);
+    visit(s.trial, n.groups);
+    visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
+    visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
+    visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
+    visit(s.member_provider, n.most_edges + 1), visit(s.member_entries, n.most_edges + 1);
+    visit(s.candidate, n.edges), visit(s.reach, n.groups), visit(s.denied, n.groups);
+    visit(s.staged_request, n.most_edges + 1), visit(s.unmet_member, n.lacking), visit(s.unmet, n.lacking);
+    visit(s.queued, n.edges), visit(s.last_queued, n.edges);
+    visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
+    visit(s.edge_trail, n.edges), visit(s.group_trail, n.groups), visit(s.reached, n.edges);
+    visit(s.rerequested, n.edges), visit(s.flipped, n.groups), visit(s.opened, n.groups), visit(s.news, n.groups);
+    visit(s.news_count, n.components), visit(s.on_last, n.components);
+    visit(s.pushed, n.groups), visit(s.pushed_count, n.components), visit(s.lacked, n.conditions), visit(s.causers, n.providers);
+    visit(s.provider_marks, n.providers);
+  }
+
+  /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.
+  static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : 64;
+
+  /// Bytes of the decision state, and of the whole block.
+  static constexpr std::size_t decision_bytes(const Shape& shape) { return measure(shape).decision; }
+  static constexpr std::size_t bytes(const Shape& shape) { return measure(shape).all; }
+
+  /// The arrays of a block of bytes(shape) bytes. Nothing is written.
+  static State in(std::byte* memory, const Shape& shape);
+
+private:
+  struct Size {
+    std::size_t decision = 0, all = 0;
+  };
+  static constexpr std::size_t aligned(std::size_t at, std::size_t to) { return (at + to - 1) / to * to; }
+
+  /// Where an array may begin.
+  template <class T>
+  static constexpr std::size_t begin_of(std::size_t at) {
+    constexpr std::size_t even = sizeof(T) & (~sizeof(T) + 1); // the largest power of 2 that divides it
+    return aligned(at, even < alignment ? even : alignment);
+  }
+
+  template <class Visit>
+  static constexpr void each_of(auto& a, const Shape& n, Visit&& visit) {
+    visit(a.group, n.groups), visit(a.plan, n.plan_slots);
+  }
+  static constexpr Size measure(const Shape& shape) {
+    Size size;
+    State empty;
+    each(
+        empty, shape, [&]<class T>(T*&, std::size_t count) { size.all = begin_of<T>(size.all) + count * sizeof(T); },
+        [&] { size.decision = size.all = aligned(size.all, 8); });
+    size.all = aligned(size.all, 8);
+    return size;
+  }
+};
+
+} // namespace director

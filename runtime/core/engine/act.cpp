@@ -1,0 +1,271 @@
+// docs/semantics.md, section 5: acting on the difference between the last assignment and the new one.
+// SPDX-License-Identifier: MIT
+//
+// First stops, in the old order, so that a group is cleaned up before others begin; then, in the new order, starts and
+// reasons to run.
+
+#include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/heap_sort.hpp"
+#include "runtime/core/engine/notes.hpp"
+
+namespace director {
+
+void Engine::act(Index passes, bool stops) {
+  for (Index i = 0; i < passes && observed(); ++i) report_decisions(x_.s.work[i]);
+  if (stops) {
+    for (const Index group : held_before(passes)) {
+      if (x_.s.now[group].stops_after(x_.s.last[group])) stop_group(group);
+    }
+  }
+  for (const Index group : with_reasons()) give_reasons(group);
+  adopt_differing();
+  for (Index i = 0; i < passes; ++i) {
+    adopt_order(x_.s.work[i]);
+    keep_promises_in(x_.s.work[i]);
+  }
+}
+
+/// Nothing was arbitrated, so nothing starts, stops or changes hands: only what is granted can gain a reason to run.
+void Engine::act_on_touched() {
+  Counters& c = *x_.s.counters;
+  if (c.touched_count != 1) return act_on_all_touched();
+  c.touched_count = 0;
+  const Index group = x_.s.touched[0];
+  untouch(group);
+  if (granted(group)) give_again(group, x_.s.request[x_.s.last[group].holder].anew != 0);
+}
+
+void Engine::act_on_all_touched() {
+  Counters& c = *x_.s.counters;
+  const Index touched = c.touched_count;
+  c.touched_count = 0;
+  Index count = 0, last = nil; // component
+  bool sorted = true;          // as what one pack asks for mostly comes
+  for (Index i = 0; i < touched; ++i) {
+    const Index group = x_.s.touched[i];
+    untouch(group);
+    if (!granted(group)) continue;
+    const Index component = x_.s.run_queue[group].component;
+    if (count != 0) sorted = sorted && component == last && x_.s.place[x_.s.touched[count - 1]] < x_.s.place[group];
+    last = component;
+    x_.s.touched[count++] = group;
+  }
+  if (!sorted) sort_by_place({x_.s.touched, count}, arbitration::Chains::previous);
+  for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.request[x_.s.last[x_.s.touched[i]].holder].anew != 0);
+}
+
+/// In the order of all: the groups of one component know their places.
+void Engine::sort_by_place(std::span<Index> groups, arbitration::Chains along) const {
+  heap_sort(groups, [&](Index a, Index b) {
+    if (x_.t.groups[a].component == x_.t.groups[b].component) return x_.s.place[a] < x_.s.place[b];
+    return arbitration::before_in_order(x_, a, b, along);
+  });
+}
+
+/// What was held in the components decided again, in the old order.
+std::span<const Index> Engine::held_before(Index passes) {
+  const auto part = [&](Index component) {
+    return std::span<const Index>{x_.s.order + x_.t.components[component].order, x_.s.order_count[component]};
+  };
+  if (passes == 1) return part(x_.s.work[0]);
+  Index count = 0;
+  for (Index i = 0; i < passes; ++i) {
+    for (const Index group : part(x_.s.work[i])) x_.s.sorted[count++] = group;
+  }
+  arbitration::sort_by_holders(x_, {x_.s.sorted, count}, arbitration::Chains::previous);
+  return {x_.s.sorted, count};
+}
+
+/// What is granted and can have a new reason to run, in the new order: it stands elsewhere than before, or was touched.
+std::span<const Index> Engine::with_reasons() {
+  const Counters& c = *x_.s.counters;
+  const auto decided = [&](Index g) { return (x_.s.component[x_.t.groups[g].component] & work::passed) != 0; };
+  Index count = 0;
+  for (Index i = 0; i < differing_; ++i) {
+    const Index group = x_.s.differing[i];
+    if (x_.s.now[group].granted()) x_.s.sorted[count++] = group;
+  }
+  for (Index i = 0; i < c.touched_count; ++i) {
+    const Index group = x_.s.touched[i];
+    if (!decided(group)) {
+      if (!granted(group) || injected(Fault::others_are_overlooked)) continue;
+    } else if ((x_.s.group_marks[group] & mark::differs) != 0 || !x_.s.now[group].granted() ||
+               injected(Fault::who_stands_as_before_is_overlooked)) {
+      continue;
+    }
+    x_.s.sorted[count++] = group;
+  }
+  sort_by_place({x_.s.sorted, count}, arbitration::Chains::current);
+  return {x_.s.sorted, count};
+}
+
+/// What few groups have: states of their own, a handler, a period.
+void Engine::end_what_it_has(Index group) {
+  for (const Index state : x_.t.list(x_.t.groups[group].owned)) {
+    if (!injected(Fault::owned_states_stay)) set_by_handler(state, x_.t.states[state].initial);
+  }
+  handle(group, Reason::stopped);
+  disarm(Due::every, group);
+}
+
+void Engine::stop_group(Index group) {
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  if ((entry.flags & group_flag::ends) != 0) end_what_it_has(group);
+  entry.pending = entry.done = 0;
+  end_wait(group);
+  live_on(group, nil);
+  forget_triggers(group);
+  for (Index e = entry.edges.begin; e != entry.edges.end; ++e) {
+    if (injected(Fault::stopped_requests_stand)) continue;
+    if (x_.s.request[e].level == nil) continue;
+    x_.s.request[e].level = nil;
+    arbitration::note_rerequest(x_, e);
+  }
+}
+
+/// Calls the start or stop handler.
+void Engine::handle(Index group, Reason reason) {
+  const bool starts = reason == Reason::started;
+  if (starts ? !x_.t.groups[group].start : !x_.t.groups[group].stop) return;
+  report(starts ? Event::Kind::start : Event::Kind::stop, group);
+  Handling handling(*this, group, Reasons{static_cast<std::uint8_t>(reason)});
+  inside_ = true;
+  (starts ? bodies_.start : bodies_.stop)[group](bodies_.self, handling);
+  inside_ = false;
+  if (!handling.faulted_) return;
+  report(Event::Kind::fault, group);
+  end_with_fault();
+}
+
+/// Why a group that is granted is to run, but for what is asked for anew.
+std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment& now) {
+  std::uint8_t bits = 0;
+  const bool handed_on = last.holder != now.holder && !injected(Fault::a_new_holder_is_no_news);
+  if (last.active == nil || !last.granted() || handed_on) bits |= reason::new_task;
+  if (last.active != now.active) bits |= (now.flags & flag::in_force) != 0 ? reason::pushed : reason::new_task;
+  const bool served = (last.flags & flag::serving) != 0 && now.push.provider == last.push.provider &&
+                      now.push.condition == last.push.condition;
+  if ((now.flags & flag::serving) != 0 && !served && !injected(Fault::a_lost_state_is_nobodys_concern))
+    bits |= reason::pushed;
+  return bits;
+}
+
+/// What follows besides: a start handler is called, or a period ends or begins.
+bool Engine::takes_more(Index group, const GroupAssignment& last, const GroupAssignment& now) const {
+  if (last.active == nil && x_.t.groups[group].start) return true;
+  const auto every = [&](Index provider) { return provider != nil && x_.t.providers[provider].every != 0; };
+  return last.active != now.active && (every(last.active) || every(now.active));
+}
+
+/// The start handler is called where the group becomes live, and a period ends or begins.
+void Engine::begin(Index group, const GroupAssignment& now) {
+  if (x_.s.last[group].active == nil) {
+    live_on(group, now.holder);
+    starting_ = group;
+    handle(group, Reason::started);
+    starting_ = nil;
+  }
+  const Time every = x_.t.providers[now.active].every; // the period begins when the provider becomes active
+  disarm(Due::every, group);
+  if (every != 0) arm(Due::every, group, later(x_.s.counters->now, every));
+}
+
+/// To a group that is granted and stands elsewhere than before, or was touched.
+void Engine::give_reasons(Index group) {
+  const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
+  if (takes_more(group, last, now) && !injected(Fault::handlers_are_overlooked)) begin(group, now);
+  note_given(group, now.holder, reasons(last, now));
+  enqueue(group);
+}
+
+/// Section 7: a promise ends with its push, and when its condition has come true.
+void Engine::keep_promises(Index group) {
+  Promised& promised = x_.s.promised[group];
+  const Index provider = promised.provider;
+  if (provider == nil) return;
+  const Push& push = x_.s.last[group].push;
+  const bool stands = in_force(group) && push.edge == promised.edge && push.provider == provider;
+  const Range promises = x_.t.providers[provider].promises;
+  for (Index i = promises.begin; i != promises.end; ++i) {
+    if (!stands || arbitration::holds(x_, x_.t.promises[i].condition)) disarm(Due::promise, i);
+  }
+  if (!stands) promised = {};
+}
+
+/// The data of a new request take their slot. What was there is kept for a group that still lives on it.
+void Engine::settle_data(Index edge) {
+  const Index group = x_.t.edges[edge].target;
+  const bool given = granted(group) && x_.s.last[group].holder == edge;
+  if (!given && x_.s.last[group].active != nil && x_.s.data_from[group] == edge) {
+    bodies_.data(bodies_.self, Bodies::Data::retain, edge, nil);
+    live_on(group, nil);
+  }
+  bodies_.data(bodies_.self, Bodies::Data::settle, edge, nil);
+}
+
+/// The new assignment becomes the last one. Runs of groups that are not granted leave the queue; what is pending stays.
+inline void Engine::adopt(Index group) {
+  if (!x_.s.now[group].granted() && !injected(Fault::who_leaves_stays_queued)) leave_queue(group);
+  x_.s.group_marks[group] &= static_cast<std::uint8_t>(~mark::differs);
+  x_.s.last[group] = x_.s.now[group];
+  const Range slots = x_.t.groups[group].slots;
+  for (Index slot = slots.begin; slot != slots.end; ++slot) x_.s.last.plan[slot] = x_.s.now.plan[slot];
+}
+
+inline void Engine::adopt_differing() {
+  Counters& c = *x_.s.counters;
+  for (Index i = 0; i < c.touched_count; ++i) untouch(x_.s.touched[i]);
+  c.touched_count = 0;
+  for (Index i = 0; i < differing_; ++i) adopt(x_.s.differing[i]);
+}
+
+void Engine::adopt_order(Index component) {
+  if (injected(Fault::the_order_stays)) return;
+  const Component& row = x_.t.components[component];
+  const Index count = x_.s.order_count[component] = x_.s.next_count[component];
+  const Index* const next = x_.s.next_order + row.order;
+  Index* const order = x_.s.order + row.order;
+  for (Index i = x_.s.first_moved[component]; i < count; ++i) order[i] = next[i];
+}
+
+void Engine::report_decisions(Index component) const {
+  if (!observed()) return;
+  const Component& row = x_.t.components[component];
+  for (const Index g : x_.t.list(row.groups)) {
+    if (x_.s.last[g].push.edge != nil && x_.s.now[g].push.edge == nil) tell(event(Event::Kind::release, g));
+  }
+  for (const Index g : x_.t.list(row.groups)) {
+    const Push &now = x_.s.now[g].push, &last = x_.s.last[g].push;
+    if (now.edge == nil || (now.edge == last.edge && now.provider == last.provider)) continue;
+    Event push = event(Event::Kind::push, g);
+    push.provider = now.provider;
+    push.edge = now.edge;
+    push.condition = now.condition;
+    tell(push);
+  }
+  report_queued(component);
+  for (const Index g : x_.t.list(row.groups)) {
+    const Index now = x_.s.now[g].holder, last = x_.s.last[g].holder;
+    if (now == last) continue;
+    Event control = event(now == nil ? Event::Kind::lose : Event::Kind::grant, g);
+    control.edge = now;
+    control.other = last;
+    control.provider = x_.s.now[g].active;
+    tell(control);
+  }
+}
+
+void Engine::report_queued(Index component) const {
+  if (!observed()) return;
+  for (const Index e : x_.t.list(x_.t.components[component].edges)) {
+    const Queued &now = x_.s.queued[e], &last = x_.s.last_queued[e];
+    if (now.why == Why::none || now == last) continue;
+    Event queue = event(Event::Kind::queue, x_.t.edges[e].target);
+    queue.edge = e;
+    queue.why = now.why;
+    queue.condition = now.condition;
+    tell(queue);
+  }
+}
+
+} // namespace director

@@ -1,0 +1,255 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration/pass.hpp) and
+// acts on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
+
+#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/pass.hpp"
+#include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/duration.hpp"
+#include "runtime/core/engine/inbox.hpp"
+#include "runtime/core/base/observer.hpp"
+#include "runtime/core/engine/run.hpp"
+#include "runtime/core/base/state.hpp"
+
+namespace director {
+
+class Engine {
+public:
+  static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
+
+  /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8, better to State::alignment. Begins as after reset().
+  Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {});
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// Back to the start: initial values, every provider enabled, nothing requested. What waits in the inbox stays.
+  void reset();
+
+  /// Sets a state before the first step; not an input, and nobody is told.
+  void preset(Index state, std::int32_t value);
+
+  void set_budget(std::uint32_t micro_steps) { budget_ = micro_steps; }
+  /// So much of work() may be done in one step; looked at between micro-steps, so the last one may go beyond. 0: any.
+  void set_work_budget(std::uint64_t work) { work_budget_ = work; }
+
+  /// The step that runs ends with this micro-step, with StepResult::fault. For who calls an observer that throws.
+  void end_with_fault();
+
+  /// Micro-steps until quiescence: the inputs that are in the inbox now (at time `now`), then what is due, each due
+  /// time to quiescence before the next. An earlier `now` counts as the last one, `never` as last_time.
+  StepResult step(Time now) {
+    Counters& c = *x_.s.counters;
+    if (now >= c.quiet_until || !inbox_.empty()) return take_step(now);
+    if (now > c.until) c.until = c.now = now;
+    return StepResult::quiescent;
+  }
+  /// The same without another time.
+  StepResult step() {
+    const Counters& c = *x_.s.counters; // what is due later than `now` stays so
+    return c.quiet_until == first_time || !inbox_.empty() ? take_step(c.now) : StepResult::quiescent;
+  }
+
+  /// An input that sets a state, without the way through the inbox: taken at once where the next step would take it
+  /// first, and nothing else could come of it. False: post it. For the thread that calls step().
+  bool take_at_once(Index state, std::int32_t value) {
+    Counters& c = *x_.s.counters;
+    if (c.quiet_until == first_time || observed() || inside_ || !x_.s.values[state].unchanged.has(value) ||
+        x_.t.states[state].expires != 0 || !inbox_.empty())
+      return false;
+    ++c.micro_step;
+    x_.s.values[state].value = value;
+    return true;
+  }
+
+  /// An input of one record, without the way through the inbox: the next step takes it before all that is posted from
+  /// now on. False: something waits already, so post it. For the thread that calls step().
+  bool take_first(const Input& input) {
+    if (inside_ || !inbox_.put_first(input)) return false;
+    x_.s.counters->quiet_until = first_time;
+    return true;
+  }
+
+  /// An input for the next step, by as short a way as there is. False: the inbox is full. For the thread that calls
+  /// step().
+  bool post(std::span<const Input> records) {
+    return (records.size() == 1 && take_first(records[0])) || inbox_.post(records);
+  }
+
+  /// The next time at which a step would have something to do without an input; `never` if there is nil.
+  Time next_due() const { return x_.s.counters->next_due; }
+
+  // What holds between steps.
+  std::int32_t value(Index state) const { return x_.s.values[state].value; }
+  bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; }
+  RunState state(Index edge) const; ///< of a request: running, queued or none
+  bool done(Index edge) const;      ///< the target said done or failed; only while running
+  bool failed(Index edge) const;
+  Index holder(Index group) const { return x_.s.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
+  Index active(Index group) const { return x_.s.last[group].active; } ///< provider, or nil
+  bool granted(Index group) const { return (x_.s.last[group].flags & flag::granted) != 0; }
+  bool in_force(Index group) const { return (x_.s.last[group].flags & flag::in_force) != 0; }
+  Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it does not run
+  Time now() const { return x_.s.counters->now; }
+  std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< so far
+  std::uint64_t passes() const { return passes_; } ///< of arbitration over a component, so far
+  bool inside() const { return inside_; }          ///< a body, handler or observer is running; for the thread that calls step()
+  std::uint32_t lost() const { return inbox_.lost(); } ///< inputs so far; from any thread
+  std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
+  /// So far: groups placed, units decided, and choices and plans tried, those of searches for pushes among them.
+  std::uint64_t work() const { return x_.work; }
+  /// For tests of what is decided again. The next pass over each component begins from nothing.
+  void forget_trail() { arbitration::forget_trail(x_); }
+  /// The same; a component of at most so many groups is decided whole.
+  void set_most_decided_whole(Index groups) {
+    x_.most_decided_whole = groups;
+    forget_trail();
+  }
+  const Tables& tables() const { return x_.t; }
+  const State& memory() const { return x_.s; }
+
+private:
+  friend class Run;
+  friend class Handling;
+
+  /// Kinds of timers, in the order in which those that are due together are served.
+  enum class Due : std::uint8_t { expiry, wait, promise, every };
+
+  /// What a micro-step found to do.
+  enum class Taken : std::uint8_t { nothing, no_change, change };
+
+  // step.cpp: section 3
+  StepResult take_step(Time now);
+  void take_first_step(Time now);
+  bool micro_step();
+  Taken take_next(Index& ran);
+  StepResult come_to_rest();
+  bool work_left() const;
+
+  // inputs.cpp
+  Taken take_posted();
+  Taken take_input(Input& record);
+  Taken take_observed(Input& record);
+  Taken take_rarer(Input& record);
+  bool take_more(Input& record);
+  Taken take_request(Input& record);
+  Taken take_request_with_data(Input& record);
+  Taken take_requests(Input& record);
+  Taken take_states(Input& record);
+  Taken take_cancel(Index edge);
+  Taken take_cancel_of_all();
+  Taken take_enabled(Index provider, std::uint8_t wanted);
+  Taken take_handlers_input();
+  bool fire(Index trigger);
+  void set_by_handler(Index state, std::int32_t value);
+  void look_at_conditions(Index state);
+  void report_input(const Input& record) const;
+  void report_cancel(Index edge) const;
+  void report_lost();
+  void report_set(Index state) const;
+
+  Index run_next();
+  void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
+  void commit_states(bool fault);
+  void commit_pack(Range edges);
+  void answer(Index group, bool failed);
+  void report_request(Event::Kind kind, Index edge, Index level = nil) const;
+  void report_wait(Index group, Time due) const;
+
+  // timers.cpp: section 3, Time
+  Index timer(Due kind, Index row) const;
+  void arm(Due kind, Index row, Time due) { set_timer(timer(kind, row), due); }
+  void disarm(Due kind, Index row);
+  void end_wait(Index group);
+  void set_timer(Index index, Time due);
+  void clear_timers();
+  Index soonest(std::size_t node) const {
+    const std::size_t timers = x_.t.states.size() + 2 * x_.t.groups.size() + x_.t.promises.size();
+    return node < timers ? x_.s.soonest[node] : static_cast<Index>(node - timers);
+  }
+  Index sooner(std::size_t node) const;
+  Taken take_timer();
+  bool serve_timer(Due kind, Index row, Time when);
+  void report_timer(Due kind, Index row) const;
+  bool expire(Index state);
+  bool break_promise(Index promise);
+
+  // notes.hpp
+  void mark(Index component, std::uint8_t bits);
+  void mark_stale(Index group);
+  static bool needs_pass(std::uint8_t bits);
+  void forget_work();
+  void touch(Index group);
+  void untouch(Index group);
+  bool note_reasons(Index group, std::uint8_t bits);
+  void live_on(Index group, Index edge);
+  void note_given(Index group, Index holder, std::uint8_t bits);
+  void add_reason(Index group, Reason reason);
+  void enqueue(Index group);
+  void give_again(Index group, bool anew);
+  Index next_of_queue();
+  void leave_queue(Index group);
+  void forget_triggers(Index group);
+  void mark_request(Index edge);
+  void request(Index edge, Index level);
+  void withdraw(Index edge);
+  bool set_value(Index state, std::int32_t value);
+  bool assign(Index state, std::int32_t value);
+  void settle_requests();
+  void keep_promises_in(Index component);
+  bool asks_again(Index edge, Index level) const;
+  void give_what_is_asked_again(Index edge);
+
+  // settle.cpp: after every micro-step
+  void arbitrate();
+  bool changed(Index component, bool& stops);
+  bool other_plan(Index group) const;
+  void remember_queued(Index component);
+
+  // act.cpp: section 5
+  void act(Index passes, bool stops);
+  void act_on_touched();
+  void act_on_all_touched();
+  void sort_by_place(std::span<Index> groups, arbitration::Chains along) const;
+  std::span<const Index> held_before(Index passes);
+  std::span<const Index> with_reasons();
+  void end_what_it_has(Index group);
+  void stop_group(Index group);
+  static std::uint8_t reasons(const GroupAssignment& last, const GroupAssignment& now);
+  bool takes_more(Index group, const GroupAssignment& last, const GroupAssignment& now) const;
+  void begin(Index group, const GroupAssignment& now);
+  void give_reasons(Index group);
+  void keep_promises(Index group);
+  void settle_data(Index edge);
+  void adopt(Index group);
+  void adopt_differing();
+  void adopt_order(Index component);
+  void report_decisions(Index component) const;
+  void report_queued(Index component) const;
+  void handle(Index group, Reason reason);
+
+  std::uint8_t flags_of(Index group) const;
+  Event event(Event::Kind kind, Index group = nil) const;
+  void report(Event::Kind kind, Index group = nil) const {
+    if (observed()) tell(event(kind, group));
+  }
+  void tell(const Event& event) const; ///< only if observed()
+  bool observed() const { return observable && observer_.tell != nullptr; }
+  DataPlace data_of(Index group) const;
+
+  arbitration::Context x_; ///< the tables, the memory, and what arbitration knows
+  Bodies bodies_;
+  Inbox& inbox_;
+  Observer observer_;
+  std::uint64_t passes_ = 0;
+  std::uint32_t budget_ = default_budget;
+  std::uint64_t work_budget_ = 0;
+  std::uint32_t left_ = 0;      ///< micro-steps that may still be taken
+  Index differing_ = 0;         ///< rows of State::differing in use
+  Index starting_ = nil;        ///< the group whose start handler runs: its data may still be staged
+  std::uint32_t told_lost_ = 0; ///< inputs that were lost, as far as the observer knows
+  mutable bool inside_ = false; ///< a body, handler or observer is running
+  bool faulted_ = false;
+};
+
+} // namespace director

@@ -1,0 +1,86 @@
+// docs/semantics.md, section 7: the queue of posted inputs.
+// SPDX-License-Identifier: MIT
+//
+// A cell's sequence number says who may use it: equal to a writer's position, it is free for that writer; one more, it is full
+// for the reader of that position. The reader frees cells in order, so the last cell of a claim being free means that
+// all of the claim are. A writer publishes its records from the last to the first: who sees the first sees the whole
+// input.
+
+#include "runtime/core/engine/inbox.hpp"
+
+namespace director {
+
+Inbox::Inbox(std::span<Cell> cells, std::span<OverflowSlots::Slot> words) : cells_(cells), words_(words) {
+  for (std::uint32_t i = 0; i < cells_.size(); ++i) cells_[i].sequence.store(i, std::memory_order_relaxed);
+}
+
+bool Inbox::post(std::span<const Input> records) {
+  const bool room = claim(records);
+  if (!room) words_.count_lost();
+  return room;
+}
+
+/// False: there is no room.
+bool Inbox::claim(std::span<const Input> records) {
+  const auto count = static_cast<std::uint32_t>(records.size());
+  const auto mask = static_cast<std::uint32_t>(cells_.size() - 1);
+  if (count == 0 || count > cells_.size()) return count == 0;
+  std::uint32_t at = tail_.load(std::memory_order_relaxed);
+  for (;;) {
+    const std::uint32_t last = at + count - 1;
+    const auto lag = static_cast<std::int32_t>(cells_[last & mask].sequence.load(std::memory_order_acquire) - last);
+    if (lag < 0) return false;
+    if (lag > 0) {
+      at = tail_.load(std::memory_order_relaxed); // another writer was faster
+    } else if (tail_.compare_exchange_weak(at, at + count, std::memory_order_release, std::memory_order_relaxed)) {
+      break;
+    }
+  }
+  for (std::uint32_t i = count; i-- > 0;) {
+    Cell& cell = cells_[(at + i) & mask];
+    cell.input = records[i];
+    cell.sequence.store(at + i + 1, std::memory_order_release);
+  }
+  return true;
+}
+
+bool Inbox::post_in_turn(std::span<const Input> records) {
+  for (const Input& record : records) {
+    if (words_.wait(record.thing)) return false;
+  }
+  return claim(records);
+}
+
+bool Inbox::reserve(std::span<Input> records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    bool last = true; // asked twice, the last one counts
+    for (std::size_t j = i + 1; j < records.size(); ++j) last = last && records[j].thing != records[i].thing;
+    records[i].handle = last && words_.exist() ? words_.reserve(records[i].thing) : nil;
+  }
+  return words_.exist();
+}
+
+void Inbox::publish(std::span<const Input> records) { words_.publish(records, tail_.load(std::memory_order_relaxed)); }
+
+bool Inbox::insist(std::span<Input> records) {
+  if (post_in_turn(records)) return true;
+  if (reserve(records)) {
+    publish(records);
+    return true;
+  }
+  words_.count_lost();
+  return false;
+}
+
+bool Inbox::put(const Input& record, Index slot) {
+  if (!words_.has(slot)) return post({&record, 1});
+  if (!words_.wait(slot) && claim({&record, 1})) return true;
+  Input word = record;
+  word.handle = words_.reserve(slot);
+  if (word.handle != nil) words_.publish(slot, word, tail_.load(std::memory_order_relaxed));
+  return true;
+}
+
+bool Inbox::take_more(Input& out) { return word_ ? words_.take_more(out) : take_cell(out); }
+
+} // namespace director

@@ -1,0 +1,255 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What a micro-step notes on its way: components to be decided again, groups with a new reason, the run queue, timers
+// that are off. Small, and called from everywhere in it: so it is inline, and only the engine's own files include it.
+
+#include "runtime/core/engine/engine.hpp"
+#include "runtime/core/base/marks.hpp"
+#include "runtime/core/base/fault_injection.hpp"
+
+/// For what is called once, or from within a loop: a call would cost more than what it does.
+#define DIRECTOR_INLINE [[gnu::always_inline]] inline
+
+namespace director {
+
+inline void Engine::mark(Index component, std::uint8_t bits) {
+  Bits& all = x_.s.component[component];
+  all |= bits;
+  if ((all & work::listed) != 0) return;
+  all |= work::listed;
+  x_.s.work[x_.s.counters->work_count++] = component;
+}
+
+/// Whose orders are outdated may be another from now on. Most of the time nobody has asked.
+inline void Engine::mark_stale(Index group) {
+  if (injected(Fault::who_is_stale_is_overlooked)) return;
+  const RunQueueEntry& entry = x_.s.run_queue[group];
+  if (entry.counts != 0) {
+    mark(entry.component, work::changed);
+  } else if ((x_.s.component[entry.component] & work::stale_counts) != 0) {
+    mark(entry.component, work::stale_changed);
+  }
+}
+
+inline void Engine::touch(Index group) {
+  Bits& flags = x_.s.run_queue[group].flags;
+  if ((flags & group_flag::touched) != 0) return;
+  flags |= group_flag::touched;
+  x_.s.touched[x_.s.counters->touched_count++] = group;
+}
+
+inline void Engine::untouch(Index group) { x_.s.run_queue[group].flags &= static_cast<std::uint8_t>(~group_flag::touched); }
+
+/// Bits of Reason. True if one of them is news.
+inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  if ((bits & reason::new_task) != 0 && !injected(Fault::done_outlives_a_new_task)) entry.done = 0;
+  const auto news = static_cast<std::uint8_t>(bits & ~entry.pending);
+  entry.pending |= news;
+  if ((news & reason::outdating) != 0) mark_stale(group);
+  return news != 0;
+}
+
+/// The data of the request by which it holds the group, if there are any.
+inline void Engine::live_on(Index group, Index edge) {
+  if (bodies_.data != nullptr) x_.s.data_from[group] = edge;
+}
+
+/// To a group that is granted to the holder.
+DIRECTOR_INLINE void Engine::note_given(Index group, Index holder, std::uint8_t bits) {
+  live_on(group, holder);
+  if (x_.s.request[holder].anew != 0) bits |= reason::new_task;
+  if (bits != 0) note_reasons(group, bits);
+}
+
+inline void Engine::add_reason(Index group, Reason reason) {
+  if (note_reasons(group, static_cast<std::uint8_t>(reason))) touch(group);
+}
+
+// The run queue: groups linked in the order in which they are to run, so that one that is not granted any more leaves
+// without a look at the others.
+
+DIRECTOR_INLINE void Engine::enqueue(Index group) {
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  if (entry.pending == 0 || (entry.flags & group_flag::queue) != 0) return;
+  entry.flags |= group_flag::queue;
+  Counters& c = *x_.s.counters;
+  const Index last = c.queue_last;
+  (last == nil ? c.queue_first : x_.s.run_queue[last].runs_before) = group;
+  entry.runs_after = last;
+  c.queue_last = group;
+}
+
+/// To a group that is granted as before. `anew`: to the request that holds it. Whom it concerns that its orders are
+/// outdated, request() told.
+DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
+  live_on(group, x_.s.last[group].holder);
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  if (anew) {
+    entry.pending |= reason::new_task;
+    if (!injected(Fault::done_outlives_a_new_task)) entry.done = 0;
+  }
+  enqueue(group);
+}
+
+/// Takes the group away that is to run next.
+inline Index Engine::next_of_queue() {
+  Counters& c = *x_.s.counters;
+  const Index group = c.queue_first;
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  const Index before = entry.runs_before;
+  entry.flags &= static_cast<std::uint8_t>(~group_flag::queue);
+  entry.runs_before = nil;
+  c.queue_first = before;
+  (before == nil ? c.queue_last : x_.s.run_queue[before].runs_after) = nil;
+  return group;
+}
+
+inline void Engine::leave_queue(Index group) {
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  if ((entry.flags & group_flag::queue) == 0) return;
+  entry.flags &= static_cast<std::uint8_t>(~group_flag::queue);
+  Counters& c = *x_.s.counters;
+  const Index after = entry.runs_after, before = entry.runs_before;
+  (after == nil ? c.queue_first : x_.s.run_queue[after].runs_before) = before;
+  (before == nil ? c.queue_last : x_.s.run_queue[before].runs_after) = after;
+  entry.runs_after = entry.runs_before = nil;
+}
+
+// What the next arbitration has to look at.
+
+inline bool Engine::needs_pass(std::uint8_t bits) {
+  constexpr std::uint8_t outdated = work::stale_counts | work::stale_changed;
+  return (bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated;
+}
+
+/// Leaves it in State::work.
+DIRECTOR_INLINE void Engine::forget_work() {
+  Counters& c = *x_.s.counters;
+  const Index before = c.work_count;
+  Index left = 0;
+  for (Index i = 0; i < before; ++i) {
+    const Index component = x_.s.work[i];
+    Bits& bits = x_.s.component[component];
+    bits &= static_cast<std::uint8_t>(~work::passed);
+    if (needs_pass(bits)) {
+      x_.s.work[left++] = component;
+    } else {
+      bits &= work::kept;
+    }
+  }
+  c.work_count = left;
+}
+
+// What inputs and runs ask for.
+
+/// Of an edge that is requested at another level than before, or not any more.
+DIRECTOR_INLINE void Engine::mark_request(Index edge) {
+  const Index component = x_.s.run_queue[x_.s.request[edge].target].component;
+  arbitration::note_rerequest(x_, edge);
+  mark(component, edge < x_.t.root_edges ? work::changed | work::reordered : work::changed);
+}
+
+DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
+  Requested& request = x_.s.request[edge];
+  if (request.anew == 0) {
+    request.anew = 1; // the same task requested again is a new task
+    x_.s.asked[x_.s.counters->asked_count++] = edge;
+  }
+  if (request.level != level) {
+    request.stamp = x_.s.counters->micro_step;
+    request.level = level;
+    mark_request(edge);
+  }
+  mark_stale(request.target);
+  touch(request.target);
+}
+
+DIRECTOR_INLINE void Engine::withdraw(Index edge) {
+  if (x_.s.request[edge].level == nil) return;
+  mark_request(edge);
+  x_.s.request[edge].level = nil;
+}
+
+/// True if the value changes. What expires counts anew, also where it does not.
+inline bool Engine::set_value(Index state, std::int32_t value) {
+  const Time expires = x_.t.states[state].expires;
+  if (expires != 0) arm(Due::expiry, state, later(x_.s.counters->now, expires));
+  return assign(state, value);
+}
+
+/// As long as a value stays where no condition flips, nobody has to look at the conditions.
+inline bool Engine::assign(Index state, std::int32_t value) {
+  if (x_.s.values[state].value == value) return false;
+  x_.s.values[state].value = value;
+  if (!x_.s.values[state].unchanged.has(value)) look_at_conditions(state);
+  return true;
+}
+
+inline void Engine::keep_promises_in(Index component) {
+  if (x_.t.promises.empty()) return;
+  for (const Index g : x_.t.list(x_.t.components[component].groups)) {
+    if (x_.s.promised[g].provider != nil) keep_promises(g);
+  }
+}
+
+/// What was requested in this micro-step is not new any more.
+inline void Engine::settle_requests() {
+  Counters& c = *x_.s.counters;
+  const Index count = c.asked_count;
+  c.asked_count = 0;
+  if (bodies_.data != nullptr) {
+    for (Index i = 0; i < count; ++i) settle_data(x_.s.asked[i]);
+  }
+  for (Index i = 0; i < count; ++i) x_.s.request[x_.s.asked[i]].anew = 0;
+}
+
+/// Of a micro-step that asks for this task and for nothing else: it does so again, and nobody looks at whose orders are
+/// outdated. All that can come of it is a run.
+DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
+  const Counters& c = *x_.s.counters;
+  const Requested& request = x_.s.request[edge];
+  if (request.level != level || (c.work_count | c.touched_count) != 0) return false;
+  const RunQueueEntry& entry = x_.s.run_queue[request.target];
+  return entry.counts == 0 && (x_.s.component[entry.component] & work::stale_counts) == 0;
+}
+
+/// The run; data are settled besides.
+DIRECTOR_INLINE void Engine::give_what_is_asked_again(Index edge) {
+  const Index group = x_.s.request[edge].target;
+  const GroupAssignment& last = x_.s.last[group];
+  x_.s.counters->unsettled = false;
+  if (last.granted()) give_again(group, last.holder == edge);
+}
+
+inline Index Engine::timer(Due kind, Index row) const {
+  switch (kind) {
+  case Due::expiry: break;
+  case Due::wait: return static_cast<Index>(x_.t.states.size() + row);
+  case Due::promise: return static_cast<Index>(x_.t.states.size() + x_.t.groups.size() + row);
+  case Due::every: return static_cast<Index>(x_.t.states.size() + x_.t.groups.size() + x_.t.promises.size() + row);
+  }
+  return row;
+}
+
+inline void Engine::disarm(Due kind, Index row) {
+  const Index index = timer(kind, row);
+  if (x_.s.due[index] != never) set_timer(index, never);
+}
+
+/// Those that fired since its last run. Mostly it listens to none.
+inline void Engine::forget_triggers(Index group) {
+  if ((x_.s.run_queue[group].flags & group_flag::listens) == 0) return;
+  const Range listens = x_.t.groups[group].listens;
+  for (Index slot = listens.begin; slot != listens.end; ++slot) x_.s.fired[slot] = 0;
+}
+
+/// Mostly it does not wait, and then its timer is not looked at.
+inline void Engine::end_wait(Index group) {
+  Bits& flags = x_.s.run_queue[group].flags;
+  if ((flags & group_flag::waits) == 0) return;
+  flags &= static_cast<std::uint8_t>(~group_flag::waits);
+  disarm(Due::wait, group);
+}
+
+} // namespace director

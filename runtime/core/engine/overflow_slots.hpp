@@ -1,0 +1,93 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Where requests and cancels of root tasks, and values of external states, go that find no room in the inbox, so that
+// these are never refused: one slot for each root task, and one for each such state, in which the last one counts. Many
+// writers, one reader, without locks. A writer prepares its note in a place of the slot that only it has, and makes it
+// the slot's newest record by one compare-and-swap. What a slot held before, and the reader did not take, is counted as
+// lost.
+
+#include "runtime/core/engine/input.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+namespace director {
+
+class OverflowSlots {
+public:
+  /// Of one slot: the newest record, one that the reader has in hand, and two that are being written.
+  static constexpr Index places = 4;
+
+  struct Note {
+    Input input;
+    std::uint32_t position = 0; ///< in the inbox: what was there before is taken before
+    std::uint32_t ticket = 0;   ///< later inputs have higher ones; records of one input have the same
+    Index leader = 0;           ///< the slot of that record of the input which is published last
+  };
+  struct Slot {
+    std::atomic<std::uint32_t> states{0}; ///< two bits a place
+    std::array<Note, places> notes;
+    Index held = nil; ///< the reader's: the place that it has in hand
+  };
+
+  /// The first ones are those of the root edges; owned by the caller, who must keep them.
+  explicit OverflowSlots(std::span<Slot> slots) : slots_(slots) {}
+  OverflowSlots(const OverflowSlots&) = delete;
+  OverflowSlots& operator=(const OverflowSlots&) = delete;
+
+  // For writers: any thread.
+
+  bool exist() const { return !slots_.empty(); }
+  bool has(Index slot) const { return slot < slots_.size(); }
+  /// The newest record in this slot was not seen by the reader yet.
+  bool wait(Index slot) const;
+  /// A handle for a word in this slot and its data, which only the caller has until it publishes. Nil: so many others
+  /// are at it right now that no place is left; theirs count as the later words, and there is nothing to do.
+  Index reserve(Index slot);
+  /// The records of one input about root tasks, whose edges are their slots; each with the handle that was reserved for
+  /// it, or nil.
+  void publish(std::span<const Input> records, std::uint32_t position);
+  /// An input of one record, with its handle.
+  void publish(Index slot, const Input& record, std::uint32_t position);
+  /// An input more was lost; from here on the reader has something to see.
+  void count_lost();
+
+  // For anybody.
+
+  std::uint32_t lost() const { return lost_.load(std::memory_order_acquire); }
+
+  // For the reader.
+
+  /// Takes every newest record in hand; what is said later waits for the next time.
+  void open();
+  /// Of those in hand with a position up to this one, the one that was said first. `more`: there is another of the
+  /// same input.
+  bool take(std::uint32_t position, Input& out);
+  /// The next record of the input that was taken last.
+  bool take_more(Input& out);
+  bool any_in_hand() const { return in_hand_ != 0; }
+  /// None waits that the reader has not in hand.
+  bool none_spoken() const { return spoken_.load(std::memory_order_relaxed) == 0; }
+
+private:
+  std::uint32_t next_ticket();
+  void put(Index slot, const Note& note);
+  void sweep(bool& found);
+  bool leader_comes(const Note& note) const;
+  void let_go(Slot& slot);
+  void put_back(Slot& slot);
+  Input give(Slot& slot);
+  Slot* first_of(std::uint32_t ticket);
+
+  std::span<Slot> slots_;
+  std::atomic<std::uint32_t> tickets_{0};
+  std::atomic<std::uint32_t> spoken_{0}; ///< not 0: a word, or a loss, may wait that the reader has not seen
+  std::atomic<std::uint32_t> lost_{0};   ///< inputs so far
+  Index in_hand_ = 0;                    ///< slots with a place held that was not taken
+  std::uint32_t taken_ = 0;              ///< ticket of the input that was taken last
+  Slot* given_ = nullptr;                ///< the slot whose place was given out, until the next one is asked for
+};
+
+} // namespace director

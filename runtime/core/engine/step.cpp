@@ -1,0 +1,240 @@
+// docs/semantics.md, section 3: micro-steps, and runs.
+// SPDX-License-Identifier: MIT
+//
+// One loop takes them in the order of choice: what handlers set, the oldest input, what is due
+// at the time being served, the oldest run, one more arbitration; then the next due time. What most micro-steps are
+// made of, a run, is a part of that loop, without a call.
+
+#include "runtime/core/engine/notes.hpp"
+
+namespace director {
+
+/// From the first step on, values expire.
+void Engine::take_first_step(Time now) {
+  x_.s.counters->begun = true;
+  x_.s.counters->until = now;
+  for (Index i = 0; i < x_.t.states.size(); ++i) {
+    if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset) arm(Due::expiry, i, later(now, x_.t.states[i].expires));
+  }
+}
+
+// A run.
+
+DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
+  Staged* staged = x_.s.staged_request;
+  for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
+    const Index level = staged->level;
+    if (level == nil) {
+      if (observed() && x_.s.request[e].level != nil) report_request(Event::Kind::withdraw, e);
+      withdraw(e);
+      continue;
+    }
+    staged->level = nil;
+    if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
+    if (staged->keep) continue;
+    if (edges.size() != 1 || !asks_again(e, level)) {
+      request(e, level);
+      continue;
+    }
+    give_what_is_asked_again(e);
+    if (bodies_.data != nullptr) settle_data(e);
+  }
+}
+
+/// Everything that a run asked for, together.
+DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  forget_triggers(group);
+  if (x_.s.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
+  if (kind == Outcome::Kind::pack) {
+    commit_pack(entry.edges);
+    entry.done = 0;
+    if (wait <= 0) end_wait(group);
+  } else {
+    for (Index i = 0; i < entry.edges.size(); ++i) x_.s.staged_request[i].level = nil;
+    if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && entry.done == 0)
+      answer(group, kind == Outcome::Kind::failed);
+    if (kind == Outcome::Kind::fault) {
+      if (observed()) {
+        Event fault = event(Event::Kind::fault, group);
+        fault.provider = provider;
+        tell(fault);
+      }
+      end_with_fault();
+      return;
+    }
+  }
+  if (wait <= 0) return;
+  const Time due = later(x_.s.counters->now, wait);
+  if (observed()) report_wait(group, due);
+  entry.flags |= group_flag::waits;
+  arm(Due::wait, group, due);
+}
+
+/// The oldest run calls its provider, and everything that it asked for takes effect together. The group that ran; nil:
+/// none did.
+DIRECTOR_INLINE Index Engine::run_next() {
+  Counters& c = *x_.s.counters;
+  ++c.micro_step;
+  const Index group = next_of_queue();
+  std::uint8_t reasons = x_.s.run_queue[group].pending;
+  x_.s.run_queue[group].pending = 0;
+  mark_stale(group);
+  const bool pushed = in_force(group);
+  const Index provider = x_.s.last[group].active;
+  if (!pushed) reasons &= static_cast<std::uint8_t>(~reason::pushed);
+  if (reasons == 0) return nil; // nobody pushes it any more
+
+  if (pushed && !x_.t.promises.empty() && x_.s.promised[group].provider == nil) { // section 7: its first run on that push
+    x_.s.promised[group] = {x_.s.last[group].push.edge, provider};
+    const Range own = x_.t.providers[provider].promises;
+    for (Index i = own.begin; i != own.end; ++i) arm(Due::promise, i, later(c.now, x_.t.promises[i].within));
+  }
+  Run run(*this, x_.s, x_.s.run_queue[group].edges.begin, group, provider, Reasons{reasons});
+  if (observed()) {
+    Event running = event(Event::Kind::run, group);
+    running.provider = provider;
+    running.reasons = run.reasons();
+    tell(running);
+  }
+  inside_ = true;
+  const Outcome outcome = bodies_.run[provider](bodies_.self, run);
+  inside_ = false;
+  commit(group, provider, run.wait_, outcome.kind());
+  return group;
+}
+
+// All that a step takes.
+
+/// Without its end. `ran`: the group that ran, if one did.
+DIRECTOR_INLINE Engine::Taken Engine::take_next(Index& ran) {
+  Counters& c = *x_.s.counters;
+  for (;;) {
+    if (c.handlers_set) return take_handlers_input();
+    if (inbox_.is_open()) {
+      if (Input* const first = inbox_.take_first(); first != nullptr) return take_input(*first);
+      if (const Taken posted = take_posted(); posted != Taken::nothing) return posted;
+    }
+    if (c.serving) {
+      if (const Taken timer = take_timer(); timer != Taken::nothing) return timer;
+    }
+    if (c.queue_first != nil) {
+      ran = run_next();
+      return Taken::change;
+    }
+    if (c.unsettled) {
+      ++c.micro_step;
+      return Taken::change;
+    }
+    const Time due = next_due();
+    if (due > c.until) return Taken::nothing;
+    c.now = due;
+    c.serving = true;
+  }
+}
+
+/// False: nothing is left to do up to the time given to `step`.
+DIRECTOR_INLINE bool Engine::micro_step() {
+  Index ran = nil;
+  const Taken taken = take_next(ran);
+  if (taken != Taken::change) return taken != Taken::nothing;
+  Counters& c = *x_.s.counters;
+  c.unsettled = false;
+  if (c.work_count != 0) {
+    arbitrate();
+    if (c.asked_count != 0) settle_requests();
+  } else if (c.touched_count != 0) { // as is what was asked for
+    act_on_touched();
+    if (c.asked_count != 0) settle_requests();
+  }
+  if (!x_.t.promises.empty() && ran != nil) keep_promises(ran);
+  return true;
+}
+
+[[gnu::aligned(64)]] StepResult Engine::take_step(Time now) {
+  if (inside_) return StepResult::refused;
+  if (now > last_time) now = last_time;
+  Counters& c = *x_.s.counters;
+  if (!c.begun) take_first_step(now);
+  c.quiet_until = first_time;
+  // Called again for the same time because the budget ran out: what was begun goes on at its own time.
+  const bool further = now > c.until;
+  if (further) c.until = now;
+  if (c.now != c.until && !c.serving && (further || !(c.handlers_set || c.queue_first != nil || c.unsettled)))
+    c.now = c.until;
+  inbox_.open();
+  if (observed() && inbox_.lost() != told_lost_) {
+    report_lost();
+    if (faulted_) { // the observer threw
+      faulted_ = false;
+      return StepResult::fault;
+    }
+  }
+  const std::uint64_t before = work();
+  for (left_ = budget_; left_ != 0; --left_) {
+    if (!micro_step()) return come_to_rest();
+    if (work_budget_ != 0 && work() - before >= work_budget_) break;
+  }
+  if (!faulted_ && !work_left()) return come_to_rest(); // the budget may end together with what is due
+  if (!faulted_) report(Event::Kind::exhausted);
+  if (!faulted_) return StepResult::budget_exhausted;
+  faulted_ = false;
+  return StepResult::fault;
+}
+
+void Engine::end_with_fault() {
+  faulted_ = true;
+  left_ = 1;
+}
+
+StepResult Engine::come_to_rest() {
+  Counters& c = *x_.s.counters;
+  c.serving = false;
+  c.now = c.until;
+  c.quiet_until = c.next_due;
+  return StepResult::quiescent;
+}
+
+bool Engine::work_left() const {
+  const Counters& c = *x_.s.counters;
+  return c.handlers_set || c.queue_first != nil || c.unsettled || inbox_.due() || next_due() <= c.until;
+}
+
+void Engine::commit_states(bool fault) {
+  Counters& c = *x_.s.counters;
+  for (Index i = 0; i < c.staged_count; ++i) {
+    const Index state = x_.s.staged[i];
+    const std::int32_t value = x_.s.values[state].staged;
+    x_.s.values[state].staged = unset;
+    if (!fault && set_value(state, value)) report_set(state);
+  }
+  c.staged_count = 0;
+}
+
+void Engine::answer(Index group, bool failed) {
+  x_.s.run_queue[group].done = failed ? result::done | result::failed : result::done;
+  report(failed ? Event::Kind::failed : Event::Kind::done, group);
+  const Index holder = x_.s.last[group].holder;
+  if (holder < x_.t.root_edges) {
+    withdraw(holder);
+  } else {
+    add_reason(x_.t.edges[holder].requester, Reason::subtask_done);
+  }
+}
+
+void Engine::report_request(Event::Kind kind, Index edge, Index level) const {
+  if (!observed()) return;
+  Event request = event(kind, x_.t.edges[edge].target);
+  request.edge = edge;
+  request.level = level;
+  tell(request);
+}
+
+void Engine::report_wait(Index group, Time due) const {
+  if (!observed()) return;
+  Event wait = event(Event::Kind::wait, group);
+  wait.due = due;
+  tell(wait);
+}
+
+} // namespace director

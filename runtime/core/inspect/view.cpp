@@ -1,0 +1,56 @@
+// docs/semantics.md, section 2, as one may see it from outside.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/inspect/view.hpp"
+
+#include "runtime/core/engine/engine.hpp"
+
+namespace director {
+
+View view_of(const Engine& engine) {
+  const State& memory = engine.memory();
+  View out;
+  out.tables = &engine.tables();
+  out.now = engine.now();
+  out.micro_step = engine.micro_steps();
+  out.values = memory.values;
+  out.request = memory.request;
+  out.assignment = memory.last.group;
+  out.queued_edge = memory.queued;
+  out.run_queue = memory.run_queue;
+  out.enabled = memory.enabled;
+  out.lost = engine.lost();
+  return out;
+}
+
+RunState View::state(Index edge) const {
+  const Index group = tables->edges[edge].target;
+  if (granted(group) && holder(group) == edge) return RunState::running;
+  return requested(edge) ? RunState::queued : RunState::none;
+}
+
+Holding View::holding(Index group) const {
+  const Index edge = holder(group);
+  if (edge == nil) return {};
+  if (is_limbo(edge)) return {.by = Holding::By::limbo, .edge = edge};
+  const Index requester = tables->edges[edge].requester;
+  return {.by = requester == nil ? Holding::By::program : Holding::By::group,
+          .group = requester,
+          .edge = edge,
+          .granted = granted(group)};
+}
+
+View View::copy(std::byte* buffer) const {
+  View out = *this;
+  std::size_t at = 0;
+  out.each(Shape::of(*tables), [&]<class T>(const T*& array, std::size_t count) {
+    at = aligned<T>(at);
+    T* const to = reinterpret_cast<T*>(buffer + at); // the buffer's bytes become these arrays
+    for (std::size_t i = 0; i < count; ++i) to[i] = array[i];
+    array = to;
+    at += count * sizeof(T);
+  });
+  return out;
+}
+
+} // namespace director

@@ -1,0 +1,76 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What holds at one moment between micro-steps, as far as one may ask from outside: who holds what, who asks for what,
+// the values. A view looks at the memory of an engine, or at a copy of it (snapshot.hpp).
+
+#include "runtime/core/base/state.hpp"
+
+namespace director {
+
+class Engine;
+
+/// Who holds a group.
+struct Holding {
+  enum class By : std::uint8_t {
+    nobody,
+    program, ///< requested as a root task
+    group,   ///< requested or needed by `group`
+    limbo,   ///< nobody any more, but it is kept alive for who is about to ask for it
+  };
+  By by = By::nobody;
+  Index group = nil;
+  Index edge = nil;
+  bool granted = false; ///< false: it is only held for a need and was not asked for yet
+  constexpr bool operator==(const Holding&) const = default;
+};
+
+struct View {
+  const Tables* tables = nullptr;
+  Time now = 0;                 ///< the engine's time
+  std::uint64_t micro_step = 0; ///< how many were taken
+  std::uint32_t lost = 0;       ///< inputs so far that were refused, as the inbox was full, or replaced by a later one
+
+  // One row for each group, edge, provider or state; see State.
+  const Requested* request = nullptr;
+  const StateValue* values = nullptr;
+  const GroupAssignment* assignment = nullptr;
+  const Queued* queued_edge = nullptr; ///< by the last pass
+  const RunQueueEntry* run_queue = nullptr;
+  const Bits* enabled = nullptr;
+
+  bool is_limbo(Index edge) const { return edge != nil && edge >= tables->edges.size(); }
+  Index holder(Index group) const { return assignment[group].holder; }
+  bool granted(Index group) const { return assignment[group].granted(); }
+  bool requested(Index edge) const { return request[edge].level != nil; }
+  RunState state(Index edge) const; ///< of a request: running, queued or none
+  Queued queued(Index edge) const { return queued_edge[edge]; } ///< why it does not run
+  Holding holding(Index group) const;
+
+private:
+  template <class T>
+  static constexpr std::size_t aligned(std::size_t at) {
+    return (at + alignof(T) - 1) / alignof(T) * alignof(T);
+  }
+  /// Calls visit(array, count) for every array. Stands before who needs it while compiling: clang++ asks for that.
+  template <class Visit>
+  constexpr void each(const Shape& n, Visit&& visit) {
+    visit(request, n.edges), visit(values, n.states), visit(assignment, n.groups);
+    visit(queued_edge, n.edges), visit(run_queue, n.groups), visit(enabled, n.providers);
+  }
+
+public:
+  /// Bytes that a copy takes, aligned to 8.
+  static constexpr std::size_t bytes(const Shape& shape) {
+    View view;
+    std::size_t size = 0;
+    view.each(shape, [&]<class T>(const T*, std::size_t count) { size = aligned<T>(size) + count * sizeof(T); });
+    return (size + 7) / 8 * 8;
+  }
+  /// A view of a copy in a buffer of that many bytes.
+  View copy(std::byte* buffer) const;
+};
+
+/// Looks at the memory of the engine.
+View view_of(const Engine& engine);
+
+} // namespace director

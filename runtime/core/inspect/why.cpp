@@ -1,0 +1,315 @@
+// docs/semantics.md, section 4, for people: why a group runs or does not.
+// SPDX-License-Identifier: MIT
+//
+// The last pass has noted for each request why it was refused; what is looked for here is the whom and the where. Who
+// holds what is read after the pass, so somebody weaker may have got what was left over: a holder counts as in the way
+// only if it goes before the request or is its equal.
+
+#include "runtime/core/inspect/why.hpp"
+
+namespace director {
+
+namespace {
+
+using Kind = Because::Kind;
+
+class Asking {
+public:
+  explicit Asking(const View& view) : v_(view), t_(*view.tables) {}
+
+  Because about(Index group) {
+    Because out;
+    out.asked = group;
+    out.holder = v_.holder(group);
+    if (v_.granted(group)) {
+      out.kind = Kind::running;
+      out.edge = out.member = out.holder;
+      out.provider = v_.assignment[group].active;
+      return out;
+    }
+    out.edge = out.member = first_request(group);
+    if (v_.is_limbo(out.holder)) {
+      out.kind = Kind::limbo;
+    } else if (out.edge != nil) {
+      explain(out);
+    } else if (out.holder != nil) {
+      out.kind = Kind::reserved;
+    }
+    return out;
+  }
+
+  bool stands_in_the_way(Index holder, Index edge) const {
+    Rivalry rivalry;
+    return !v_.is_limbo(holder) && goes_first(holder, edge, rivalry);
+  }
+
+private:
+  /// One group of a choice in the making: the target, then what is needed, depth first.
+  struct Entry {
+    Index group = nil;
+    Index edge = nil; ///< that would claim it
+    Index provider = nil;
+    const Entry* needer = nullptr; ///< null: it is the target
+    Index place = 0;               ///< of the need among those of its needer
+    const Entry* before = nullptr; ///< the entry made before this one
+  };
+
+  Index target(Index edge) const { return t_.edges[edge].target; }
+  Index requester(Index edge) const { return v_.is_limbo(edge) ? nil : t_.edges[edge].requester; }
+  Index above(Index edge) const {
+    const Index group = requester(edge);
+    return group == nil ? nil : v_.holder(group);
+  }
+  bool optional(Index edge) const {
+    return !v_.is_limbo(edge) && v_.requested(edge) && t_.levels[v_.request[edge].level].optional;
+  }
+  std::int32_t priority(Index edge) const {
+    if (v_.requested(edge)) return t_.levels[v_.request[edge].level].priority;
+    const Range levels = t_.edges[edge].levels;
+    return levels.empty() ? 0 : t_.levels[levels.begin].priority;
+  }
+  Index length(Index edge) const {
+    Index count = 0;
+    for (; edge != nil; edge = above(edge)) ++count;
+    return count;
+  }
+
+  /// Rules 1 to 4 of the order between `ours` and `theirs`. False: ours goes first.
+  bool goes_first(Index theirs, Index ours, Rivalry& out) const {
+    out = {};
+    bool optional_ours = false, optional_theirs = false;
+    const auto climb = [&](Index& edge, bool& is_optional) {
+      is_optional = is_optional || optional(edge);
+      edge = above(edge);
+    };
+    const Index length_ours = length(ours), length_theirs = length(theirs);
+    for (Index i = length_theirs; i < length_ours; ++i) climb(ours, optional_ours);
+    for (Index i = length_ours; i < length_theirs; ++i) climb(theirs, optional_theirs);
+    bool below_ours = false, below_theirs = false;
+    while (ours != nil) {
+      const Index at_ours = ours, at_theirs = theirs;
+      climb(ours, optional_ours);
+      climb(theirs, optional_theirs);
+      if (at_ours == at_theirs) continue;
+      out.ours = at_ours, out.theirs = at_theirs;
+      below_ours = optional_ours, below_theirs = optional_theirs;
+    }
+    if (out.ours == nil) {
+      out.won_by = Precedence::above;
+      return length_theirs < length_ours;
+    }
+    out.common = requester(out.ours);
+    if (v_.is_limbo(out.ours) || v_.is_limbo(out.theirs)) { // limbo goes after everything, and nobody is told of it
+      out.won_by = Precedence::optional;
+      return v_.is_limbo(out.ours);
+    }
+    out.our_priority = priority(out.ours);
+    out.their_priority = priority(out.theirs);
+    if (below_ours != below_theirs) {
+      out.won_by = Precedence::optional;
+      return below_ours;
+    }
+    out.won_by = out.our_priority == out.their_priority ? Precedence::equal : Precedence::priority;
+    return out.their_priority >= out.our_priority;
+  }
+
+  /// Of the requests for a group, the one that goes first.
+  Index first_request(Index group) const {
+    Index first = nil;
+    for (const Index edge : t_.list(t_.groups[group].requesters)) {
+      if (!v_.requested(edge)) continue;
+      Rivalry rivalry;
+      if (first == nil || !goes_first(first, edge, rivalry) ||
+          (rivalry.won_by == Precedence::equal && v_.request[rivalry.ours].stamp < v_.request[rivalry.theirs].stamp))
+        first = edge;
+    }
+    return first;
+  }
+
+  bool alone(Index edge) const {
+    const Level& level = t_.levels[v_.request[edge].level];
+    return requester(edge) == nil || level.optional || level.apart;
+  }
+
+  /// Calls found(member) for the request and then for the others of its unit, until it says true.
+  template <class Found>
+  bool any_member(Index edge, Found found) const {
+    if (found(edge)) return true;
+    if (alone(edge)) return false;
+    const Range siblings = t_.groups[requester(edge)].edges;
+    for (Index e = siblings.begin; e != siblings.end; ++e) {
+      if (e != edge && v_.requested(e) && !alone(e) && found(e)) return true;
+    }
+    return false;
+  }
+
+  /// The group is about to run for a task that is new, or for nobody any more.
+  bool orders_change(Index group) const {
+    for (; group != nil; group = requester(v_.holder(group))) {
+      if (v_.holder(group) == nil || v_.is_limbo(v_.holder(group))) return true;
+      if (v_.granted(group)) return (v_.run_queue[group].pending & reason::outdating) != 0;
+    }
+    return false;
+  }
+
+  /// Somewhere above, the group is only kept for an heir. What stands below limbo is compared by no rule that would say
+  /// anything to people.
+  bool hangs_on_limbo(Index group) const {
+    while (group != nil && v_.holder(group) != nil && !v_.is_limbo(v_.holder(group)))
+      group = requester(v_.holder(group));
+    return group != nil && v_.holder(group) != nil;
+  }
+
+  void explain(Because& out) {
+    const Queued queued = v_.queued(out.edge);
+    out.kind = Kind::outdated;
+    if (orders_change(requester(out.edge)) || hangs_on_limbo(requester(out.edge))) return;
+    switch (queued.why) {
+    case Why::waiting: return waits(out, queued.condition);
+    case Why::deferred: out.kind = Kind::deferred; return;
+    case Why::blocked: return blocked(out);
+    case Why::outdated:
+    case Why::none: return;
+    }
+  }
+
+  void waits(Because& out, Index condition) {
+    out.kind = Kind::condition;
+    out.condition = condition;
+    const auto found = [&](Index member) {
+      out.member = member;
+      out.group = target(member);
+      return has_condition(member, condition, out.provider);
+    };
+    if (!any_member(out.edge, found)) out.member = out.edge, out.group = target(out.edge);
+    for (const Index causer : causers(t_, condition)) {
+      if (v_.enabled[causer] == 0) continue;
+      out.causer = causer;
+      out.causer_group = t_.providers[causer].group;
+      break;
+    }
+  }
+
+  /// Which provider of a choice has the condition.
+  bool has_condition(Index member, Index condition, Index& provider) const {
+    const auto has = [&](const Entry& last) {
+      for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
+        for (const Index when : t_.list(t_.providers[entry->provider].when)) {
+          if (when != condition) continue;
+          provider = entry->provider;
+          return true;
+        }
+      }
+      return false;
+    };
+    return any_choice(
+        member, [](const Entry&) { return true; }, has);
+  }
+
+  void blocked(Because& out) {
+    const bool disabled = any_member(out.edge, [&](Index member) {
+      out.member = member;
+      return !has_choice(member, out.group);
+    });
+    if (disabled) {
+      out.kind = Kind::no_provider;
+      return;
+    }
+    const bool held = any_member(out.edge, [&](Index member) {
+      out.member = member;
+      return is_held(member, out.group, out.provider);
+    });
+    if (!held) {
+      out.kind = Kind::together;
+      out.member = out.edge;
+      return;
+    }
+    out.kind = out.provider == nil ? Kind::lost : Kind::need_held;
+    out.holder = v_.holder(out.group);
+    goes_first(out.holder, out.member, out.rivalry);
+  }
+
+  /// Goes through the choices for the target of `member` whose providers are enabled, in order; what is not accepted is
+  /// not gone into. True as soon as found(last entry) says so of a whole one. Calls itself once for each group of a
+  /// choice: the entries lie on the stack.
+  template <class Accept, class Found>
+  bool any_choice(Index member, Accept accept, Found found) const {
+    return any_provider({.group = target(member), .edge = member}, accept, found);
+  }
+
+  template <class Accept, class Found>
+  bool any_provider(Entry entry, Accept& accept, Found& found) const {
+    const Range providers = t_.groups[entry.group].providers;
+    for (entry.provider = providers.begin; entry.provider != providers.end; ++entry.provider) {
+      if (v_.enabled[entry.provider] != 0 && accept(entry) && any_extension(entry, accept, found)) return true;
+    }
+    return false;
+  }
+
+  template <class Accept, class Found>
+  bool any_extension(const Entry& last, Accept& accept, Found& found) const {
+    Entry next{.needer = &last, .before = &last};
+    while (next.place >= t_.providers[next.needer->provider].needs.size()) {
+      next.place = static_cast<Index>(next.needer->place + 1);
+      next.needer = next.needer->needer;
+      if (next.needer == nullptr) return found(last);
+    }
+    next.edge = t_.list(t_.providers[next.needer->provider].needs)[next.place];
+    next.group = target(next.edge);
+    for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
+      if (entry->group == next.group) return false; // it cannot be held for two purposes
+    }
+    return any_provider(next, accept, found);
+  }
+
+  /// Else `lacks` is the first group found without an enabled provider, or the target.
+  bool has_choice(Index member, Index& lacks) const {
+    lacks = target(member);
+    const auto accept = [&](const Entry& entry) {
+      for (const Index need : t_.list(t_.providers[entry.provider].needs)) {
+        const Range providers = t_.groups[target(need)].providers;
+        bool any = false;
+        for (Index p = providers.begin; p != providers.end; ++p) any = any || v_.enabled[p] != 0;
+        if (!any && lacks == target(member)) lacks = target(need);
+      }
+      return true;
+    };
+    return any_choice(member, accept, [](const Entry&) { return true; });
+  }
+
+  bool in_the_way(Index group, Index edge, Index member) const {
+    const Index holder = v_.holder(group);
+    return holder != nil && holder != edge && stands_in_the_way(holder, member);
+  }
+
+  /// In every choice something is: what it is in the first one, and which provider needs it (nil: it is the target).
+  bool is_held(Index member, Index& group, Index& provider) const {
+    group = provider = nil;
+    const auto held = [&](const Entry& entry) { return in_the_way(entry.group, entry.edge, member); };
+    const auto accept = [&](const Entry& entry) { return group == nil || !held(entry); };
+    const auto found = [&](const Entry& last) {
+      const Entry* first = nullptr;
+      for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
+        if (held(*entry)) first = entry;
+      }
+      if (first == nullptr) return true;
+      group = first->group;
+      provider = first->needer == nullptr ? nil : first->needer->provider;
+      return false;
+    };
+    return !any_choice(member, accept, found);
+  }
+
+  const View& v_;
+  const Tables& t_;
+};
+
+} // namespace
+
+Because why(const View& view, Index group) { return Asking(view).about(group); }
+
+bool stands_in_the_way(const View& view, Index holder, Index edge) {
+  return Asking(view).stands_in_the_way(holder, edge);
+}
+
+} // namespace director

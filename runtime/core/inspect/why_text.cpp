@@ -1,0 +1,105 @@
+// The answers of why.cpp as sentences.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/inspect/why_text.hpp"
+
+namespace director {
+
+namespace {
+
+using Kind = Because::Kind;
+
+class Writing {
+public:
+  Writing(const Names& names, std::span<char> buffer) : names_(names), buffer_(buffer) {}
+
+  Writing& operator<<(const char* text) {
+    for (; *text != 0 && at_ + 1 < buffer_.size(); ++text) buffer_[at_++] = *text;
+    buffer_[at_] = 0;
+    return *this;
+  }
+  Writing& operator<<(std::int32_t number) {
+    char digits[12];
+    char* first = digits + sizeof digits - 1;
+    *first = 0;
+    auto left = static_cast<std::uint32_t>(number < 0 ? -std::int64_t{number} : std::int64_t{number});
+    do *--first = static_cast<char>('0' + left % 10);
+    while ((left /= 10) != 0);
+    if (number < 0) *--first = '-';
+    return *this << first;
+  }
+
+  void tell(const Because& b) {
+    const char* const asked = group(b.asked);
+    switch (b.kind) {
+    case Kind::running: *this << asked << " runs (" << edge(b.edge) << ") in " << provider(b.provider); return;
+    case Kind::not_requested: *this << "nobody asks for " << asked; return;
+    case Kind::reserved:
+      *this << asked << " is held for a need (" << edge(b.holder) << "), and was not asked for yet";
+      return;
+    case Kind::limbo: *this << asked << " goes on for nobody: it is kept for who is about to ask for it"; return;
+    default: break;
+    }
+    *this << asked << " waits (" << edge(b.edge) << "): ";
+    if (b.member != b.edge) *this << "it comes with " << edge(b.member) << ", and ";
+    reason(b);
+  }
+
+private:
+  const char* group(Index row) const { return names_.group(names_.self, row); }
+  const char* provider(Index row) const { return names_.provider(names_.self, row); }
+  const char* edge(Index row) const { return names_.edge(names_.self, row); }
+  const char* condition(Index row) const { return names_.condition(names_.self, row); }
+
+  void reason(const Because& b) {
+    switch (b.kind) {
+    case Kind::no_provider: *this << "no provider of " << group(b.group) << " is enabled"; return;
+    case Kind::lost:
+    case Kind::need_held:
+      *this << group(b.group) << (b.kind == Kind::lost ? "" : ", which it needs,") << " is held by " << edge(b.holder)
+            << ", ";
+      return rivalry(b.rivalry);
+    case Kind::together: *this << "what it takes cannot be had together"; return;
+    case Kind::condition:
+      *this << "until " << condition(b.condition) << ", which ";
+      if (b.causer == nil) {
+        *this << "only the outside can make true";
+      } else {
+        *this << group(b.causer_group) << "." << provider(b.causer) << " could cause";
+      }
+      return;
+    case Kind::outdated: *this << "who asks for it is about to decide anew"; return;
+    default: *this << "somebody stronger is about to decide anew"; return;
+    }
+  }
+
+  void rivalry(const Rivalry& r) {
+    switch (r.won_by) {
+    case Precedence::above: *this << "which is above it"; return;
+    case Precedence::optional:
+      *this << "and " << edge(r.ours) << " is optional, or leads through something optional, unlike " << edge(r.theirs);
+      return;
+    case Precedence::priority:
+      *this << "and " << edge(r.theirs) << " (priority " << r.their_priority << ") goes before " << edge(r.ours)
+            << " (priority " << r.our_priority << ")";
+      return;
+    case Precedence::equal:
+      *this << "and " << edge(r.theirs) << " is the equal of " << edge(r.ours) << " (priority " << r.our_priority
+            << ") and was there first";
+      return;
+    }
+  }
+
+  const Names& names_;
+  std::span<char> buffer_;
+  std::size_t at_ = 0;
+};
+
+} // namespace
+
+const char* to_text(const Because& because, const Names& names, std::span<char> buffer) {
+  Writing(names, buffer).tell(because);
+  return buffer.data();
+}
+
+} // namespace director

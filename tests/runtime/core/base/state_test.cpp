@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The layout of the engine's memory.
+
+#include "runtime/core/base/state.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace director::tests {
+namespace {
+
+const Shape some{.groups = 5,
+                 .providers = 7,
+                 .edges = 11,
+                 .conditions = 3,
+                 .states = 2,
+                 .promises = 1,
+                 .plan_slots = 4,
+                 .listen_slots = 3,
+                 .most_edges = 4,
+                 .components = 2,
+                 .lacking = 6};
+
+TEST_CASE("every array lies inside the block, aligned, behind the one before") {
+  std::vector<std::uint64_t> memory(State::bytes(some) / 8);
+  State state = State::in(reinterpret_cast<std::byte*>(memory.data()), some);
+  const auto* at = reinterpret_cast<const std::byte*>(memory.data());
+  std::size_t arrays = 0;
+  State::each(
+      state, some,
+      [&]<class T>(T*& array, std::size_t count) {
+        const auto* begin = reinterpret_cast<const std::byte*>(array);
+        CHECK(begin >= at);
+        CHECK(reinterpret_cast<std::uintptr_t>(array) % alignof(T) == 0);
+        at = reinterpret_cast<const std::byte*>(array + count);
+        ++arrays;
+      },
+      [] {});
+  CHECK(arrays > 50);
+  CHECK(static_cast<std::size_t>(at - reinterpret_cast<const std::byte*>(memory.data())) <= State::bytes(some));
+}
+
+TEST_CASE("the decision state is the smaller part, and its size is known at compile time") {
+  static_assert(State::decision_bytes(Shape{}) > 0);
+  CHECK(State::decision_bytes(some) < State::bytes(some));
+  CHECK(State::decision_bytes(some) % 8 == 0);
+}
+
+TEST_CASE("what a combination can lack is the most that one provider of each group can") {
+  const std::vector<Provider> providers = [] {
+    std::vector<Provider> rows(3);
+    rows[0].when = {0, 2};
+    rows[1].when = {2, 5};
+    rows[2].when = {5, 6};
+    return rows;
+  }();
+  std::vector<Group> groups(2);
+  groups[0].providers = {0, 2};
+  groups[1].providers = {2, 3};
+  Tables tables;
+  tables.providers = providers;
+  tables.groups = groups;
+  CHECK(Shape::of(tables).lacking == 4);
+}
+
+} // namespace
+} // namespace director::tests

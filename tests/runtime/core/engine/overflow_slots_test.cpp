@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// The overflow slots: what a full inbox does not refuse, in which order it comes, and that it comes whole.
+
+#include "runtime/core/engine/inbox.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace director::tests {
+namespace {
+
+using Kind = Input::Kind;
+
+/// An inbox of two cells for four root tasks.
+struct Small {
+  std::vector<Inbox::Cell> cells = std::vector<Inbox::Cell>(2);
+  std::vector<OverflowSlots::Slot> slots = std::vector<OverflowSlots::Slot>(4);
+  Inbox inbox{cells, slots};
+
+  bool fire(Index trigger) {
+    const Input input{.kind = Kind::fire, .thing = trigger};
+    return inbox.post({&input, 1});
+  }
+  void fill() {
+    while (fire(9)) {}
+  }
+  bool say(Kind kind, std::vector<Index> edges) {
+    std::vector<Input> records;
+    for (const Index edge : edges) records.push_back({.kind = kind, .more = true, .thing = edge});
+    records.back().more = false;
+    return inbox.insist(records);
+  }
+  /// What one step of a reader sees: `request 1+2`, `cancel 0`, `fire`.
+  std::vector<std::string> read() {
+    std::vector<std::string> out;
+    inbox.open();
+    for (Input input; inbox.due() && inbox.take(input);) out.push_back(text(input));
+    return out;
+  }
+  std::string text(Input input) {
+    std::string line = input.kind == Kind::fire ? "fire" : input.kind == Kind::cancel ? "cancel " : "request ";
+    if (input.kind != Kind::fire) line += std::to_string(input.thing);
+    while (input.more && inbox.take_more(input)) line += "+" + std::to_string(input.thing);
+    return line;
+  }
+};
+
+using Lines = std::vector<std::string>;
+
+TEST_CASE("requests and cancels find a place outside a full inbox, and come after what it held, in their order") {
+  Small small;
+  small.fill();
+  CHECK(small.say(Kind::request, {3}));
+  CHECK(small.say(Kind::cancel, {0}));
+  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.read() == Lines{"fire", "fire", "request 3", "cancel 0", "request 1"});
+  CHECK(small.read().empty());
+}
+
+TEST_CASE("of several words about one root task the last one counts, whatever it is, in its place in the order") {
+  Small small;
+  small.fill();
+  for (const Kind kind : {Kind::request, Kind::cancel, Kind::request, Kind::cancel}) CHECK(small.say(kind, {2}));
+  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.say(Kind::request, {2}));
+  CHECK(small.read() == Lines{"fire", "fire", "request 1", "request 2"});
+}
+
+TEST_CASE("what comes about a root task later waits behind its newest record, though the inbox has room again") {
+  Small small;
+  small.fill();
+  CHECK(small.say(Kind::request, {1}));
+  small.inbox.open();
+  Input input;
+  CHECK(small.inbox.take(input));
+  CHECK(small.inbox.take(input)); // the inbox is empty, the request is in the reader's hands
+  CHECK(small.say(Kind::cancel, {1}));
+  CHECK(small.inbox.take(input));
+  CHECK(small.text(input) == "request 1");
+  CHECK(!small.inbox.take(input)); // the cancel came after the step began
+  CHECK(small.read() == Lines{"cancel 1"});
+}
+
+TEST_CASE("what one writer posts is taken in its order, through the inbox or outside it") {
+  Small small;
+  small.fire(9);
+  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.say(Kind::cancel, {1})); // full
+  CHECK(small.say(Kind::request, {0}));
+  CHECK(small.read() == Lines{"fire", "request 1", "cancel 1", "request 0"});
+  CHECK(small.say(Kind::cancel, {1}));
+  CHECK(small.fire(9));
+  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.read() == Lines{"cancel 1", "fire", "request 1"});
+}
+
+TEST_CASE("root tasks that are requested together come together") {
+  Small small;
+  small.fill();
+  CHECK(small.say(Kind::request, {1, 3, 0}));
+  CHECK(small.say(Kind::cancel, {2}));
+  CHECK(small.read() == Lines{"fire", "fire", "request 0+1+3", "cancel 2"});
+  small.fill();
+  CHECK(small.say(Kind::request, {1, 3}));
+  CHECK(small.say(Kind::cancel, {3}));
+  CHECK(small.read() == Lines{"fire", "fire", "request 1", "cancel 3"});
+}
+
+TEST_CASE("a task that is asked for twice in one input is there once") {
+  Small small;
+  small.fill();
+  CHECK(small.say(Kind::request, {1, 1}));
+  CHECK(small.read() == Lines{"fire", "fire", "request 1"});
+}
+
+TEST_CASE("a writer that is interrupted in the middle holds nobody up") {
+  Small small;
+  OverflowSlots words(small.slots);
+  std::vector<Index> handles;
+  for (Index i = 0; i < OverflowSlots::places; ++i) handles.push_back(words.reserve(1));
+  CHECK(words.reserve(1) == nil); // one of those in the middle of it will count as the later one
+  const auto publish = [&](Index handle, Index level) {
+    const Input input{.kind = Kind::request, .thing = 1, .level = level, .handle = handle};
+    words.publish({&input, 1}, 0);
+  };
+  publish(handles[2], 2);
+  const Index again = words.reserve(1); // the newest record gives up its place
+  CHECK(again == handles[2]);
+  publish(again, 5);
+  publish(handles[0], 7);
+  words.open();
+  Input input;
+  REQUIRE(words.take(0, input));
+  CHECK(input.level == 7);
+  CHECK(!words.take(0, input));
+}
+
+TEST_CASE("what is published before its leader waits for it") {
+  Small small;
+  OverflowSlots words(small.slots);
+  const Index leader = words.reserve(0);
+  Input follower{.kind = Kind::request, .thing = 1, .handle = words.reserve(1)};
+  // As far as a writer of both comes that is interrupted: the leader is still to be published.
+  const std::array both{Input{.kind = Kind::request, .more = true, .thing = 0, .handle = leader}, follower};
+  words.publish({&both[1], 1}, 0);
+  const Index place = static_cast<Index>(follower.handle - waiting_requests);
+  small.slots[1].notes[place].leader = 0;
+  Input input;
+  words.open();
+  CHECK(!words.take(0, input));
+  words.publish({both.data(), 1}, 0);
+  small.slots[0].notes[static_cast<Index>(leader - waiting_requests)].ticket = small.slots[1].notes[place].ticket;
+  words.open();
+  REQUIRE(words.take(0, input));
+  CHECK(input.thing == 0);
+  REQUIRE(input.more);
+  REQUIRE(words.take_more(input));
+  CHECK(input.thing == 1);
+}
+
+TEST_CASE("an inbox without overflow slots refuses when it is full") {
+  std::vector<Inbox::Cell> cells(2);
+  Inbox inbox(cells);
+  Input cancel{.kind = Kind::cancel};
+  CHECK(inbox.insist({&cancel, 1}));
+  CHECK(inbox.insist({&cancel, 1}));
+  CHECK(!inbox.insist({&cancel, 1}));
+}
+
+} // namespace
+} // namespace director::tests

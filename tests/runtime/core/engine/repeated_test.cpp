@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// A robot comes back to where it was again and again: what happened then happens once more, and what differs counts.
+#include "runtime/core/inspect/view.hpp"
+#include "tests/runtime/core/machine.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace director::tests {
+namespace {
+
+const std::string rivals = R"(
+behaviour: rivals
+language: 1
+states:
+  Light: {values: [red, green], initial: red, external: true}
+roots:
+  Left: {priority: {low: 1, high: 3}}
+  Right: {priority: 2}
+groups:
+  Left: {tasks: [Shared]}
+  Right: {tasks: [Shared]}
+  Shared:
+    providers:
+      - {name: go, when: [Light == green]}
+      - {name: stand}
+)";
+
+void append(Lines& to, Lines lines) {
+  for (std::string& line : lines) to.push_back(std::move(line));
+}
+
+/// What happens while the two take turns.
+Lines turns(Machine& machine, int times) {
+  Lines out;
+  for (int i = 0; i < times; ++i) {
+    machine.request("Left", i % 2 == 0 ? "high" : "low");
+    append(out, machine.step());
+  }
+  return out;
+}
+
+/// Right holds what both want.
+void begin(Machine& machine) {
+  machine.request("Left", "low");
+  machine.request("Right");
+  CHECK(machine.step() == Lines{"run Left new_task", "run Right new_task", "run Shared.stand new_task"});
+}
+
+const Lines two_turns{"run Left new_task", "run Shared.stand new_task", "run Shared.stand new_task",
+                      "run Left new_task"};
+
+TEST_CASE("who takes turns has the same again each time, also after a reset") {
+  Machine machine(rivals);
+  begin(machine);
+  for (int i = 0; i < 4; ++i) CHECK(turns(machine, 2) == two_turns);
+  machine.engine().reset();
+  begin(machine);
+  CHECK(turns(machine, 2) == two_turns);
+}
+
+TEST_CASE("why a task is queued follows who takes turns; a copy of what stands keeps what it was made of") {
+  Machine machine(rivals);
+  begin(machine);
+  turns(machine, 1);
+  const View view = view_of(machine.engine());
+  std::vector<std::uint64_t> buffer(View::bytes(Shape::of(machine.tables())) / sizeof(std::uint64_t));
+  const View copy = view.copy(reinterpret_cast<std::byte*>(buffer.data()));
+  const auto left_runs = [&](const View& each) {
+    CHECK(each.queued(machine.edge("Left>Shared")) == Queued{});
+    CHECK(each.queued(machine.edge("Right>Shared")).why == Why::blocked);
+  };
+  left_runs(view);
+  left_runs(copy);
+  turns(machine, 2);
+  CHECK(view.queued(machine.edge("Left>Shared")).why == Why::blocked);
+  CHECK(view.queued(machine.edge("Right>Shared")) == Queued{});
+  left_runs(copy);
+}
+
+/// One input that asks for several tasks.
+void ask_for_all(Machine& machine, const std::vector<std::pair<std::string, std::size_t>>& tasks) {
+  std::vector<Input> input;
+  for (const auto& [group, level] : tasks) {
+    const Index edge = machine.edge("root>" + group);
+    input.push_back({.kind = Input::Kind::request, .thing = edge, .level = machine.level(edge, level)});
+    input.back().more = input.size() < tasks.size();
+  }
+  REQUIRE(machine.inbox().post(input));
+}
+
+TEST_CASE("who runs first follows the order that stands, whoever asks, and where something else is decided besides") {
+  Machine machine(R"(
+behaviour: robot
+language: 1
+states:
+  Light: {values: [red, green], initial: red}
+roots:
+  Left: {priority: {low: 1, high: 3}}
+  Right: {priority: 2}
+  Lamp: {priority: {dim: 1, bright: 2, dark: 3}}
+groups:
+  Left: {causing: [Light == green]}
+  Right: {providers: [{name: go, when: [Light == green]}, {name: stand}]}
+  Lamp: {}
+)");
+  constexpr std::size_t low = 0, high = 1, dim = 0, bright = 1, dark = 2;
+  const auto all = [&](const std::vector<std::pair<std::string, std::size_t>>& tasks) {
+    ask_for_all(machine, tasks);
+    return machine.step();
+  };
+  const std::string left = "run Left new_task", right = "run Right.stand new_task", lamp = "run Lamp new_task";
+  CHECK(all({{"Left", low}, {"Right", 0}, {"Lamp", dim}}) == Lines{right, left, lamp});
+  for (int i = 0; i < 4; ++i) {
+    CHECK(all({{"Left", high}}) == Lines{left});
+    CHECK(all({{"Left", high}, {"Right", 0}}) == Lines{left, right});
+    CHECK(all({{"Left", low}}) == Lines{left});
+    CHECK(all({{"Left", low}, {"Right", 0}}) == Lines{right, left});
+    CHECK(all({{"Left", low}, {"Right", 0}, {"Lamp", bright}}) == Lines{right, lamp, left});
+    CHECK(all({{"Left", high}, {"Right", 0}, {"Lamp", bright}}) == Lines{left, right, lamp});
+    CHECK(all({{"Left", low}, {"Right", 0}, {"Lamp", dark}}) == Lines{lamp, right, left});
+  }
+}
+
+TEST_CASE("another value, or a provider that is disabled, is another situation") {
+  Machine machine(rivals);
+  machine.request("Right");
+  machine.step();
+  turns(machine, 8);
+  machine.set("Light", "green");
+  CHECK(machine.step() == Lines{"run Shared.go new_task"});
+  machine.enable("Shared.go", false);
+  CHECK(machine.step() == Lines{"run Shared.stand new_task"});
+  machine.enable("Shared.go", true);
+  CHECK(machine.step() == Lines{"run Shared.go new_task"});
+  machine.set("Light", "red");
+  CHECK(machine.step() == Lines{"run Shared.stand new_task"});
+}
+
+TEST_CASE("which of two equals was asked for first is told from the other order") {
+  Machine machine(R"(
+behaviour: equals
+language: 1
+states:
+  Light: {values: [red, green], initial: red, external: true}
+roots:
+  Left: {priority: 1}
+  Right: {priority: 1}
+groups:
+  Left: {needs: [Shared]}
+  Right: {needs: [Shared]}
+  Shared: {when: [Light == green]}
+)");
+  for (int i = 0; i < 3; ++i) {
+    for (const char* first : {"Left", "Right"}) {
+      const std::string second = first == std::string("Left") ? "Right" : "Left";
+      machine.request(first);
+      machine.request(second);
+      CHECK(machine.step().empty());
+      machine.set("Light", "green");
+      CHECK(machine.step() == Lines{std::string("run ") + first + " new_task"});
+      machine.cancel(first);
+      machine.cancel(second);
+      machine.set("Light", "red");
+      machine.step();
+    }
+  }
+}
+
+TEST_CASE("handlers are called, periods begin and end, and who stands as before is asked anew, each time again") {
+  Machine machine(R"(
+behaviour: robot
+language: 1
+states:
+  Pose: {values: [up, down], initial: up}
+roots:
+  Play: {priority: 1}
+  Rest: {priority: {low: 0, high: 2}}
+groups:
+  Play: {tasks: [Arm, Legs]}
+  Rest: {tasks: [Legs]}
+  Arm: {}
+  Legs:
+    start: {sets: [Pose == down]}
+    stop: {sets: [Pose == up]}
+    every: 10 ms
+)");
+  machine.handler("Legs.start", [&](Handling& it) { it.set(machine.state("Pose"), machine.value("Pose", "down")); });
+  machine.handler("Legs.stop", [&](Handling& it) { it.set(machine.state("Pose"), machine.value("Pose", "up")); });
+  machine.decisions = true;
+  Time now = 0;
+  const auto step = [&] { return machine.step(now += 7'000); };
+  for (int i = 0; i < 12; ++i) {
+    INFO(i);
+    machine.request("Play");
+    CHECK(step() == Lines{"grant root>Play after nobody", "run Play new_task", "grant Play>Arm after nobody",
+                          "grant Play>Legs after nobody", "start Legs", "set Pose down", "run Arm new_task",
+                          "run Legs new_task"});
+    machine.request("Rest", "high");
+    machine.request("Play");
+    CHECK(step() == Lines{"grant root>Rest after nobody", "run Rest new_task", "queue Play>Legs blocked",
+                          "grant Rest>Legs after Play>Legs", "run Play new_task", "queue Play>Arm blocked",
+                          "lose Play>Arm", "run Legs new_task"});
+    machine.request("Rest", "low");
+    CHECK(step() == Lines{"queue Rest>Legs blocked", "grant Play>Arm after nobody", "grant Play>Legs after Rest>Legs",
+                          "run Arm new_task", "queue Rest>Legs outdated", "run Legs new_task", "run Rest new_task",
+                          "queue Rest>Legs blocked", "run Legs trigger"});
+    machine.cancel("Play");
+    CHECK(step() == Lines{"lose root>Play", "lose Play>Arm", "grant Rest>Legs after Play>Legs", "run Legs new_task",
+                          "run Legs trigger"});
+    machine.cancel("Rest");
+    CHECK(step() == Lines{"lose root>Rest", "lose Rest>Legs", "stop Legs", "set Pose up"});
+  }
+}
+
+} // namespace
+} // namespace director::tests

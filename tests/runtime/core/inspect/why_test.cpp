@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// Why a group does not run, in words: each kind of answer in a situation of its own. That answers are true is held
+// against the oracle on random scenarios, in tests/property.
+
+#include "runtime/core/inspect/why_text.hpp"
+#include "tests/runtime/core/machine.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace director::tests {
+namespace {
+
+const Machine& machine_at(const void* self) { return *static_cast<const Machine*>(self); }
+
+const char* kept(std::string text) {
+  static std::array<std::string, 8> ring;
+  static std::size_t at = 0;
+  return (ring[at++ % ring.size()] = std::move(text)).c_str();
+}
+
+std::string why(const Machine& machine, const std::string& group, std::size_t buffer_size = 300) {
+  const Names names{
+      .self = &machine,
+      .group = [](const void* self,
+                  Index row) { return kept(machine_at(self).model().groups[compiler::GroupId{row}].name.value); },
+      .provider = [](const void* self,
+                     Index row) { return kept(machine_at(self).model().providers[compiler::ProviderId{row}].name); },
+      .edge = [](const void* self,
+                 Index row) { return kept(machine_at(self).model().edge_name(compiler::EdgeId{row})); },
+      .condition =
+          [](const void* self, Index row) {
+            const Condition& condition = machine_at(self).tables().conditions[row];
+            const auto& state = machine_at(self).model().states[compiler::StateId{condition.state}];
+            const auto low = machine_at(self).tables().intervals[condition.accepts.begin].low;
+            return kept(state.name.value + " == " + state.value_text(low));
+          },
+  };
+  std::string buffer(buffer_size, '?');
+  return to_text(why(view_of(machine.engine()), machine.group(group)), names, buffer);
+}
+
+constexpr auto robot = R"(
+behaviour: robot
+language: 1
+states:
+  Stability: {values: [moving, standing], initial: moving, external: true}
+  Ball: {values: [lost, near], initial: lost, external: true}
+roots:
+  Recover: {priority: 90}
+  Play: {priority: 10}
+  Wave: {priority: 10}
+  Stretch: {priority: 10}
+groups:
+  Recover: {needs: [Legs], tasks: {Legs: {}}}
+  Play: {tasks: {Walk: {priority: 1}, Kick: {priority: 2}, Look: {optional: true}, Whistle: {apart: true}}}
+  Wave: {needs: [Arms], tasks: {Arms: {}}}
+  Stretch: {tasks: {Arms: {}, Look: {}}}
+  Walk:
+    providers:
+      - {name: striding, needs: [Legs], tasks: {Legs: {}}}
+      - {name: halting, needs: [Legs], causing: [Stability == standing], tasks: {Legs: {}}}
+  Kick: {when: [Stability == standing], needs: [Legs], tasks: {Legs: {}}}
+  Look: {needs: [Head], tasks: {Head: {}}}
+  Whistle: {when: [Ball == near], needs: [Head]}
+  Legs: {}
+  Arms: {}
+  Head: {}
+)";
+
+TEST_CASE("what runs says for whom, and what nobody asked for says so") {
+  Machine machine(robot);
+  CHECK(why(machine, "Legs") == "nobody asks for Legs");
+  machine.request("Recover");
+  machine.step();
+  CHECK(why(machine, "Legs") == "Legs runs (Recover>Legs) in default");
+  CHECK(why(machine, "Recover") == "Recover runs (root>Recover) in default");
+}
+
+TEST_CASE("what is lost is lost to somebody, somewhere, by a rule") {
+  Machine machine(robot);
+  machine.body("Play", [&](Run& run) {
+    run.request(machine.edge("Play>Walk"), machine.level(machine.edge("Play>Walk")));
+    return run.pack();
+  });
+  machine.request("Recover");
+  machine.request("Play");
+  machine.step();
+  CHECK(why(machine, "Walk") ==
+        "Walk waits (Play>Walk): Legs, which it needs, is held by Recover>Legs, and root>Recover "
+        "(priority 90) goes before root>Play (priority 10)");
+  CHECK(why(machine, "Walk", 20) == "Walk waits (Play>Wa");
+}
+
+TEST_CASE("a false condition names who could make it true, or that only the outside can") {
+  Machine machine(robot);
+  machine.body("Walk.halting", [](Run& run) { return run.keep(); });
+  machine.body("Play", [&](Run& run) {
+    for (const char* edge : {"Play>Kick", "Play>Whistle"})
+      run.request(machine.edge(edge), machine.level(machine.edge(edge)));
+    return run.pack();
+  });
+  machine.request("Play");
+  machine.step();
+  CHECK(why(machine, "Kick") == "Kick waits (Play>Kick): until Stability == standing, which Walk.halting could cause");
+  CHECK(why(machine, "Whistle") ==
+        "Whistle waits (Play>Whistle): until Ball == near, which only the outside can make true");
+  machine.enable("Walk.halting", false);
+  machine.step();
+  CHECK(why(machine, "Kick") ==
+        "Kick waits (Play>Kick): until Stability == standing, which only the outside can make true");
+}
+
+TEST_CASE("equals do not take from each other, and a member of a unit tells what it waits for") {
+  Machine machine(robot);
+  machine.request("Wave");
+  machine.step();
+  machine.request("Stretch");
+  machine.step();
+  CHECK(why(machine, "Look") ==
+        "Look waits (Stretch>Look): it comes with Stretch>Arms, and Arms is held by Wave>Arms, and root>Wave is the "
+        "equal of root>Stretch (priority 10) and was there first");
+}
+
+TEST_CASE("what is optional goes behind, whatever its priority") {
+  Machine machine(robot);
+  machine.body("Play", [&](Run& run) {
+    run.request(machine.edge("Play>Look"), machine.level(machine.edge("Play>Look")));
+    return run.pack();
+  });
+  machine.request("Stretch");
+  machine.request("Play");
+  machine.step();
+  CHECK(view_of(machine.engine()).holding(machine.group("Look")).group == machine.group("Stretch"));
+  CHECK(why(machine, "Play") == "Play runs (root>Play) in default");
+  machine.cancel("Stretch");
+  machine.step();
+  CHECK(why(machine, "Look") == "Look runs (Play>Look) in default");
+}
+
+TEST_CASE("without an enabled provider, of the task or of what it needs, that is the reason") {
+  Machine machine(robot);
+  machine.enable("Legs", false);
+  machine.request("Recover");
+  machine.step();
+  CHECK(why(machine, "Recover") == "Recover waits (root>Recover): no provider of Legs is enabled");
+  machine.enable("Recover", false);
+  machine.step();
+  CHECK(why(machine, "Recover") == "Recover waits (root>Recover): no provider of Recover is enabled");
+}
+
+TEST_CASE("what is needed and was not asked for is reserved") {
+  Machine machine(robot);
+  machine.body("Recover", [](Run& run) { return run.keep(); });
+  machine.request("Recover");
+  machine.step();
+  CHECK(why(machine, "Legs") == "Legs is held for a need (Recover>Legs), and was not asked for yet");
+  const Holding holding = view_of(machine.engine()).holding(machine.group("Legs"));
+  CHECK(holding == Holding{Holding::By::group, machine.group("Recover"), machine.edge("Recover>Legs"), false});
+  CHECK(view_of(machine.engine()).holding(machine.group("Recover")).by == Holding::By::program);
+  CHECK(view_of(machine.engine()).holding(machine.group("Arms")) == Holding{});
+}
+
+TEST_CASE("tasks of one unit that need the same are in each other's way") {
+  Machine machine(R"(
+behaviour: pair
+language: 1
+roots: {Both: {}}
+groups:
+  Both: {tasks: {Left: {}, Right: {}}}
+  Left: {needs: [Hand]}
+  Right: {needs: [Hand]}
+  Hand: {}
+)");
+  machine.request("Both");
+  machine.step();
+  CHECK(why(machine, "Left") == "Left waits (Both>Left): what it takes cannot be had together");
+}
+
+TEST_CASE("between micro-steps it says who is about to decide, and what is kept for an heir") {
+  Machine machine(R"(
+behaviour: heirs
+language: 1
+roots: {Old: {priority: 1}, New: {priority: 2}}
+groups:
+  Old: {needs: [Plan], tasks: {Plan: {}, Go: {}}}
+  New: {needs: [Plan], tasks: {Plan: {}, Go: {}}}
+  Plan: {}
+  Go: {tasks: {Feet: {}}}
+  Feet: {}
+)");
+  machine.request("Old");
+  machine.step();
+  machine.request("New");
+  machine.engine().set_budget(1);
+  machine.step();
+  CHECK(why(machine, "Go") == "Go goes on for nobody: it is kept for who is about to ask for it");
+  CHECK(why(machine, "Feet").find("runs") != std::string::npos);
+}
+
+} // namespace
+} // namespace director::tests
