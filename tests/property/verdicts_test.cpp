@@ -119,6 +119,11 @@ std::optional<Judged> judge(const std::string& text) {
       if (is_contradicted(claim, model, reached)) row.wrong = in_words(claim, model);
     }
   }
+  for (const compiler::ProviderId id : follow_on_of(model).idle) {
+    const Claim claim = NeverRuns{id};
+    const bool is_wrong = is_contradicted(claim, model, reached);
+    out.claiming.push_back({"a reported fault", "as it is", is_wrong ? in_words(claim, model) : ""});
+  }
   out.unreached = unreached_of(model, reached, checked.findings);
   out.findings = dsl::render(checked.findings, sources);
   return out;

@@ -80,26 +80,28 @@ public:
           !contexts_.can_begin(id, facts_.grants[group]))
         facts_.excluded.add(id);
     }
-    for (const EdgeId edge : model_.edges.ids()) {
-      if (is_excluded(edge)) facts_.excluded_tasks.push_back(edge);
+    for (const GroupId group : model_.groups.ids()) {
+      contexts_.visit_below(group,
+                            [&](GroupId target, const Contexts::Asked& asked) { exclude(group, target, asked); });
     }
+    std::sort(facts_.excluded_tasks.begin(), facts_.excluded_tasks.end());
     return std::move(facts_);
   }
 
 private:
-  bool is_excluded(EdgeId id) {
-    const Edge& edge = model_.edges[id];
-    if (!edge.requester || edge.levels.empty()) return false;
-    std::optional<Region> region;
-    contexts_.visit_below(*edge.requester, [&](GroupId target, const Contexts::Asked& asked) {
-      if (target == edge.target) region = asked.granted;
-    });
-    const std::vector<ProviderId>& all = model_.groups[edge.target].providers;
+  /// The target runs for others, and can nowhere where this one asks for it.
+  void exclude(GroupId requester, GroupId target, const Contexts::Asked& asked) {
+    const std::vector<ProviderId>& all = model_.groups[target].providers;
     const auto runs = [&](ProviderId each) { return facts_.active.contains(each); };
-    return region && !region->states.empty() && std::any_of(all.begin(), all.end(), runs) &&
-           std::none_of(all.begin(), all.end(), [&](ProviderId each) {
-             return facts_.capable.contains(each) && contexts_.can_go_on(each, *region);
-           });
+    if (asked.granted.states.empty() || std::none_of(all.begin(), all.end(), runs) ||
+        std::any_of(all.begin(), all.end(), [&](ProviderId each) {
+          return facts_.capable.contains(each) && contexts_.can_go_on(each, asked.granted);
+        }))
+      return;
+    for (const EdgeId id : model_.groups[target].requesters) {
+      if (model_.edges[id].requester == requester && !model_.edges[id].levels.empty())
+        facts_.excluded_tasks.push_back(id);
+    }
   }
 
   void find_declared() {
