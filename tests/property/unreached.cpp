@@ -40,6 +40,7 @@ public:
     below_.resize(model.groups.size());
     for (const GroupId id : model.groups.ids()) find_below(id, below_[id.value]);
     take(follow_on_of(model));
+    take_unrequested(findings);
     for (const dsl::Diagnostic& finding : findings) {
       for (const Claim& claim : claims_of(finding, model)) take(claim);
       for (const ProviderId id : hints_of(finding, model)) claimed_[runs(id)] = true;
@@ -110,6 +111,27 @@ private:
           std::find(follow.unpushed.begin(), follow.unpushed.end(), push.first) != follow.unpushed.end();
       if (is_unpushed) claimed_[row] = true;
       ++row;
+    }
+  }
+
+  /// Whoever needs the group never requests it, and a finding says so of each of them.
+  void take_unrequested(const std::vector<dsl::Diagnostic>& findings) {
+    for (const GroupId group : model_.groups.ids()) {
+      const std::vector<EdgeId>& all = model_.groups[group].requesters;
+      const auto is_told = [&](EdgeId id) {
+        const compiler::Edge& edge = model_.edges[id];
+        if (is_task(id) || !edge.requester) return false;
+        const std::vector<ProviderId>& providers = model_.groups[*edge.requester].providers;
+        return std::any_of(findings.begin(), findings.end(), [&](const dsl::Diagnostic& finding) {
+          return finding.id == "unused_need" && std::any_of(providers.begin(), providers.end(), [&](ProviderId by) {
+                   const auto& needs = model_.providers[by].needs;
+                   return std::any_of(needs.begin(), needs.end(),
+                                      [&](const auto& need) { return need.id == group && need.span == finding.span; });
+                 });
+        });
+      };
+      if (all.empty() || !std::all_of(all.begin(), all.end(), is_told)) continue;
+      for (const ProviderId id : model_.groups[group].providers) claimed_[runs(id)] = true;
     }
   }
 
