@@ -127,7 +127,7 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
 
   // What only exploring tells.
   if (options.explore > 0 && out.lowerable && is_quick_to_run(out.findings)) {
-    NeverRuns never = find_never_runs(out.model, options.explore, out.findings);
+    NeverRuns never = find_never_runs(out.model, options.explore, out.findings, options.progress);
     append(out.findings, std::move(never.findings));
     if (!never.complete)
       out.undecided.push_back(fmt::format(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/render.hpp"
 
+#include "dsl/colours.hpp"
 #include "dsl/display_width.hpp"
 
 #include <fmt/format.h>
@@ -14,25 +15,24 @@ namespace director::dsl {
 
 namespace {
 
-/// ECMA-48, SGR; all empty without colours.
+/// All empty without colours.
 struct Palette {
   std::string_view bold, level, mark, reset;
 };
 
-Palette palette(bool colours, std::string_view level) {
-  return colours ? Palette{"\033[1m", level, "\033[1;32m", "\033[0m"} : Palette{};
+Palette palette(bool has_colours, std::string_view level) {
+  return has_colours ? Palette{colours::bold, level, colours::bold_green, colours::reset} : Palette{};
 }
 
 std::string_view colour_of(Level level) {
   switch (level) {
-  case Level::error: return "\033[1;31m";
-  case Level::warning: return "\033[1;35m";
-  case Level::lint: return "\033[1;34m";
+  case Level::error: return colours::bold_red;
+  case Level::warning: return colours::bold_magenta;
+  case Level::lint: return colours::bold_blue;
   }
   return "";
 }
 
-constexpr std::string_view note_colour = "\033[1;36m";
 constexpr std::size_t tab_stop = 4;
 constexpr std::string_view ellipsis = "…";
 constexpr std::size_t most_bytes_a_column =
@@ -133,6 +133,17 @@ std::string headline(const SourceFile& file, const Span& span, std::string_view 
                      colour.reset, colour.level, kind, colour.reset, colour.bold, harmless(message), colour.reset);
 }
 
+/// Notes of one file stand together, so that a reader goes from file to file once. Files come in the order in which
+/// the notes name them first; within one the order stays.
+std::vector<Note> by_files(std::vector<Note> notes) {
+  std::vector<FileId> files;
+  for (const Note& note : notes)
+    if (std::find(files.begin(), files.end(), note.span.file) == files.end()) files.push_back(note.span.file);
+  const auto place = [&](const Note& note) { return std::find(files.begin(), files.end(), note.span.file); };
+  std::stable_sort(notes.begin(), notes.end(), [&](const Note& a, const Note& b) { return place(a) < place(b); });
+  return notes;
+}
+
 } // namespace
 
 std::string render(const Diagnostic& diagnostic, const Sources& sources, const RenderOptions& options) {
@@ -143,11 +154,13 @@ std::string render(const Diagnostic& diagnostic, const Sources& sources, const R
   std::string out = headline(file, diagnostic.span, name_of(diagnostic.level),
                              fmt::format("{} [{}]", diagnostic.message, diagnostic.id), colour);
   if (!file.text().empty()) out += snippet(file, diagnostic.span, options, colour);
-  for (const Note& note : diagnostic.notes) {
+  const Span* last = &diagnostic.span; // its lines are shown already
+  for (const Note& note : by_files(diagnostic.notes)) {
     if (note.span.file.value >= sources.size()) continue;
-    const Palette note_palette = palette(options.colours, note_colour);
+    const Palette note_palette = palette(options.colours, colours::bold_cyan);
     out += headline(sources[note.span.file], note.span, "note", note.message, note_palette);
-    out += snippet(sources[note.span.file], note.span, options, note_palette);
+    if (note.span != *last) out += snippet(sources[note.span.file], note.span, options, note_palette);
+    last = &note.span;
   }
   if (!diagnostic.help.empty())
     out += fmt::format("  {}help:{} {}\n", colour.bold, colour.reset, harmless(diagnostic.help));

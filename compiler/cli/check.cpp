@@ -5,6 +5,7 @@
 #include "compiler/cli/goal.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/print_bounds.hpp"
+#include "compiler/cli/progress.hpp"
 #include "compiler/cli/sarif_rules.hpp"
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/emit/findings_sarif.hpp"
@@ -83,7 +84,12 @@ public:
     options.decide = true;
     options.selection = request_.selection;
     options.explore = request_.explore;
-    const std::optional<Checked> checked = load(request_.file, options, sources_, console_, {request_.build, {}});
+    std::optional<Checked> checked;
+    {
+      Progress progress(console_, request_.explore);
+      options.progress = progress.shown();
+      checked = load(request_.file, options, sources_, console_, {request_.build, {}});
+    }
     if (!checked) return misused;
     if (!request_.reachable.empty()) {
       if (const std::string wrong = explain(*checked); !wrong.empty()) {

@@ -1,13 +1,13 @@
 // Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/explore_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
+#include "compiler/cli/progress.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/explore/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 namespace director::compiler::cli {
@@ -24,30 +24,6 @@ std::string path_from(const std::string& folder, const std::string& file) {
   const fs::path relative = to.lexically_relative(from);
   return relative.empty() ? to.string() : relative.string();
 }
-
-/// One line that is written over again and again.
-class Progress {
-public:
-  explicit Progress(Console& console) : console_(console) {}
-  void show(const SearchProgress& so_far) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point now = Clock::now();
-    if (now - last_ < std::chrono::milliseconds(200)) return;
-    last_ = now;
-    console_.err << fmt::format("\r{} states, {} of them to be explored, {:.1f} MB ", so_far.states, so_far.waiting,
-                                static_cast<double>(so_far.bytes) / 1e6)
-                 << std::flush;
-    shown_ = true;
-  }
-  void end() {
-    if (shown_) console_.err << "\r\x1b[K" << std::flush;
-  }
-
-private:
-  Console& console_;
-  std::chrono::steady_clock::time_point last_{};
-  bool shown_ = false;
-};
 
 /// False, and says why, where they cannot be written.
 bool write_scenarios(const Explore& request, const std::vector<std::pair<std::string, std::string>>& scenarios,
@@ -84,14 +60,14 @@ int run(const Explore& request, Console& console) {
     return misused;
   }
   const Ground ground(checked->model);
-  Progress progress(console);
   ExploreOptions options;
   options.bound = request.bound;
   options.behaviour = path_from(request.output, request.file);
-  if (console.err_colours)
-    options.progress = [&](const SearchProgress& so_far) { progress.show(so_far); };
-  const Exploration exploration = explore(ground, options);
-  progress.end();
+  const Exploration exploration = [&] {
+    Progress progress(console, request.bound);
+    options.progress = progress.shown();
+    return explore(ground, options);
+  }();
   console.out << to_text(exploration, ground);
   if (!request.output.empty() && !write_scenarios(request, scenarios_of(exploration, ground), console)) return misused;
   if (any(exploration, Verdict::Kind::refuted)) return found;

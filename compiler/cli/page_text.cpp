@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/page_text.hpp"
 
+#include "dsl/colours.hpp"
 #include "dsl/display_width.hpp"
 
 #include <algorithm>
@@ -10,7 +11,8 @@ namespace director::compiler::cli {
 
 namespace {
 
-constexpr std::string_view bold = "\033[1m", code = "\033[36m", reset = "\033[0m"; // ECMA-48, SGR
+using dsl::colours::bold, dsl::colours::reset;
+constexpr std::string_view code = dsl::colours::cyan;
 
 /// Columns, not counting what sets colours.
 std::size_t columns(std::string_view word) {

@@ -5,6 +5,7 @@
 #include "compiler/play/coverage_watch.hpp"
 #include "compiler/play/print_coverage.hpp"
 #include "compiler/play/write_expect.hpp"
+#include "dsl/colours.hpp"
 
 #include <fmt/format.h>
 
@@ -83,9 +84,10 @@ private:
       if (!updated.steps.empty()) return write(file, title, before, updated);
     }
     if (text()) {
-      console_.out << fmt::format("{:<5} {}{}\n", result.holds() ? "holds" : "fails", shown_path(file),
-                                  title.empty() ? "" : ": " + title);
-      console_.out << render(result, sources);
+      console_.out << (result.holds() ? dsl::painted("holds", dsl::colours::bold_green, console_.out_colours)
+                                      : dsl::painted("fails", dsl::colours::bold_red, console_.out_colours))
+                   << fmt::format(" {}{}\n", shown_path(file), title.empty() ? "" : ": " + title)
+                   << render(result, sources, console_.out_colours);
     }
     if (text() && result.compared == 0 && result.holds() && !request_.coverage) {
       console_.out.flush();

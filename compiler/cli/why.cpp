@@ -40,7 +40,7 @@ int run(const Why& request, Console& console) {
   if (request.format == Format::json) {
     console.out << to_line(to_json(reasoning, sources)) << '\n';
   } else {
-    console.out << to_text(reasoning, sources);
+    console.out << to_text(reasoning, sources, console.out_colours);
   }
   return clean;
 }

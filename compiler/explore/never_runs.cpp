@@ -179,10 +179,12 @@ private:
 
 } // namespace
 
-NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<Diagnostic>& told) {
+NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<Diagnostic>& told,
+                          std::function<void(const SearchProgress& so_far)> progress) {
   const Ground ground(model);
   SearchOptions how;
   how.bound = bound;
+  how.progress = std::move(progress);
   const Searched searched = search(ground, how);
   NeverRuns out{{}, searched.complete, searched.states};
   if (out.complete) out.findings = Silences(model, searched.happened, told).run();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What an exploration of everything never came to, as findings. Its page: compiler/checks/never_runs.md.
 
+#include "compiler/explore/search.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/diagnostic.hpp"
 
@@ -18,7 +19,8 @@ struct NeverRuns {
 };
 
 /// Explores the behaviour, at most `bound` states of it. `told`: findings; what they tell is not told again, nor what
-/// follows from that.
-NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<dsl::Diagnostic>& told);
+/// follows from that. `progress` is told now and then.
+NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<dsl::Diagnostic>& told,
+                          std::function<void(const SearchProgress& so_far)> progress = {});
 
 } // namespace director::compiler

@@ -3,6 +3,7 @@
 #include "compiler/play/happening.hpp"
 
 #include "compiler/base/json.hpp"
+#include "dsl/colours.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 
 #include <fmt/format.h>
@@ -64,12 +65,31 @@ std::string line_of(const Happening& happening) {
   return fmt::format("{} {}", name_of(happening.kind), happening.group);
 }
 
+std::string_view colour_of(Happening::Kind kind) {
+  switch (kind) {
+  case Happening::Kind::input: return dsl::colours::bold;
+  case Happening::Kind::run:
+  case Happening::Kind::start:
+  case Happening::Kind::done: return dsl::colours::blue;
+  case Happening::Kind::stop:
+  case Happening::Kind::release: return dsl::colours::grey;
+  case Happening::Kind::queue: return dsl::colours::red;
+  case Happening::Kind::failed:
+  case Happening::Kind::broken:
+  case Happening::Kind::budget_exhausted: return dsl::colours::bold_red;
+  case Happening::Kind::push: return dsl::colours::green;
+  case Happening::Kind::set: break;
+  }
+  return dsl::colours::cyan;
+}
+
 } // namespace
 
-std::string to_text(const Happening& happening, ShowTimes times) {
-  if (times == ShowTimes::no) return line_of(happening);
+std::string to_text(const Happening& happening, ShowTimes times, bool has_colours) {
+  const std::string line = dsl::painted(line_of(happening), colour_of(happening.kind), has_colours);
+  if (times == ShowTimes::no) return line;
   std::array<char, 40> buffer{};
-  return time_text(happening.time, buffer) + line_of(happening);
+  return time_text(happening.time, buffer) + line;
 }
 
 std::string to_json(const Happening& happening, ShowTimes times) {

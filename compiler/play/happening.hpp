@@ -43,8 +43,9 @@ struct Happening {
 /// Whether times are printed too. Scenarios do not expect any.
 enum class ShowTimes : bool { no, yes };
 
-/// One line, as `expect` has it; an input behind `> `. With times, these stand before it.
-std::string to_text(const Happening& happening, ShowTimes times = ShowTimes::no);
+/// One line, as `expect` has it; an input behind `> `. With times, these stand before it. The colours are those of the
+/// pictures: what runs is blue, what waits red, what is pushed green, what no longer runs grey.
+std::string to_text(const Happening& happening, ShowTimes times = ShowTimes::no, bool has_colours = false);
 
 /// One JSON object on one line.
 std::string to_json(const Happening& happening, ShowTimes times = ShowTimes::no);

@@ -3,6 +3,7 @@
 #include "compiler/play/test_scenario.hpp"
 
 #include "compiler/play/line_diff.hpp"
+#include "dsl/colours.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,20 +40,34 @@ ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const
   return result;
 }
 
-std::string render(const ScenarioResult& result, const dsl::Sources& sources) {
+namespace {
+
+/// Of a line of a unified diff.
+std::string_view colour_of(std::string_view line) {
+  if (line.starts_with("---") || line.starts_with("+++")) return dsl::colours::bold;
+  if (line.starts_with('-')) return dsl::colours::red;
+  if (line.starts_with('+')) return dsl::colours::green;
+  if (line.starts_with("@@")) return dsl::colours::cyan;
+  return "";
+}
+
+} // namespace
+
+std::string render(const ScenarioResult& result, const dsl::Sources& sources, bool has_colours) {
   std::string out;
   for (const Mismatch& mismatch : result.mismatches) {
     const dsl::SourceFile& file = sources[mismatch.span.file];
     const dsl::Place place = file.place(mismatch.span.begin);
-    out += fmt::format("{}:{}:{}: step {}: {}\n", file.path(), place.line, place.column, mismatch.step,
-                       fmt::join(mismatch.shown, "; "));
+    const std::string head = fmt::format("{}:{}:{}: step {}: {}", file.path(), place.line, place.column, mismatch.step,
+                                         fmt::join(mismatch.shown, "; "));
+    out += dsl::painted(head, dsl::colours::bold, has_colours) + "\n";
     if (mismatch.too_many_stops)
       out += fmt::format("    something is due at more than {} times within it\n", stops_of_advance);
     else if (mismatch.exhausted)
       out += fmt::format("    it did not come to rest within {} micro-steps\n", play_budget);
     const std::size_t most_lines = mismatch.exhausted ? 30 : 200;
     for (const std::string& line : unified_diff(mismatch.expected, mismatch.happened, most_lines)) {
-      out += "    " + line + "\n";
+      out += "    " + dsl::painted(line, colour_of(line), has_colours) + "\n";
     }
   }
   return out;

@@ -35,7 +35,7 @@ ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const
 
 /// For each mismatch its place, its inputs and a diff; what a body may not do is left to who shows diagnostics. Empty
 /// where there is no mismatch.
-std::string render(const ScenarioResult& result, const dsl::Sources& sources);
+std::string render(const ScenarioResult& result, const dsl::Sources& sources, bool has_colours = false);
 
 /// Likewise, for programs. `title` may be empty.
 Json to_json(const ScenarioResult& result, const std::string& file, const std::string& title,

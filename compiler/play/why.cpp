@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
+#include "dsl/colours.hpp"
 #include "runtime/core/why_text.hpp"
 
 #include <fmt/format.h>
@@ -179,10 +180,11 @@ Reasoning reason_why(const View& view, GroupId group, const Model& model, const 
   return out;
 }
 
-std::string to_text(const Reasoning& reasoning, const dsl::Sources& sources) {
-  std::string out = reasoning.text + "\n";
+std::string to_text(const Reasoning& reasoning, const dsl::Sources& sources, bool has_colours) {
+  std::string out = dsl::painted(reasoning.text, dsl::colours::bold, has_colours) + "\n";
   for (const Reasoning::Note& note : reasoning.notes)
-    out += fmt::format("  {} ({})\n", note.text, place(note.span, sources));
+    out +=
+        fmt::format("  {} ({})\n", note.text, dsl::painted(place(note.span, sources), dsl::colours::cyan, has_colours));
   return out;
 }
 

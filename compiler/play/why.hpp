@@ -28,7 +28,7 @@ struct Reasoning {
 Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered);
 
 /// The text, and below it each note with its place.
-std::string to_text(const Reasoning& reasoning, const dsl::Sources& sources);
+std::string to_text(const Reasoning& reasoning, const dsl::Sources& sources, bool has_colours = false);
 Json to_json(const Reasoning& reasoning, const dsl::Sources& sources);
 
 } // namespace director::compiler

@@ -113,8 +113,6 @@ TEST_CASE("What a name holds does not reach the terminal as a command") {
         "    1 | roots: [\"\\e[31mred\\n\\x9B\"]\n"
         "      |         ^~~~~~~~~~~~~~~~~\n"
         "walk.yaml:1:9: note: \\x0Dhere\n"
-        "    1 | roots: [\"\\e[31mred\\n\\x9B\"]\n"
-        "      |         ^~~~~~~~~~~~~~~~~\n"
         "  help: did you mean `\\x7F`, `ä` or `\\x09`?\n");
 }
 
@@ -195,6 +193,27 @@ walk.yaml:1:4: lint: no such key [unknown_key]
 2 errors, 1 warning, 1 lint
 )");
   CHECK(render(std::vector<Diagnostic>{}, shown.sources) == "");
+}
+
+TEST_CASE("Notes of one file stand together, and lines that are right above are not shown again") {
+  Sources sources;
+  const FileId walk = sources.add("walk.yaml", "Walk: {}\n"), legs = sources.add("legs.yaml", "Legs: {}\nFeet: {}\n");
+  const Span here{walk, 0, 4}, leg{legs, 0, 4}, foot{legs, 9, 13};
+  const Diagnostic finding{"x", Level::lint, here, "the finding", {{leg, "1"}, {here, "2"}, {foot, "3"}, {foot, "4"}}, ""};
+  CHECK(render(finding, sources) == R"(walk.yaml:1:1: lint: the finding [x]
+    1 | Walk: {}
+      | ^~~~
+legs.yaml:1:1: note: 1
+    1 | Legs: {}
+      | ^~~~
+legs.yaml:2:1: note: 3
+    2 | Feet: {}
+      | ^~~~
+legs.yaml:2:1: note: 4
+walk.yaml:1:1: note: 2
+    1 | Walk: {}
+      | ^~~~
+)");
 }
 
 TEST_CASE("Colours go around the place, the level, the message and the marks") {

@@ -35,6 +35,30 @@ TEST_CASE("scenarios that hold and that do not") {
   CHECK(other.out.substr(0, 24) == "fails s.yaml: it shines\n");
 }
 
+TEST_CASE("on a terminal what runs is blue, what waits red, and what differs red and green") {
+  World world = lamp("run Lamp pushed");
+  world.colours = true;
+  world.files.add("lamp.yaml", R"(behaviour: lamp
+language: 1
+states: {Power: {values: [gone, there], initial: gone, external: true}}
+roots: [Lamp]
+groups: {Lamp: {when: [Power == there]}}
+)");
+  world.files.add("waits.yaml", "behaviour: lamp.yaml\nsteps: [{request: Lamp}, {set: {Power: there}}]\n");
+  CHECK(world.directorc({"simulate", "--decisions", "waits.yaml"}) == 0);
+  CHECK(world.out == "\033[1m> request Lamp\033[0m\n"
+                     "\033[31mqueue root>Lamp: waiting for Power == there\033[0m\n"
+                     "\033[1m> set {Power: there}\033[0m\n"
+                     "\033[34mrun Lamp new_task\033[0m\n");
+  CHECK(world.directorc({"test", "s.yaml"}) == 1);
+  CHECK(world.out == "\033[1;31mfails\033[0m s.yaml: it shines\n"
+                     "\033[1ms.yaml:5:13: step 1: request Lamp\033[0m\n"
+                     "    \033[1m--- expected\033[0m\n"
+                     "    \033[1m+++ happened\033[0m\n"
+                     "    \033[36m@@ -1 +0,0 @@\033[0m\n"
+                     "    \033[31m-run Lamp pushed\033[0m\n");
+}
+
 TEST_CASE("a scenario that cannot be read, one whose behaviour cannot, and one of a module") {
   World world = lamp("''");
   CHECK(world.directorc({"test", "none.yaml"}) == 2);

@@ -52,6 +52,15 @@ TEST_CASE("why a group runs, and for whom") {
                      "  it runs for Explore, priority 0, that for the program, priority 10 (rover.yaml:10)\n");
 }
 
+TEST_CASE("on a terminal the answer stands out, and so do the places") {
+  World world = rover();
+  world.colours = true;
+  CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=1"}) == 0);
+  CHECK(world.out ==
+        "\033[1mDrive runs (Explore>Drive) in rolling\033[0m\n"
+        "  it runs for Explore, priority 0, that for the program, priority 10 (\033[36mrover.yaml:10\033[0m)\n");
+}
+
 TEST_CASE("why a group waits: which condition, and what those do who could make it true") {
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Photograph", "--step=3"}) == 0);

@@ -16,7 +16,10 @@ using director::Reason;
 class Body final : public gardener::Gardener {
 public:
   Outcome provide(gardener::Tend::Returning& run) override { return run.request(gardener::Drive{0}); }
-  Outcome provide(gardener::Tend::Tending& run) override { return run.request(gardener::Drive{7}); }
+  Outcome provide(gardener::Tend::Tending& run) override {
+    if (litres_ == tank) return run.rest(gardener::Blink{litres_});
+    return run.move(director::keep(gardener::Drive{7}), gardener::Blink{litres_});
+  }
 
   Outcome provide(gardener::Water::Default& run) override {
     if (run.uses<gardener::Pump>().done()) return run.done();
@@ -53,6 +56,13 @@ public:
     return run.request();
   }
 
+  Outcome provide(gardener::Blink::Default& run) override {
+    colour_ = run.task();
+    return run.keep();
+  }
+
+  static constexpr int tank = 2; // litres
+  int colour_ = -1;
   int bed_ = -1, speed_ = 0, litres_ = 0, speed_at_the_pump_ = -1;
 };
 
@@ -72,8 +82,13 @@ TEST_CASE("the gardener of the tutorial comes to rest, waters, and goes on") {
   CHECK(body.litres_ == 1);
   CHECK(body.speed_at_the_pump_ == 0);
   CHECK(body.speed_ == 300);
+  CHECK(body.colour_ == 0);
+
+  behaviour.step(11s); // it has looked at its tank
+  CHECK(body.colour_ == 1);
+  CHECK(body.speed_ == 300);
 
   CHECK(behaviour.set(gardener::Battery{15}));
-  behaviour.step(10s);
+  behaviour.step(12s);
   CHECK(body.bed_ == 0);
 }

@@ -1,0 +1,38 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// How far an exploration is, on a terminal: one line that is written over again and again.
+
+#include "compiler/cli/console.hpp"
+#include "compiler/explore/search.hpp"
+
+#include <chrono>
+#include <string>
+
+namespace director::compiler::cli {
+
+/// "12345 states (1.2 % of the bound), 80 % of them explored, 24100 a second, 5.2 MB". `elapsed`: since it began.
+std::string progress_text(const SearchProgress& so_far, std::size_t bound, std::chrono::milliseconds elapsed);
+
+class Progress {
+public:
+  /// `bound`: states at which it ends. Where the error stream is no terminal, nothing is shown.
+  Progress(Console& console, std::size_t bound) : console_(console), bound_(bound) {}
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  /// Takes the line away.
+  ~Progress();
+
+  /// For SearchOptions and those who pass it on; empty where nothing is shown. It must not outlive this.
+  std::function<void(const SearchProgress& so_far)> shown();
+
+private:
+  using Clock = std::chrono::steady_clock;
+  void show(const SearchProgress& so_far);
+
+  Console& console_;
+  std::size_t bound_;
+  Clock::time_point began_ = Clock::now(), last_ = began_;
+  bool is_shown_ = false;
+};
+
+} // namespace director::compiler::cli
