@@ -3,6 +3,7 @@
 #include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -38,10 +39,35 @@ IdTable<StateId, ValueSet> mended_values(const Model& model, const Facts& facts)
 Covering find_choice_here(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
                           const IdTable<StateId, ValueSet>& values) {
   Region own = region_of(input.model, input.model.providers[id].when);
-  own.meet(input.facts.contexts[input.model.providers[id].group]);
+  own.meet(input.facts.grants[input.model.providers[id].group]);
   std::vector<Region> others;
   for (const Rival& rival : rivals) others.insert(others.end(), rival.ways.begin(), rival.ways.end());
   return find_covering(input.model, own, others, values, input.shared.budget());
+}
+
+/// Where its group is asked for something would be left, but not where it can be granted: what it is granted with.
+void note_members(const Input& input, ProviderId id, const std::vector<Rival>& rivals, dsl::Diagnostic& finding) {
+  const GroupId group = input.model.providers[id].group;
+  if (input.facts.grants[group].states == input.facts.contexts[group].states) return;
+  Region own = region_of(input.model, input.model.providers[id].when);
+  own.meet(input.facts.contexts[group]);
+  std::vector<Region> others;
+  for (const Rival& rival : rivals) others.insert(others.end(), rival.ways.begin(), rival.ways.end());
+  if (find_covering(input.model, own, others, input.facts.values, input.shared.budget()) == Covering::covered) return;
+  for (const Provider& requester : input.model.providers) {
+    for (const Pack& pack : requester.packs) {
+      const auto at =
+          std::find_if(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) { return task.target == group; });
+      if (pack.name.empty() || at == pack.tasks.end()) continue;
+      for (const Task& other : pack.tasks) {
+        if (other.target == group || !may_be_member(input.model, other) || !input.facts.may_wait.contains(other.target))
+          continue;
+        finding.notes.push_back(
+            {other.span, fmt::format("{} is granted here only together with {}, which waits for conditions of its own",
+                                     name_of(input.model, group), name_of(input.model, other.target))});
+      }
+    }
+  }
 }
 
 /// The rivals without which it would come first; all of them where each one is enough alone or none is.
@@ -127,6 +153,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
                           name_of(model, id), few_of(names)));
     for (std::size_t i = 0; i < std::min(culprits.size(), most_culprits); ++i)
       finding.notes.push_back({model.providers[culprits[i]].span, fmt::format("{} is preferred", names[i])});
+    note_members(input, id, rivals.of(id), finding);
     finding.help = names.size() == 1 ? fmt::format("give {} a `when` that leaves something, or put it last", names[0])
                                      : "give one of them a `when` that leaves something, or put this one first";
   }

@@ -1,5 +1,6 @@
 // Door: compiler/checks/check.hpp. Test: compiler/checks/task_cycle.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -33,13 +34,27 @@ Span entry(const Model& model, GroupId from, GroupId to) {
   return first;
 }
 
-void report_circle(const Model& model, const std::vector<Node>& path, Findings& findings) {
+/// `path` begins and ends with the same group. Where all that leads to the circle comes in by one group, it begins
+/// there: then its last request is never granted. Else which one is depends on where it came in.
+void report_circle(const Input& input, std::vector<Node> path, Findings& findings) {
+  const Model& model = input.model;
+  const auto begins_right = [&] {
+    return input.shared.chains().always_below(GroupId{path[path.size() - 2]}, GroupId{path.front()});
+  };
+  bool is_known = begins_right();
+  for (std::size_t turn = 1; !is_known && turn < path.size(); ++turn) {
+    path.pop_back();
+    std::rotate(path.begin(), path.begin() + 1, path.end());
+    path.push_back(path.front());
+    is_known = begins_right();
+  }
   std::vector<GroupId> groups;
   for (const Node node : path) groups.push_back(GroupId{node});
   const GroupId last = groups[groups.size() - 2];
-  dsl::Diagnostic& finding =
-      findings.add(entry(model, last, groups.back()),
-                   fmt::format("{}: that one is never granted", chain_in_words(model, groups, "requests")));
+  dsl::Diagnostic& finding = findings.add(
+      entry(model, last, groups.back()),
+      fmt::format("{}: {} is never granted", chain_in_words(model, groups, "requests"),
+                  is_known ? "that one" : "the one of these that leads back to where the circle was entered"));
   for (std::size_t i = 0; i + 2 < groups.size(); ++i)
     finding.notes.push_back({entry(model, groups[i], groups[i + 1]),
                              fmt::format("{} requests {}", name_of(model, groups[i]), name_of(model, groups[i + 1])),
@@ -63,7 +78,7 @@ void task_cycle(const Input& input, Findings& findings) {
     }
   }
   for (const std::vector<Node>& nodes : cycles(mandatory))
-    report_circle(model, shortest_path(mandatory, nodes[0], nodes[0]), findings);
+    report_circle(input, shortest_path(mandatory, nodes[0], nodes[0]), findings);
 }
 
 } // namespace director::checks

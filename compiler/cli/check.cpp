@@ -101,8 +101,9 @@ public:
       bounds_ = analysis::find_bounds(checked->model, lower(checked->model).view());
     print(*checked);
     const bool unreachable = explained_ && !explained_->steps;
+    const bool is_open = print_undecided(checked->undecided, console_);
     if (dsl::has_errors(checked->findings) || unreachable) return found;
-    return print_undecided(checked->undecided, console_) ? undecided : clean;
+    return is_open ? undecided : clean;
   }
 
 private:

@@ -1,13 +1,14 @@
 // Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/generate_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/emit/depfile.hpp"
 #include "compiler/emit/emit.hpp"
-#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/lower/lower.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace director::compiler::cli {
@@ -20,8 +21,9 @@ int run(const Generate& request, Console& console) {
   const std::optional<Checked> checked = load(request.file, options, sources, console, {request.build, request.flags});
   if (!checked) return misused;
   print_findings(checked->findings, sources, console.err, console.err_colours);
+  const bool is_open = print_undecided(checked->undecided, console);
   if (dsl::has_errors(checked->findings)) return found;
-  if (print_undecided(checked->undecided, console)) return undecided;
+  if (is_open) return undecided;
   if (!checked->model.deployment) {
     console.err << fmt::format(
         "directorc: `{}` has no `roots`: it is a module for others to import, and nothing can be "
@@ -41,6 +43,9 @@ int run(const Generate& request, Console& console) {
     const std::vector<std::string> targets = request.target.empty() ? paths : std::vector{request.target};
     outputs.push_back({request.depfile, depfile(targets, sources, checked->headers), is_depfile, true});
   }
+  // The header takes its place last. Who is killed between two files leaves a header of before: `verify` tells that,
+  // and a build whose rule names it makes all of them anew.
+  std::rotate(outputs.begin(), outputs.begin() + 1, outputs.end());
   const std::optional<std::string> fault = console.outputs.write(outputs);
   if (fault) console.err << fmt::format("directorc: nothing is written; cannot write {}\n", *fault);
   return fault ? misused : clean;

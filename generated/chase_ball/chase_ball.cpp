@@ -209,6 +209,11 @@ const char* condition(director::Index row) {
   return name_at(all, row);
 }
 
+const char* level(director::Index row) {
+  static constexpr std::array<const char*, 2> all{"", ""};
+  return name_at(all, row);
+}
+
 const char* why(const director::Because& because, std::span<char> buffer) {
   static constexpr director::Names some{
       .self = nullptr, .group = [](const void*, director::Index row) { return group(row); },
@@ -226,7 +231,8 @@ const director::Names& all() {
       .condition = [](const void*, director::Index row) { return condition(row); },
       .state = [](const void*, director::Index row) { return state(row); },
       .value = [](const void*, director::Index row, std::int32_t number) { return value(row, number); },
-      .trigger = [](const void*, director::Index row) { return trigger(row); }};
+      .trigger = [](const void*, director::Index row) { return trigger(row); },
+      .level = [](const void*, director::Index row) { return level(row); }};
   return every;
 }
 

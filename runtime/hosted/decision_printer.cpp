@@ -127,9 +127,19 @@ private:
     if (e_.why == Why::waiting && e_.condition != nil) line_ << " for " << n_.condition(n_.self, e_.condition);
   }
 
+  /// The first level is what a request takes that names none.
+  void request() {
+    const char* const level = n_.level == nullptr || e_.level == nil ? "" : n_.level(n_.self, e_.level);
+    line_ << "> request ";
+    if (*level == '\0')
+      line_ << n_.group(n_.self, e_.group);
+    else
+      line_ << "{" << n_.group(n_.self, e_.group) << ": {level: " << level << "}}";
+  }
+
   void input() {
     switch (e_.input) {
-    case Event::Input::request:
+    case Event::Input::request: request(); return;
     case Event::Input::cancel: line_ << "> " << name_of(e_.input) << " " << n_.group(n_.self, e_.group); return;
     case Event::Input::set:
       line_ << "> set {" << n_.state(n_.self, e_.state) << ": ";

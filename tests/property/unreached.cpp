@@ -39,6 +39,8 @@ public:
     claimed_.resize(begin_.back() + model.states.size());
     below_.resize(model.groups.size());
     for (const GroupId id : model.groups.ids()) find_below(id, below_[id.value]);
+    take(follow_on_of(model));
+    take_unrequested(findings);
     for (const dsl::Diagnostic& finding : findings) {
       for (const Claim& claim : claims_of(finding, model)) take(claim);
       for (const ProviderId id : hints_of(finding, model)) claimed_[runs(id)] = true;
@@ -65,13 +67,8 @@ public:
     for (const auto& [push, waiters] : pushes_) {
       const std::size_t here = row++;
       if (reached_.pushed.contains(push)) continue;
-      bool used = false;
-      for (const ConditionUse& promise : model_.providers[push.first].causing) {
-        if (!model_.satisfies(promise.id, push.second)) continue;
-        for (const auto& other : reached_.pushed)
-          used = used || (other.first == push.first && model_.satisfies(promise.id, other.second));
-      }
-      out.push_back({"push " + way_of(push.first, waiters) + (used ? " USED" : ""),
+      if (is_pushed_otherwise(push)) continue;
+      out.push_back({"push " + way_of(push.first, waiters),
                      model_.full_name(push.first) + " for " + model_.conditions[push.second].text, told_[here]});
     }
     return out;
@@ -88,12 +85,55 @@ private:
   Row granted(EdgeId id) const { return begin_[2] + id.value; }
   bool is_task(EdgeId id) const { return !model_.edges[id].levels.empty(); }
 
+  /// A promise is one thing, however many conditions wait for it: it is pushed where somebody pushes for one of them.
+  bool is_pushed_otherwise(const std::pair<ProviderId, ConditionId>& push) const {
+    const std::vector<ConditionUse>& promises = model_.providers[push.first].causing;
+    return std::any_of(promises.begin(), promises.end(), [&](const ConditionUse& promise) {
+      return model_.satisfies(promise.id, push.second) &&
+             std::any_of(reached_.pushed.begin(), reached_.pushed.end(), [&](const auto& other) {
+               return other.first == push.first && model_.satisfies(promise.id, other.second);
+             });
+    });
+  }
+
   void find_below(GroupId group, std::set<GroupId>& out) const {
     if (!out.insert(group).second) return;
     for (const EdgeId edge : model_.groups[group].edges) find_below(model_.edges[edge].target, out);
   }
 
   // What findings claim
+
+  void take(const FollowOn& follow) {
+    for (const ProviderId id : follow.idle) claimed_[runs(id)] = true;
+    Row row = begin_[4];
+    for (const auto& [push, waiters] : pushes_) {
+      const bool is_unpushed =
+          std::find(follow.unpushed.begin(), follow.unpushed.end(), push.first) != follow.unpushed.end();
+      if (is_unpushed) claimed_[row] = true;
+      ++row;
+    }
+  }
+
+  /// Whoever needs the group never requests it, and a finding says so of each of them.
+  void take_unrequested(const std::vector<dsl::Diagnostic>& findings) {
+    for (const GroupId group : model_.groups.ids()) {
+      const std::vector<EdgeId>& all = model_.groups[group].requesters;
+      const auto is_told = [&](EdgeId id) {
+        const compiler::Edge& edge = model_.edges[id];
+        if (is_task(id) || !edge.requester) return false;
+        const std::vector<ProviderId>& providers = model_.groups[*edge.requester].providers;
+        return std::any_of(findings.begin(), findings.end(), [&](const dsl::Diagnostic& finding) {
+          return finding.id == "unused_need" && std::any_of(providers.begin(), providers.end(), [&](ProviderId by) {
+                   const auto& needs = model_.providers[by].needs;
+                   return std::any_of(needs.begin(), needs.end(),
+                                      [&](const auto& need) { return need.id == group && need.span == finding.span; });
+                 });
+        });
+      };
+      if (all.empty() || !std::all_of(all.begin(), all.end(), is_told)) continue;
+      for (const ProviderId id : model_.groups[group].providers) claimed_[runs(id)] = true;
+    }
+  }
 
   void take(const Claim& claim) {
     if (const auto* c = std::get_if<NeverRuns>(&claim)) {

@@ -198,7 +198,8 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     }
   } else if (id == "unused_declaration" && says(finding, "nothing requests or needs")) {
     for (const ProviderId provider : places.named(finding.span)) out.push_back(NeverRuns{provider});
-  } else if (id == "starved_task" || id == "optional_never_runs" || (id == "task_cycle" && says(finding, "granted"))) {
+  } else if (id == "starved_task" || id == "optional_never_runs" ||
+             (id == "task_cycle" && says(finding, "that one is never granted"))) {
     if (const auto entry = places.entry(finding.span)) out.push_back(NeverGranted{entry->task->edge});
   } else if (id == "pack_conflict" || (id == "possible_pack_conflict" && says(finding, "can never"))) {
     const auto entry = places.entry(finding.span);

@@ -63,6 +63,13 @@ std::vector<compiler::StateId> lacking_of(const dsl::Diagnostic& finding, const 
 bool is_contradicted(const Claim& claim, const compiler::Model& model, const Reached& reached);
 std::string in_words(const Claim& claim, const compiler::Model& model);
 
+/// Conditions that no declaration satisfies, and needs without a plan, are errors that stand where they are made. The
+/// checks take them for mended, and are silent of what could happen then; as things stand it cannot, and hangs on them.
+struct FollowOn {
+  std::vector<compiler::ProviderId> idle, unpushed;
+};
+FollowOn follow_on_of(const compiler::Model& model);
+
 /// What was never reached.
 struct Unreached {
   std::string kind;  ///< "provider", "task", "push" or "pack", and in which way

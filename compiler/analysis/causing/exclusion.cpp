@@ -3,6 +3,7 @@
 #include "compiler/analysis/causing/exclusion.hpp"
 
 #include "compiler/analysis/chains/sparse_set.hpp"
+#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
@@ -60,7 +61,7 @@ private:
   /// Those of which two parties accept nothing in common; where more than two it takes, those of which two speak.
   void find_states() {
     std::vector<std::vector<Region>> parties{{mended(id_)}};
-    if (facts_.excluded.contains(id_)) parties.push_back({facts_.contexts[model_.providers[id_].group]});
+    if (facts_.excluded.contains(id_)) parties.push_back({facts_.grants[model_.providers[id_].group]});
     for (const GroupId group : needed_) {
       std::vector<Region>& party = parties.emplace_back();
       for (const ProviderId id : model_.groups[group].providers) party.push_back(mended(id));
@@ -110,10 +111,21 @@ private:
       for (const Task& task : pack.tasks) {
         if (task.target != group) continue;
         notes_.push_back({task.span, fmt::format("{} requests {}", name_of(model_, id), name_of(model_, group))});
+        tell_members(pack, task);
         return true;
       }
     }
     return false;
+  }
+
+  /// What is granted with it or not at all, as far as that speaks of these states.
+  void tell_members(const Pack& pack, const Task& task) {
+    if (pack.name.empty() || !may_be_member(model_, task)) return;
+    for (const Task& other : pack.tasks) {
+      if (&other == &task || !may_be_member(model_, other) || !speaks(other.target)) continue;
+      notes_.push_back({other.span, fmt::format("it is granted only together with {}", name_of(model_, other.target))});
+      for (const ProviderId id : model_.groups[other.target].providers) tell_conditions(id);
+    }
   }
 
   void tell_conditions(ProviderId id) {

@@ -8,6 +8,7 @@
 #include "compiler/analysis/plans/choices.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -59,33 +60,93 @@ private:
 };
 
 Contexts::Contexts(const Model& model, Facts& facts) : model_(model), facts_(facts) {
-  facts.contexts = IdTable<GroupId, Region>(model.groups.size());
+  facts.contexts = facts.grants = IdTable<GroupId, Region>(model.groups.size());
 }
 
-bool Contexts::widen(GroupId group, const Region& region) {
-  Region& here = facts_.contexts[group];
+bool Contexts::widen(GroupId group, const Asked& asked) {
   if (facts_.requested.add(group)) {
-    here = region;
+    facts_.contexts[group] = asked.tried;
+    facts_.grants[group] = asked.granted;
     return true;
   }
-  Region both = hull(here, region);
-  if (both.states == here.states) return false;
-  here = std::move(both);
-  return true;
+  const auto widen = [](Region& here, const Region& region) {
+    Region both = hull(here, region);
+    if (both.states == here.states) return false;
+    here = std::move(both);
+    return true;
+  };
+  const bool tried = widen(facts_.contexts[group], asked.tried);
+  return widen(facts_.grants[group], asked.granted) || tried;
 }
 
-std::optional<Region> Contexts::below(GroupId group) {
-  std::optional<Region> out;
-  for (const ProviderId id : model_.groups[group].providers) {
-    if (!facts_.active.contains(id)) continue;
-    Region region = around(id, facts_.pushed.contains(id));
-    if (!is_kept_adrift(group)) region.meet(facts_.contexts[group]);
-    if (facts_.plans[id] == PlanVerdict::found) {
-      for (const Use<GroupId>& need : model_.providers[id].needs) region.meet(around_needed(need.id));
-    }
-    out = out ? hull(*out, region) : region;
+Region Contexts::around_requested(ProviderId id) {
+  const GroupId group = model_.providers[id].group;
+  Region out = around(id, facts_.pushed.contains(id));
+  out.meet(is_kept_adrift(group) ? after(facts_.grants[group]) : facts_.grants[group]);
+  if (facts_.plans[id] == PlanVerdict::found) {
+    for (const Use<GroupId>& need : model_.providers[id].needs) out.meet(around_needed(need.id));
   }
   return out;
+}
+
+void Contexts::visit_below(GroupId group, const std::function<void(GroupId, const Asked&)>& visitor) {
+  std::size_t running = 0;
+  Asked anywhere;
+  std::map<GroupId, Asked> asked;
+  for (const ProviderId id : model_.groups[group].providers) {
+    if (!facts_.active.contains(id)) continue;
+    const Region region = around_requested(id);
+    anywhere.tried = running++ == 0 ? region : hull(anywhere.tried, region);
+    for (const Pack& pack : model_.providers[id].packs) {
+      Region whole = region;
+      whole.meet(around_members(pack));
+      for (const Task& task : pack.tasks) {
+        const Asked here{region, is_always_member(pack, task) ? whole : region};
+        const auto [at, is_new] = asked.try_emplace(task.target, here);
+        Asked& all = at->second;
+        if (!is_new) all = {hull(all.tried, here.tried), hull(all.granted, here.granted)};
+      }
+    }
+  }
+  for (auto& [target, all] : asked) {
+    // Another one of the group may keep the request of one that ran before it, even where it asks for the same itself.
+    if (running > 1) {
+      const auto keep = [&](Region& region) {
+        Region kept = after(region);
+        kept.meet(anywhere.tried);
+        region = hull(region, kept);
+      };
+      keep(all.tried);
+      keep(all.granted);
+    }
+    visitor(target, all);
+  }
+}
+
+Region Contexts::after(const Region& region) const {
+  Region out;
+  for (const auto& [id, values] : region.states) {
+    const State& state = model_.states[id];
+    if (!state.expires || state.expires->to) out.states.emplace(id, values.united(facts_.given[id]));
+  }
+  return out;
+}
+
+bool Contexts::is_always_member(const Pack& pack, const Task& task) const {
+  return !pack.name.empty() && std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& use) {
+    const Level& level = model_.edges[task.edge].levels[use.level];
+    return !level.optional && !level.apart;
+  });
+}
+
+const Region& Contexts::around_members(const Pack& pack) {
+  const auto [at, is_new] = members_.try_emplace(&pack);
+  if (!is_new) return at->second;
+  for (const Task& task : pack.tasks) {
+    if (is_always_member(pack, task) && facts_.may_wait.contains(task.target))
+      at->second.meet(around_needed(task.target));
+  }
+  return at->second;
 }
 
 bool Contexts::is_kept_adrift(GroupId group) const {
@@ -100,12 +161,19 @@ bool Contexts::is_kept_adrift(GroupId group) const {
   });
 }
 
+bool Contexts::forget_needed() {
+  const bool any = !needed_.empty();
+  needed_.clear();
+  members_.clear();
+  return any;
+}
+
 const Region& Contexts::around_needed(GroupId group) {
   const auto [at, is_new] = needed_.try_emplace(group); // in a circle of needs: anywhere
   if (!is_new || !facts_.may_wait.contains(group)) return at->second;
   std::optional<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
-    Region region = around(id, true);
+    Region region = around(id, facts_.pushed.contains(id));
     if (facts_.plans[id] == PlanVerdict::found) {
       for (const Use<GroupId>& need : model_.providers[id].needs) region.meet(around_needed(need.id));
     }

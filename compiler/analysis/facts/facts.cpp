@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace director::analysis {
@@ -21,20 +22,22 @@ namespace {
 
 class FactFinder {
 public:
-  FactFinder(const Model& model, const Graph& graph)
+  FactFinder(const Model& model, const Graph& graph, Reported reported)
       : model_(model),
         graph_(graph),
+        reported_(reported),
         sources_(find_sources(model)),
         causers_(find_causers(model)),
         rivals_(model, facts_.holding, facts_.active),
         contexts_(model, facts_) {
     const std::size_t groups = model.groups.size(), providers = model.providers.size();
-    facts_.declared = facts_.values = IdTable<StateId, ValueSet>(model.states.size());
+    facts_.declared = facts_.values = facts_.given = IdTable<StateId, ValueSet>(model.states.size());
     facts_.plans = IdTable<ProviderId, PlanVerdict>(providers, PlanVerdict::found);
     facts_.capable_groups = facts_.requested = planned_ = IdSet<GroupId>(groups);
     facts_.holding = IdSet<EdgeId>(model.edges.size());
     needers_ = IdTable<GroupId, std::vector<GroupId>>(groups);
     waiters_ = IdTable<StateId, std::vector<GroupId>>(model.states.size());
+    followers_ = IdTable<StateId, std::set<GroupId>>(model.states.size());
     set_by_provider_ = IdTable<ProviderId, Sets>(providers);
     set_by_handlers_ = IdTable<GroupId, Sets>(groups);
     place_ = IdTable<GroupId, std::size_t>(groups);
@@ -47,20 +50,25 @@ public:
     find_waiting();
     for (const ProviderId id : model_.providers.ids()) {
       facts_.plans[id] = find_plan(model_, id, facts_.budget);
+      if (reported_ == Reported::as_is) continue;
       find_impossible(id, false);
       find_impossible(id, true);
     }
     for (const Task& root : model_.roots) {
       hold(root.edge);
-      request(root.target, Region{});
+      request(root.target, {});
     }
     for (const StateId state : model_.states.ids()) {
       for (const Source& source : sources_[state]) {
-        if (!source.provider && !source.group) grow(state, source.values);
+        if (source.provider || source.group) continue;
+        grow(state, source.values, source.kind != Source::Kind::initial || model_.states[state].of.has_value());
       }
     }
     for (const GroupId group : model_.groups.ids()) look_again(group);
     do {
+      if (contexts_.forget_needed()) {
+        for (const GroupId group : model_.groups.ids()) look_again(group);
+      }
       // Who may push whom takes the longest: it is asked only where all else has settled.
       settle_all();
       changed_ = false;
@@ -69,26 +77,31 @@ public:
     for (const ProviderId id : model_.providers.ids()) {
       const GroupId group = model_.providers[id].group;
       if (facts_.requested.contains(group) && facts_.capable.contains(id) && !facts_.active.contains(id) &&
-          !contexts_.can_begin(id, facts_.contexts[group]))
+          !contexts_.can_begin(id, facts_.grants[group]))
         facts_.excluded.add(id);
     }
-    for (const EdgeId edge : model_.edges.ids()) {
-      if (is_excluded(edge)) facts_.excluded_tasks.push_back(edge);
+    for (const GroupId group : model_.groups.ids()) {
+      contexts_.visit_below(group,
+                            [&](GroupId target, const Contexts::Asked& asked) { exclude(group, target, asked); });
     }
+    std::sort(facts_.excluded_tasks.begin(), facts_.excluded_tasks.end());
     return std::move(facts_);
   }
 
 private:
-  bool is_excluded(EdgeId id) {
-    const Edge& edge = model_.edges[id];
-    if (!edge.requester || edge.levels.empty()) return false;
-    const std::optional<Region> region = contexts_.below(*edge.requester);
-    const std::vector<ProviderId>& all = model_.groups[edge.target].providers;
+  /// The target runs for others, and can nowhere where this one asks for it.
+  void exclude(GroupId requester, GroupId target, const Contexts::Asked& asked) {
+    const std::vector<ProviderId>& all = model_.groups[target].providers;
     const auto runs = [&](ProviderId each) { return facts_.active.contains(each); };
-    return region && !region->states.empty() && std::any_of(all.begin(), all.end(), runs) &&
-           std::none_of(all.begin(), all.end(), [&](ProviderId each) {
-             return facts_.capable.contains(each) && contexts_.can_go_on(each, *region);
-           });
+    if (asked.granted.states.empty() || std::none_of(all.begin(), all.end(), runs) ||
+        std::any_of(all.begin(), all.end(), [&](ProviderId each) {
+          return facts_.capable.contains(each) && contexts_.can_go_on(each, asked.granted);
+        }))
+      return;
+    for (const EdgeId id : model_.groups[target].requesters) {
+      if (model_.edges[id].requester == requester && !model_.edges[id].levels.empty())
+        facts_.excluded_tasks.push_back(id);
+    }
   }
 
   void find_declared() {
@@ -196,8 +209,8 @@ private:
     }
   }
 
-  void request(GroupId group, const Region& region) {
-    if (!contexts_.widen(group, region)) return;
+  void request(GroupId group, const Contexts::Asked& asked) {
+    if (!contexts_.widen(group, asked)) return;
     ++news_;
     look_again(group);
   }
@@ -206,7 +219,13 @@ private:
     if (waits_for_a_look_.add(group)) again_.push_back(group);
   }
 
-  void grow(StateId state, const ValueSet& values) {
+  /// `again`: not at the start alone.
+  void grow(StateId state, const ValueSet& values, bool again) {
+    if (again && !values.subset_of(facts_.given[state])) {
+      facts_.given[state] = facts_.given[state].united(values);
+      ++news_;
+      for (const GroupId group : followers_[state]) look_again(group);
+    }
     ValueSet more = facts_.values[state].united(values);
     if (more == facts_.values[state]) return;
     facts_.values[state] = std::move(more);
@@ -220,6 +239,7 @@ private:
       const Provider& provider = model_.providers[id];
       if (!conditions_may_hold(id)) continue;
       // Needs that no plan can meet are reported as such; elsewhere they are taken for mended.
+      if (reported_ == Reported::as_is && facts_.plans[id] == PlanVerdict::none) continue;
       const bool has_needs = facts_.plans[id] != PlanVerdict::found ||
                              std::all_of(provider.needs.begin(), provider.needs.end(), [&](const Use<GroupId>& need) {
                                return facts_.capable_groups.contains(need.id);
@@ -256,7 +276,7 @@ private:
   bool may_come_first(ProviderId id) {
     const GroupId group = model_.providers[id].group;
     Region own = contexts_.own(id);
-    own.meet(facts_.contexts[group]);
+    own.meet(facts_.grants[group]);
     std::vector<Region> others;
     bool with_needs = false; // which others may come to hold later
     for (const Rival& rival : rivals_.that_meet(id, own)) {
@@ -276,7 +296,7 @@ private:
     if (!facts_.requested.contains(group)) return;
     for (const ProviderId id : model_.groups[group].providers) {
       if (!facts_.capable.contains(id) || facts_.chosen.contains(id)) continue;
-      if (!contexts_.can_begin(id, facts_.contexts[group])) {
+      if (!contexts_.can_begin(id, facts_.grants[group])) {
         if (!facts_.active.contains(id)) together_.push_back(group);
         continue;
       }
@@ -287,16 +307,12 @@ private:
     ask_below(group);
   }
 
-  /// All that its providers ask for stands while any of them runs.
+  /// What one of its providers asks for stands while any of them runs.
   void ask_below(GroupId group) {
-    const std::optional<Region> region = contexts_.below(group);
-    if (!region) return;
-    for (const ProviderId id : model_.groups[group].providers) {
-      if (!facts_.active.contains(id)) continue;
-      for (const Pack& pack : model_.providers[id].packs) {
-        for (const Task& task : pack.tasks) request(task.target, *region);
-      }
-    }
+    contexts_.visit_below(group, [&](GroupId target, const Contexts::Asked& asked) {
+      for (const auto& entry : asked.granted.states) followers_[entry.first].insert(group);
+      request(target, asked);
+    });
   }
 
   void become_active(GroupId group, ProviderId id) {
@@ -307,8 +323,8 @@ private:
     }
     changed_ = true;
     ++news_;
-    for (const auto& [state, source] : set_by_provider_[id]) grow(state, source->values);
-    for (const auto& [state, source] : set_by_handlers_[group]) grow(state, source->values);
+    for (const auto& [state, source] : set_by_provider_[id]) grow(state, source->values, true);
+    for (const auto& [state, source] : set_by_handlers_[group]) grow(state, source->values, true);
   }
 
   /// What a push leads to is followed at once, so that whoever waits behind it need not look down the whole chain
@@ -331,11 +347,13 @@ private:
 
   const Model& model_;
   const Graph& graph_;
+  Reported reported_;
   IdTable<StateId, std::vector<Source>> sources_;
   Causers causers_;
   Rivals rivals_;
   IdTable<GroupId, std::vector<GroupId>> needers_;
   IdTable<StateId, std::vector<GroupId>> waiters_;
+  IdTable<StateId, std::set<GroupId>> followers_; ///< whose requests outlast values that it once had
   using Sets = std::vector<std::pair<StateId, const Source*>>;
   IdTable<ProviderId, Sets> set_by_provider_;
   IdTable<GroupId, Sets> set_by_handlers_;
@@ -379,6 +397,8 @@ bool Facts::holds_always(const Model& model, ConditionId id, const Region& regio
   return values[condition.state].intersected(at->second).subset_of(condition.accepts);
 }
 
-Facts find_facts(const Model& model, const Graph& graph) { return FactFinder(model, graph).run(); }
+Facts find_facts(const Model& model, const Graph& graph, Reported reported) {
+  return FactFinder(model, graph, reported).run();
+}
 
 } // namespace director::analysis

@@ -40,10 +40,12 @@ struct Facts {
   IdSet<GroupId> may_wait; ///< some provider of it, or of a group that its plans may hold, has a `when`
 
   IdTable<StateId, ValueSet> values; ///< that the state may have
+  IdTable<StateId, ValueSet> given;  ///< ... and that something may give it again; not those of the start alone
   IdSet<GroupId> capable_groups;     ///< some provider is capable
   IdSet<GroupId> requested;
   IdSet<EdgeId> holding;             ///< by which something alive may hold their target: requested, or in some plan
   IdTable<GroupId, Region> contexts; ///< of requested groups: around all states in which a task for it is tried
+  IdTable<GroupId, Region> grants;   ///< ... in which it can be granted, with all that is granted together with it
   IdSet<ProviderId> capable;         ///< its conditions may hold, together with those of some choice for its needs
   IdSet<ProviderId> excluded; ///< capable, its group requested, but only where its conditions, or its needs', fail
   IdSet<ProviderId> chosen;   ///< capable, and sometimes the first that is, or it was not decided
@@ -63,6 +65,12 @@ struct Facts {
   bool holds_always(const Model& model, ConditionId condition, const Region& region) const;
 };
 
-Facts find_facts(const Model& model, const Graph& graph);
+/// What is reported as impossible by declarations alone (`impossible`, needs without a plan).
+enum class Reported {
+  mended, ///< is taken for mended: what would never happen for want of it is no finding of its own
+  as_is   ///< never happens, and nothing that takes it either
+};
+
+Facts find_facts(const Model& model, const Graph& graph, Reported reported = Reported::mended);
 
 } // namespace director::analysis

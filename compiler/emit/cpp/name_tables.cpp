@@ -40,6 +40,26 @@ void values(Code& code, const Model& model) {
   code.close("}");
 }
 
+/// Of the rows of all edges, one after another. What one pack calls its level another may call otherwise: the first
+/// counts.
+std::vector<std::string> level_names(const CppEmission& e) {
+  const Tables tables = e.from.lowered.view();
+  std::vector<std::string> out(tables.levels.size());
+  const auto add = [&](const std::vector<Task>& tasks) {
+    for (const Task& task : tasks) {
+      for (const Task::NamedLevel& each : task.levels) {
+        std::string& name = out[tables.edges[task.edge.value].levels.begin + each.level];
+        if (each.level != task.levels.front().level && name.empty()) name = each.name;
+      }
+    }
+  };
+  add(e.model.roots);
+  for (const Provider& provider : e.model.providers) {
+    for (const Pack& pack : provider.packs) add(pack.tasks);
+  }
+  return out;
+}
+
 } // namespace
 
 Code name_declarations(const CppEmission&) {
@@ -53,6 +73,7 @@ const char* state(director::Index row);
 const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
 const char* trigger(director::Index row);
 const char* condition(director::Index row); ///< `Stability == standing`
+const char* level(director::Index row);     ///< empty for the first of a task, which a request that names none takes
 using director::name_of;                    // of kinds of events and inputs, of reasons, and why something does not run
 
 /// All of them, for what prints the events of any behaviour.
@@ -88,6 +109,7 @@ Code name_definitions(const CppEmission& e) {
   values(code, e.model);
   table(code, "trigger", triggers);
   table(code, "condition", conditions);
+  table(code, "level", level_names(e));
   code.blank();
   std::vector<std::string> functions{".self = nullptr"};
   const auto add = [&](std::string_view word) {
@@ -103,6 +125,7 @@ Code name_definitions(const CppEmission& e) {
   functions.emplace_back(
       ".value = [](const void*, director::Index row, std::int32_t number) { return value(row, number); }");
   add("trigger");
+  add("level");
   code.open("const director::Names& all() {");
   code.list("static constexpr director::Names every{", functions, "};");
   code.line("return every;");

@@ -56,7 +56,7 @@ struct Event {
   Index state = nil;            ///< that is set
   Index condition = nil;        ///< that is waited for
   Index trigger = nil;          ///< that was fired
-  Index level = nil;            ///< of Tables::levels
+  Index level = nil;            ///< of a request or what a run asks for: of Tables::levels
   std::int32_t value = unset;   ///< of `state`
   std::uint32_t count = 0;      ///< of lost inputs
   Time time = 0;                ///< the engine's time, in microseconds

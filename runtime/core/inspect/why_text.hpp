@@ -16,6 +16,7 @@ struct Names {
   const char* (*state)(const void* self, Index row) = nullptr;                        ///< `Stability`
   const char* (*value)(const void* self, Index state, std::int32_t number) = nullptr; ///< empty for a number of a range
   const char* (*trigger)(const void* self, Index row) = nullptr;                      ///< `Sensors`
+  const char* (*level)(const void* self, Index row) = nullptr; ///< empty for the first of a task; may be null
 };
 
 /// One line without an end of line, such as `Kick waits (root>Kick): until Stability == standing, which Walk.halting

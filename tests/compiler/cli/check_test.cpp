@@ -120,6 +120,10 @@ TEST_CASE("what only exploring tells is told where it is asked for, and how far 
   CHECK(world.out.empty());
   CHECK(world.err == "directorc: not decided: what never runs: 8 states were found, and there are more; `--bound N` "
                      "tries more\n");
+  world.files.add("last.yaml", head + "  Enter:\n    providers:\n" + rest + "      - {name: last}\n");
+  CHECK(world.directorc({"check", "--explore", "--bound=3", "--werror", "last.yaml"}) == 1); // beside an error too
+  CHECK(world.out.find("[shadowed_provider]") != std::string::npos);
+  CHECK(world.err.find("directorc: not decided: what never runs: ") == 0);
   CHECK(world.directorc({"check", "--bound=3", "door.yaml"}) == 2);
   CHECK(world.err == "directorc check: --bound requires --explore\nTry `directorc check --help`.\n");
 }

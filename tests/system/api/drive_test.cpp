@@ -31,6 +31,14 @@ TEST_CASE("random programs break nothing, however they misbehave") {
   }
 }
 
+TEST_CASE("the levels of a task have names, but for the first one, which need not be named") {
+  std::vector<std::string> named;
+  for (director::Index row = 0; row < 1000; ++row) {
+    if (*courier::names::level(row) != '\0') named.emplace_back(courier::names::level(row));
+  }
+  CHECK(named == std::vector<std::string>{"urgent", "fast"});
+}
+
 TEST_CASE("the same seed does the same") {
   Drive one(7), other(7);
   one.go_on(100), other.go_on(100);

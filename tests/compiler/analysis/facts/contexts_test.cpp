@@ -57,6 +57,40 @@ TEST_CASE("a request stands while another provider of its group runs, and while 
   CHECK(staying.excluded().empty());
 }
 
+TEST_CASE("what is granted only together with another task never begins where that one cannot run") {
+  const std::string rest = "  Kick: {when: [Door == open]}\n"
+                           "  Head: {providers: [{name: follow, when: [Door == open]}, {name: search}]}\n";
+  const InContext whole(any_door + "roots: [Play]\ngroups:\n  Play: {packs: {play: {Head: {}, Kick: {}}}}\n" + rest);
+  CHECK(whole.active() == "Play Kick Head.follow ");
+  const InContext apart(any_door +
+                        "roots: [Play]\ngroups:\n  Play: {packs: {play: {Head: {}, Kick: {apart: true}}}}\n" + rest);
+  CHECK(apart.active() == "Play Kick Head.follow Head.search ");
+  const InContext flat(any_door + "roots: [Play]\ngroups:\n  Play: {tasks: {Head: {}, Kick: {}}}\n" + rest);
+  CHECK(flat.active() == "Play Kick Head.follow Head.search ");
+}
+
+TEST_CASE(
+    "a request that another provider keeps stands without what it was granted with, though it asks for the same") {
+  const InContext found(any_door + "roots: [Play]\ngroups:\n  Play:\n    providers:\n"
+                                   "      - {name: idle, needs: [Lock], tasks: [Kick]}\n"
+                                   "      - {name: playing, packs: {play: {Lock: {}, Kick: {}}}}\n"
+                                   "  Kick: {when: [Door == open]}\n  Lock: {when: [Door == shut]}\n");
+  CHECK(found.active() == "Play.idle Play.playing Kick Lock ");
+}
+
+TEST_CASE("a value of the start alone is over where something was requested under another one") {
+  const std::string head = "roots: [Play, Camera]\ngroups:\n  Play:\n    providers:\n"
+                           "      - {name: chase, when: [Ball == seen], tasks: [Head]}\n      - {name: idle}\n"
+                           "  Head: {providers: [{name: follow, when: [Ball >= seen]}, {name: wander}]}\n";
+  const std::string ball = "states: {Ball: {values: [unknown, seen, lost]";
+  CHECK(InContext(ball + "}}\n" + head + "  Camera: {sets: [Ball >= seen]}\n").active() ==
+        "Play.chase Play.idle Head.follow Camera ");
+  CHECK(InContext(ball + ", initial: unknown}}\n" + head + "  Camera: {sets: [Ball >= seen]}\n").active() ==
+        "Play.chase Play.idle Head.follow Camera ");
+  CHECK(InContext(ball + ", initial: unknown}}\n" + head + "  Camera: {sets: [Ball]}\n").active() ==
+        "Play.chase Play.idle Head.follow Head.wander Camera ");
+}
+
 TEST_CASE("a provider that is held by a push requests also where its own promise has come true") {
   const InContext found(
       "states: {Door: {values: [shut, open], initial: shut}}\n"
