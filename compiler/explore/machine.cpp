@@ -48,19 +48,11 @@ Machine::Machine(const Ground& ground, Breadth breadth)
 }
 
 Bodies Machine::table() {
-  runs_.assign(ground_.tables.providers.size(),
-               [](void* self, Run& run) { return static_cast<Machine*>(self)->run(run); });
-  starts_.assign(ground_.tables.groups.size(), [](void* self, Handling& handling) {
-    static_cast<Machine*>(self)->handle(handling, Deed::Kind::start);
-  });
-  stops_.assign(ground_.tables.groups.size(), [](void* self, Handling& handling) {
-    static_cast<Machine*>(self)->handle(handling, Deed::Kind::stop);
-  });
   Bodies out;
   out.self = this;
-  out.run = runs_.data();
-  out.start = starts_.data();
-  out.stop = stops_.data();
+  out.run = [](void* self, Run& run) { return static_cast<Machine*>(self)->run(run); };
+  out.start = [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, Deed::Kind::start); };
+  out.stop = [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, Deed::Kind::stop); };
   return out;
 }
 

@@ -60,8 +60,6 @@ private:
 
   const Ground& ground_;
   Breadth breadth_;
-  std::vector<Outcome (*)(void*, Run&)> runs_;
-  std::vector<void (*)(void*, Handling&)> starts_, stops_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
   EngineMemory memory_;

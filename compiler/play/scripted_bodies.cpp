@@ -25,24 +25,20 @@ ScriptedBodies::ScriptedBodies(const Scenario& scenario, const Tables& tables, c
       runs_(tables.providers.size()),
       starts_(tables.groups.size()),
       stops_(tables.groups.size()) {
-  run_table_.assign(tables.providers.size(),
-                    [](void* self, Run& run) { return static_cast<ScriptedBodies*>(self)->run(run); });
-  start_table_.assign(tables.groups.size(), [](void* self, Handling& handling) {
-    auto& me = *static_cast<ScriptedBodies*>(self);
-    me.handle(handling, me.scenario_.start_handlers, me.starts_);
-  });
-  stop_table_.assign(tables.groups.size(), [](void* self, Handling& handling) {
-    auto& me = *static_cast<ScriptedBodies*>(self);
-    me.handle(handling, me.scenario_.stop_handlers, me.stops_);
-  });
 }
 
 Bodies ScriptedBodies::table() {
   Bodies bodies;
   bodies.self = this;
-  bodies.run = run_table_.data();
-  bodies.start = start_table_.data();
-  bodies.stop = stop_table_.data();
+  bodies.run = [](void* self, Run& run) { return static_cast<ScriptedBodies*>(self)->run(run); };
+  bodies.start = [](void* self, Handling& handling) {
+    auto& me = *static_cast<ScriptedBodies*>(self);
+    me.handle(handling, me.scenario_.start_handlers, me.starts_);
+  };
+  bodies.stop = [](void* self, Handling& handling) {
+    auto& me = *static_cast<ScriptedBodies*>(self);
+    me.handle(handling, me.scenario_.stop_handlers, me.stops_);
+  };
   bodies.data = [](void* self, Bodies::Data what, Index edge, Index handle) {
     auto& me = *static_cast<ScriptedBodies*>(self);
     me.data_.move(what, edge, handle, me.tables_.edges[edge].target);

@@ -38,8 +38,6 @@ private:
   DataSlots data_;
   std::vector<std::int64_t> runs_, starts_, stops_; ///< of each provider and group, how many there were
   std::optional<dsl::Diagnostic> refused_;
-  std::vector<Outcome (*)(void*, Run&)> run_table_;
-  std::vector<void (*)(void*, Handling&)> start_table_, stop_table_;
 };
 
 } // namespace director::compiler

@@ -98,14 +98,11 @@ struct Bodies {
 
   // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
   template <class Context>
-  static director::Outcome provide(void* self, director::Run& run) {
+  static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
     using Module = typename Facts<Context>::Module;
     constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
-    Behaviour& behaviour = *static_cast<Behaviour*>(self);
     Context context{run, behaviour.data()};
-    return guarded(
-        behaviour, [&] { return (behaviour.modules_.template of<Module>().*body)(context); },
-        [&] { return run.fault(); });
+    return (behaviour.modules_.template of<Module>().*body)(context);
   }
 
 #ifdef __cpp_exceptions
@@ -126,6 +123,17 @@ struct Bodies {
     return given;
   }
 
+  static director::Outcome run(void* self, director::Run& run) {
+    static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), 3> providers{
+      &provide<ChaseBall::Driving>,
+      &provide<ChaseBall::Turning>,
+      &provide<Wheels::Default>,
+    };
+    Behaviour& behaviour = *static_cast<Behaviour*>(self);
+    return guarded(
+        behaviour, [&] { return providers[run.provider()](behaviour, run); }, [&] { return run.fault(); });
+  }
+
   static void data(void* self, director::Bodies::Data what, director::Index edge, director::Index handle) {
     Data& all = static_cast<Behaviour*>(self)->data();
     const director::Index place = Whole::places[edge];
@@ -136,12 +144,7 @@ struct Bodies {
   }
 
   static director::Bodies of(Behaviour& behaviour) {
-    static constexpr std::array<director::Outcome (*)(void*, director::Run&), 3> providers{
-      &provide<ChaseBall::Driving>,
-      &provide<ChaseBall::Turning>,
-      &provide<Wheels::Default>,
-    };
-    return {.self = &behaviour, .run = providers.data(), .data = &data};
+    return {.self = &behaviour, .run = &run, .data = &data};
   }
 };
 

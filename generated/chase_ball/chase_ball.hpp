@@ -46,21 +46,21 @@ namespace detail {
 
 template <class Of>
 struct Facts;
-template <>
-struct Facts<Wheels> {
-  using Slots = director::Slots<Wheels, 1>;
-};
-
 /// The data of all tasks: those of requests, and those that wait in the inbox.
-struct Data final : Facts<Wheels>::Slots {
+struct Data final {
+  director::Slots<Wheels, 1> slots_1;
   template <class Task>
   auto& of() {
-    return static_cast<typename Facts<Task>::Slots&>(*this);
+    return this->*Facts<Task>::slots;
   }
   template <class Task>
   auto& waiting() {
-    return static_cast<director::Waiting<Task>&>(*this);
+    return this->*Facts<Task>::waiting;
   }
+};
+template <>
+struct Facts<Wheels> {
+  static constexpr auto slots = &Data::slots_1;
 };
 
 struct States final : director::Table<director::Row<Ball, 0>> {

@@ -260,14 +260,11 @@ struct Bodies {
 
   // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
   template <class Context>
-  static director::Outcome provide(void* self, director::Run& run) {
+  static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
     using Module = typename Facts<Context>::Module;
     constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
-    Behaviour& behaviour = *static_cast<Behaviour*>(self);
     Context context{run, behaviour.data()};
-    return guarded(
-        behaviour, [&] { return (behaviour.modules_.template of<Module>().*body)(context); },
-        [&] { return run.fault(); });
+    return (behaviour.modules_.template of<Module>().*body)(context);
   }
 
 #ifdef __cpp_exceptions
@@ -288,52 +285,8 @@ struct Bodies {
     return given;
   }
 
-  template <class Context>
-  static void start(void* self, director::Handling& handling) {
-    using Module = typename Facts<Context>::Module;
-    constexpr void (Module::*body)(Context&) = &Module::start;
-    Behaviour& behaviour = *static_cast<Behaviour*>(self);
-    Context context{handling, behaviour.data()};
-    guarded(
-        behaviour, [&] { (behaviour.modules_.template of<Module>().*body)(context); }, [&] { handling.fault(); });
-  }
-
-  template <class Context>
-  static void stop(void* self, director::Handling& handling) {
-    using Module = typename Facts<Context>::Module;
-    constexpr void (Module::*body)(Context&) = &Module::stop;
-    Behaviour& behaviour = *static_cast<Behaviour*>(self);
-    Context context{handling, behaviour.data()};
-    guarded(
-        behaviour, [&] { (behaviour.modules_.template of<Module>().*body)(context); }, [&] { handling.fault(); });
-  }
-
-  static void data(void* self, director::Bodies::Data what, director::Index edge, director::Index handle) {
-    Data& all = static_cast<Behaviour*>(self)->data();
-    const director::Index place = Whole::places[edge];
-    switch (edges[edge].target) {
-    case 3: return director::move_data<Walk, false>(all, what, place, handle);
-    case 4: return director::move_data<Kick, false>(all, what, place, handle);
-    case 5: return director::move_data<LookAt, false>(all, what, place, handle);
-    case 6: return director::move_data<WalkTo, false>(all, what, place, handle);
-    case 7: return director::move_data<KickTo, false>(all, what, place, handle);
-    case 13: return director::move_data<LeftArm, false>(all, what, place, handle);
-    case 14: return director::move_data<RightArm, false>(all, what, place, handle);
-    case 15: return director::move_data<Head, false>(all, what, place, handle);
-    case 16: return director::move_data<LeftLeg, false>(all, what, place, handle);
-    case 17: return director::move_data<RightLeg, false>(all, what, place, handle);
-    case 18: return director::move_data<LeftHipYaw, false>(all, what, place, handle);
-    case 19: return director::move_data<LeftKnee, false>(all, what, place, handle);
-    case 20: return director::move_data<LeftAnkle, false>(all, what, place, handle);
-    case 21: return director::move_data<RightHipYaw, false>(all, what, place, handle);
-    case 22: return director::move_data<RightKnee, false>(all, what, place, handle);
-    case 23: return director::move_data<RightAnkle, false>(all, what, place, handle);
-    default: return;
-    }
-  }
-
-  static director::Bodies of(Behaviour& behaviour) {
-    static constexpr std::array<director::Outcome (*)(void*, director::Run&), 34> providers{
+  static director::Outcome run(void* self, director::Run& run) {
+    static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), 34> providers{
       &provide<Brace::Default>,
       &provide<GetUp::Tucking>,
       &provide<GetUp::Pushing>,
@@ -369,59 +322,75 @@ struct Bodies {
       &provide<RightKnee::Default>,
       &provide<RightAnkle::Default>,
     };
-    static constexpr std::array<void (*)(void*, director::Handling&), 24> starts{
-      nullptr, // Brace
-      nullptr, // GetUp
-      nullptr, // FallRecovery
-      &start<Walk::Start>,
-      nullptr, // Kick
-      nullptr, // LookAt
-      nullptr, // WalkTo
-      nullptr, // KickTo
-      nullptr, // Striker
-      nullptr, // KickToGoal
-      nullptr, // WalkToBall
-      nullptr, // WalkToReady
-      nullptr, // Look
-      nullptr, // LeftArm
-      nullptr, // RightArm
-      nullptr, // Head
-      nullptr, // LeftLeg
-      nullptr, // RightLeg
-      nullptr, // LeftHipYaw
-      nullptr, // LeftKnee
-      nullptr, // LeftAnkle
-      nullptr, // RightHipYaw
-      nullptr, // RightKnee
-      nullptr, // RightAnkle
+    Behaviour& behaviour = *static_cast<Behaviour*>(self);
+    return guarded(
+        behaviour, [&] { return providers[run.provider()](behaviour, run); }, [&] { return run.fault(); });
+  }
+
+  template <class Context>
+  static void start(Behaviour& behaviour, director::Handling& handling) {
+    using Module = typename Facts<Context>::Module;
+    constexpr void (Module::*body)(Context&) = &Module::start;
+    Context context{handling, behaviour.data()};
+    (behaviour.modules_.template of<Module>().*body)(context);
+  }
+
+  static void start(void* self, director::Handling& handling) {
+    Behaviour& behaviour = *static_cast<Behaviour*>(self);
+    const auto call = [&] {
+      switch (handling.group()) {
+      case 3: return start<Walk::Start>(behaviour, handling);
+      default: return;
+      }
     };
-    static constexpr std::array<void (*)(void*, director::Handling&), 24> stops{
-      nullptr, // Brace
-      nullptr, // GetUp
-      nullptr, // FallRecovery
-      &stop<Walk::Stop>,
-      nullptr, // Kick
-      nullptr, // LookAt
-      nullptr, // WalkTo
-      nullptr, // KickTo
-      nullptr, // Striker
-      nullptr, // KickToGoal
-      nullptr, // WalkToBall
-      nullptr, // WalkToReady
-      nullptr, // Look
-      nullptr, // LeftArm
-      nullptr, // RightArm
-      nullptr, // Head
-      nullptr, // LeftLeg
-      nullptr, // RightLeg
-      nullptr, // LeftHipYaw
-      nullptr, // LeftKnee
-      nullptr, // LeftAnkle
-      nullptr, // RightHipYaw
-      nullptr, // RightKnee
-      nullptr, // RightAnkle
+    guarded(behaviour, call, [&] { handling.fault(); });
+  }
+
+  template <class Context>
+  static void stop(Behaviour& behaviour, director::Handling& handling) {
+    using Module = typename Facts<Context>::Module;
+    constexpr void (Module::*body)(Context&) = &Module::stop;
+    Context context{handling, behaviour.data()};
+    (behaviour.modules_.template of<Module>().*body)(context);
+  }
+
+  static void stop(void* self, director::Handling& handling) {
+    Behaviour& behaviour = *static_cast<Behaviour*>(self);
+    const auto call = [&] {
+      switch (handling.group()) {
+      case 3: return stop<Walk::Stop>(behaviour, handling);
+      default: return;
+      }
     };
-    return {.self = &behaviour, .run = providers.data(), .start = starts.data(), .stop = stops.data(), .data = &data};
+    guarded(behaviour, call, [&] { handling.fault(); });
+  }
+
+  static void data(void* self, director::Bodies::Data what, director::Index edge, director::Index handle) {
+    Data& all = static_cast<Behaviour*>(self)->data();
+    const director::Index place = Whole::places[edge];
+    switch (edges[edge].target) {
+    case 3: return director::move_data<Walk, false>(all, what, place, handle);
+    case 4: return director::move_data<Kick, false>(all, what, place, handle);
+    case 5: return director::move_data<LookAt, false>(all, what, place, handle);
+    case 6: return director::move_data<WalkTo, false>(all, what, place, handle);
+    case 7: return director::move_data<KickTo, false>(all, what, place, handle);
+    case 13: return director::move_data<LeftArm, false>(all, what, place, handle);
+    case 14: return director::move_data<RightArm, false>(all, what, place, handle);
+    case 15: return director::move_data<Head, false>(all, what, place, handle);
+    case 16: return director::move_data<LeftLeg, false>(all, what, place, handle);
+    case 17: return director::move_data<RightLeg, false>(all, what, place, handle);
+    case 18: return director::move_data<LeftHipYaw, false>(all, what, place, handle);
+    case 19: return director::move_data<LeftKnee, false>(all, what, place, handle);
+    case 20: return director::move_data<LeftAnkle, false>(all, what, place, handle);
+    case 21: return director::move_data<RightHipYaw, false>(all, what, place, handle);
+    case 22: return director::move_data<RightKnee, false>(all, what, place, handle);
+    case 23: return director::move_data<RightAnkle, false>(all, what, place, handle);
+    default: return;
+    }
+  }
+
+  static director::Bodies of(Behaviour& behaviour) {
+    return {.self = &behaviour, .run = &run, .start = &start, .stop = &stop, .data = &data};
   }
 };
 

@@ -209,85 +209,96 @@ namespace detail {
 
 template <class Of>
 struct Facts;
-template <>
-struct Facts<Walk> {
-  using Slots = director::Slots<Walk, 3>;
-};
-template <>
-struct Facts<Kick> {
-  using Slots = director::Slots<Kick, 1>;
-};
-template <>
-struct Facts<LookAt> {
-  using Slots = director::Slots<LookAt, 2>;
-};
-template <>
-struct Facts<WalkTo> {
-  using Slots = director::Slots<WalkTo, 2>;
-};
-template <>
-struct Facts<KickTo> {
-  using Slots = director::Slots<KickTo, 1>;
-};
-template <>
-struct Facts<LeftArm> {
-  using Slots = director::Slots<LeftArm, 3>;
-};
-template <>
-struct Facts<RightArm> {
-  using Slots = director::Slots<RightArm, 3>;
-};
-template <>
-struct Facts<Head> {
-  using Slots = director::Slots<Head, 1>;
-};
-template <>
-struct Facts<LeftLeg> {
-  using Slots = director::Slots<LeftLeg, 4>;
-};
-template <>
-struct Facts<RightLeg> {
-  using Slots = director::Slots<RightLeg, 4>;
-};
-template <>
-struct Facts<LeftHipYaw> {
-  using Slots = director::Slots<LeftHipYaw, 1>;
-};
-template <>
-struct Facts<LeftKnee> {
-  using Slots = director::Slots<LeftKnee, 1>;
-};
-template <>
-struct Facts<LeftAnkle> {
-  using Slots = director::Slots<LeftAnkle, 1>;
-};
-template <>
-struct Facts<RightHipYaw> {
-  using Slots = director::Slots<RightHipYaw, 1>;
-};
-template <>
-struct Facts<RightKnee> {
-  using Slots = director::Slots<RightKnee, 1>;
-};
-template <>
-struct Facts<RightAnkle> {
-  using Slots = director::Slots<RightAnkle, 1>;
-};
-
 /// The data of all tasks: those of requests, and those that wait in the inbox.
-struct Data final :
-    Facts<Walk>::Slots, Facts<Kick>::Slots, Facts<LookAt>::Slots, Facts<WalkTo>::Slots, Facts<KickTo>::Slots,
-    Facts<LeftArm>::Slots, Facts<RightArm>::Slots, Facts<Head>::Slots, Facts<LeftLeg>::Slots, Facts<RightLeg>::Slots,
-    Facts<LeftHipYaw>::Slots, Facts<LeftKnee>::Slots, Facts<LeftAnkle>::Slots, Facts<RightHipYaw>::Slots,
-    Facts<RightKnee>::Slots, Facts<RightAnkle>::Slots {
+struct Data final {
+  director::Slots<Walk, 3> slots_3;
+  director::Slots<Kick, 1> slots_4;
+  director::Slots<LookAt, 2> slots_5;
+  director::Slots<WalkTo, 2> slots_6;
+  director::Slots<KickTo, 1> slots_7;
+  director::Slots<LeftArm, 3> slots_13;
+  director::Slots<RightArm, 3> slots_14;
+  director::Slots<Head, 1> slots_15;
+  director::Slots<LeftLeg, 4> slots_16;
+  director::Slots<RightLeg, 4> slots_17;
+  director::Slots<LeftHipYaw, 1> slots_18;
+  director::Slots<LeftKnee, 1> slots_19;
+  director::Slots<LeftAnkle, 1> slots_20;
+  director::Slots<RightHipYaw, 1> slots_21;
+  director::Slots<RightKnee, 1> slots_22;
+  director::Slots<RightAnkle, 1> slots_23;
   template <class Task>
   auto& of() {
-    return static_cast<typename Facts<Task>::Slots&>(*this);
+    return this->*Facts<Task>::slots;
   }
   template <class Task>
   auto& waiting() {
-    return static_cast<director::Waiting<Task>&>(*this);
+    return this->*Facts<Task>::waiting;
   }
+};
+template <>
+struct Facts<Walk> {
+  static constexpr auto slots = &Data::slots_3;
+};
+template <>
+struct Facts<Kick> {
+  static constexpr auto slots = &Data::slots_4;
+};
+template <>
+struct Facts<LookAt> {
+  static constexpr auto slots = &Data::slots_5;
+};
+template <>
+struct Facts<WalkTo> {
+  static constexpr auto slots = &Data::slots_6;
+};
+template <>
+struct Facts<KickTo> {
+  static constexpr auto slots = &Data::slots_7;
+};
+template <>
+struct Facts<LeftArm> {
+  static constexpr auto slots = &Data::slots_13;
+};
+template <>
+struct Facts<RightArm> {
+  static constexpr auto slots = &Data::slots_14;
+};
+template <>
+struct Facts<Head> {
+  static constexpr auto slots = &Data::slots_15;
+};
+template <>
+struct Facts<LeftLeg> {
+  static constexpr auto slots = &Data::slots_16;
+};
+template <>
+struct Facts<RightLeg> {
+  static constexpr auto slots = &Data::slots_17;
+};
+template <>
+struct Facts<LeftHipYaw> {
+  static constexpr auto slots = &Data::slots_18;
+};
+template <>
+struct Facts<LeftKnee> {
+  static constexpr auto slots = &Data::slots_19;
+};
+template <>
+struct Facts<LeftAnkle> {
+  static constexpr auto slots = &Data::slots_20;
+};
+template <>
+struct Facts<RightHipYaw> {
+  static constexpr auto slots = &Data::slots_21;
+};
+template <>
+struct Facts<RightKnee> {
+  static constexpr auto slots = &Data::slots_22;
+};
+template <>
+struct Facts<RightAnkle> {
+  static constexpr auto slots = &Data::slots_23;
 };
 
 // An enumerator that the specification does not list is an error in `setting`.

@@ -51,9 +51,6 @@ TableRobot::TableRobot(Compiled compiled, std::size_t cells, Play play, Observer
       tables_(compiled_.lowered.view()),
       play_(play),
       runs_(tables_.providers.size()),
-      run_table_(tables_.providers.size(),
-                 [](void* self, Run& run) { return static_cast<TableRobot*>(self)->run(run); }),
-      handler_table_(tables_.groups.size(), [](void*, Handling&) {}),
       cells_(cells),
       inbox_(cells_),
       memory_(tables_),
@@ -134,8 +131,8 @@ void TableRobot::step(Time now) {
 Bodies TableRobot::functions() {
   Bodies out;
   out.self = this;
-  out.run = run_table_.data();
-  out.start = out.stop = handler_table_.data();
+  out.run = [](void* self, Run& run) { return static_cast<TableRobot*>(self)->run(run); };
+  out.start = out.stop = [](void*, Handling&) {};
   return out;
 }
 

@@ -83,8 +83,6 @@ private:
   std::vector<director::Index> first_act_; ///< of each provider, and the end of all; if they are the same, each has one
   std::vector<std::uint64_t> runs_;        ///< of each provider, if its acts change
   Random random_{1};
-  std::vector<director::Outcome (*)(void*, director::Run&)> run_table_;
-  std::vector<void (*)(void*, director::Handling&)> handler_table_;
   std::vector<director::Inbox::Cell> cells_;
   director::Inbox inbox_;
   director::EngineMemory memory_;

@@ -130,7 +130,7 @@ void Engine::handle(Index group, Reason reason) {
   report(starts ? Event::Kind::start : Event::Kind::stop, group);
   Handling handling(*this, group, Reasons{static_cast<std::uint8_t>(reason)});
   inside_ = true;
-  (starts ? bodies_.start : bodies_.stop)[group](bodies_.self, handling);
+  (starts ? bodies_.start : bodies_.stop)(bodies_.self, handling);
   inside_ = false;
   if (!handling.faulted_) return;
   report(Event::Kind::fault, group);

@@ -95,7 +95,7 @@ private:
   bool faulted_ = false;
 };
 
-/// What the engine calls: tables of functions. `self` is given back to each.
+/// What the engine calls. `self` is given back to each function; what the others get says whose body is meant.
 struct Bodies {
   /// What happens to task data; the engine moves nil itself. Null where no task has data.
   enum class Data : std::uint8_t {
@@ -105,9 +105,9 @@ struct Bodies {
     retain, ///< from the slot of `edge` to the slot of its target group: a new request is about to take its place
   };
   void* self = nullptr;
-  Outcome (*const* run)(void* self, Run& run) = nullptr;          ///< one a provider
-  void (*const* start)(void* self, Handling& handling) = nullptr; ///< one a group, null where it has nil
-  void (*const* stop)(void* self, Handling& handling) = nullptr;  ///< one a group, null where it has nil
+  Outcome (*run)(void* self, Run& run) = nullptr;          ///< the body of `run.provider()`
+  void (*start)(void* self, Handling& handling) = nullptr; ///< of `handling.group()`, which has Group::start
+  void (*stop)(void* self, Handling& handling) = nullptr;  ///< of `handling.group()`, which has Group::stop
   void (*data)(void* self, Data what, Index edge, Index handle) = nullptr;
 };
 

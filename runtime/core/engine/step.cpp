@@ -98,7 +98,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
     tell(running);
   }
   inside_ = true;
-  const Outcome outcome = bodies_.run[provider](bodies_.self, run);
+  const Outcome outcome = bodies_.run(bodies_.self, run);
   inside_ = false;
   commit(group, provider, run.wait_, outcome.kind());
   return group;

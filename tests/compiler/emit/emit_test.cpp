@@ -69,8 +69,10 @@ groups:
                         "  static constexpr director::LevelOf<Bulb> high{1};\n"));
   CHECK(has(out.header, "using Roots = director::Pack<director::Must<Bulb, 0, 0, 0, 0, 1>>;\n"));
   CHECK(has(out.header, "using Tasks = director::Pack<director::Must<Bulb, 1, 1, 2, director::nil, 2>>;\n"));
-  CHECK(has(out.header, "using Slots = director::Slots<Bulb, 2>;\n"));
-  CHECK(has(out.header, "director::Waiting<Bulb>"));
+  CHECK(has(out.header, "  director::Slots<Bulb, 2> slots_1;\n"
+                        "  director::Waiting<Bulb> waiting_1;\n"));
+  CHECK(has(out.header, "  static constexpr auto slots = &Data::slots_1;\n"
+                        "  static constexpr auto waiting = &Data::waiting_1;\n"));
 }
 
 TEST_CASE("a step without a time is there only where nothing uses time") {
@@ -82,7 +84,7 @@ TEST_CASE("a step without a time is there only where nothing uses time") {
 TEST_CASE("a column that says nothing is left out of a row") {
   const Emitted out = emitted("roots: [Lamp]\ngroups: {Lamp: {stop: true, tasks: [Bulb]}, Bulb: {}}\n");
   CHECK(has(out.source, "  {.requester = 0, .target = 1, .levels = {1, 2}}, // Lamp>Bulb\n"));
-  CHECK(has(out.source, "    &stop<Lamp::Stop>,\n      nullptr, // Bulb\n"));
+  CHECK(has(out.source, "      case 0: return stop<Lamp::Stop>(behaviour, handling);\n      default: return;\n"));
 }
 
 TEST_CASE("the manifest says what was read, and where a generated line comes from") {

@@ -12,20 +12,15 @@ Machine::Machine(const std::string& behaviour, std::size_t inbox)
       memory_(tables_),
       cells_(inbox),
       inbox_(cells_) {
-  run_.assign(tables_.providers.size(), [](void* self, Run& run) {
+  Bodies bodies;
+  bodies.self = this;
+  bodies.run = [](void* self, Run& run) {
     Machine& machine = *static_cast<Machine*>(self);
     const auto body = machine.bodies_.find(run.provider());
     return body == machine.bodies_.end() ? machine.everything(run) : body->second(run);
-  });
-  start_.assign(tables_.groups.size(),
-                [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, ".start"); });
-  stop_.assign(tables_.groups.size(),
-               [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, ".stop"); });
-  Bodies bodies;
-  bodies.self = this;
-  bodies.run = run_.data();
-  bodies.start = start_.data();
-  bodies.stop = stop_.data();
+  };
+  bodies.start = [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, ".start"); };
+  bodies.stop = [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, ".stop"); };
   bodies.data = [](void* self, Bodies::Data what, Index edge, Index) {
     constexpr std::array names{"accept", "settle", "retain"};
     Machine& machine = *static_cast<Machine*>(self);

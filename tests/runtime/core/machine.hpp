@@ -74,8 +74,6 @@ private:
   Inbox inbox_;
   std::map<Index, Body> bodies_;
   std::map<std::string, Handler> handlers_;
-  std::vector<Outcome (*)(void*, Run&)> run_;
-  std::vector<void (*)(void*, Handling&)> start_, stop_;
   std::unique_ptr<Engine> engine_;
   Lines lines_;
   StepResult result_ = StepResult::quiescent;

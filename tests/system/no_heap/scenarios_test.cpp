@@ -26,8 +26,6 @@ namespace {
 using namespace director;
 
 Bodies scripted;
-std::vector<Outcome (*)(void*, Run&)> runs;
-std::vector<void (*)(void*, Handling&)> starts, stops;
 Observer observer;
 std::size_t watched_steps = 0;
 
@@ -51,24 +49,18 @@ StepResult watched_step(Engine* engine, Time now) {
 Bodies watched_table(compiler::ScriptedBodies* self) {
   scripted = real_table(self);
   Bodies watched = scripted;
-  static Outcome (*const run)(void*, Run&) = [](void* bodies, Run& context) {
+  watched.run = [](void* bodies, Run& context) {
     const tests::Amnesty amnesty;
-    return scripted.run[context.provider()](bodies, context);
+    return scripted.run(bodies, context);
   };
-  static void (*const start)(void*, Handling&) = [](void* bodies, Handling& context) {
+  watched.start = [](void* bodies, Handling& context) {
     const tests::Amnesty amnesty;
-    scripted.start[context.group()](bodies, context);
+    scripted.start(bodies, context);
   };
-  static void (*const stop)(void*, Handling&) = [](void* bodies, Handling& context) {
+  watched.stop = [](void* bodies, Handling& context) {
     const tests::Amnesty amnesty;
-    scripted.stop[context.group()](bodies, context);
+    scripted.stop(bodies, context);
   };
-  runs.assign(10'000, run);
-  starts.assign(10'000, start);
-  stops.assign(10'000, stop);
-  watched.run = runs.data();
-  watched.start = starts.data();
-  watched.stop = stops.data();
   watched.data = [](void* bodies, Bodies::Data what, Index edge, Index handle) {
     const tests::Amnesty amnesty;
     scripted.data(bodies, what, edge, handle);

@@ -360,12 +360,9 @@ TEST_CASE("two engines on one set of tables know nothing of each other") {
   EngineMemory memory(machine.tables());
   std::vector<Inbox::Cell> cells(4);
   Inbox inbox(cells);
-  std::vector<Outcome (*)(void*, Run&)> run(machine.tables().providers.size(),
-                                            [](void*, Run& context) { return context.pack(); });
-  std::vector<void (*)(void*, Handling&)> handlers(machine.tables().groups.size(), [](void*, Handling&) {});
   Bodies bodies;
-  bodies.run = run.data();
-  bodies.start = bodies.stop = handlers.data();
+  bodies.run = [](void*, Run& context) { return context.pack(); };
+  bodies.start = bodies.stop = [](void*, Handling&) {};
   Engine other(machine.tables(), memory.state().data(), bodies, inbox);
   machine.request("Lead");
   machine.step();

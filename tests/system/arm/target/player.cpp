@@ -42,8 +42,6 @@ private:
   std::size_t used_ = 0;
 };
 
-using RunFunction = Outcome (*)(void*, Run&);
-using HandlerFunction = void (*)(void*, director::Handling&);
 
 struct Memory {
   Memory(const Plan& plan, std::byte* at) {
@@ -55,9 +53,6 @@ struct Memory {
     runs = arena.take<std::uint32_t>(t.providers.size());
     starts = arena.take<std::uint32_t>(t.groups.size());
     stops = arena.take<std::uint32_t>(t.groups.size());
-    run_table = arena.take<RunFunction>(t.providers.size());
-    start_table = arena.take<HandlerFunction>(t.groups.size());
-    stop_table = arena.take<HandlerFunction>(t.groups.size());
     edge_data = arena.take<Index>(t.edges.size());
     staged_data = arena.take<Index>(t.edges.size());
     group_data = arena.take<Index>(t.groups.size());
@@ -66,8 +61,6 @@ struct Memory {
   std::byte* state;
   director::Inbox::Cell* cells;
   std::uint32_t *runs, *starts, *stops; // how many there were
-  RunFunction* run_table;
-  HandlerFunction *start_table, *stop_table;
   Index *edge_data, *staged_data, *group_data;
   std::size_t state_bytes, bytes;
 };
@@ -96,25 +89,19 @@ public:
 
 private:
   director::Bodies bodies() {
-    for (std::size_t i = 0; i < t_.providers.size(); ++i)
-      m_.run_table[i] = [](void* self, Run& run) { return static_cast<Player*>(self)->run(run); };
-    for (std::size_t i = 0; i < t_.groups.size(); ++i) {
-      m_.start_table[i] = [](void* self, director::Handling& handling) {
-        auto& me = *static_cast<Player*>(self);
-        me.handle(handling, me.plan_.starts, me.m_.starts);
-      };
-      m_.stop_table[i] = [](void* self, director::Handling& handling) {
-        auto& me = *static_cast<Player*>(self);
-        me.handle(handling, me.plan_.stops, me.m_.stops);
-      };
-    }
     for (std::size_t i = 0; i < t_.edges.size(); ++i) m_.edge_data[i] = m_.staged_data[i] = nil;
     for (std::size_t i = 0; i < t_.groups.size(); ++i) m_.group_data[i] = nil;
     director::Bodies out;
     out.self = this;
-    out.run = m_.run_table;
-    out.start = m_.start_table;
-    out.stop = m_.stop_table;
+    out.run = [](void* self, Run& run) { return static_cast<Player*>(self)->run(run); };
+    out.start = [](void* self, director::Handling& handling) {
+      auto& me = *static_cast<Player*>(self);
+      me.handle(handling, me.plan_.starts, me.m_.starts);
+    };
+    out.stop = [](void* self, director::Handling& handling) {
+      auto& me = *static_cast<Player*>(self);
+      me.handle(handling, me.plan_.stops, me.m_.stops);
+    };
     out.data = [](void* self, director::Bodies::Data what, Index edge, Index handle) {
       static_cast<Player*>(self)->move_data(what, edge, handle);
     };
