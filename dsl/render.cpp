@@ -133,17 +133,6 @@ std::string headline(const SourceFile& file, const Span& span, std::string_view 
                      colour.reset, colour.level, kind, colour.reset, colour.bold, harmless(message), colour.reset);
 }
 
-/// Notes of one file stand together, so that a reader goes from file to file once. Files come in the order in which
-/// the notes name them first; within one the order stays.
-std::vector<Note> by_files(std::vector<Note> notes) {
-  std::vector<FileId> files;
-  for (const Note& note : notes)
-    if (std::find(files.begin(), files.end(), note.span.file) == files.end()) files.push_back(note.span.file);
-  const auto place = [&](const Note& note) { return std::find(files.begin(), files.end(), note.span.file); };
-  std::stable_sort(notes.begin(), notes.end(), [&](const Note& a, const Note& b) { return place(a) < place(b); });
-  return notes;
-}
-
 } // namespace
 
 std::string render(const Diagnostic& diagnostic, const Sources& sources, const RenderOptions& options) {
@@ -155,7 +144,7 @@ std::string render(const Diagnostic& diagnostic, const Sources& sources, const R
                              fmt::format("{} [{}]", diagnostic.message, diagnostic.id), colour);
   if (!file.text().empty()) out += snippet(file, diagnostic.span, options, colour);
   const Span* last = &diagnostic.span; // its lines are shown already
-  for (const Note& note : by_files(diagnostic.notes)) {
+  for (const Note& note : diagnostic.notes) {
     if (note.span.file.value >= sources.size()) continue;
     const Palette note_palette = palette(options.colours, colours::bold_cyan);
     out += headline(sources[note.span.file], note.span, "note", note.message, note_palette);

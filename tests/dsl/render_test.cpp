@@ -195,22 +195,21 @@ walk.yaml:1:4: lint: no such key [unknown_key]
   CHECK(render(std::vector<Diagnostic>{}, shown.sources) == "");
 }
 
-TEST_CASE("Notes of one file stand together, and lines that are right above are not shown again") {
+TEST_CASE("Lines that stand right above are not shown again, and notes keep their order, which is that of a way") {
   Sources sources;
-  const FileId walk = sources.add("walk.yaml", "Walk: {}\n"), legs = sources.add("legs.yaml", "Legs: {}\nFeet: {}\n");
-  const Span here{walk, 0, 4}, leg{legs, 0, 4}, foot{legs, 9, 13};
-  const Diagnostic finding{"x", Level::lint, here, "the finding", {{leg, "1"}, {here, "2"}, {foot, "3"}, {foot, "4"}}, ""};
+  const FileId walk = sources.add("walk.yaml", "Walk: {}\n"), legs = sources.add("legs.yaml", "Legs: {}\n");
+  const Span here{walk, 0, 4}, leg{legs, 0, 4};
+  const Diagnostic finding{"x", Level::lint, here, "the finding", {{here, "1"}, {leg, "2"}, {leg, "3"}, {here, "4"}},
+                           ""};
   CHECK(render(finding, sources) == R"(walk.yaml:1:1: lint: the finding [x]
     1 | Walk: {}
       | ^~~~
-legs.yaml:1:1: note: 1
+walk.yaml:1:1: note: 1
+legs.yaml:1:1: note: 2
     1 | Legs: {}
       | ^~~~
-legs.yaml:2:1: note: 3
-    2 | Feet: {}
-      | ^~~~
-legs.yaml:2:1: note: 4
-walk.yaml:1:1: note: 2
+legs.yaml:1:1: note: 3
+walk.yaml:1:1: note: 4
     1 | Walk: {}
       | ^~~~
 )");
