@@ -3,6 +3,7 @@
 #include "dsl/read_condition.hpp"
 
 #include "dsl/characters.hpp"
+#include "dsl/duration.hpp"
 
 #include <fmt/format.h>
 
@@ -189,10 +190,12 @@ std::optional<ConditionSpec> read_condition(Reader& reader, const YamlNode& node
 
 namespace {
 
-/// For `when: {Phase: playing}`.
+/// For `when: {Phase: playing}` and `causing: {Phase == set: 2 s}`.
 std::string help_for_conditions(const YamlNode* node) {
   if (!node || node->pairs.empty() || node->pairs.front().value.kind != YamlNode::Kind::scalar) return "";
-  return fmt::format("write `[{} == {}]`", node->pairs.front().key.value, node->pairs.front().value.text);
+  const std::string &key = node->pairs.front().key.value, &value = node->pairs.front().value.text;
+  if (key.find_first_of("=<>") == std::string::npos) return fmt::format("write `[{} == {}]`", key, value);
+  return parse_duration(value) ? fmt::format("write `[{} within {}]`", key, value) : fmt::format("write `[{}]`", key);
 }
 
 } // namespace

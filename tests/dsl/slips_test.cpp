@@ -91,6 +91,11 @@ TEST_CASE("a list stands for a mapping, and a mapping for a list") {
              "3:21 `{B: {}, C: {}}` wrong_node_kind: `needs`: expected a list, found a mapping (write `[B, C]`)\n");
   check_body("groups: {A: {when: {X: a}}}\n",
              "3:20 `{X: a}` wrong_node_kind: `when`: expected a list, found a mapping (write `[X == a]`)\n");
+  check_body("groups: {A: {causing: {X == a: 2 s}}}\n",
+             "3:23 `{X == a: 2 s}` wrong_node_kind: `causing`: expected a list, found a mapping (write `[X == a within "
+             "2 s]`)\n");
+  check_body("groups: {A: {when: {X == a: true}}}\n",
+             "3:20 `{X == a: true}` wrong_node_kind: `when`: expected a list, found a mapping (write `[X == a]`)\n");
   check_body(
       "groups: {A: {packs: [B]}}\n",
       "3:21 `[B]` wrong_node_kind: `packs`: expected a mapping of names to tasks, found a list (give each pack a "
