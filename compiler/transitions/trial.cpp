@@ -16,7 +16,7 @@ Rest rest_of(const View& view, const Model& model) {
   Rest out;
   for (const GroupId id : model.groups.ids()) {
     const auto row = static_cast<Index>(id.value);
-    const Index holder = view.holder(row), active = view.standing[row].active;
+    const Index holder = view.holder(row), active = view.assignment[row].active;
     Rest::Held held;
     if (holder != nil && !view.is_limbo(holder)) held.by = EdgeId{holder};
     if (active != nil) held.active = ProviderId{active};
@@ -78,7 +78,7 @@ Trial play_trial(const std::string& text, const Model& model, const Lowered& low
                     },
                     &listener};
   options.end = [&](const Engine& engine) {
-    const View view = engine.view();
+    const View view = view_of(engine);
     out.rest = rest_of(view, model);
     out.why = why_not(view, model, lowered, way);
   };
