@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The subcommands: what each is asked for, and what it does. One file each; compiler/cli/parse.cpp makes the requests
+// The subcommands: what each is asked for, and what it does. One file each; compiler/cli/options_*.cpp make the requests
 // from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or too
 // little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written; 3 an
 // assertion was not decided, or not everything was explored.

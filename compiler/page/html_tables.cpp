@@ -118,11 +118,20 @@ std::string takes_html(const HtmlInput& input) {
 }
 
 std::string transitions_html(const HtmlInput& input) {
-  const Json& rows = input.page.data["transitions"]["rows"];
+  const Json& transitions = input.page.data["transitions"];
+  const Json& rows = transitions["rows"];
+  if (!transitions["left_out"].is_null())
+    return fmt::format("<p>{}</p>\n", message_html(transitions["left_out"].as_text()));
   if (rows.items().empty()) return {};
   std::string out =
       "<p>The first group runs, then the second one is asked for. What the engine does then was played.</p>\n";
-  out += legend_html() + matrix_html(rows) + "<div class=\"rows\">\n";
+  out += legend_html() + matrix_html(rows);
+  if (std::string names; !transitions["not_requested"].items().empty()) {
+    for (const std::string& name : transitions["not_requested"].as_texts())
+      names += (names.empty() ? "" : ", ") + group_link(name);
+    out += fmt::format("<p>Not requested by anybody: {}.</p>\n", names);
+  }
+  out += "<div class=\"rows\">\n";
   for (const Json& row : rows.items()) out += row_html(rows, row);
   return out + "</div>\n";
 }

@@ -198,7 +198,10 @@ private:
   }
 
   void add_transitions() {
-    const Json& rows = data_["transitions"]["rows"];
+    const Json& transitions = data_["transitions"];
+    const Json& rows = transitions["rows"];
+    if (!transitions["left_out"].is_null())
+      out_ += fmt::format("## Transitions\n\n{}\n\n", message(transitions["left_out"].as_text()));
     if (rows.items().empty()) return;
     out_ += "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is asked for.\n\n";
     for (const CellKind& kind : cell_kinds())
@@ -214,6 +217,11 @@ private:
       out_ += "\n";
     }
     out_ += "\n";
+    if (!transitions["not_requested"].items().empty()) {
+      std::vector<std::string> names;
+      for (const std::string& name : transitions["not_requested"].as_texts()) names.push_back(escaped(name));
+      out_ += fmt::format("Not requested by anybody: {}.\n\n", fmt::join(names, ", "));
+    }
     for (const Json& row : rows.items()) add_row(rows, row);
   }
 

@@ -41,9 +41,21 @@ public:
         behaviour_(std::move(behaviour)) {}
 
   TransitionMatrix find() {
+    std::vector<std::pair<GroupId, std::vector<Way>>> wanted;
     for (const GroupId id : model_.groups.ids()) {
-      if (!model_.groups[id].edges.empty()) out_.rows.push_back(row(id));
+      if (model_.groups[id].edges.empty()) continue;
+      std::vector<Way> ways = find_ways(model_, id);
+      if (ways.empty()) out_.not_requested.push_back(id);
+      if (!ways.empty()) wanted.emplace_back(id, std::move(ways));
     }
+    if (wanted.size() > most_rows) {
+      out_.left_out = fmt::format("The transition matrix is left out: {} groups would be its rows, and it is played for at "
+                                  "most {}. A deployment that requests fewer of them has one: split the behaviour into "
+                                  "modules, and write one with `roots` for each part.",
+                                  wanted.size(), most_rows);
+      return std::move(out_);
+    }
+    for (const auto& [id, ways] : wanted) out_.rows.push_back(row(id, ways));
     for (std::size_t i = 0; i < out_.rows.size(); ++i) {
       std::vector<Transition> cells;
       for (std::size_t j = 0; j < out_.rows.size(); ++j) cells.push_back(cell(i, j));
@@ -77,11 +89,9 @@ private:
   /// Also for somebody else: it was running then, and is not asked for in vain.
   static bool runs_at_all(const Rest& rest, const Way& way) { return rest.groups[way.target.value].granted; }
 
-  TransitionMatrix::Row row(GroupId id) {
+  TransitionMatrix::Row row(GroupId id, const std::vector<Way>& ways) {
     TransitionMatrix::Row out;
     out.group = id;
-    const std::vector<Way> ways = find_ways(model_, id);
-    out.words = "Nothing that the program requests leads to it.";
     beginnings_.emplace_back();
     std::string why;
     std::vector<std::pair<Assume, Way>> tries;
@@ -103,8 +113,7 @@ private:
       beginnings_.back() = {way, *outside, trial.runs, trial.rest};
       return out;
     }
-    if (!ways.empty())
-      out.words = why.empty() ? "No values from outside meet all conditions on the way to it." : why + ".";
+    out.words = why.empty() ? "No values from outside meet all conditions on the way to it." : why + ".";
     return out;
   }
 

@@ -53,7 +53,12 @@ struct TransitionMatrix {
   };
   std::vector<Row> rows; ///< the columns are the same groups in the same order
   std::vector<std::string> pieces;
+  std::vector<GroupId> not_requested; ///< no rows of their own: nothing that the program requests leads to them
+  std::string left_out;               ///< in a sentence, why there are no rows; empty: there are
 };
+
+/// With more rows than this no matrix is played: its time and size grow with the square of them.
+constexpr std::size_t most_rows = 100;
 
 /// `behaviour`: what its scenarios call the file.
 TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour);

@@ -54,7 +54,11 @@ Json transitions_json(const TransitionMatrix& matrix, const Model& model) {
                            {"given", Json::texts(row.given)},
                            {"cells", std::move(cells)}}));
   }
-  return Json::object({{"rows", std::move(rows)}, {"pieces", Json::texts(matrix.pieces)}});
+  Json out = Json::object({{"rows", std::move(rows)},
+                           {"not_requested", group_names(matrix.not_requested, model)},
+                           {"pieces", Json::texts(matrix.pieces)}});
+  if (!matrix.left_out.empty()) out.add("left_out", Json::text(matrix.left_out));
+  return out;
 }
 
 } // namespace director::compiler

@@ -3,6 +3,7 @@
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 namespace {
 
@@ -10,6 +11,17 @@ using namespace director;
 using namespace director::tests;
 
 const char* const walks = "behaviour: walker\nlanguage: 1\nroots: [Walk]\ngroups: {Walk: {needs: [Legs]}, Legs: {}}\n";
+
+/// So many groups that need something, and something for each five of them.
+std::string large(std::size_t groups) {
+  std::string roots, all;
+  for (std::size_t i = 0; i < groups; ++i) {
+    roots += fmt::format("  Skill{}: {{priority: {}}}\n", i, i % 7);
+    all += fmt::format("  Skill{}: {{needs: [Part{}]}}\n", i, i / 5);
+    if (i % 5 == 0) all += fmt::format("  Part{}: {{}}\n", i / 5);
+  }
+  return "behaviour: large\nlanguage: 1\nroots:\n" + roots + "groups:\n" + all;
+}
 
 World docs_world() {
   World out;
@@ -66,6 +78,22 @@ TEST_CASE("docs: an address for links must say where the file goes") {
   World w = docs_world();
   CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages", "--link=https://example.org"}) == 2);
   CHECK(w.err == "directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n");
+}
+
+TEST_CASE("docs: of 500 groups the page has no transition matrix, and says why and what to do") {
+  World w;
+  w.files.add("large.yaml", large(500));
+  const std::string words = "The transition matrix is left out: 500 groups would be its rows, and it is played for at most "
+                            "100. A deployment that requests fewer of them has one: split the behaviour into modules, and "
+                            "write one with ";
+  CHECK(w.directorc({"docs", "large.yaml", "-o", "pages"}) == 0);
+  const std::string& html = w.outputs.files.at("pages/large.html");
+  CHECK(html.find("<p>" + words + "<code>roots</code> for each part.</p>") != std::string::npos);
+  CHECK(html.find("class=\"matrix\"") == std::string::npos);
+  CHECK(w.directorc({"docs", "large.yaml", "-o", "pages", "--format=markdown"}) == 0);
+  CHECK(w.outputs.files.at("pages/large.md").find(words + "`roots` for each part.\n") != std::string::npos);
+  CHECK(w.directorc({"graph", "large.yaml", "--format=json", "--page"}) == 0);
+  CHECK(w.out.find("\"left_out\": \"" + words + "`roots` for each part.\"") != std::string::npos);
 }
 
 TEST_CASE("graph: --page is for JSON, and for behaviours that can run") {

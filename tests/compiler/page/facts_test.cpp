@@ -80,4 +80,15 @@ groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}
       R"({"kind":"same chain","words":"It is the same group."}]})");
 }
 
+TEST_CASE("a group that nobody requests has no row and no column, and is named beside the matrix") {
+  const compiler::Json transitions = facts(R"(roots: [Walk]
+groups: {Walk: {needs: [Legs]}, Swim: {needs: [Legs]}, Dive: {tasks: [Swim]}, Legs: {}}
+)")["transitions"];
+  REQUIRE(transitions["rows"].items().size() == 1);
+  CHECK(transitions["rows"].items()[0]["group"].as_text() == "Walk");
+  CHECK(transitions["rows"].items()[0]["cells"].items().size() == 1);
+  CHECK(to_line(transitions["not_requested"]) == R"(["Swim","Dive"])");
+  CHECK(transitions["left_out"].is_null());
+}
+
 } // namespace director::tests

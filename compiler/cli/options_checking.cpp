@@ -1,0 +1,88 @@
+// Door: compiler/cli/options_common.hpp. Test: tests/compiler/cli/parse_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/cli/options_common.hpp"
+
+#include <memory>
+
+namespace director::compiler::cli {
+
+namespace {
+
+/// The check that explores.
+constexpr const char* never_runs = "never_runs";
+
+} // namespace
+
+Make check_options(CLI::App& app) {
+  auto request = std::make_shared<Check>();
+  auto words = std::make_shared<SelectionWords>();
+  app.add_option("FILE", request->file, "the behaviour")->required();
+  add_format(app, request->format, {"text", "json", "sarif"});
+  add_selection(app, *words);
+  app.add_option("--explain-reachable", request->reachable,
+                 "also tell how a group, Walk.halting or 'Pose == standing' may be reached")
+      ->type_name("X");
+  add_build(app, request->build);
+  app.add_flag("--verbose", request->verbose, "also print how much memory and work the engine may need");
+  auto explore = std::make_shared<bool>(false);
+  auto bound = std::make_shared<std::size_t>(Explore{}.bound);
+  CLI::Option* exploring =
+      app.add_flag("--explore", *explore, "try everything that can happen, and report what never runs");
+  add_bound(app, *bound)->needs(exploring);
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
+    request->selection = selection_of(*words);
+    if (*explore || request->selection.lints.contains(never_runs)) {
+      request->selection.lints.emplace(never_runs);
+      request->explore = *bound;
+    }
+    return *request;
+  };
+}
+
+Make verify_options(CLI::App& app) {
+  auto request = std::make_shared<Verify>();
+  auto words = std::make_shared<SelectionWords>();
+  app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
+  app.add_option("-p,--build", request->build, "the build's folder, with compile_commands.json")
+      ->type_name("FOLDER")
+      ->required();
+  app.add_option("--generated", request->generated,
+                 "only files that are compiled with the generated header of this folder")
+      ->type_name("FOLDER");
+  app.add_option("--exclude", request->excluded,
+                 "leave out sources below this folder, or compiled into it; or one file. May be given several times")
+      ->type_name("PATH");
+  add_format(app, request->format, {"text", "json", "sarif"});
+  add_selection(app, *words);
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
+    request->selection = selection_of(*words);
+    return *request;
+  };
+}
+
+Make explain_options(CLI::App& app) {
+  auto request = std::make_shared<Explain>();
+  app.add_option("ID", request->id, "what stands in brackets behind a finding, or a key of the language: needs")
+      ->required();
+  return [=]() -> Request { return *request; };
+}
+
+Make checks_options(CLI::App&) {
+  return []() -> Request { return ListChecks{}; };
+}
+
+Make dump_options(CLI::App& app) {
+  auto request = std::make_shared<Dump>();
+  app.add_option("FILE", request->file, "the behaviour")->required();
+  app.add_option("--stage", request->stage,
+                 "spec: as it was read; model: every name resolved; graph: who leads to whom; "
+                 "tables: what the engine runs on")
+      ->required()
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"spec", "model", "graph", "tables"}));
+  return [=]() -> Request { return *request; };
+}
+
+} // namespace director::compiler::cli

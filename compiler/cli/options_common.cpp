@@ -1,0 +1,90 @@
+// Door: compiler/cli/options_common.hpp. Test: tests/compiler/cli/parse_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/cli/options_common.hpp"
+
+#include "dsl/duration.hpp"
+#include "dsl/suggest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+namespace director::compiler::cli {
+
+namespace {
+
+const std::map<std::string, Format> formats{
+    {"text", Format::text}, {"json", Format::json},       {"sarif", Format::sarif}, {"dot", Format::dot},
+    {"svg", Format::svg},   {"mermaid", Format::mermaid}, {"html", Format::html},   {"markdown", Format::markdown}};
+
+} // namespace
+
+void add_format(CLI::App& app, Format& format, const std::vector<std::string>& names) {
+  app.add_option_function<std::string>(
+         "--format", [&format](const std::string& name) { format = formats.at(name); },
+         fmt::format("one of {}; without it {}", fmt::join(names, ", "), names.front()))
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names));
+}
+
+void add_selection(CLI::App& app, SelectionWords& words) {
+  app.add_flag("--werror{*}", words.werror, "warnings are errors, or those of one check");
+  app.add_flag("--lint{*}", words.lint, "report lints too, or those of one check");
+  app.add_flag("--allow{*}", words.allow, "do not report what this check finds; an error is reported all the same");
+}
+
+checks::Selection selection_of(const SelectionWords& words) {
+  checks::Selection out;
+  for (const std::string& id : words.werror) {
+    if (id == "*") out.every_warning_is_error = true;
+    if (id != "*") out.warnings_as_errors.insert(id);
+  }
+  for (const std::string& id : words.lint) {
+    if (id == "*") out.every_lint = true;
+    if (id != "*") out.lints.insert(id);
+  }
+  out.allowed.insert(words.allow.begin(), words.allow.end());
+  return out;
+}
+
+std::optional<Say> unknown_id(const SelectionWords& words) {
+  std::vector<std::string> known;
+  for (const checks::Registered& check : checks::registered()) known.emplace_back(check.id);
+  for (const auto* list : {&words.werror, &words.lint, &words.allow}) {
+    for (const std::string& id : *list) {
+      const bool every = id == "*" && list != &words.allow;
+      if (every || checks::find_registered(id) != nullptr) continue;
+      if (id == "*") return Say{"directorc: --allow needs the id of a check, --allow=<id>\n", true};
+      const std::optional<std::string> near = dsl::suggest(id, known);
+      return Say{fmt::format("directorc: there is no check `{}`{}\n", id,
+                             near ? fmt::format("; did you mean `{}`?", *near) : std::string{}),
+                 true};
+    }
+  }
+  return {};
+}
+
+void add_build(CLI::App& app, std::string& build) {
+  app.add_option("-p,--build", build,
+                 "compare the types of C++ too, as compile_commands.json of this build's folder has them compiled")
+      ->type_name("FOLDER");
+}
+
+CLI::Option* add_bound(CLI::App& app, std::size_t& bound) {
+  return app
+      .add_option("--bound", bound, "end after so many different states, a few hundred bytes each; without it 1000000")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
+}
+
+std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_t>& time) {
+  if (const std::optional<dsl::Duration> most = dsl::most_instead_of(text))
+    return Say{fmt::format("directorc: `{}` is too long: at most {}\n", text, dsl::to_text(*most)), true};
+  const std::optional<dsl::Duration> given = dsl::parse_duration(text);
+  if (!given) return Say{fmt::format("directorc: `{}` is no time: a whole number and us, ms, s or min\n", text), true};
+  time = given->microseconds();
+  return {};
+}
+
+} // namespace director::compiler::cli

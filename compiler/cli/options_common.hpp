@@ -1,0 +1,55 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// The options of the subcommands: each function adds those of one, and says how they become a request. Only these files
+// and parse.cpp know CLI11.
+
+#include "compiler/cli/parse.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace director::compiler::cli {
+
+using Make = std::function<Request()>;
+
+// options_checking.cpp
+Make check_options(CLI::App& app);
+Make verify_options(CLI::App& app);
+Make explain_options(CLI::App& app);
+Make checks_options(CLI::App& app);
+Make dump_options(CLI::App& app);
+// options_code.cpp
+Make generate_options(CLI::App& app);
+Make stubs_options(CLI::App& app);
+// options_pictures.cpp
+Make graph_options(CLI::App& app);
+Make docs_options(CLI::App& app);
+// options_playing.cpp
+Make simulate_options(CLI::App& app);
+Make why_options(CLI::App& app);
+Make test_options(CLI::App& app);
+Make explore_options(CLI::App& app);
+
+/// `--format` with some of the formats.
+void add_format(CLI::App& app, Format& format, const std::vector<std::string>& names);
+
+struct SelectionWords {
+  std::vector<std::string> werror, lint, allow;
+};
+
+/// `--werror` is for all, `--werror=<id>` for one: flags that may carry a value, so that none of them takes the next
+/// word.
+void add_selection(CLI::App& app, SelectionWords& words);
+checks::Selection selection_of(const SelectionWords& words);
+/// The first id that no check has, with what was probably meant.
+std::optional<Say> unknown_id(const SelectionWords& words);
+
+void add_build(CLI::App& app, std::string& build);
+CLI::Option* add_bound(CLI::App& app, std::size_t& bound);
+
+/// What is wrong with it, if something is.
+std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_t>& time);
+
+} // namespace director::compiler::cli

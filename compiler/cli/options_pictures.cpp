@@ -1,0 +1,91 @@
+// Door: compiler/cli/options_common.hpp. Test: tests/compiler/cli/parse_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/cli/options_common.hpp"
+
+#include <memory>
+
+namespace director::compiler::cli {
+
+namespace {
+
+void add_link(CLI::App& app, std::string& link) {
+  app.add_option("--link", link, "address behind each box, arrow and place, with {file} and {line} in it")
+      ->type_name("ADDRESS");
+}
+
+std::optional<Say> wrong_link(const std::string& link) {
+  if (link.empty() || link.find("{file}") != std::string::npos) return {};
+  return Say{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n", true};
+}
+
+} // namespace
+
+Make graph_options(CLI::App& app) {
+  auto request = std::make_shared<DrawGraph>();
+  app.add_option("FILE", request->file, "the behaviour")->required();
+  add_format(app, request->format, {"dot", "svg", "json", "mermaid"});
+  app.add_option("-o,--output", request->output,
+                 "file to write, unless somebody else has written it; without it, to the terminal")
+      ->type_name("FILE");
+  app.add_option("--view", request->view, "only these arrows: tasks, needs, pushes or takes (who may take from whom)")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"all", "tasks", "needs", "pushes", "takes"}));
+  app.add_option("--collapse", request->collapse, "one box for each: module or layer")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"module", "layer"}));
+  CLI::Option* focus = app.add_option("--focus", request->focus,
+                                      "only what can reach, hold, push or block one of these groups, GROUP,GROUP")
+                           ->type_name("GROUP")
+                           ->delimiter(',')
+                           ->expected(1)
+                           ->take_all();
+  app.add_option("--depth", request->depth, "no further than so many arrows from the focus")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000))
+      ->needs(focus);
+  add_link(app, request->link);
+  CLI::Option* findings = app.add_flag("--findings", request->findings, "also what is found, each at its place");
+  CLI::Option* page = app.add_flag("--page", request->page,
+                                   "as JSON: also all else that a page of `directorc docs` tells, findings, who beats "
+                                   "whom, verdicts of assertions and the transition matrix");
+  auto time = std::make_shared<std::string>();
+  CLI::Option* step = app.add_option("--step", request->step, "FILE is a scenario: the moment after this step of it")
+                          ->type_name("N")
+                          ->check(CLI::Range(1, 1'000'000));
+  CLI::Option* at = app.add_option("--at", *time, "FILE is a scenario: the moment at this time of it, '1500 ms'")
+                        ->type_name("TIME")
+                        ->excludes(step);
+  app.add_flag("--frames", request->frames, "FILE is a scenario: a picture for each step, into the folder of -o")
+      ->excludes(step)
+      ->excludes(at)
+      ->excludes(findings)
+      ->excludes(page);
+  for (CLI::Option* moment : {step, at}) moment->excludes(findings)->excludes(page);
+  return [=]() -> Request {
+    if (!time->empty()) {
+      if (const std::optional<Say> wrong = parse_time(*time, request->time)) return *wrong;
+    }
+    if (request->page && request->format != Format::json)
+      return Say{"directorc: --page needs --format=json; `directorc docs` writes pages to read\n", true};
+    if (request->frames && request->output.empty())
+      return Say{"directorc: --frames writes many files: -o names a folder for them\n", true};
+    if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
+    return *request;
+  };
+}
+
+Make docs_options(CLI::App& app) {
+  auto request = std::make_shared<Docs>();
+  app.add_option("FILE", request->files, "the behaviours")->required();
+  app.add_option("-o,--output", request->folder, "folder for the pages, each named like its file")
+      ->type_name("FOLDER")
+      ->required();
+  add_format(app, request->format, {"html", "markdown"});
+  add_link(app, request->link);
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
+    return *request;
+  };
+}
+
+} // namespace director::compiler::cli

@@ -1,0 +1,59 @@
+// Door: compiler/cli/options_common.hpp. Test: tests/compiler/cli/parse_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/cli/options_common.hpp"
+
+#include <memory>
+
+namespace director::compiler::cli {
+
+Make simulate_options(CLI::App& app) {
+  auto request = std::make_shared<Simulate>();
+  app.add_option("FILE", request->file, "the scenario")->required();
+  add_format(app, request->format, {"text", "json"});
+  app.add_flag("--decisions", request->decisions, "also print what is queued, pushed, released and set");
+  app.add_flag("--times", request->times, "also print when, in seconds; in JSON, in microseconds");
+  return [=]() -> Request { return *request; };
+}
+
+Make why_options(CLI::App& app) {
+  auto request = std::make_shared<Why>();
+  auto time = std::make_shared<std::string>();
+  app.add_option("SCENARIO", request->scenario, "the scenario; its behaviour is the one that it names")->required();
+  app.add_option("GROUP", request->group, "the group that is asked about")->required();
+  CLI::Option* step = app.add_option("--step", request->step, "after this step of the scenario; without it, in the end")
+                          ->type_name("N")
+                          ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--time", *time, "at this time, '1500 ms', where a step advances beyond it")
+      ->type_name("TIME")
+      ->excludes(step);
+  add_format(app, request->format, {"text", "json"});
+  return [=]() -> Request {
+    if (time->empty()) return *request;
+    if (const std::optional<Say> wrong = parse_time(*time, request->time)) return *wrong;
+    return *request;
+  };
+}
+
+Make test_options(CLI::App& app) {
+  auto request = std::make_shared<Test>();
+  app.add_option("FILE", request->files, "scenarios, or folders: then all *.scenario.yaml below them")->required();
+  add_format(app, request->format, {"text", "json"});
+  CLI::Option* coverage = app.add_flag("--coverage", request->coverage, "also print what no scenario exercises");
+  app.add_option("--min", request->min, "fail where less of a behaviour is exercised")
+      ->type_name("PERCENT")
+      ->check(CLI::Range(0, 100))
+      ->needs(coverage);
+  app.add_flag("--update", request->update,
+               "write what happens into the files: where it is not as expected, and in scenarios that expect nothing");
+  return [=]() -> Request { return *request; };
+}
+
+Make explore_options(CLI::App& app) {
+  auto request = std::make_shared<Explore>();
+  app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
+  add_bound(app, request->bound);
+  app.add_option("-o,--output", request->output, "folder for what is found, as scenarios")->type_name("FOLDER");
+  return [=]() -> Request { return *request; };
+}
+
+} // namespace director::compiler::cli
