@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D PAGE=<file> -D HEADER=<header> -D FUNCTION=<namespace::name> -D OUT=<file> -P embed_page.cmake
 # A file as a C++ text, which the function that HEADER declares returns: the reference of the language, and what a page of `directorc docs` has of
-# script and style. In pieces, as compilers limit the length of one.
+# script and style. In pieces that are put together when it is first called: compilers limit the length of a text.
 file(READ ${PAGE} text)
 if(text MATCHES "\\)page\"")
   message(FATAL_ERROR "${PAGE}: the page must not hold the characters that end a raw string, )page\"")
@@ -10,7 +10,7 @@ set(pieces "")
 string(LENGTH "${text}" length)
 while(length GREATER 0)
   string(SUBSTRING "${text}" 0 8000 piece)
-  string(APPEND pieces "\n    R\"page(${piece})page\"")
+  string(APPEND pieces "\n      R\"page(${piece})page\",")
   if(length LESS_EQUAL 8000)
     break()
   endif()
@@ -21,7 +21,16 @@ cmake_path(GET PAGE FILENAME name)
 file(WRITE ${OUT} "// Written by compiler/cmake/embed_page.cmake from ${name}.
 #include \"${HEADER}\"
 
+#include <string>
+
 std::string_view ${FUNCTION}() {
-  return${pieces};
+  static const std::string text = [] {
+    std::string all;
+    for (const char* piece : {${pieces}
+    })
+      all += piece;
+    return all;
+  }();
+  return text;
 }
 ")
