@@ -56,8 +56,23 @@ std::string matrix_html(const Json& rows) {
   return out + "</tbody>\n</table>\n</div>\n<div id=\"cell\" hidden></div>\n";
 }
 
-/// Cells that have something of their own to tell, then the others by kind.
-std::string row_html(const Json& rows, const Json& row) {
+/// Folded.
+std::string scenario_html(const std::string& scenario) {
+  return fmt::format("<details><summary>Scenario</summary><pre tabindex=\"0\">{}</pre></details>", text(scenario));
+}
+
+/// Empty where nothing was played.
+std::string scenario_html(const Json& cell, const Json& pieces) {
+  if (cell["scenario"].is_null()) return {};
+  std::string out;
+  for (const Json& piece : cell["scenario"].items())
+    out += pieces.items()[static_cast<std::size_t>(piece.as_number())].as_text();
+  return scenario_html(out);
+}
+
+/// Cells that have something of their own to tell, with their scenarios, then the others by kind.
+std::string row_html(const Json& transitions, const Json& row) {
+  const Json& rows = transitions["rows"];
   std::string out = fmt::format("<article class=\"row\" id=\"{}\" tabindex=\"-1\">\n<h3>From {}</h3>\n<p>{}</p>\n",
                                 anchor_of(row, nullptr), text(row["group"].as_text()), text(row["words"].as_text()));
   std::string told;
@@ -71,9 +86,9 @@ std::string row_html(const Json& rows, const Json& row) {
       continue;
     }
     told += fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
-                        "{}</dt><dd>{}</dd></div>\n",
+                        "{}</dt><dd>{}{}</dd></div>\n",
                         anchor_of(row, &column), text(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
-                        text(cells[i]["words"].as_text()));
+                        text(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
   }
   if (!told.empty()) out += fmt::format("<dl>\n{}</dl>\n", told);
   for (const auto& [kind, names] : others) {
@@ -132,7 +147,7 @@ std::string transitions_html(const HtmlInput& input) {
     out += fmt::format("<p>Not requested by anybody: {}.</p>\n", names);
   }
   out += "<div class=\"rows\">\n";
-  for (const Json& row : rows.items()) out += row_html(rows, row);
+  for (const Json& row : rows.items()) out += row_html(transitions, row);
   return out + "</div>\n";
 }
 
@@ -147,9 +162,7 @@ std::string assertions_html(const HtmlInput& input) {
         fmt::format("<li><b data-verdict=\"{0}\">{0}</b>: <code>{1}</code> {2}<br>{3}", verdict["verdict"].as_text(),
                     text(verdict["assertion"].as_text()), i < assertions.size() ? place_html(assertions[i], input) : "",
                     message_html(verdict["why"].as_text()));
-    if (!verdict["scenario"].is_null())
-      out += fmt::format("<details><summary>Scenario</summary><pre tabindex=\"0\">{}</pre></details>",
-                         text(verdict["scenario"].as_text()));
+    if (!verdict["scenario"].is_null()) out += scenario_html(verdict["scenario"].as_text());
     out += "</li>\n";
   }
   return out + "</ul>\n";

@@ -118,12 +118,16 @@ await situation('a cell explains itself, with a scenario; arrow keys go to its n
   assert.equal(await page.locator('.matrix a[tabindex="0"]').count(), 1);
 });
 
-await situation('without JavaScript all of the text is there, and each cell leads to its words', 'soccer', { javaScriptEnabled: false }, async (page) => {
+await situation('without JavaScript all of the text is there, and each cell leads to its words and its scenario', 'soccer', { javaScriptEnabled: false }, async (page) => {
   assert.equal(await page.locator('#finder').isVisible(), false);
   assert.equal(await page.locator('.picture').first().isVisible(), true);
   const link = page.locator('.matrix td[data-kind="soft"] a').first();
   const target = page.locator((await link.getAttribute('href')));
   assert.match(await target.textContent(), /waits\. .* is pushed to /);
+  assert.equal(await target.locator('pre').isVisible(), false);
+  await target.locator('summary').click();
+  assert.equal(await target.locator('pre').isVisible(), true);
+  assert.match(await target.locator('pre').textContent(), /^scenario: from \w+ to \w+\nbehaviour: soccer\.yaml\nscript:\n/);
   await shot(page, 'soccer_plain');
 });
 
