@@ -16,15 +16,6 @@ namespace director::compiler {
 
 namespace {
 
-std::string_view name_of(Verdict::Kind kind) {
-  switch (kind) {
-  case Verdict::Kind::proven: return "proven";
-  case Verdict::Kind::refuted: return "refuted";
-  case Verdict::Kind::undecided: break;
-  }
-  return "not decided";
-}
-
 std::string file_name(std::string words) {
   std::string out;
   for (const char c : words) {

@@ -71,6 +71,15 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
 
 } // namespace
 
+std::string_view name_of(Verdict::Kind kind) {
+  switch (kind) {
+  case Verdict::Kind::proven: return "proven";
+  case Verdict::Kind::refuted: return "refuted";
+  case Verdict::Kind::undecided: break;
+  }
+  return "not decided";
+}
+
 std::string words_of(const Assertion& assertion, const Model& model) {
   std::vector<std::string> names;
   for (const Use<GroupId>& use : assertion.groups) names.push_back(model.groups[use.id].name.value);

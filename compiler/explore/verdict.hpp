@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace director::compiler {
@@ -21,6 +22,9 @@ struct Verdict {
   std::vector<Taken> way;              ///< refuted: how it happens; can_run, proven: likewise. Otherwise empty
   std::optional<std::string> scenario; ///< of that way; its `behaviour` is what was told
 };
+
+/// `proven`, `refuted`, `not decided`
+std::string_view name_of(Verdict::Kind kind);
 
 /// `never_together [Travel, Reach]`, as it is written in the behaviour.
 std::string words_of(const Assertion& assertion, const Model& model);

@@ -3,6 +3,7 @@
 #include "compiler/page/facts.hpp"
 
 #include "compiler/explore/verdict.hpp"
+#include "compiler/graph/algorithms.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/coverage.hpp"
 #include "compiler/transitions/transitions_json.hpp"
@@ -13,23 +14,15 @@ namespace director::compiler {
 
 namespace {
 
-/// What this edge leads to, by requests and needs.
-IdSet<GroupId> led_to(const Model& model, GroupId from) {
-  IdSet<GroupId> out(model.groups.size());
-  std::vector<GroupId> open{from};
-  out.add(from);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    for (const EdgeId edge : model.groups[open[i]].edges) {
-      if (out.add(model.edges[edge].target)) open.push_back(model.edges[edge].target);
-    }
-  }
-  return out;
-}
-
 /// What both sides lead to, without what that leads to in turn.
-Json contested(const Model& model, GroupId taker, GroupId loser) {
-  const IdSet<GroupId> first = led_to(model, taker), second = led_to(model, loser);
-  const auto both = [&](GroupId id) { return first.contains(id) && second.contains(id); };
+Json contested(const Model& model, const Graph& graph, GroupId taker, GroupId loser) {
+  const auto led_to = [&](GroupId from) {
+    std::vector<bool> out = reachable(graph.claims, from.value);
+    out[from.value] = true;
+    return out;
+  };
+  const std::vector<bool> first = led_to(taker), second = led_to(loser);
+  const auto both = [&](GroupId id) { return first[id.value] && second[id.value]; };
   Json out = Json::list({});
   for (const GroupId id : model.groups.ids()) {
     if (!both(id)) continue;
@@ -60,7 +53,7 @@ std::string_view decided_by(const Edge& taker, const Edge& loser) {
   return higher ? "priority" : "optional";
 }
 
-Json take_json(const TakeOver& take, const Model& model) {
+Json take_json(const TakeOver& take, const Model& model, const Graph& graph) {
   const Edge &taker = model.edges[take.taker], &loser = model.edges[take.loser];
   Json out = Json::object({});
   if (taker.requester) out.add("requester", Json::text(model.groups[*taker.requester].name.value));
@@ -69,17 +62,8 @@ Json take_json(const TakeOver& take, const Model& model) {
   out.add("by", Json::text(decided_by(taker, loser)));
   out.add("winner_priorities", priorities(taker));
   out.add("loser_priorities", priorities(loser));
-  out.add("over", contested(model, taker.target, loser.target));
+  out.add("over", contested(model, graph, taker.target, loser.target));
   return out;
-}
-
-std::string_view name_of(Verdict::Kind kind) {
-  switch (kind) {
-  case Verdict::Kind::proven: return "proven";
-  case Verdict::Kind::refuted: return "refuted";
-  case Verdict::Kind::undecided: break;
-  }
-  return "not decided";
 }
 
 } // namespace
@@ -95,7 +79,7 @@ std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
 
 void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file) {
   Json takes = Json::list({});
-  for (const TakeOver& take : take_overs_of(model, graph)) takes.add(take_json(take, model));
+  for (const TakeOver& take : take_overs_of(model, graph)) takes.add(take_json(take, model, graph));
   data.add("takes", std::move(takes));
   Json verdicts = Json::list({});
   if (!model.assertions.empty()) {

@@ -1,5 +1,6 @@
 // Door: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/base/and_list.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/page/relations.hpp"
 #include "compiler/page/words.hpp"
@@ -193,7 +194,7 @@ private:
     for (const Json& take : data_["takes"].items())
       out_ +=
           fmt::format("| {} | {} | {} | {} |\n", escaped(take["winner"].as_text()), escaped(take["loser"].as_text()),
-                      escaped(take_words(take)), escaped(listed(take["over"].as_texts())));
+                      escaped(take_words(take)), escaped(and_list(take["over"].as_texts())));
     out_ += "\n";
   }
 

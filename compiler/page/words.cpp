@@ -47,13 +47,6 @@ std::string place_link(const Json& place, const std::string& pattern) {
   return PictureLinks{pattern}.to({{}, place["file"].as_text(), static_cast<std::uint32_t>(place["line"].as_number())});
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  if (words.empty()) return {};
-  std::string out = words.front();
-  for (std::size_t i = 1; i < words.size(); ++i) out += (i + 1 == words.size() ? " and " : ", ") + words[i];
-  return out;
-}
-
 std::string state_words(const Json& state) {
   std::string out;
   if (state["range"].is_list()) {

@@ -21,8 +21,6 @@ std::string place_text(const Json& place);
 /// Empty: it is no link.
 std::string place_link(const Json& place, const std::string& pattern);
 
-/// `a, b and c`
-std::string listed(const std::vector<std::string>& words);
 
 /// `values lost, far, near; lost at the beginning; from outside; lost after 1 s`
 std::string state_words(const Json& state);

@@ -6,6 +6,8 @@
 // and asks for nothing; and `directorc verify` says of such a provider that it only keeps.
 #include "compiler/stubs/layout.hpp"
 
+#include "compiler/base/and_list.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,16 +25,6 @@ void declare_class(Code& code, const WantedModule& module) {
   for (const WantedFunction& function : module.functions)
     code.line(head(function, "director::Outcome", "") + " override;");
   code.close("};");
-}
-
-/// "a, b and c"
-std::string and_list(const std::vector<std::string>& words) {
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) out += i + 1 == words.size() ? " and " : ", ";
-    out += words[i];
-  }
-  return out;
 }
 
 } // namespace

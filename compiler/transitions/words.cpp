@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/transitions/words.hpp"
 
+#include "compiler/base/and_list.hpp"
 #include "dsl/duration.hpp"
 
 #include <fmt/format.h>
@@ -29,13 +30,6 @@ namespace transitions {
 
 namespace {
 
-std::string listed(const std::vector<std::string>& words) {
-  if (words.empty()) return {};
-  std::string out = words.front();
-  for (std::size_t i = 1; i < words.size(); ++i) out += (i + 1 == words.size() ? " and " : ", ") + words[i];
-  return out;
-}
-
 /// Behind another sentence, or nothing.
 std::string sentence(std::string text) {
   if (text.empty()) return {};
@@ -50,7 +44,7 @@ std::string names_of(const std::vector<GroupId>& groups, const Model& model) {
   for (std::size_t i = 0; i < groups.size() && (i < most || groups.size() == most + 1); ++i)
     names.push_back(model.groups[groups[i]].name.value);
   if (groups.size() > names.size()) names.push_back(fmt::format("{} more", groups.size() - names.size()));
-  return listed(names);
+  return and_list(names);
 }
 
 std::string stops(const Transition& cell, const Told& told) {
@@ -75,7 +69,7 @@ std::string pushes(const Transition& cell, const Model& model) {
 }
 
 std::string outside(const std::vector<std::string>& states) {
-  return states.empty() ? std::string{} : fmt::format(" The outside says {}.", listed(states));
+  return states.empty() ? std::string{} : fmt::format(" The outside says {}.", and_list(states));
 }
 
 } // namespace
@@ -94,7 +88,7 @@ std::string words_of(const TransitionMatrix::Row& row, const Model& model) {
   for (const GroupId group : row.chain) names.push_back(model.groups[group].name.value);
   names.push_back(model.groups[row.group].name.value);
   const std::string given =
-      row.given.empty() ? std::string{} : fmt::format(" It begins with {}, which only bodies set.", listed(row.given));
+      row.given.empty() ? std::string{} : fmt::format(" It begins with {}, which only bodies set.", and_list(row.given));
   return fmt::format("Requested by way of {}.{}{}", fmt::join(names, " \u2192 "), outside(row.states), given);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The contexts that bodies and handlers get: what all have in common is in runtime/core/api/body.hpp, here are the packs.
+#include "compiler/base/and_list.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "dsl/duration.hpp"
 
@@ -30,15 +31,6 @@ void describe(Code& code, const Model& model, const Provider& provider) {
   for (const std::string& line : words_of(model, provider)) code.comment(line);
 }
 
-std::string and_list(const CppEmission& e, const std::vector<Task>& tasks) {
-  std::string out;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    if (i > 0) out += i + 1 == tasks.size() ? " and " : ", ";
-    out += group_name(e.model, tasks[i].target);
-  }
-  return out;
-}
-
 /// `number`: its place among the provider's packs.
 void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId provider, std::size_t number) {
   const std::string packed = fmt::format("{}::pack_{}", facts_in(e, provider), number);
@@ -54,8 +46,10 @@ void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId 
   code.line(fmt::format("template <class... {}>", given));
   code.open(fmt::format("director::Outcome {}({}... tasks) {{", pack.name, given), pack.span);
   code.line(fmt::format("using Pack = {};", packed));
+  std::vector<std::string> names;
+  for (const Task& task : pack.tasks) names.push_back(group_name(e.model, task.target));
   code.line(fmt::format("static_assert(Pack::takes<{}...>, \"{} asks for {} only\");", given, pack.name,
-                        and_list(e, pack.tasks)));
+                        and_list(names)));
   code.line(fmt::format("static_assert(Pack::once<{}...>, \"{} is given a task twice\");", given, pack.name));
   for (const Task& task : pack.tasks) {
     if (may_be_omitted(e.model, task)) continue;
