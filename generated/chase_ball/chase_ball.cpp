@@ -98,7 +98,7 @@ struct Bodies {
 
   // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
   template <class Context>
-  static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
+  [[gnu::always_inline]] static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
     using Module = typename Facts<Context>::Module;
     constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
     Context context{run, behaviour.data()};
@@ -123,15 +123,13 @@ struct Bodies {
     return given;
   }
 
+  static director::Outcome run_0(Behaviour& behaviour, director::Run& run);
   static director::Outcome run(void* self, director::Run& run) {
-    static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), 3> providers{
-      &provide<ChaseBall::Driving>,
-      &provide<ChaseBall::Turning>,
-      &provide<Wheels::Default>,
-    };
+    static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), 1> blocks{&run_0};
     Behaviour& behaviour = *static_cast<Behaviour*>(self);
     return guarded(
-        behaviour, [&] { return providers[run.provider()](behaviour, run); }, [&] { return run.fault(); });
+        behaviour, [&] { return blocks[run.provider() / 32](behaviour, run); },
+        [&] { return run.fault(); });
   }
 
   static void data(void* self, director::Bodies::Data what, director::Index edge, director::Index handle) {
@@ -149,6 +147,18 @@ struct Bodies {
 };
 
 } // namespace detail
+} // namespace chase_ball
+
+director::Outcome chase_ball::detail::Bodies::run_0(Behaviour& behaviour, director::Run& run) {
+  switch (run.provider()) {
+  case 0: return provide<ChaseBall::Driving>(behaviour, run);
+  case 1: return provide<ChaseBall::Turning>(behaviour, run);
+  case 2: return provide<Wheels::Default>(behaviour, run);
+  default: return run.fault();
+  }
+}
+
+namespace chase_ball {
 
 Behaviour::Behaviour(Cart& module_0, director::Observer observer)
     : Program(detail::Bodies::of(*this), detail::Bodies::observer(*this, observer)), modules_(module_0) {

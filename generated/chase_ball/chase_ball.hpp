@@ -114,29 +114,34 @@ struct Facts<Wheels::Default> : director::NothingDeclared {
 
 } // namespace detail
 
-// What the bodies of providers, and start and stop handlers, get
+} // namespace chase_ball
+
+// What the bodies of providers, and start and stop handlers, get. Defined from outside of the namespace: GCC walks all
+// names of one that is open each time that it instantiates a template.
 
 /// (chase_ball.yaml:19)
 /// - when: Ball == seen
 /// - triggers: Picture
 /// - tasks: Wheels
-class ChaseBall::Driving final : public director::Body<detail::Facts<ChaseBall::Driving>> {
+class chase_ball::ChaseBall::Driving final : public director::Body<chase_ball::detail::Facts<chase_ball::ChaseBall::Driving>> {
 public:
   using director::Body<detail::Facts<ChaseBall::Driving>>::Body;
 };
 
 /// (chase_ball.yaml:20)
 /// - tasks: Wheels
-class ChaseBall::Turning final : public director::Body<detail::Facts<ChaseBall::Turning>> {
+class chase_ball::ChaseBall::Turning final : public director::Body<chase_ball::detail::Facts<chase_ball::ChaseBall::Turning>> {
 public:
   using director::Body<detail::Facts<ChaseBall::Turning>>::Body;
 };
 
 /// (chase_ball.yaml:21)
-class Wheels::Default final : public director::Body<detail::Facts<Wheels::Default>> {
+class chase_ball::Wheels::Default final : public director::Body<chase_ball::detail::Facts<chase_ball::Wheels::Default>> {
 public:
   using director::Body<detail::Facts<Wheels::Default>>::Body;
 };
+
+namespace chase_ball {
 
 // Modules: what the program implements
 

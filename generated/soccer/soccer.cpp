@@ -260,7 +260,7 @@ struct Bodies {
 
   // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
   template <class Context>
-  static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
+  [[gnu::always_inline]] static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
     using Module = typename Facts<Context>::Module;
     constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
     Context context{run, behaviour.data()};
@@ -285,50 +285,18 @@ struct Bodies {
     return given;
   }
 
+  static director::Outcome run_0(Behaviour& behaviour, director::Run& run);
+  static director::Outcome run_32(Behaviour& behaviour, director::Run& run);
   static director::Outcome run(void* self, director::Run& run) {
-    static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), 34> providers{
-      &provide<Brace::Default>,
-      &provide<GetUp::Tucking>,
-      &provide<GetUp::Pushing>,
-      &provide<GetUp::Rising>,
-      &provide<FallRecovery::Recovering>,
-      &provide<FallRecovery::Protecting>,
-      &provide<FallRecovery::Watching>,
-      &provide<Walk::Walking>,
-      &provide<Walk::Halting>,
-      &provide<Kick::Default>,
-      &provide<LookAt::Default>,
-      &provide<WalkTo::Default>,
-      &provide<KickTo::Default>,
-      &provide<Striker::Playing>,
-      &provide<Striker::Ready>,
-      &provide<Striker::Waiting>,
-      &provide<KickToGoal::Default>,
-      &provide<WalkToBall::Creeping>,
-      &provide<WalkToBall::Striding>,
-      &provide<WalkToBall::Searching>,
-      &provide<WalkToReady::Default>,
-      &provide<Look::Tracking>,
-      &provide<Look::Sweeping>,
-      &provide<LeftArm::Default>,
-      &provide<RightArm::Default>,
-      &provide<Head::Default>,
-      &provide<LeftLeg::Default>,
-      &provide<RightLeg::Default>,
-      &provide<LeftHipYaw::Default>,
-      &provide<LeftKnee::Default>,
-      &provide<LeftAnkle::Default>,
-      &provide<RightHipYaw::Default>,
-      &provide<RightKnee::Default>,
-      &provide<RightAnkle::Default>,
-    };
+    static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), 2> blocks{&run_0, &run_32};
     Behaviour& behaviour = *static_cast<Behaviour*>(self);
     return guarded(
-        behaviour, [&] { return providers[run.provider()](behaviour, run); }, [&] { return run.fault(); });
+        behaviour, [&] { return blocks[run.provider() / 32](behaviour, run); },
+        [&] { return run.fault(); });
   }
 
   template <class Context>
-  static void start(Behaviour& behaviour, director::Handling& handling) {
+  [[gnu::always_inline]] static void start(Behaviour& behaviour, director::Handling& handling) {
     using Module = typename Facts<Context>::Module;
     constexpr void (Module::*body)(Context&) = &Module::start;
     Context context{handling, behaviour.data()};
@@ -347,7 +315,7 @@ struct Bodies {
   }
 
   template <class Context>
-  static void stop(Behaviour& behaviour, director::Handling& handling) {
+  [[gnu::always_inline]] static void stop(Behaviour& behaviour, director::Handling& handling) {
     using Module = typename Facts<Context>::Module;
     constexpr void (Module::*body)(Context&) = &Module::stop;
     Context context{handling, behaviour.data()};
@@ -395,6 +363,55 @@ struct Bodies {
 };
 
 } // namespace detail
+} // namespace soccer
+
+director::Outcome soccer::detail::Bodies::run_0(Behaviour& behaviour, director::Run& run) {
+  switch (run.provider()) {
+  case 0: return provide<Brace::Default>(behaviour, run);
+  case 1: return provide<GetUp::Tucking>(behaviour, run);
+  case 2: return provide<GetUp::Pushing>(behaviour, run);
+  case 3: return provide<GetUp::Rising>(behaviour, run);
+  case 4: return provide<FallRecovery::Recovering>(behaviour, run);
+  case 5: return provide<FallRecovery::Protecting>(behaviour, run);
+  case 6: return provide<FallRecovery::Watching>(behaviour, run);
+  case 7: return provide<Walk::Walking>(behaviour, run);
+  case 8: return provide<Walk::Halting>(behaviour, run);
+  case 9: return provide<Kick::Default>(behaviour, run);
+  case 10: return provide<LookAt::Default>(behaviour, run);
+  case 11: return provide<WalkTo::Default>(behaviour, run);
+  case 12: return provide<KickTo::Default>(behaviour, run);
+  case 13: return provide<Striker::Playing>(behaviour, run);
+  case 14: return provide<Striker::Ready>(behaviour, run);
+  case 15: return provide<Striker::Waiting>(behaviour, run);
+  case 16: return provide<KickToGoal::Default>(behaviour, run);
+  case 17: return provide<WalkToBall::Creeping>(behaviour, run);
+  case 18: return provide<WalkToBall::Striding>(behaviour, run);
+  case 19: return provide<WalkToBall::Searching>(behaviour, run);
+  case 20: return provide<WalkToReady::Default>(behaviour, run);
+  case 21: return provide<Look::Tracking>(behaviour, run);
+  case 22: return provide<Look::Sweeping>(behaviour, run);
+  case 23: return provide<LeftArm::Default>(behaviour, run);
+  case 24: return provide<RightArm::Default>(behaviour, run);
+  case 25: return provide<Head::Default>(behaviour, run);
+  case 26: return provide<LeftLeg::Default>(behaviour, run);
+  case 27: return provide<RightLeg::Default>(behaviour, run);
+  case 28: return provide<LeftHipYaw::Default>(behaviour, run);
+  case 29: return provide<LeftKnee::Default>(behaviour, run);
+  case 30: return provide<LeftAnkle::Default>(behaviour, run);
+  case 31: return provide<RightHipYaw::Default>(behaviour, run);
+  default: return run.fault();
+  }
+}
+
+director::Outcome soccer::detail::Bodies::run_32(Behaviour& behaviour, director::Run& run) {
+  switch (run.provider()) {
+  case 32: return provide<RightKnee::Default>(behaviour, run);
+  case 33: return provide<RightAnkle::Default>(behaviour, run);
+  default: return run.fault();
+  }
+}
+
+namespace soccer {
 
 Behaviour::Behaviour(
     Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3, Looking& module_4,

@@ -31,7 +31,7 @@ static auto guarded([[maybe_unused]] Behaviour& behaviour, Call call, [[maybe_un
 
 // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
 template <class Context>
-static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
+[[gnu::always_inline]] static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
   using Module = typename Facts<Context>::Module;
   constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
   Context context{run, behaviour.data()};
@@ -62,7 +62,7 @@ static director::Observer observer([[maybe_unused]] Behaviour& behaviour, direct
 
 constexpr std::string_view handler = R"(
 template <class Context>
-static void {0}(Behaviour& behaviour, director::Handling& handling) {{
+[[gnu::always_inline]] static void {0}(Behaviour& behaviour, director::Handling& handling) {{
   using Module = typename Facts<Context>::Module;
   constexpr void (Module::*body)(Context&) = &Module::{0};
   Context context{{handling, behaviour.data()}};
@@ -132,18 +132,43 @@ void call_handlers(Code& code, const CppEmission& e, std::string_view word, std:
   code.close("}");
 }
 
+/// How many bodies one function calls: a function for each takes the C++ compiler several times as long, and so does one
+/// for thousands.
+constexpr std::uint32_t block = 32;
+
 /// What is thrown is caught here and not for each provider, which costs the C++ compiler a third of the time.
 void call_bodies(Code& code, const CppEmission& e) {
+  std::vector<std::string> blocks;
   code.blank();
+  for (std::size_t first = 0; first < e.model.providers.size(); first += block) {
+    blocks.push_back(fmt::format("&run_{}", first));
+    code.line(fmt::format("static director::Outcome run_{}(Behaviour& behaviour, director::Run& run);", first));
+  }
   code.open("static director::Outcome run(void* self, director::Run& run) {");
-  code.open(fmt::format("static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), {}> providers{{",
-                        e.model.providers.size()));
-  for (const ProviderId id : e.model.providers.ids()) code.line(fmt::format("&provide<{}>,", provider_in(e.model, id)));
-  code.close("};");
+  code.list(fmt::format("static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), {}> blocks{{",
+                        blocks.size()),
+            blocks, "};");
   code.line("Behaviour& behaviour = *static_cast<Behaviour*>(self);");
   code.line("return guarded(");
-  code.line("    behaviour, [&] { return providers[run.provider()](behaviour, run); }, [&] { return run.fault(); });");
+  code.line(fmt::format("    behaviour, [&] {{ return blocks[run.provider() / {}](behaviour, run); }},", block));
+  code.line("    [&] { return run.fault(); });");
   code.close("}");
+}
+
+void define_blocks(Code& code, const CppEmission& e) {
+  for (const ProviderId id : e.model.providers.ids()) {
+    if (id.value % block == 0) {
+      code.open(fmt::format("director::Outcome {}::detail::Bodies::run_{}(Behaviour& behaviour, director::Run& run) {{",
+                            e.model.name_space, id.value));
+      code.line("switch (run.provider()) {");
+    }
+    code.line(fmt::format("case {}: return provide<{}>(behaviour, run);", id.value, provider_in(e.model, id)));
+    if (id.value % block != block - 1 && id.value + 1 != e.model.providers.size()) continue;
+    code.line("default: return run.fault();");
+    code.line("}");
+    code.close("}");
+    code.blank();
+  }
 }
 
 void functions_of(Code& code, const CppEmission& e) {
@@ -179,6 +204,10 @@ Code bodies_part(const CppEmission& e) {
   code.close("};");
   code.blank();
   code.line("} // namespace detail");
+  code.line(fmt::format("}} // namespace {}", e.model.name_space));
+  code.blank();
+  define_blocks(code, e);
+  code.line(fmt::format("namespace {} {{", e.model.name_space));
   code.blank();
   std::vector<std::string> parameters, modules;
   for (const ModuleId id : e.model.modules.ids()) {

@@ -31,6 +31,14 @@ void describe(Code& code, const Model& model, const Provider& provider) {
   for (const std::string& line : words_of(model, provider)) code.comment(line);
 }
 
+void open_class(Code& code, const CppEmission& e, const std::string& name, std::string_view base,
+                const dsl::Span& span) {
+  const std::string& in = e.model.name_space;
+  code.open(fmt::format("class {}::{} final : public director::{}<{}::detail::Facts<{}::{}>> {{", in, name, base, in, in,
+                        name),
+            span);
+}
+
 /// `number`: its place among the provider's packs.
 void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId provider, std::size_t number) {
   const std::string packed = fmt::format("{}::pack_{}", facts_in(e, provider), number);
@@ -65,7 +73,7 @@ void define_context(Code& code, const CppEmission& e, ProviderId id) {
   const std::string name = provider_name(e.model, id);
   document(code, e, provider.direct ? std::string{} : provider.doc, provider.span);
   describe(code, e.model, provider);
-  code.open(fmt::format("class {} final : public director::Body<detail::Facts<{}>> {{", name, name), provider.span);
+  open_class(code, e, name, "Body", provider.span);
   code.outdented("public:");
   code.line(fmt::format("using director::Body<{}>::Body;", facts_in(e, id)));
   if (provider.has_packs) {
@@ -83,7 +91,7 @@ void define_handler(Code& code, const CppEmission& e, GroupId group, const std::
   document(code, e, {}, handler->span);
   const std::string sets = conditions_text(e.model, handler->sets);
   if (!sets.empty()) code.comment("- sets: " + sets);
-  code.open(fmt::format("class {} final : public director::Handler<detail::Facts<{}>> {{", name, name), handler->span);
+  open_class(code, e, name, "Handler", handler->span);
   code.outdented("public:");
   code.line(fmt::format("using director::Handler<detail::Facts<{}::{}>>::Handler;", group_in(e.model, group), context));
   code.close("};");
@@ -120,7 +128,11 @@ std::vector<std::string> words_of(const Model& model, const Provider& provider) 
 
 Code contexts_part(const CppEmission& e) {
   Code code;
-  code.comment("What the bodies of providers, and start and stop handlers, get", "//");
+  code.line(fmt::format("}} // namespace {}", e.model.name_space));
+  code.blank();
+  code.comment("What the bodies of providers, and start and stop handlers, get. Defined from outside of the namespace: "
+               "GCC walks all names of one that is open each time that it instantiates a template.",
+               "//");
   code.blank();
   for (const GroupId id : e.model.groups.ids()) {
     const Group& group = e.model.groups[id];
@@ -128,6 +140,8 @@ Code contexts_part(const CppEmission& e) {
     define_handler(code, e, id, group.stop, "Stop");
     for (const ProviderId provider : group.providers) define_context(code, e, provider);
   }
+  code.line(fmt::format("namespace {} {{", e.model.name_space));
+  code.blank();
   return code;
 }
 

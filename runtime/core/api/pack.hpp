@@ -24,10 +24,13 @@ struct Member {
   }
 };
 
+// Classes and no aliases: GCC takes several times as long to read an alias of a template.
+/// A pack is not whole without it.
 template <class T, Index edge, Index place, Index... rows>
-using Must = Member<T, true, edge, place, rows...>;
+struct Must : Member<T, true, edge, place, rows...> {};
+/// It may be omitted.
 template <class T, Index edge, Index place, Index... rows>
-using May = Member<T, false, edge, place, rows...>;
+struct May : Member<T, false, edge, place, rows...> {};
 
 namespace detail {
 
