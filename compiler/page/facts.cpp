@@ -5,6 +5,7 @@
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/algorithms.hpp"
 #include "compiler/lower/lower.hpp"
+#include "compiler/page/ranks.hpp"
 #include "compiler/play/coverage.hpp"
 #include "compiler/transitions/transitions_json.hpp"
 
@@ -81,6 +82,7 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
   Json takes = Json::list({});
   for (const TakeOver& take : take_overs_of(model, graph)) takes.add(take_json(take, model, graph));
   data.add("takes", std::move(takes));
+  data.add("ranks", ranks_json(model));
   Json verdicts = Json::list({});
   if (!model.assertions.empty()) {
     const std::vector<Verdict> decided = decide_assertions(model, states_of_check);
