@@ -31,10 +31,11 @@ std::optional<std::vector<PagePicture>> pictures_of(const Checked& checked, cons
                                                     const Docs& request, Console& console) {
   std::vector<PagePicture> out;
   const PictureLinks links{request.link};
+  const Graph graph = checked.lowerable ? with_possible_pushes(checked.model, checked.graph) : checked.graph;
   for (const auto& [name, fold] : views_of(checked.model)) {
     PictureOptions options;
     options.fold = fold;
-    const Picture picture = make_picture(checked.model, checked.graph, sources, options);
+    const Picture picture = make_picture(checked.model, graph, sources, options);
     if (request.format == Format::markdown) {
       out.push_back({name, mermaid(picture, links)});
       continue;

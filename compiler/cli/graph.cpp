@@ -33,6 +33,7 @@ PictureOptions::View view_of(const std::string& name) {
 struct Subject {
   const Model& model;
   const Graph& graph;
+  const Graph& drawn; ///< only with pushes that can be
   bool lowerable = false;
   const std::vector<dsl::Diagnostic>* findings = nullptr; ///< null: they were not asked for
 };
@@ -69,7 +70,7 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
 
 std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sources, const DrawGraph& request,
                                  const PictureOptions& options, Console& console) {
-  const Picture picture = make_picture(subject.model, subject.graph, sources, options);
+  const Picture picture = make_picture(subject.model, subject.drawn, sources, options);
   const PictureLinks links{request.link};
   const std::string name = std::filesystem::path(request.file).filename().string();
   switch (request.format) {
@@ -154,9 +155,17 @@ int draw_moments(const DrawGraph& request, Console& console) {
     console.err << fmt::format("directorc: `{}` has {} steps\n", request.file, steps);
     return misused;
   }
-  const Subject subject{loaded.model, loaded.graph, true, nullptr};
+  const Graph graph = with_possible_pushes(loaded.model, loaded.graph);
+  const Subject subject{loaded.model, loaded.graph, graph, true, nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;
+  if (request.frames && (request.format == Format::dot || request.format == Format::svg)) {
+    for (std::uint32_t step = 1; step <= steps; ++step) {
+      const std::optional<Moment> moment = moment_in(loaded, step, {}, sources, console);
+      if (!moment) return found;
+      options->frames.push_back(*moment);
+    }
+  }
   std::vector<Output> frames;
   const std::size_t digits = std::to_string(steps).size();
   for (std::uint32_t step = request.frames ? 1 : request.step; step <= (request.frames ? steps : request.step);
@@ -184,7 +193,9 @@ int run(const DrawGraph& request, Console& console) {
   if (!whole) print_findings(errors, sources, console.err, console.err_colours);
   if (!whole && checked->model.groups.empty()) return found;
   const Graph graph = whole ? Graph{} : make_graph(checked->model);
-  const Subject subject{checked->model, whole ? checked->graph : graph, checked->lowerable,
+  const Graph& all = whole ? checked->graph : graph;
+  const Graph drawable = checked->lowerable ? with_possible_pushes(checked->model, all) : all;
+  const Subject subject{checked->model, all, drawable, checked->lowerable,
                         request.findings || request.page ? &checked->findings : nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;

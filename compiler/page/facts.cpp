@@ -10,6 +10,8 @@
 #include "compiler/transitions/transitions_json.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace director::compiler {
 
@@ -78,7 +80,35 @@ std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
   return out;
 }
 
+Graph with_possible_pushes(const Model& model, Graph graph) {
+  std::set<std::pair<GroupId, ProviderId>> pushes; // a task for the group may push the provider, by way of others too
+  for (const CoveragePoint& point : coverage_of(model, graph).points) {
+    if (point.key.kind == CoveragePoint::Kind::push)
+      pushes.emplace(GroupId{point.key.first}, ProviderId{point.key.second});
+  }
+  IdTable<GroupId, std::vector<bool>> plans(model.groups.size()); // what it may wait for: conditions of its needs too
+  for (const auto& [task, causer] : pushes) {
+    if (plans[task].empty()) plans[task] = reachable(graph.needs, task.value);
+    plans[task][task.value] = true;
+  }
+  std::erase_if(graph.causing, [&](const Graph::Causing& row) {
+    return std::none_of(pushes.begin(), pushes.end(), [&](const auto& push) {
+      const auto& [task, causer] = push;
+      return causer == row.causer &&
+             (plans[task][model.providers[row.waiter].group.value] || pushes.count({task, row.waiter}) != 0);
+    });
+  });
+  return graph;
+}
+
 void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file) {
+  Json pushes = Json::list({});
+  for (const Graph::Causing& row : with_possible_pushes(model, graph).causing) {
+    pushes.add(Json::object({{"waiter", Json::text(model.full_name(row.waiter))},
+                             {"condition", Json::text(model.conditions[row.condition.id].text)},
+                             {"causer", Json::text(model.full_name(row.causer))}}));
+  }
+  data.add("pushes", std::move(pushes));
   Json takes = Json::list({});
   for (const TakeOver& take : take_overs_of(model, graph)) takes.add(take_json(take, model, graph));
   data.add("takes", std::move(takes));
