@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/draw_svg.hpp"
 #include "compiler/cli/load_scenario.hpp"
+#include "compiler/cli/named_groups.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/emit/graph/flaws.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/page/facts.hpp"
 #include "compiler/play/moment.hpp"
-#include "compiler/play/names.hpp"
 #include "compiler/play/play.hpp"
 #include "runtime/core/inspect/view.hpp"
 
@@ -45,18 +45,9 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
   if (request.collapse == "module") out.fold = PictureOptions::Fold::modules;
   if (request.collapse == "layer") out.fold = PictureOptions::Fold::layers;
   out.depth = request.depth;
-  for (const std::string& name : request.focus) {
-    std::vector<dsl::Diagnostic> findings;
-    const std::optional<GroupId> group = Names(subject.model, findings).group({name, {}});
-    if (group) {
-      out.focus.push_back(*group);
-      continue;
-    }
-    const dsl::Diagnostic& wrong = findings.front();
-    console.err << fmt::format("directorc: --focus: {}{}\n", wrong.message,
-                               wrong.help.empty() ? "" : "; " + wrong.help);
-    return {};
-  }
+  std::optional<std::vector<GroupId>> focus = named_groups(request.focus, "--focus", subject.model, console);
+  if (!focus) return {};
+  out.focus = std::move(*focus);
   const bool takes = out.view == PictureOptions::View::takes;
   if ((takes || request.page) && !subject.lowerable) {
     console.err << fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
@@ -77,7 +68,10 @@ std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sou
   case Format::json: {
     Json data = graph_json({subject.model, subject.graph, sources, options.flaws,
                             options.moment ? &*options.moment : nullptr, subject.findings});
-    if (request.page) add_page_facts(data, subject.model, subject.graph, name);
+    const std::optional<std::vector<GroupId>> transitions =
+        named_groups(request.transitions, "--transitions", subject.model, console);
+    if (!transitions) return {};
+    if (request.page) add_page_facts(data, subject.model, subject.graph, name, *transitions);
     return to_lines(data);
   }
   case Format::svg: {

@@ -101,7 +101,9 @@ Graph with_possible_pushes(const Model& model, Graph graph) {
   return graph;
 }
 
-void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file) {
+void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file,
+                    const std::vector<GroupId>& transitions) {
+  const Lowered lowered = lower(model);
   Json pushes = Json::list({});
   for (const Graph::Causing& row : with_possible_pushes(model, graph).causing) {
     pushes.add(Json::object({{"waiter", Json::text(model.full_name(row.waiter))},
@@ -115,7 +117,7 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
   data.add("ranks", ranks_json(model));
   Json verdicts = Json::list({});
   if (!model.assertions.empty()) {
-    const std::vector<Verdict> decided = decide_assertions(model, states_of_check);
+    const std::vector<Verdict> decided = decide_assertions(Ground(model, lowered), states_of_check);
     for (std::size_t i = 0; i < decided.size(); ++i) {
       Json row = Json::object({{"assertion", Json::text(words_of(model.assertions[i], model))},
                                {"verdict", Json::text(name_of(decided[i].kind))},
@@ -125,7 +127,7 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
     }
   }
   data.add("verdicts", std::move(verdicts));
-  data.add("transitions", transitions_json(find_transitions(model, lower(model), file), model));
+  data.add("transitions", transitions_json(find_transitions(model, lowered, file, transitions), model));
 }
 
 } // namespace director::compiler

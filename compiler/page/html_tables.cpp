@@ -167,6 +167,7 @@ std::string transitions_html(const HtmlInput& input) {
   if (rows.items().empty()) return {};
   std::string out =
       "<p>The first group runs, then the second one is asked for. What the engine does then was played.</p>\n";
+  if (transitions["limited"].as_boolean()) out += fmt::format("<p>{}</p>\n", limited_intro);
   out += legend_html() + matrix_html(rows);
   if (std::string names; !transitions["not_requested"].items().empty()) {
     for (const std::string& name : transitions["not_requested"].as_texts())

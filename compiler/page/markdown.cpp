@@ -217,6 +217,7 @@ private:
       out_ += fmt::format("## Transitions\n\n{}\n\n", message(transitions["left_out"].as_text()));
     if (rows.items().empty()) return;
     out_ += "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is asked for.\n\n";
+    if (transitions["limited"].as_boolean()) out_ += fmt::format("{}\n\n", limited_intro);
     for (const CellKind& kind : cell_kinds())
       out_ += fmt::format("- **{}** {}: {}\n", kind.sign, kind.kind, kind.meaning);
     out_ += "\n| from \\ to |";

@@ -40,6 +40,9 @@ inline constexpr std::string_view rivals_intro =
     "Two that ask for the same, and what decides between them: the closest requester of both, with the two tasks by "
     "which it leads there. Those that it never asks for at once meet only while it changes from one to the other.";
 
+/// Of a matrix of some groups.
+inline constexpr std::string_view limited_intro = "Rows and columns are only the groups that were asked for.";
+
 /// The lines of a text without what is blank at its end.
 std::string trimmed(std::string text);
 
