@@ -127,7 +127,8 @@ private:
     if (name != "default" || !doc.empty())
       out_ += fmt::format("- **{}**{}\n", escaped(provider_name(group, provider)),
                           doc.empty() ? "" : ": " + escaped(trimmed(doc)));
-    const std::string indent = name != "default" || !doc.empty() ? "  " : "";
+    // Python-Markdown, which MkDocs has, takes less than four for the same list.
+    const std::string indent = name != "default" || !doc.empty() ? "    " : "";
     const auto line = [&](std::string_view title, const std::string& text) {
       if (!text.empty()) out_ += fmt::format("{}- {}: {}\n", indent, title, text);
     };
