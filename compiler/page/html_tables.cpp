@@ -151,9 +151,7 @@ std::string takes_html(const HtmlInput& input) {
   if (ranks["decisions"].items().empty()) return {};
   std::string out = "<p>Two tasks that want the same are compared at the closest requester of both.</p>\n"
                     "<div id=\"pair\" hidden></div>\n";
-  for (const std::string_view key : {"left_out", "cut"}) {
-    if (!ranks[std::string(key)].is_null()) out += fmt::format("<p>{}</p>\n", text(ranks[std::string(key)].as_text()));
-  }
+  if (!ranks["left_out"].is_null()) out += fmt::format("<p>{}</p>\n", text(ranks["left_out"].as_text()));
   if (!takes.items().empty()) out += take_table_html(takes);
   const std::vector<Rivals> rivals = rivals_in(ranks);
   return rivals.empty() ? out : out + rivals_html(rivals);

@@ -196,7 +196,6 @@ private:
           fmt::format("| {} | {} | {} | {} |\n", escaped(take["winner"].as_text()), escaped(take["loser"].as_text()),
                       escaped(take_words(take)), escaped(and_list(take["over"].as_texts())));
     if (!takes.items().empty()) out_ += "\n";
-    if (!ranks["cut"].is_null()) out_ += escaped(ranks["cut"].as_text()) + "\n\n";
     if (!rivals.empty()) add_rivals(rivals);
   }
 

@@ -44,15 +44,16 @@ public:
       }
     }
     Json out = Json::object({});
-    if (count > most_compared) {
-      out.add("left_out", Json::text(fmt::format("Not every two of {} groups are compared here, as there are more than "
-                                                 "{}; those that several ask for are.",
-                                                 count, most_compared)));
-    }
-    if (!contentions_.complete()) {
-      out.add("cut", Json::text(fmt::format("After {} pairs of tasks no more was looked at, so there may be more.",
-                                            most_edge_pairs)));
-    }
+    std::string left_out;
+    if (count > most_compared)
+      left_out =
+          fmt::format("Not every two of {} groups are compared here, as there are more than {}; those that several "
+                      "ask for are.",
+                      count, most_compared);
+    if (!contentions_.complete())
+      left_out += fmt::format("{}After {} pairs of tasks no more was looked at, so there may be more.",
+                              left_out.empty() ? "" : " ", most_edge_pairs);
+    if (!left_out.empty()) out.add("left_out", Json::text(left_out));
     out.add("decisions", std::move(decisions_));
     out.add("contended", std::move(contended));
     out.add("answers", std::move(answers_));
