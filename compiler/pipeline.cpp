@@ -120,7 +120,7 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
 
   // Whether what its author relies on is true. Errors that leave something to run say nothing about that.
   if (options.decide && out.lowerable && is_quick_to_run(out.findings) && !out.model.assertions.empty()) {
-    const std::vector<Verdict> verdicts = decide_assertions(out.model, states_of_check);
+    const std::vector<Verdict> verdicts = decide_assertions(Ground(out.model), states_of_check);
     append(out.findings, refuted_assertions(out.model, verdicts));
     out.undecided = undecided_assertions(out.model, verdicts);
   }

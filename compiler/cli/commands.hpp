@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The subcommands: what each is asked for, and what it does. One file each; compiler/cli/options_*.cpp make the requests
-// from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or too
-// little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written; 3 an
-// assertion was not decided, or not everything was explored.
+// The subcommands: what each is asked for, and what it does. One file each; compiler/cli/options_*.cpp make the
+// requests from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or
+// too little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written; 3
+// an assertion was not decided, or not everything was explored.
 
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/cli/console.hpp"
@@ -42,17 +42,18 @@ struct Generate {
 struct DrawGraph {
   std::string file;
   Format format = Format::dot;
-  std::string output;                 ///< empty: to the terminal
-  std::string link;                   ///< address of a line, with {file} and {line}; empty: nothing is a link
-  std::string view = "all";           ///< all, tasks, needs, pushes, takes
-  std::string collapse;               ///< module, layer; empty: every group has a box
-  std::vector<std::string> focus;     ///< groups; empty: everything
-  std::optional<std::uint32_t> depth; ///< arrows away from the focus
-  bool findings = false;              ///< each of them at its place
-  bool page = false;                  ///< as JSON, all that a page of `docs` tells
-  std::uint32_t step = 0;             ///< of a scenario: the moment after this one; 0: no step is named
-  std::optional<std::int64_t> time;   ///< of a scenario: the moment at this time, in microseconds
-  bool frames = false;                ///< of a scenario: a file for each step, into the folder `output`
+  std::string output;                   ///< empty: to the terminal
+  std::string link;                     ///< address of a line, with {file} and {line}; empty: nothing is a link
+  std::string view = "all";             ///< all, tasks, needs, pushes, takes
+  std::string collapse;                 ///< module, layer; empty: every group has a box
+  std::vector<std::string> focus;       ///< groups; empty: everything
+  std::optional<std::uint32_t> depth;   ///< arrows away from the focus
+  bool findings = false;                ///< each of them at its place
+  bool page = false;                    ///< as JSON, all that a page of `docs` tells
+  std::vector<std::string> transitions; ///< with `page`: groups of the matrix; empty: all
+  std::uint32_t step = 0;               ///< of a scenario: the moment after this one; 0: no step is named
+  std::optional<std::int64_t> time;     ///< of a scenario: the moment at this time, in microseconds
+  bool frames = false;                  ///< of a scenario: a file for each step, into the folder `output`
 };
 
 /// Pages for people, one a behaviour.
@@ -60,7 +61,8 @@ struct Docs {
   std::vector<std::string> files;
   std::string folder;
   Format format = Format::html;
-  std::string link; ///< address of a line, with {file} and {line}; empty: nothing is a link
+  std::string link;                     ///< address of a line, with {file} and {line}; empty: nothing is a link
+  std::vector<std::string> transitions; ///< groups of the matrix; empty: all
 };
 struct Explain {
   std::string id; ///< of a check, or a key of the language

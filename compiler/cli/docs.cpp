@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/draw_svg.hpp"
 #include "compiler/cli/load.hpp"
+#include "compiler/cli/named_groups.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/page/facts.hpp"
 #include "compiler/page/pages.hpp"
@@ -31,10 +32,11 @@ std::optional<std::vector<PagePicture>> pictures_of(const Checked& checked, cons
                                                     const Docs& request, Console& console) {
   std::vector<PagePicture> out;
   const PictureLinks links{request.link};
+  const Graph graph = checked.lowerable ? with_possible_pushes(checked.model, checked.graph) : checked.graph;
   for (const auto& [name, fold] : views_of(checked.model)) {
     PictureOptions options;
     options.fold = fold;
-    const Picture picture = make_picture(checked.model, checked.graph, sources, options);
+    const Picture picture = make_picture(checked.model, graph, sources, options);
     if (request.format == Format::markdown) {
       out.push_back({name, mermaid(picture, links)});
       continue;
@@ -56,9 +58,12 @@ std::pair<std::optional<std::string>, int> page_of(const std::string& file, cons
     return {{}, found};
   }
   const std::string name = fs::path(file).filename().string();
+  const std::optional<std::vector<GroupId>> transitions =
+      named_groups(request.transitions, "--transitions", checked->model, console);
+  if (!transitions) return {{}, misused};
   const PictureFlaws none;
   Json data = graph_json({checked->model, checked->graph, sources, none, nullptr, &checked->findings});
-  if (checked->lowerable) add_page_facts(data, checked->model, checked->graph, name);
+  if (checked->lowerable) add_page_facts(data, checked->model, checked->graph, name, *transitions);
   std::optional<std::vector<PagePicture>> pictures = pictures_of(*checked, sources, request, console);
   if (!pictures) return {{}, misused};
   const PageInput input{data, std::move(*pictures), request.link, name};

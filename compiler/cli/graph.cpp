@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/draw_svg.hpp"
 #include "compiler/cli/load_scenario.hpp"
+#include "compiler/cli/named_groups.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/emit/graph/flaws.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/page/facts.hpp"
 #include "compiler/play/moment.hpp"
-#include "compiler/play/names.hpp"
 #include "compiler/play/play.hpp"
 #include "runtime/core/inspect/view.hpp"
 
@@ -33,6 +33,7 @@ PictureOptions::View view_of(const std::string& name) {
 struct Subject {
   const Model& model;
   const Graph& graph;
+  const Graph& drawn; ///< only with pushes that can be
   bool lowerable = false;
   const std::vector<dsl::Diagnostic>* findings = nullptr; ///< null: they were not asked for
 };
@@ -44,18 +45,9 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
   if (request.collapse == "module") out.fold = PictureOptions::Fold::modules;
   if (request.collapse == "layer") out.fold = PictureOptions::Fold::layers;
   out.depth = request.depth;
-  for (const std::string& name : request.focus) {
-    std::vector<dsl::Diagnostic> findings;
-    const std::optional<GroupId> group = Names(subject.model, findings).group({name, {}});
-    if (group) {
-      out.focus.push_back(*group);
-      continue;
-    }
-    const dsl::Diagnostic& wrong = findings.front();
-    console.err << fmt::format("directorc: --focus: {}{}\n", wrong.message,
-                               wrong.help.empty() ? "" : "; " + wrong.help);
-    return {};
-  }
+  std::optional<std::vector<GroupId>> focus = named_groups(request.focus, "--focus", subject.model, console);
+  if (!focus) return {};
+  out.focus = std::move(*focus);
   const bool takes = out.view == PictureOptions::View::takes;
   if ((takes || request.page) && !subject.lowerable) {
     console.err << fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
@@ -69,14 +61,17 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
 
 std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sources, const DrawGraph& request,
                                  const PictureOptions& options, Console& console) {
-  const Picture picture = make_picture(subject.model, subject.graph, sources, options);
+  const Picture picture = make_picture(subject.model, subject.drawn, sources, options);
   const PictureLinks links{request.link};
   const std::string name = std::filesystem::path(request.file).filename().string();
   switch (request.format) {
   case Format::json: {
     Json data = graph_json({subject.model, subject.graph, sources, options.flaws,
                             options.moment ? &*options.moment : nullptr, subject.findings});
-    if (request.page) add_page_facts(data, subject.model, subject.graph, name);
+    const std::optional<std::vector<GroupId>> transitions =
+        named_groups(request.transitions, "--transitions", subject.model, console);
+    if (!transitions) return {};
+    if (request.page) add_page_facts(data, subject.model, subject.graph, name, *transitions);
     return to_lines(data);
   }
   case Format::svg: {
@@ -154,9 +149,17 @@ int draw_moments(const DrawGraph& request, Console& console) {
     console.err << fmt::format("directorc: `{}` has {} steps\n", request.file, steps);
     return misused;
   }
-  const Subject subject{loaded.model, loaded.graph, true, nullptr};
+  const Graph graph = with_possible_pushes(loaded.model, loaded.graph);
+  const Subject subject{loaded.model, loaded.graph, graph, true, nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;
+  if (request.frames && (request.format == Format::dot || request.format == Format::svg)) {
+    for (std::uint32_t step = 1; step <= steps; ++step) {
+      const std::optional<Moment> moment = moment_in(loaded, step, {}, sources, console);
+      if (!moment) return found;
+      options->frames.push_back(*moment);
+    }
+  }
   std::vector<Output> frames;
   const std::size_t digits = std::to_string(steps).size();
   for (std::uint32_t step = request.frames ? 1 : request.step; step <= (request.frames ? steps : request.step);
@@ -184,7 +187,9 @@ int run(const DrawGraph& request, Console& console) {
   if (!whole) print_findings(errors, sources, console.err, console.err_colours);
   if (!whole && checked->model.groups.empty()) return found;
   const Graph graph = whole ? Graph{} : make_graph(checked->model);
-  const Subject subject{checked->model, whole ? checked->graph : graph, checked->lowerable,
+  const Graph& all = whole ? checked->graph : graph;
+  const Graph drawable = checked->lowerable ? with_possible_pushes(checked->model, all) : all;
+  const Subject subject{checked->model, all, drawable, checked->lowerable,
                         request.findings || request.page ? &checked->findings : nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;

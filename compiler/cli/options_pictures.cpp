@@ -13,6 +13,16 @@ void add_link(CLI::App& app, std::string& link) {
       ->type_name("ADDRESS");
 }
 
+CLI::Option* add_transitions(CLI::App& app, std::vector<std::string>& groups) {
+  return app
+      .add_option("--transitions", groups,
+                  "the transition matrix of these groups only, GROUP,GROUP; of all there is none beyond 100")
+      ->type_name("GROUP")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all();
+}
+
 std::optional<Say> wrong_link(const std::string& link) {
   if (link.empty() || link.find("{file}") != std::string::npos) return {};
   return Say{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n", true};
@@ -48,6 +58,7 @@ Make graph_options(CLI::App& app) {
   CLI::Option* page = app.add_flag("--page", request->page,
                                    "as JSON: also all else that a page of `directorc docs` tells, findings, who beats "
                                    "whom, verdicts of assertions and the transition matrix");
+  add_transitions(app, request->transitions)->needs(page);
   auto time = std::make_shared<std::string>();
   CLI::Option* step = app.add_option("--step", request->step, "FILE is a scenario: the moment after this step of it")
                           ->type_name("N")
@@ -81,6 +92,7 @@ Make docs_options(CLI::App& app) {
       ->type_name("FOLDER")
       ->required();
   add_format(app, request->format, {"html", "markdown"});
+  add_transitions(app, request->transitions);
   add_link(app, request->link);
   return [=]() -> Request {
     if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;

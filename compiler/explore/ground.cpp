@@ -274,7 +274,9 @@ std::size_t ValueClasses::piece_of(std::int32_t value) const {
   return pieces_[static_cast<std::size_t>(at - begins_.begin()) - 1];
 }
 
-Ground::Ground(const Model& of) : model(of), lowered(lower(of)) {
+Ground::Ground(const Model& of) : Ground(of, lower(of)) {}
+
+Ground::Ground(const Model& of, Lowered as_lowered) : model(of), lowered(std::move(as_lowered)) {
   Builder(*this).build();
   tables = lowered.view();
 }

@@ -67,6 +67,7 @@ inline constexpr std::size_t most_combinations = 256; ///< of values, levels or 
 
 struct Ground {
   explicit Ground(const Model& model);
+  Ground(const Model& model, Lowered lowered); ///< as lower() makes it of the model
   Ground(const Ground&) = delete;
   Ground& operator=(const Ground&) = delete;
 

@@ -142,9 +142,8 @@ std::vector<Verdict> decide_late(const Ground& ground, std::vector<std::optional
   return out;
 }
 
-std::vector<Verdict> decide_assertions(const Model& model, std::size_t bound) {
-  const Ground ground(model);
-  const std::string behaviour = model.name + ".yaml";
+std::vector<Verdict> decide_assertions(const Ground& ground, std::size_t bound) {
+  const std::string behaviour = ground.model.name + ".yaml";
   SearchOptions options;
   options.bound = bound;
   options.only_assertions = true;

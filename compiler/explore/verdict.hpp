@@ -50,6 +50,6 @@ inline constexpr std::size_t states_of_focus = 20'000;
 inline constexpr std::size_t states_of_check = 100'000;
 
 /// All of the above, for as long as `bound` allows.
-std::vector<Verdict> decide_assertions(const Model& model, std::size_t bound);
+std::vector<Verdict> decide_assertions(const Ground& ground, std::size_t bound);
 
 } // namespace director::compiler

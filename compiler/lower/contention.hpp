@@ -8,6 +8,9 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace director::compiler {
@@ -24,23 +27,54 @@ struct Decision {
   std::optional<GroupId> requester; ///< nothing: root
   EdgeId first_sibling{}, second_sibling{};
   Standing first, second;
-  bool operator==(const Decision&) const = default;
+  auto operator<=>(const Decision&) const = default;
 };
 
 /// Negative: the first edge goes before the second; 0: they are equal.
 int order_of(const Decision& decision);
 
+/// Two edges to one group, by id.
 struct Contention {
-  EdgeId first{}, second{};        ///< two edges to one group, by id
+  EdgeId first{}, second{};
   std::vector<Decision> decisions; ///< different ones only; none: no two chains lead to them at once
   bool complete = true;            ///< false: the search ended at its bound
 };
 
-/// Pairs of chains that are looked at for one group, and steps upwards along the chains of one edge. A servo of a real
-/// team's robot has less than a thousand; what has more than this nobody reads.
-inline constexpr std::size_t most_chain_pairs = 4'000;
+/// Pairs of edges that are looked at in all. A real team's robot has some ten thousand; what has more than this nobody
+/// reads.
+inline constexpr std::size_t most_edge_pairs = 1'000'000;
 
-/// All pairs of edges to the group, in order.
-std::vector<Contention> contentions(const Model& model, GroupId group, std::size_t most_pairs = most_chain_pairs);
+/// What it finds for one question helps it with the next.
+class Contentions {
+public:
+  explicit Contentions(const Model& model, std::size_t most_pairs = most_edge_pairs);
+
+  /// All pairs of edges to the group, in order.
+  std::vector<Contention> at(GroupId group);
+  /// Wherever a chain to the one and a chain to the other may stand side by side. `first` of a decision is on the side
+  /// of the first group. Of a group and itself: two chains to it.
+  std::vector<Decision> between(GroupId first, GroupId second);
+  /// False: some search ended at its bound.
+  bool complete() const { return pairs_left_ > 0; }
+
+private:
+  /// The edges below the closest common requester, and whether something optional lies below them.
+  struct Parting {
+    EdgeId first{}, second{};
+    bool first_optional = false, second_optional = false;
+    auto operator<=>(const Parting&) const = default;
+  };
+  using Partings = std::vector<Parting>; ///< sorted
+
+  const Partings& partings(EdgeId first, EdgeId second);
+  Partings find(EdgeId first, EdgeId second);
+  std::vector<Decision> decisions(const Partings& partings) const;
+
+  const Model& model_;
+  std::size_t pairs_left_;
+  IdTable<GroupId, std::size_t> place_; ///< requesters first
+  IdTable<GroupId, char> is_requested_; ///< some chain from root leads to it
+  std::map<std::pair<EdgeId, EdgeId>, Partings> known_;
+};
 
 } // namespace director::compiler

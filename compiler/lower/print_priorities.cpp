@@ -28,7 +28,9 @@ bool goes_before(const Ranked& a, const Ranked& b) {
 
 class PrioritiesPrinter {
 public:
-  explicit PrioritiesPrinter(const Model& model) : model_(model) {}
+  explicit PrioritiesPrinter(const Model& model)
+      : model_(model),
+        contentions_(model) {}
 
   std::string print() {
     out_ += "priorities\n";
@@ -71,7 +73,7 @@ private:
     if (model_.groups[id].requesters.size() < 2) return;
     fmt::format_to(std::back_inserter(out_), "  {}\n", name(id));
     bool complete = true;
-    for (const Contention& contention : contentions(model_, id)) {
+    for (const Contention& contention : contentions_.at(id)) {
       complete = complete && contention.complete;
       fmt::format_to(std::back_inserter(out_), "    {} and {}{}\n", model_.edge_name(contention.first),
                      model_.edge_name(contention.second),
@@ -83,8 +85,8 @@ private:
       }
     }
     if (!complete) {
-      fmt::format_to(std::back_inserter(out_), "    cut after {} pairs of chains: there may be more\n",
-                     most_chain_pairs);
+      fmt::format_to(std::back_inserter(out_), "    cut after {} pairs of tasks: there may be more\n",
+                     most_edge_pairs);
     }
   }
 
@@ -102,6 +104,7 @@ private:
   }
 
   const Model& model_;
+  Contentions contentions_;
   std::string out_;
 };
 

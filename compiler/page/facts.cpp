@@ -5,10 +5,13 @@
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/algorithms.hpp"
 #include "compiler/lower/lower.hpp"
+#include "compiler/page/ranks.hpp"
 #include "compiler/play/coverage.hpp"
 #include "compiler/transitions/transitions_json.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace director::compiler {
 
@@ -77,13 +80,44 @@ std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
   return out;
 }
 
-void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file) {
+Graph with_possible_pushes(const Model& model, Graph graph) {
+  std::set<std::pair<GroupId, ProviderId>> pushes; // a task for the group may push the provider, by way of others too
+  for (const CoveragePoint& point : coverage_of(model, graph).points) {
+    if (point.key.kind == CoveragePoint::Kind::push)
+      pushes.emplace(GroupId{point.key.first}, ProviderId{point.key.second});
+  }
+  IdTable<GroupId, std::vector<bool>> plans(model.groups.size()); // what it may wait for: conditions of its needs too
+  for (const auto& [task, causer] : pushes) {
+    if (plans[task].empty()) plans[task] = reachable(graph.needs, task.value);
+    plans[task][task.value] = true;
+  }
+  std::erase_if(graph.causing, [&](const Graph::Causing& row) {
+    return std::none_of(pushes.begin(), pushes.end(), [&](const auto& push) {
+      const auto& [task, causer] = push;
+      return causer == row.causer &&
+             (plans[task][model.providers[row.waiter].group.value] || pushes.count({task, row.waiter}) != 0);
+    });
+  });
+  return graph;
+}
+
+void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file,
+                    const std::vector<GroupId>& transitions) {
+  const Lowered lowered = lower(model);
+  Json pushes = Json::list({});
+  for (const Graph::Causing& row : with_possible_pushes(model, graph).causing) {
+    pushes.add(Json::object({{"waiter", Json::text(model.full_name(row.waiter))},
+                             {"condition", Json::text(model.conditions[row.condition.id].text)},
+                             {"causer", Json::text(model.full_name(row.causer))}}));
+  }
+  data.add("pushes", std::move(pushes));
   Json takes = Json::list({});
   for (const TakeOver& take : take_overs_of(model, graph)) takes.add(take_json(take, model, graph));
   data.add("takes", std::move(takes));
+  data.add("ranks", ranks_json(model));
   Json verdicts = Json::list({});
   if (!model.assertions.empty()) {
-    const std::vector<Verdict> decided = decide_assertions(model, states_of_check);
+    const std::vector<Verdict> decided = decide_assertions(Ground(model, lowered), states_of_check);
     for (std::size_t i = 0; i < decided.size(); ++i) {
       Json row = Json::object({{"assertion", Json::text(words_of(model.assertions[i], model))},
                                {"verdict", Json::text(name_of(decided[i].kind))},
@@ -93,7 +127,7 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
     }
   }
   data.add("verdicts", std::move(verdicts));
-  data.add("transitions", transitions_json(find_transitions(model, lower(model), file), model));
+  data.add("transitions", transitions_json(find_transitions(model, lowered, file, transitions), model));
 }
 
 } // namespace director::compiler

@@ -99,6 +99,37 @@ std::string row_html(const Json& transitions, const Json& row) {
   return out + "</article>\n";
 }
 
+std::string take_table_html(const Json& takes) {
+  std::string out = "<div class=\"wide\" tabindex=\"0\" role=\"region\" "
+                    "aria-label=\"Table of who goes first\"><table>\n<thead><tr><th scope=\"col\">goes first</th><th "
+                    "scope=\"col\">before</th>"
+                    "<th scope=\"col\">decided by</th><th scope=\"col\">over</th></tr></thead>\n<tbody>\n";
+  for (const Json& take : takes.items()) {
+    std::string over;
+    for (const std::string& name : take["over"].as_texts()) over += (over.empty() ? "" : ", ") + group_link(name);
+    out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", group_link(take["winner"].as_text()),
+                       group_link(take["loser"].as_text()), text(take_words(take)), over);
+  }
+  return out + "</tbody>\n</table></div>\n";
+}
+
+/// Folded: it is long.
+std::string rivals_html(const std::vector<Rivals>& all) {
+  std::string out =
+      fmt::format("<details class=\"rivals\"><summary>By what several ask for</summary>\n<p>{}</p>\n"
+                  "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table of those that ask "
+                  "for the same\"><table>\n<thead><tr><th scope=\"col\">wanted</th><th scope=\"col\">by"
+                  "</th><th scope=\"col\">decided by</th></tr></thead>\n<tbody>\n",
+                  rivals_intro);
+  for (const Rivals& each : all) {
+    std::string decisions;
+    for (const std::string& decision : each.decisions) decisions += (decisions.empty() ? "" : "<br>") + text(decision);
+    out += fmt::format("<tr><td>{}</td><td>{} and {}</td><td>{}</td></tr>\n", text(each.group), text(each.first),
+                       text(each.second), decisions);
+  }
+  return out + "</tbody>\n</table></div>\n</details>\n";
+}
+
 } // namespace
 
 std::string pictures_html(const HtmlInput& input) {
@@ -116,20 +147,14 @@ std::string pictures_html(const HtmlInput& input) {
 }
 
 std::string takes_html(const HtmlInput& input) {
-  const Json& takes = input.page.data["takes"];
-  if (takes.items().empty()) return {};
-  std::string out = "<p>Two tasks that want the same are compared at the closest requester of both.</p>\n<div "
-                    "class=\"wide\" tabindex=\"0\" role=\"region\" "
-                    "aria-label=\"Table of who goes first\"><table>\n<thead><tr><th scope=\"col\">goes first</th><th "
-                    "scope=\"col\">before</th>"
-                    "<th scope=\"col\">decided by</th><th scope=\"col\">over</th></tr></thead>\n<tbody>\n";
-  for (const Json& take : takes.items()) {
-    std::string over;
-    for (const std::string& name : take["over"].as_texts()) over += (over.empty() ? "" : ", ") + group_link(name);
-    out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", group_link(take["winner"].as_text()),
-                       group_link(take["loser"].as_text()), text(take_words(take)), over);
-  }
-  return out + "</tbody>\n</table></div>\n";
+  const Json &takes = input.page.data["takes"], &ranks = input.page.data["ranks"];
+  if (ranks["decisions"].items().empty()) return {};
+  std::string out = "<p>Two tasks that want the same are compared at the closest requester of both.</p>\n"
+                    "<div id=\"pair\" hidden></div>\n";
+  if (!ranks["left_out"].is_null()) out += fmt::format("<p>{}</p>\n", text(ranks["left_out"].as_text()));
+  if (!takes.items().empty()) out += take_table_html(takes);
+  const std::vector<Rivals> rivals = rivals_in(ranks);
+  return rivals.empty() ? out : out + rivals_html(rivals);
 }
 
 std::string transitions_html(const HtmlInput& input) {
@@ -140,6 +165,7 @@ std::string transitions_html(const HtmlInput& input) {
   if (rows.items().empty()) return {};
   std::string out =
       "<p>The first group runs, then the second one is asked for. What the engine does then was played.</p>\n";
+  if (transitions["limited"].as_boolean()) out += fmt::format("<p>{}</p>\n", limited_intro);
   out += legend_html() + matrix_html(rows);
   if (std::string names; !transitions["not_requested"].items().empty()) {
     for (const std::string& name : transitions["not_requested"].as_texts())

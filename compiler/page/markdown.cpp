@@ -65,7 +65,7 @@ public:
     out_ = fmt::format("# {}\n\n", escaped(data_["behaviour"].as_text()));
     add_doc(data_);
     for (const PagePicture& picture : input_.pictures)
-      out_ += fmt::format("## Picture: {}\n\n```mermaid\n{}```\n\n", lower(picture.name), picture.text);
+      out_ += fmt::format("## Picture: {}\n\n```mermaid\n{}```\n\n", in_small_letters(picture.name), picture.text);
     add_groups();
     add_states();
     add_takes();
@@ -77,9 +77,9 @@ public:
   }
 
 private:
-  static std::string lower(std::string text) {
-    if (!text.empty() && text.front() >= 'A' && text.front() <= 'Z')
-      text.front() = static_cast<char>(text.front() - 'A' + 'a');
+  /// Also the anchor that GitHub makes of a heading that is a name.
+  static std::string in_small_letters(std::string text) {
+    for (char& letter : text) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
     return text;
   }
 
@@ -95,14 +95,10 @@ private:
 
   /// `Walk.halting` as a link to its group; the program is none.
   static std::string mention(const Mention& mention) {
-    const std::string by =
-        mention.group.empty() ? "the program" : fmt::format("[{}](#{})", escaped(mention.by), anchor(mention.group));
+    const std::string by = mention.group.empty()
+                               ? "the program"
+                               : fmt::format("[{}](#{})", escaped(mention.by), in_small_letters(mention.group));
     return mention.how.empty() ? by : fmt::format("{} ({})", by, escaped(mention.how));
-  }
-  /// As GitHub makes it of a heading.
-  static std::string anchor(std::string name) {
-    for (char& letter : name) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    return name;
   }
 
   void add_mentions(std::string_view title, const std::vector<Mention>& mentions) {
@@ -131,7 +127,8 @@ private:
     if (name != "default" || !doc.empty())
       out_ += fmt::format("- **{}**{}\n", escaped(provider_name(group, provider)),
                           doc.empty() ? "" : ": " + escaped(trimmed(doc)));
-    const std::string indent = name != "default" || !doc.empty() ? "  " : "";
+    // Python-Markdown, which MkDocs has, takes less than four for the same list.
+    const std::string indent = name != "default" || !doc.empty() ? "    " : "";
     const auto line = [&](std::string_view title, const std::string& text) {
       if (!text.empty()) out_ += fmt::format("{}- {}: {}\n", indent, title, text);
     };
@@ -189,12 +186,27 @@ private:
   }
 
   void add_takes() {
-    if (data_["takes"].items().empty()) return;
-    out_ += "## Who goes before whom\n\n| goes first | before | decided by | over |\n| --- | --- | --- | --- |\n";
-    for (const Json& take : data_["takes"].items())
+    const Json &takes = data_["takes"], &ranks = data_["ranks"];
+    const std::vector<Rivals> rivals = rivals_in(ranks);
+    if (takes.items().empty() && rivals.empty()) return;
+    out_ += "## Who goes before whom\n\n";
+    if (!takes.items().empty()) out_ += "| goes first | before | decided by | over |\n| --- | --- | --- | --- |\n";
+    for (const Json& take : takes.items())
       out_ +=
           fmt::format("| {} | {} | {} | {} |\n", escaped(take["winner"].as_text()), escaped(take["loser"].as_text()),
                       escaped(take_words(take)), escaped(and_list(take["over"].as_texts())));
+    if (!takes.items().empty()) out_ += "\n";
+    if (!rivals.empty()) add_rivals(rivals);
+  }
+
+  void add_rivals(const std::vector<Rivals>& rivals) {
+    out_ += fmt::format("{}\n\n| wanted | by | decided by |\n| --- | --- | --- |\n", rivals_intro);
+    for (const Rivals& each : rivals) {
+      std::vector<std::string> decisions;
+      for (const std::string& decision : each.decisions) decisions.push_back(escaped(decision));
+      out_ += fmt::format("| {} | {} and {} | {} |\n", escaped(each.group), escaped(each.first), escaped(each.second),
+                          fmt::join(decisions, "; "));
+    }
     out_ += "\n";
   }
 
@@ -205,6 +217,7 @@ private:
       out_ += fmt::format("## Transitions\n\n{}\n\n", message(transitions["left_out"].as_text()));
     if (rows.items().empty()) return;
     out_ += "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is asked for.\n\n";
+    if (transitions["limited"].as_boolean()) out_ += fmt::format("{}\n\n", limited_intro);
     for (const CellKind& kind : cell_kinds())
       out_ += fmt::format("- **{}** {}: {}\n", kind.sign, kind.kind, kind.meaning);
     out_ += "\n| from \\ to |";

@@ -27,7 +27,7 @@ public:
       }
       for (const Json& provider : group["providers"].items()) look_at(group, provider);
     }
-    for (const Json& row : data_["causing"].items()) {
+    for (const Json& row : data_[data_["pushes"].is_null() ? "causing" : "pushes"].items()) {
       const std::string& waiter = row["waiter"].as_text();
       const std::string pushed = group_of(row["causer"].as_text());
       if (pushed != group_of(waiter))

@@ -12,6 +12,13 @@
 
 namespace director::compiler::page {
 
+namespace {
+
+/// Of two that ask for one group; who wants all of them asks the page for the two.
+constexpr std::size_t most_decisions_told = 8;
+
+} // namespace
+
 const std::vector<CellKind>& cell_kinds() {
   static const std::vector<CellKind> kinds{
       {"soft", "S", "the second waits, something is pushed, then the second takes over"},
@@ -77,6 +84,25 @@ std::string take_words(const Json& take) {
   const std::string who = take["requester"].is_null() ? "the program" : take["requester"].as_text();
   if (take["by"].as_text() == "optional") return fmt::format("{}, where the second is optional", who);
   return fmt::format("{}, priority {} before {}", who, numbers("winner_priorities"), numbers("loser_priorities"));
+}
+
+std::vector<Rivals> rivals_in(const Json& ranks) {
+  const auto who = [](const Json& name) { return name.is_null() ? std::string("the program") : name.as_text(); };
+  std::vector<Rivals> out;
+  for (const Json& contended : ranks["contended"].items()) {
+    for (const Json& row : contended["rivals"].items()) {
+      Rivals rivals{contended["group"].as_text(), who(row["first"]), who(row["second"]), {}};
+      const std::vector<Json>& all = row["decisions"].items();
+      for (std::size_t i = 0; i < std::min(all.size(), most_decisions_told); ++i) {
+        const auto place = static_cast<std::size_t>(all[i].as_number() / 2);
+        rivals.decisions.push_back(ranks["decisions"].items()[place]["words"].as_text());
+      }
+      if (all.size() > most_decisions_told)
+        rivals.decisions.push_back(fmt::format("and {} more", all.size() - most_decisions_told));
+      out.push_back(std::move(rivals));
+    }
+  }
+  return out;
 }
 
 std::string trimmed(std::string text) {

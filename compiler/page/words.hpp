@@ -21,12 +21,27 @@ std::string place_text(const Json& place);
 /// Empty: it is no link.
 std::string place_link(const Json& place, const std::string& pattern);
 
-
 /// `values lost, far, near; lost at the beginning; from outside; lost after 1 s`
 std::string state_words(const Json& state);
 
 /// How it is decided who goes first: `Striker, priority 20 before 10`
 std::string take_words(const Json& take);
+
+/// Two that ask for one group, and who of them goes first: `the program: Kick (priority 20) before Walk (priority 10)`
+struct Rivals {
+  std::string group, first, second;
+  std::vector<std::string> decisions;
+};
+/// With no more of each two than can be read; the last one says how many there are besides.
+std::vector<Rivals> rivals_in(const Json& ranks);
+
+/// What the table of these says first.
+inline constexpr std::string_view rivals_intro =
+    "Two that ask for the same, and what decides between them: the closest requester of both, with the two tasks by "
+    "which it leads there. Those that it never asks for at once meet only while it changes from one to the other.";
+
+/// Of a matrix of some groups.
+inline constexpr std::string_view limited_intro = "Rows and columns are only the groups that were asked for.";
 
 /// The lines of a text without what is blank at its end.
 std::string trimmed(std::string text);

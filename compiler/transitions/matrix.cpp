@@ -6,14 +6,12 @@
 // one of those that the column's conditions want and do not have; and so on.
 #include "compiler/transitions/matrix.hpp"
 
-#include "compiler/transitions/trial.hpp"
-#include "compiler/transitions/words.hpp"
+#include "compiler/transitions/judge.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 #include <unordered_map>
 
 namespace director::compiler {
@@ -25,36 +23,33 @@ using namespace transitions;
 /// States of which every choice is tried; beyond them all or none.
 constexpr std::size_t most_changes = 4;
 
-/// How a group is brought to run.
-struct Beginning {
-  Way way;
-  Outside outside;
-  Runs runs;
-  Rest rest;
-};
-
 class TransitionFinder {
 public:
   TransitionFinder(const Model& model, const Lowered& lowered, std::string behaviour)
       : model_(model),
-        lowered_(lowered),
+        player_(model, lowered, behaviour),
+        judge_(model, lowered, player_),
         behaviour_(std::move(behaviour)) {}
 
-  TransitionMatrix find() {
+  /// `only`: no rows but these; empty: all.
+  TransitionMatrix find(const std::vector<GroupId>& only) {
     std::vector<std::pair<GroupId, std::vector<Way>>> wanted;
     for (const GroupId id : model_.groups.ids()) {
       if (model_.groups[id].edges.empty()) continue;
+      if (!only.empty() && std::find(only.begin(), only.end(), id) == only.end()) continue;
       std::vector<Way> ways = find_ways(model_, id);
       if (ways.empty()) out_.not_requested.push_back(id);
       if (!ways.empty()) wanted.emplace_back(id, std::move(ways));
     }
     if (wanted.size() > most_rows) {
-      out_.left_out = fmt::format("The transition matrix is left out: {} groups would be its rows, and it is played for at "
-                                  "most {}. A deployment that requests fewer of them has one: split the behaviour into "
-                                  "modules, and write one with `roots` for each part.",
-                                  wanted.size(), most_rows);
+      out_.left_out = fmt::format(
+          "The transition matrix is left out: {} groups would be its rows, and it is played for at "
+          "most {}. `directorc docs --transitions GROUP,GROUP` plays it for some of them; a deployment that "
+          "requests fewer has one of all.",
+          wanted.size(), most_rows);
       return std::move(out_);
     }
+    out_.limited = !only.empty();
     for (const auto& [id, ways] : wanted) out_.rows.push_back(row(id, ways));
     for (std::size_t i = 0; i < out_.rows.size(); ++i) {
       std::vector<Transition> cells;
@@ -66,28 +61,6 @@ public:
 
 private:
   using Kind = Transition::Kind;
-
-  struct Play {
-    Script script;
-    std::string steps;
-    Trial trial;
-  };
-
-  std::string head(const std::string& title) const {
-    return fmt::format("scenario: {}\nbehaviour: {}\n", title, behaviour_);
-  }
-
-  Play play(Script script, std::string steps, std::uint32_t from, const Way& way) const {
-    std::string text = head("transition") + (script.empty() ? "" : "script:\n");
-    for (const auto& [id, cases] : script) text += entry_text(model_, id, cases);
-    Trial trial = play_trial(text + steps, model_, lowered_, from, way);
-    return {std::move(script), std::move(steps), std::move(trial)};
-  }
-
-  static bool runs(const Rest& rest, const Way& way) { return rest.running[way.last().edge.value]; }
-
-  /// Also for somebody else: it was running then, and is not asked for in vain.
-  static bool runs_at_all(const Rest& rest, const Way& way) { return rest.groups[way.target.value].granted; }
 
   TransitionMatrix::Row row(GroupId id, const std::vector<Way>& ways) {
     TransitionMatrix::Row out;
@@ -101,7 +74,7 @@ private:
     for (const auto& [assume, way] : tries) {
       const std::optional<Outside> outside = outside_for(model_, way, assume);
       if (!outside || (assume == Assume::inside && outside->given.empty())) continue;
-      const Play played = play(script_of(model_, way), beginning(way, *outside), 1, way);
+      const Play played = player_.play(script_of(model_, way), player_.beginning(way, *outside), 1, way);
       const Trial& trial = played.trial;
       if (why.empty()) why = trial.why;
       if (!trial.good || !runs(trial.rest, way)) continue;
@@ -115,11 +88,6 @@ private:
     }
     out.words = why.empty() ? "No values from outside meet all conditions on the way to it." : why + ".";
     return out;
-  }
-
-  /// All that stands before the column's step.
-  std::string beginning(const Way& way, const Outside& outside) const {
-    return given_text(model_, outside.given) + "steps:\n" + request_step(model_, way, outside.values);
   }
 
   /// What the column wants from outside and does not have, with the first value that will do.
@@ -171,109 +139,28 @@ private:
 
   void decide(const Beginning& row, const Beginning& column, Transition& out, Told& told) {
     const Script script = script_of(model_, row.way, column.way, row.runs);
-    const std::string begin = beginning(row.way, row.outside);
+    const std::string begin = player_.beginning(row.way, row.outside);
     std::optional<Play> decided;
     for (const Values& change : choices(lacking(row, column))) {
-      const Play now = play(script, begin + request_step(model_, column.way, change), 2, column.way);
+      const Play now = player_.play(script, begin + request_step(model_, column.way, change), 2, column.way);
       const bool runs_now = now.trial.good && runs_at_all(now.trial.rest, column.way);
       if (runs_now) {
         out.states = words_of(change, model_);
-        judge(row, column, now, change, out, told);
+        judge_.judge(row, column, now, change, out, told);
         keep_scenario(now, told, out);
         return;
       }
-      const Play later = play(script, now.steps + done_step(), 2, column.way);
+      const Play later = player_.play(script, now.steps + done_step(), 2, column.way);
       const bool runs_later = later.trial.good && runs_at_all(later.trial.rest, column.way);
-      const bool ends = runs_later && ends_by(row, change, {});
+      const bool ends = runs_later && player_.ends_by(row, change, {});
       out.kind = ends ? Kind::condition_lost : runs_later ? Kind::waits : Kind::never;
       out.states = words_of(change, model_);
-      out.pushes = pushes_of(now.trial, row);
+      out.pushes = judge_.pushes_of(now.trial, row);
       told.why = runs_later ? now.trial.why : later.trial.why;
       decided = later;
       if (runs_later) break;
     }
     if (decided) keep_scenario(*decided, told, out);
-  }
-
-  /// What ran for the row's task and does not run for it any more.
-  std::vector<GroupId> lost(const Beginning& row, const Rest& rest) const {
-    const EdgeId edge = row.way.last().edge;
-    std::vector<GroupId> out;
-    for (const GroupId id : model_.groups.ids()) {
-      const Rest::Held& before = row.rest.groups[id.value];
-      if (before.active && row.rest.is_under(model_, id, edge) && !rest.is_under(model_, id, edge)) out.push_back(id);
-    }
-    return out;
-  }
-
-  /// The values alone end the row's task, or take from it all that it lost.
-  bool ends_by(const Beginning& row, const Values& change, const std::vector<GroupId>& all) const {
-    if (change.empty()) return false;
-    const std::string steps = beginning(row.way, row.outside) + settings_step(model_, change);
-    const Play alone = play(script_of(model_, row.way), steps, 2, row.way);
-    if (!alone.trial.good) return false;
-    if (!runs(alone.trial.rest, row.way)) return true;
-    const std::vector<GroupId> ended = lost(row, alone.trial.rest);
-    return !all.empty() && std::all_of(all.begin(), all.end(), [&](GroupId id) {
-      return std::find(ended.begin(), ended.end(), id) != ended.end();
-    });
-  }
-
-  void judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
-             Told& told) const {
-    const std::vector<GroupId> all = lost(row, now.trial.rest);
-    for (const GroupId id : all) (now.trial.rest.groups[id.value].granted ? out.taken : out.stops).push_back(id);
-    out.pushes = pushes_of(now.trial, row);
-    const Parting parting = part(model_, row.way, column.way);
-    const bool ended = !runs(now.trial.rest, row.way);
-    told.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
-    if (ends_by(row, change, all)) {
-      out.kind = Kind::condition_lost;
-    } else if (parting.replaced && ended) {
-      out.kind = Kind::replaced;
-    } else if (all.empty()) {
-      out.kind = Kind::both;
-    } else {
-      out.kind = pushed_first(row, now.trial) ? Kind::soft : Kind::hard;
-    }
-    if (out.kind != Kind::soft) return;
-    out.bound = 0;
-    for (const Transition::Push& push : out.pushes)
-      out.bound = out.bound && push.within ? std::optional(*out.bound + *push.within) : std::nullopt;
-  }
-
-  /// Nothing was taken from the row's side before somebody was pushed.
-  bool pushed_first(const Beginning& row, const Trial& trial) const {
-    const EdgeId edge = row.way.last().edge;
-    std::uint64_t pushed = std::numeric_limits<std::uint64_t>::max();
-    for (const Event& event : trial.events) {
-      if (event.kind == Event::Kind::push) pushed = std::min(pushed, event.micro_step);
-      if (event.micro_step >= pushed) return true;
-      const bool takes = event.kind == Event::Kind::lose || event.kind == Event::Kind::stop ||
-                         (event.kind == Event::Kind::grant && event.other != nil && event.other != event.edge);
-      if (takes && row.rest.is_under(model_, GroupId{event.group}, edge)) return false;
-    }
-    return false;
-  }
-
-  /// Those that were not made for the row's side.
-  std::vector<Transition::Push> pushes_of(const Trial& trial, const Beginning& row) const {
-    std::vector<Transition::Push> out;
-    for (const Event& event : trial.events) {
-      if (event.kind != Event::Kind::push) continue;
-      const GroupId waits = model_.edges[EdgeId{event.edge}].target;
-      if (row.rest.is_under(model_, waits, row.way.last().edge)) continue;
-      Transition::Push push{ProviderId{event.provider}, {}, {}};
-      if (event.condition != nil) push.condition = model_.conditions[lowered_.condition_ids[event.condition]].text;
-      for (const ConditionUse& use : model_.providers[push.to].causing) {
-        if (event.condition != nil && model_.satisfies(use.id, lowered_.condition_ids[event.condition]))
-          push.within = use.within;
-      }
-      const bool known =
-          std::any_of(out.begin(), out.end(), [&](const Transition::Push& each) { return each.to == push.to; });
-      if (!known) out.push_back(std::move(push));
-    }
-    return out;
   }
 
   std::size_t piece(const std::string& text) {
@@ -303,7 +190,8 @@ private:
   }
 
   const Model& model_;
-  const Lowered& lowered_;
+  const Player player_;
+  const Judge judge_;
   std::string behaviour_;
   TransitionMatrix out_;
   std::vector<Beginning> beginnings_; ///< by row
@@ -312,8 +200,9 @@ private:
 
 } // namespace
 
-TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour) {
-  return TransitionFinder(model, lowered, behaviour).find();
+TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour,
+                                  const std::vector<GroupId>& only) {
+  return TransitionFinder(model, lowered, behaviour).find(only);
 }
 
 } // namespace director::compiler

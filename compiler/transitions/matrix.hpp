@@ -55,13 +55,15 @@ struct TransitionMatrix {
   std::vector<std::string> pieces;
   std::vector<GroupId> not_requested; ///< no rows of their own: nothing that the program requests leads to them
   std::string left_out;               ///< in a sentence, why there are no rows; empty: there are
+  bool limited = false;               ///< only some groups were asked for
 };
 
 /// With more rows than this no matrix is played: its time and size grow with the square of them.
 constexpr std::size_t most_rows = 100;
 
-/// `behaviour`: what its scenarios call the file.
-TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour);
+/// `behaviour`: what its scenarios call the file. `only`: no rows and columns but these; empty: all.
+TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour,
+                                  const std::vector<GroupId>& only = {});
 
 /// `soft`, `condition lost`.
 std::string_view name_of(Transition::Kind kind);

@@ -58,6 +58,7 @@ Json transitions_json(const TransitionMatrix& matrix, const Model& model) {
                            {"not_requested", group_names(matrix.not_requested, model)},
                            {"pieces", Json::texts(matrix.pieces)}});
   if (!matrix.left_out.empty()) out.add("left_out", Json::text(matrix.left_out));
+  if (matrix.limited) out.add("limited", Json::boolean(true));
   return out;
 }
 

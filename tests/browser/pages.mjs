@@ -118,11 +118,32 @@ await situation('a cell explains itself, with a scenario; arrow keys go to its n
   assert.equal(await page.locator('.matrix a[tabindex="0"]').count(), 1);
 });
 
+await situation('of any two groups the page says who goes first, and what decides, in either order', 'soccer', {}, async (page) => {
+  const ask = async (first, second) => {
+    await page.getByLabel('Who goes first,').fill(first);
+    await page.getByLabel('or', { exact: true }).fill(second);
+    return page.locator('#pair-answer li').allTextContents();
+  };
+  const told = ['GetUp goes first. At the program: FallRecovery (priority 90) before Striker (priority 10).'];
+  assert.deepEqual(await ask('GetUp', 'Kick'), told);
+  assert.deepEqual(await ask('kick', 'getup'), told);
+  assert.deepEqual(await ask('Head', 'LookAt'), ['LookAt leads to Head: it goes first of what it leads to.']);
+  assert.deepEqual(await ask('Striker', 'Striker'), ['Nowhere do two chains of requesters lead to Striker.']);
+  assert.deepEqual(await ask('Kick', 'Nobody'), []);
+  await page.locator('#pair').scrollIntoViewIfNeeded();
+  await ask('Kick', 'Walk');
+  await shot(page, 'soccer_pair');
+});
+
 await situation('without JavaScript all of the text is there, and each cell leads to its words and its scenario', 'soccer', { javaScriptEnabled: false }, async (page) => {
   assert.equal(await page.locator('#finder').isVisible(), false);
   assert.equal(await page.locator('.picture').first().isVisible(), true);
   const link = page.locator('.matrix td[data-kind="soft"] a').first();
   const target = page.locator((await link.getAttribute('href')));
+  assert.equal(await page.locator('#pair').isVisible(), false);
+  assert.equal(await page.locator('.rivals td').first().isVisible(), false);
+  await page.locator('.rivals summary').click();
+  assert.deepEqual(await page.locator('.rivals tbody tr').first().locator('td').allTextContents(), ['Walk', 'WalkTo and KickTo', 'Striker: KickToGoal (priority 20) before WalkToBall (priority 10), together or not at allStriker: KickToGoal (priority 20) before WalkToReady (priority 0), never both at once']);
   assert.match(await target.textContent(), /waits\. .* is pushed to /);
   assert.equal(await target.locator('pre').isVisible(), false);
   await target.locator('summary').click();

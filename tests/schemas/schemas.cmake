@@ -61,6 +61,7 @@ foreach(number RANGE 120) # more than a matrix has rows
 endforeach()
 file(WRITE ${WORK}/large.yaml "${large}  Task_121: {}\n")
 draw(large ${WORK}/large.yaml --page)
+draw(limited ${WORK}/large.yaml --page --transitions=Task_0,Task_1)
 execute_process(COMMAND ${NODE} graph.mjs ${SCHEMAS}/graph.schema.json ${graphs} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "a graph is not what its schema says")

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace director::compiler {
 
@@ -273,6 +274,21 @@ std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment) {
                    span,
                    Moment::Mark::pushed});
   }
+  return out;
+}
+
+std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment, const std::vector<Moment>& frames) {
+  const auto key = [](const GroupArrow& push) { return std::tuple(push.from, push.to, push.row, push.label); };
+  std::map<decltype(key({})), GroupArrow> all; // in one order, whatever is shown
+  for (const Moment& frame : frames) {
+    for (GroupArrow& push : pushes_of(model, frame)) {
+      push.hidden = true;
+      all.try_emplace(key(push), std::move(push));
+    }
+  }
+  for (GroupArrow& push : pushes_of(model, moment)) all.insert_or_assign(key(push), push);
+  std::vector<GroupArrow> out;
+  for (auto& [place, push] : all) out.push_back(std::move(push));
   return out;
 }
 

@@ -19,6 +19,7 @@ struct GroupArrow {
   std::string words; ///< who does what, for people
   Span span{};       ///< where it is declared first
   std::optional<Moment::Mark> mark;
+  bool hidden = false; ///< at this moment; another frame shows it
 };
 
 /// Whether each provider and pack has arrows of its own, or all of a group share one.
@@ -35,6 +36,8 @@ std::vector<GroupArrow> find_takes(const Model& model, const std::vector<TakeOve
 
 /// The pushes of a moment, and no others.
 std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment);
+/// The pushes of all frames, each once; those of other moments are hidden.
+std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment, const std::vector<Moment>& frames);
 
 /// What runs, waits or is not asked for at that moment.
 void mark_asks(const Model& model, const Moment& moment, std::vector<GroupArrow>& arrows);

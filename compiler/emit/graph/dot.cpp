@@ -129,18 +129,57 @@ private:
   }
 
   /// What there is to say of the moment, in words.
-  static std::string note_of(const PictureBox& box) {
-    if (!box.mark) return {};
-    std::string text = box.note;
-    switch (*box.mark) {
+  static std::string note_text(Moment::Mark mark, const std::string& note) {
+    switch (mark) {
     case Moment::Mark::inactive: return {};
-    case Moment::Mark::running: text = "\u25B6 running"; break;
-    case Moment::Mark::queued: text = "queued: " + box.note; break;
-    case Moment::Mark::held: text = "held for who needs it"; break;
+    case Moment::Mark::running: return "\u25B6 running";
+    case Moment::Mark::queued: return "queued: " + note;
+    case Moment::Mark::held: return "held for who needs it";
     case Moment::Mark::pushed: break;
     }
-    return fmt::format("<BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"9\" COLOR=\"{}\"><B>{}</B></FONT>", frame_of(box).colour,
-                       palette::wrapped(text));
+    return note;
+  }
+
+  static std::string note_of(const PictureBox& box) {
+    const std::string text = box.mark ? palette::wrapped(note_text(*box.mark, box.note)) : "";
+    if (text.empty()) return {};
+    return fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\"><B>{}</B></FONT>", frame_of(box).colour, text);
+  }
+
+  // Frames have each box at one place, so everything that differs between them has the room that the largest of it
+  // needs. How large letters are is known to Graphviz alone: these are more than any font of this size needs.
+  static constexpr std::size_t letter_width = 9, small_letter_width = 7, line_height = 20, small_line_height = 13,
+                               padding = 10;
+
+  /// At least so wide and high.
+  static std::string room(std::size_t width, std::size_t height) {
+    std::string out;
+    if (width != 0) out += fmt::format(" WIDTH=\"{}\"", width);
+    if (height != 0) out += fmt::format(" HEIGHT=\"{}\"", height);
+    return out;
+  }
+
+  static std::string note_room(const PictureBox& box) {
+    std::size_t width = 0, lines = 0;
+    for (const Moment::Standing& frame : box.frames) {
+      const std::string text = palette::wrapped(note_text(frame.mark, frame.note));
+      constexpr std::string_view end = "<BR ALIGN=\"LEFT\"/>";
+      std::size_t count = 0;
+      for (std::size_t at = 0; at < text.size(); ++count) {
+        const std::size_t next = std::min(text.find(end, at), text.size());
+        width = std::max(width, next - at);
+        at = next == text.size() ? next : next + end.size();
+      }
+      lines = std::max(lines, count);
+    }
+    return room(width * small_letter_width + padding, lines * small_line_height + padding);
+  }
+
+  /// Of the cell of a provider, which is marked while it is active.
+  static std::string row_room(const PictureBox& box, const PictureRow& row) {
+    if (box.frames.empty()) return {};
+    return room((row.name.size() + 2) * letter_width + padding,
+                line_height + row.lines.size() * small_line_height + padding);
   }
 
   static bool runs(const PictureBox& box) {
@@ -154,6 +193,11 @@ private:
   static Frame frame_of(const PictureBox& box) {
     const bool alike = box.kind == PictureBox::Kind::alike;
     const std::string_view solid = alike ? "DASHED" : "ROUNDED";
+    Frame out = mark_frame(box, solid);
+    if (!box.frames.empty()) out.width = box.in_focus ? 4 : 2;
+    return out;
+  }
+  static Frame mark_frame(const PictureBox& box, std::string_view solid) {
     const int width = box.in_focus ? 4 : box.asked ? 2 : 1;
     if (box.kind == PictureBox::Kind::missing) return {palette::queued, "ROUNDED,DASHED", 2};
     if (!box.mark) return {box.in_focus || box.asked ? palette::ink : palette::frame, solid, width};
@@ -179,15 +223,19 @@ private:
     if (!box.data.empty()) text += "<BR ALIGN=\"LEFT\"/>" + small(palette::grey, box.data);
     text += lines(is_grey(box), box.lines);
     if (box.is_direct()) text += lines(is_grey(box), box.rows.front().lines);
-    text += note_of(box);
+    const std::string note = note_of(box);
+    if (box.frames.empty() && !note.empty()) text += "<BR ALIGN=\"LEFT\"/>" + note;
     code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\"{}>{}<BR ALIGN=\"LEFT\"/></TD></TR>", cell_words(box.about), text));
+    if (!box.frames.empty())
+      code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\" VALIGN=\"TOP\"{}{}>{}</TD></TR>", note_room(box),
+                             cell_words(box.about), note.empty() ? "" : note + "<BR ALIGN=\"LEFT\"/>"));
   }
 
   void draw_row(const PictureBox& box, const PictureRow& row) {
     if (!row.name.empty()) {
-      code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\" BORDER=\"1\" SIDES=\"T\" PORT=\"{}\"{}>{}{}<BR "
+      code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\" BORDER=\"1\" SIDES=\"T\" PORT=\"{}\"{}{}>{}{}<BR "
                              "ALIGN=\"LEFT\"/></TD></TR>",
-                             html(port(row)), cell_words(row.about), row_name(box, row),
+                             html(port(row)), row_room(box, row), cell_words(row.about), row_name(box, row),
                              lines(is_grey(box, row), row.lines)));
     }
     for (const PicturePack& pack : row.packs) {
@@ -203,10 +251,11 @@ private:
     for (std::size_t i = 0; i < (few ? box.members.size() : most - 1); ++i) {
       const PictureMember& member = box.members[i];
       if (box.kind == PictureBox::Kind::alike) {
-        code_.line(
-            fmt::format("<TR><TD BORDER=\"1\" STYLE=\"ROUNDED\" COLOR=\"{}\" BGCOLOR=\"{}\"{}><B>{}</B></TD></TR>",
-                        frame_of(box).colour, palette::paper, cell_words(member.about),
-                        name_of(is_grey(box), (runs(box) ? "\u25B6 " : "") + member.name)));
+        code_.line(fmt::format(
+            "<TR><TD BORDER=\"1\" STYLE=\"ROUNDED\" COLOR=\"{}\" BGCOLOR=\"{}\"{}{}><B>{}</B></TD></TR>",
+            frame_of(box).colour, palette::paper,
+            box.frames.empty() ? "" : room((member.name.size() + 2) * letter_width + padding, line_height + padding),
+            cell_words(member.about), name_of(is_grey(box), (runs(box) ? "\u25B6 " : "") + member.name)));
       } else {
         code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\"{}>{}</TD></TR>", cell_words(member.about),
                                small(palette::ink, member.name)));
@@ -280,7 +329,7 @@ private:
   }
 
   void draw_arrow(const PictureArrow& arrow) {
-    std::string text = style_of(arrow);
+    std::string text = arrow.hidden ? "style=invis" : style_of(arrow);
     const std::string apart = arrow.apart && !arrow.optional ? (arrow.label.empty() ? "apart" : ", apart") : "";
     if (const std::string label = arrow.label + apart; !label.empty()) text += ", label=<" + label_of(label) + ">";
     if (!arrow.ranks) text += ", constraint=false";

@@ -76,7 +76,10 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
     return any(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
   };
   const auto marks = [&](Moment::Mark mark, std::string sign, std::string words) {
-    say(any(picture.boxes, [&](const PictureBox& box) { return box.mark == mark; }), std::move(sign), std::move(words));
+    const auto has_mark = [&](const PictureBox& box) {
+      return box.mark == mark || any(box.frames, [&](const Moment::Standing& frame) { return frame.mark == mark; });
+    };
+    say(any(picture.boxes, has_mark), std::move(sign), std::move(words));
   };
   marks(Moment::Mark::running, "blue frame, \u25B6", "runs, in that provider");
   marks(Moment::Mark::queued, "dashed red frame", "queued: somebody requests it, and it waits");
@@ -127,8 +130,11 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
 std::vector<std::string> legend_table(const Picture& picture) {
   std::vector<std::string> out;
   out.emplace_back("<TABLE BORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\">");
+  constexpr std::size_t letter_width = 9; // more than any font needs, as of the boxes
+  const std::size_t letters = picture.longest_head == 0 ? 0 : picture.title.size() + 2 + picture.longest_head;
+  const std::string room = letters == 0 ? "" : fmt::format(" WIDTH=\"{}\"", letters * letter_width);
   const auto line = [&](const std::string& text) {
-    out.push_back(fmt::format("<TR><TD COLSPAN=\"3\" ALIGN=\"LEFT\">{}</TD></TR>", text));
+    out.push_back(fmt::format("<TR><TD COLSPAN=\"3\" ALIGN=\"LEFT\"{}>{}</TD></TR>", room, text));
   };
   const std::string moment = picture.moment.empty() ? "" : ", " + palette::html(picture.moment);
   line(fmt::format("<B>{}{}</B>", palette::html(picture.title), moment));

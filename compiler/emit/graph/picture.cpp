@@ -48,6 +48,11 @@ public:
     picture_.doc = model_.doc;
     if (options_.moment) picture_.moment = options_.moment->title;
     if (options_.moment) picture_.values = options_.moment->values;
+    for (const Moment& frame : options_.frames) {
+      picture_.longest_head = std::max(picture_.longest_head, frame.title.size());
+      for (const std::string& value : frame.values)
+        picture_.longest_head = std::max(picture_.longest_head, value.size());
+    }
     arrows_ = seen_arrows(Detail::packs);
     add_boxes();
     if (picture_.boxes.size() > most_boxes_in_detail) leave_out_packs();
@@ -62,7 +67,8 @@ private:
     const IdSet<GroupId> chosen = groups_in_focus(model_, graph_, options_);
     std::vector<GroupArrow> all = find_asks(model_, detail);
     if (options_.moment) mark_asks(model_, *options_.moment, all);
-    for (GroupArrow& push : options_.moment ? pushes_of(model_, *options_.moment) : find_pushes(model_, graph_))
+    for (GroupArrow& push :
+         options_.moment ? pushes_of(model_, *options_.moment, options_.frames) : find_pushes(model_, graph_))
       all.push_back(std::move(push));
     for (GroupArrow& take : find_takes(model_, options_.take_overs)) all.push_back(std::move(take));
     std::erase_if(all, [&](const GroupArrow& arrow) {
@@ -104,6 +110,7 @@ private:
     for (const PictureFlaws::Ask& ask : options_.flaws.asks) {
       if (ask.from) flawed_.add(*ask.from);
     }
+    find_marks();
     for (std::size_t i = 0; i < arrows_.size(); ++i) {
       arrows_to_[arrows_[i].to].push_back(i);
       leads_.add(arrows_[i].from);
@@ -138,27 +145,54 @@ private:
     const bool plain = group.providers.size() == 1 && row.name.empty() && row.lines.empty() && row.packs.empty() &&
                        words_.handler_lines(group).empty() && !is_root(id) && !is_focused(id);
     if (!plain) return alone;
-    if (options_.moment && standing(id).mark == Moment::Mark::queued) return alone;
+    const auto is_queued = [&](const Moment* moment) { return standing(id, *moment).mark == Moment::Mark::queued; };
+    if (std::any_of(moments_.begin(), moments_.end(), is_queued)) return alone;
     std::string key = fmt::format("layer {}", group.layer ? std::to_string(group.layer->id.value) : "");
-    if (options_.moment) key += fmt::format(" {} {}", static_cast<int>(standing(id).mark), standing(id).note);
+    for (const Moment* moment : moments_)
+      key += fmt::format(" {} {}", static_cast<int>(standing(id, *moment).mark), standing(id, *moment).note);
     bool asked = false;
     if (leads_.contains(id)) return alone;
     for (const std::size_t i : arrows_to_[id]) {
       const GroupArrow& arrow = arrows_[i];
       asked = true;
       const auto place = [](const std::optional<std::size_t>& of) { return of ? std::to_string(*of) : ""; };
-      key += fmt::format("; {} {} {} {} {} {} {} {}", arrow.from.value, place(arrow.row), place(arrow.pack),
-                         static_cast<int>(arrow.kind), arrow.optional, arrow.apart, arrow.label,
-                         arrow.mark ? static_cast<int>(*arrow.mark) : -1);
+      key += fmt::format("; {} {} {} {} {} {} {}", arrow.from.value, place(arrow.row), place(arrow.pack),
+                         static_cast<int>(arrow.kind), arrow.optional, arrow.apart, arrow.label);
+      for (const std::vector<GroupArrow>& marked : marked_)
+        key += fmt::format(" {}", marked[i].mark ? static_cast<int>(*marked[i].mark) : -1);
     }
     return asked ? key : alone;
   }
 
-  const Moment::Standing& standing(GroupId id) const { return options_.moment->groups[id.value]; }
+  static const Moment::Standing& standing(GroupId id, const Moment& moment) { return moment.groups[id.value]; }
 
-  /// What is most of note among the groups of a box.
+  /// The moments that are shown, and the arrows as they are marked in each.
+  void find_marks() {
+    moments_.clear();
+    marked_.clear();
+    if (!options_.moment) return;
+    for (const Moment& frame : options_.frames) moments_.push_back(&frame);
+    if (moments_.empty()) moments_.push_back(&*options_.moment);
+    for (const Moment* moment : moments_) mark_asks(model_, *moment, marked_.emplace_back(arrows_));
+  }
+
   void mark(PictureBox& box) const {
     if (!options_.moment) return;
+    const Moment::Standing now = standing_of(box, *options_.moment);
+    box.mark = now.mark;
+    box.note = now.note;
+    for (const Moment& frame : options_.frames) {
+      Moment::Standing then = standing_of(box, frame);
+      then.active.reset();
+      if (std::find(box.frames.begin(), box.frames.end(), then) == box.frames.end()) box.frames.push_back(then);
+    }
+    const Group& group = model_.groups[box.groups.front()];
+    for (std::size_t row = 0; row < box.rows.size(); ++row)
+      box.rows[row].is_active = standing(box.groups.front(), *options_.moment).active == group.providers[row];
+  }
+
+  /// What is most of note among the groups of a box.
+  static Moment::Standing standing_of(const PictureBox& box, const Moment& moment) {
     using Mark = Moment::Mark;
     const auto rank = [](Mark mark) {
       return mark == Mark::pushed    ? 4
@@ -167,16 +201,11 @@ private:
              : mark == Mark::held    ? 1
                                      : 0;
     };
-    box.mark = Mark::inactive;
+    Moment::Standing out;
     for (const GroupId id : box.groups) {
-      const Moment::Standing& told = standing(id);
-      if (rank(told.mark) <= rank(*box.mark)) continue;
-      box.mark = told.mark;
-      box.note = told.note;
+      if (rank(standing(id, moment).mark) > rank(out.mark)) out = standing(id, moment);
     }
-    const Group& group = model_.groups[box.groups.front()];
-    for (std::size_t row = 0; row < box.rows.size(); ++row)
-      box.rows[row].is_active = standing(box.groups.front()).active == group.providers[row];
+    return out;
   }
 
   bool is_focused(GroupId id) const {
@@ -265,6 +294,7 @@ private:
       if (known.mark && *known.mark == Moment::Mark::inactive) known.mark = arrow.mark;
       known.optional = known.optional && arrow.optional;
       known.apart = known.apart && arrow.apart;
+      known.hidden = known.hidden && arrow.hidden;
       if (folded && pushes && known.label.find(arrow.label) == std::string::npos) known.label += "\n" + arrow.label;
       known.about.words += "\n" + arrow.about.words;
     }
@@ -283,6 +313,7 @@ private:
     out.optional = told.optional;
     out.apart = told.apart;
     out.mark = told.mark;
+    out.hidden = told.hidden;
     out.label = whole && !row_of_target && told.kind != ArrowKind::take ? std::string{} : told.label;
     out.about = words_.at(told.words, told.span);
     return out;
@@ -374,6 +405,8 @@ private:
   const PictureWords words_;
   IdTable<GroupId, std::size_t> box_of_;
   std::vector<GroupArrow> arrows_;
+  std::vector<const Moment*> moments_;                   ///< of all frames, or the one that is shown
+  std::vector<std::vector<GroupArrow>> marked_;          ///< the arrows in each of these
   IdTable<GroupId, std::vector<std::size_t>> arrows_to_; ///< places of arrows
   IdSet<GroupId> flawed_;                                ///< something is wrong there
   IdSet<GroupId> drawn_;                                 ///< has a box

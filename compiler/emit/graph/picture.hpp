@@ -67,8 +67,9 @@ struct PictureBox {
   std::vector<PictureLine> lines;     ///< of its handlers
   std::vector<PictureRow> rows;       ///< of a group
   bool in_focus = false;
-  std::optional<Moment::Mark> mark; ///< nothing: no moment is shown
-  std::string note;                 ///< about the mark
+  std::optional<Moment::Mark> mark;     ///< nothing: no moment is shown
+  std::string note;                     ///< about the mark
+  std::vector<Moment::Standing> frames; ///< its marks and notes in all frames, each once: it needs room for them
   PictureText about;
 
   /// The group's own words are its only row.
@@ -107,6 +108,7 @@ struct PictureArrow {
   bool missing = false;             ///< it leads to a name that no group has
   bool ranks = true;                ///< the second box is to be below the first
   std::optional<Moment::Mark> mark; ///< nothing: no moment is shown
+  bool hidden = false;              ///< it needs room, as another frame shows it
   PictureText about;
   bool operator==(const PictureArrow&) const = default;
 };
@@ -116,6 +118,7 @@ struct Picture {
   std::string doc;
   std::string moment;               ///< what moment it shows; empty: none
   std::vector<std::string> values;  ///< of states, at that moment
+  std::size_t longest_head = 0;     ///< letters of the longest title or value in all frames
   std::vector<std::string> wrong;   ///< what is found that is about no box
   std::vector<PictureLayer> layers; ///< in the order declared; what is in none comes last
   std::vector<PictureBox> boxes;

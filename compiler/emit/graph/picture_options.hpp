@@ -74,6 +74,7 @@ struct PictureOptions {
   std::optional<std::size_t> depth; ///< ... no more than so many arrows away
   std::vector<TakeOver> take_overs; ///< for View::takes
   std::optional<Moment> moment;     ///< nothing: all that can be, and not what is
+  std::vector<Moment> frames;       ///< moments of which each box is to have one place; with `moment` among them
   PictureFlaws flaws;
 };
 

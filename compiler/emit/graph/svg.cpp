@@ -124,8 +124,9 @@ std::string summary(const Picture& picture) {
     if (box.asked) roots += (roots.empty() ? "" : ", ") + box.name;
   }
   const auto count = [&](auto... kinds) {
-    return static_cast<std::size_t>(std::count_if(picture.arrows.begin(), picture.arrows.end(),
-                                                  [&](const auto& arrow) { return ((arrow.kind == kinds) || ...); }));
+    return static_cast<std::size_t>(std::count_if(picture.arrows.begin(), picture.arrows.end(), [&](const auto& arrow) {
+      return !arrow.hidden && ((arrow.kind == kinds) || ...);
+    }));
   };
   std::string out = counted(groups, "group");
   if (folded != 0) out += fmt::format(" in {}", counted(folded, "part"));

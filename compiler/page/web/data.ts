@@ -14,10 +14,23 @@ export interface Row {
   cells: Cell[];
 }
 
+/** What decides between two tasks of one requester. */
+export interface Decision {
+  goes_first: string;
+  words: string;
+}
+
+/** Codes of decisions: twice the place, and one more where the first group is on the side of the second task. */
+export interface Answer {
+  leads?: string;
+  decisions: number[];
+}
+
 export interface Data {
   behaviour: string;
   groups: { name: string; doc?: string }[];
   states: { name: string; doc?: string }[];
+  ranks?: { decisions: Decision[]; answers: Answer[]; pairs: number[][] };
   transitions?: { rows: Row[]; pieces: string[] };
 }
 

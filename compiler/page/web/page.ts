@@ -6,9 +6,11 @@ import { readData } from './data';
 import { byId } from './elements';
 import { Finder } from './finder';
 import { Matrix } from './matrix';
+import { Pair } from './pair';
 
 const data = readData();
 const section = byId('picture');
 const pictures = section ? choosePicture(section) : [];
 new Finder(data, pictures);
+new Pair(data);
 new Matrix(data);

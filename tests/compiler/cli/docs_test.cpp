@@ -84,16 +84,35 @@ TEST_CASE("docs: of 500 groups the page has no transition matrix, and says why a
   World w;
   w.files.add("large.yaml", large(500));
   const std::string words = "The transition matrix is left out: 500 groups would be its rows, and it is played for at most "
-                            "100. A deployment that requests fewer of them has one: split the behaviour into modules, and "
-                            "write one with ";
+                            "100. ";
+  const std::string more = " plays it for some of them; a deployment that requests fewer has one of all.";
   CHECK(w.directorc({"docs", "large.yaml", "-o", "pages"}) == 0);
   const std::string& html = w.outputs.files.at("pages/large.html");
-  CHECK(html.find("<p>" + words + "<code>roots</code> for each part.</p>") != std::string::npos);
+  CHECK(html.find("<p>" + words + "<code>directorc docs --transitions GROUP,GROUP</code>" + more + "</p>") != std::string::npos);
   CHECK(html.find("class=\"matrix\"") == std::string::npos);
   CHECK(w.directorc({"docs", "large.yaml", "-o", "pages", "--format=markdown"}) == 0);
-  CHECK(w.outputs.files.at("pages/large.md").find(words + "`roots` for each part.\n") != std::string::npos);
+  CHECK(w.outputs.files.at("pages/large.md").find(words + "`directorc docs --transitions GROUP,GROUP`" + more + "\n") != std::string::npos);
   CHECK(w.directorc({"graph", "large.yaml", "--format=json", "--page"}) == 0);
-  CHECK(w.out.find("\"left_out\": \"" + words + "`roots` for each part.\"") != std::string::npos);
+  CHECK(w.out.find("\"left_out\": \"" + words + "`directorc docs --transitions GROUP,GROUP`" + more + "\"") != std::string::npos);
+}
+
+TEST_CASE("docs: of 500 groups those that are named have a matrix, and the page says that they are not all") {
+  World w;
+  w.files.add("large.yaml", large(500));
+  CHECK(w.directorc({"docs", "large.yaml", "-o", "pages", "--format=markdown", "--transitions=Skill3,Skill1"}) == 0);
+  const std::string& page = w.outputs.files.at("pages/large.md");
+  CHECK(page.find("Rows and columns are only the groups that were asked for.\n") != std::string::npos);
+  CHECK(page.find("\n| from \\ to | Skill1 | Skill3 |\n| --- | --- | --- |\n| **Skill1** | C | H |\n"
+                  "| **Skill3** | W | C |\n") != std::string::npos);
+  CHECK(w.directorc({"graph", "large.yaml", "--format=json", "--page", "--transitions=Skill3"}) == 0);
+  CHECK(w.out.find("\"limited\": true") != std::string::npos);
+}
+
+TEST_CASE("docs: a group of the matrix that does not exist is told with what there is") {
+  World w = docs_world();
+  CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages", "--transitions=Wlak"}) == 2);
+  CHECK(w.err == "directorc: --transitions: there is no group called `Wlak`; did you mean `Walk`?\n");
+  CHECK(w.outputs.written.empty());
 }
 
 TEST_CASE("graph: --page is for JSON, and for behaviours that can run") {

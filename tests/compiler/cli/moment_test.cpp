@@ -72,6 +72,22 @@ TEST_CASE("frames are a file for each step") {
   CHECK(world.outputs.written == std::vector<std::string>{"out/step_1.mmd", "out/step_2.mmd", "out/step_3.mmd"});
 }
 
+TEST_CASE("a push that priorities forbid is not drawn; of a module, which has none, each is") {
+  const auto pushes = [](const std::string& roots) {
+    World world;
+    world.files.add(
+        "r.yaml", "behaviour: r\nlanguage: 1\nstates: {Motion: {values: [still, rolling], initial: still}}\n" + roots +
+                      "groups:\n  Photograph: {when: [Motion == still]}\n  Drive:\n    providers:\n"
+                      "      - {name: rolling, sets: [Motion == rolling]}\n"
+                      "      - {name: braking, causing: [Motion == still]}\n");
+    REQUIRE(world.directorc({"graph", "r.yaml", "--view=pushes"}) == 0);
+    return world.out.find("\"Photograph\" -> \"Drive\":\"braking\"") != std::string::npos;
+  };
+  CHECK(pushes("roots: {Photograph: {priority: 20}, Drive: {priority: 10}}\n"));
+  CHECK_FALSE(pushes("roots: {Photograph: {priority: 10}, Drive: {priority: 20}}\n"));
+  CHECK(pushes(""));
+}
+
 TEST_CASE("a moment that there is not, or a scenario that is none, is told") {
   World world = photographer();
   const auto told = [&](const std::vector<std::string>& words) {

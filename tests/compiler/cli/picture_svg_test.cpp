@@ -106,6 +106,59 @@ TEST_CASE("boxes and labels do not overlap, and nothing sticks out of the paper"
   }
 }
 
+/// Of each picture that is written.
+std::map<std::string, Svg> frames_of(const std::string& scenario) {
+  std::ostringstream out, err;
+  dsl::DiskFiles files;
+  compiler::cli::MemoryOutputs outputs;
+  compiler::cli::ChildPrograms programs;
+  compiler::cli::Console console{out, err, false, false, files, outputs, programs};
+  const compiler::cli::Request request =
+      compiler::cli::parse({"graph", "--format=svg", "--frames", "-o", "frames", behaviour(scenario)});
+  REQUIRE(run(std::get<compiler::cli::DrawGraph>(request), console) == 0);
+  std::map<std::string, Svg> all;
+  for (const auto& [path, text] : outputs.files) all[path] = read_svg(text);
+  return all;
+}
+
+TEST_CASE("in all frames of a scenario each box has one place, and the paper one size") {
+  if (!has_graphviz()) return;
+  for (const char* const scenario :
+       {"tests/docs/rover/rover.scenario.yaml", "behaviours/soccer/scenarios/push_and_kick.scenario.yaml",
+        "behaviours/drone/scenarios/a_picture.scenario.yaml"}) {
+    CAPTURE(scenario);
+    const std::map<std::string, Svg> frames = frames_of(scenario);
+    REQUIRE(frames.size() >= 3);
+    const auto places = [](const Svg& svg) {
+      std::map<std::string, std::vector<double>> out;
+      out["paper"] = {svg.width, svg.height};
+      for (const SvgThing& thing : svg.things) {
+        if (!thing.is_arrow) out[thing.title] = {thing.box.left, thing.box.top, thing.box.right, thing.box.bottom};
+      }
+      return out;
+    };
+    const std::map<std::string, std::vector<double>> first = places(frames.begin()->second);
+    for (const auto& [path, svg] : frames) {
+      CAPTURE(path);
+      CHECK(places(svg) == first);
+    }
+  }
+}
+
+TEST_CASE("a push that only another frame shows is not drawn") {
+  if (!has_graphviz()) return;
+  const std::map<std::string, Svg> frames = frames_of("tests/docs/rover/rover.scenario.yaml");
+  const auto pushes = [&](const std::string& path) {
+    const std::vector<SvgThing>& things = frames.at(path).things;
+    return std::count_if(things.begin(), things.end(), [](const SvgThing& thing) {
+      return thing.is_arrow && thing.title == "Photograph → Drive.braking";
+    });
+  };
+  CHECK(pushes("frames/step_1.svg") == 0);
+  CHECK(pushes("frames/step_2.svg") == 1);
+  CHECK(pushes("frames/step_3.svg") == 0);
+}
+
 TEST_CASE("500 groups can be read by their modules") {
   if (!has_graphviz()) return;
   const std::vector<std::string> layers{"purpose", "strategy", "planning", "skill", "actuation"};

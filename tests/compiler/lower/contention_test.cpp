@@ -12,9 +12,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-Texts decided(const Compiled& c, const std::string& group, std::size_t most = most_chain_pairs) {
+Texts decided(const Compiled& c, const std::string& group, std::size_t most = most_edge_pairs) {
   Texts out;
-  for (const Contention& each : contentions(c.model, c.group(group), most)) {
+  for (const Contention& each : Contentions(c.model, most).at(c.group(group))) {
     out.push_back(c.model.edge_name(each.first) + " and " + c.model.edge_name(each.second) +
                   (each.complete ? "" : " (cut)"));
     for (const Decision& decision : each.decisions) {

@@ -16,7 +16,64 @@ compiler::Json facts(const std::string& behaviour) {
   return out;
 }
 
+/// `Kick waits for Motion == still of Walk.halting`
+std::vector<std::string> possible_pushes(const std::string& behaviour) {
+  const Compiled c = compile("behaviour: test\nlanguage: 1\n" + behaviour);
+  std::vector<std::string> out;
+  for (const compiler::Graph::Causing& row :
+       compiler::with_possible_pushes(c.model, compiler::make_graph(c.model)).causing)
+    out.push_back(c.model.full_name(row.waiter) + " waits for " + c.model.conditions[row.condition.id].text + " of " +
+                  c.model.full_name(row.causer));
+  return out;
+}
+
+/// Kick and Walk with these priorities; what Kick does.
+std::string kicker(const std::string& kick, const std::string& walk, const std::string& with) {
+  return "states: {Motion: {values: [moving, still], initial: moving}}\nroots: {Kick: {" + kick + "}, Walk: {" + walk +
+         "}}\ngroups:\n  Kick: {" + with +
+         "}\n  Walk:\n    providers:\n      - {name: walking, needs: [Legs], sets: [Motion == moving]}\n"
+         "      - {name: halting, needs: [Legs], causing: [Motion == still]}\n  Legs: {}\n";
+}
+
 } // namespace
+
+TEST_CASE("who waits may push whom it goes before") {
+  CHECK(possible_pushes(kicker("priority: 2", "priority: 1", "when: [Motion == still], needs: [Legs]")) ==
+        std::vector<std::string>{"Kick waits for Motion == still of Walk.halting"});
+}
+
+TEST_CASE("who waits does not push whom priorities put before it, or beside it") {
+  for (const char* const walk : {"priority: 3", "priority: 2"})
+    CHECK(possible_pushes(kicker("priority: 2", walk, "when: [Motion == still], needs: [Legs]")).empty());
+}
+
+TEST_CASE("what a need waits for, the task pushes for that needs it") {
+  const std::string foot = "  Foot: {when: [Motion == still]}\n";
+  CHECK(possible_pushes(kicker("priority: 2", "priority: 1", "needs: [Foot]") + foot) ==
+        std::vector<std::string>{"Foot waits for Motion == still of Walk.halting"});
+  CHECK(possible_pushes(kicker("priority: 1", "priority: 2", "needs: [Foot]") + foot).empty());
+}
+
+TEST_CASE("who waits for one that waits itself pushes along the chain") {
+  CHECK(possible_pushes(R"(states:
+  Motion: {values: [moving, still], initial: moving}
+  Arm: {values: [out, folded], initial: out}
+roots: {Load: {priority: 3}, Walk: {priority: 2}, Reach: {priority: 1}}
+groups:
+  Load: {when: [Arm == folded]}
+  Reach:
+    providers:
+      - {name: reaching, needs: [Hand], sets: [Arm == out]}
+      - {name: folding, when: [Motion == still], needs: [Hand], causing: [Arm == folded]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Motion == moving]}
+      - {name: halting, needs: [Legs], causing: [Motion == still]}
+  Hand: {}
+  Legs: {}
+)") == std::vector<std::string>{"Load waits for Arm == folded of Reach.folding",
+                                "Reach.folding waits for Motion == still of Walk.halting"});
+}
 
 TEST_CASE("of two tasks of the program the table says which goes first, by what priorities, and over what") {
   CHECK(to_lines(facts(R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}

@@ -1,0 +1,19 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Groups that somebody names on the command line.
+
+#include "compiler/cli/console.hpp"
+#include "compiler/model/model.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::compiler::cli {
+
+/// Nothing, and says why, where one does not exist. `option`: `--focus`.
+std::optional<std::vector<GroupId>> named_groups(const std::vector<std::string>& names, std::string_view option,
+                                                 const Model& model, Console& console);
+
+} // namespace director::compiler::cli

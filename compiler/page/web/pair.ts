@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Of any two groups: who goes first, and what decides.
+
+import type { Data, Decision } from './data';
+import { byId, make } from './elements';
+
+/** `first`, `second` or `equal`, of the two groups that were asked for. */
+function sideThatWins(decision: Decision, turned: boolean): string {
+  if (decision.goes_first === 'equal' || !turned) return decision.goes_first;
+  return decision.goes_first === 'first' ? 'second' : 'first';
+}
+
+export class Pair {
+  private readonly inputs = ['first', 'second'].map((id) =>
+    make('input', { type: 'search', id: `pair-${id}`, list: 'pair-names', autocomplete: 'off', spellcheck: 'false' }),
+  );
+  private readonly answer = make('div', { id: 'pair-answer', role: 'status' });
+  private readonly places: Map<string, number>;
+
+  constructor(private readonly data: Data) {
+    this.places = new Map(data.groups.map((group, i) => [group.name.toLowerCase(), i]));
+    const box = byId('pair');
+    if (!box || !data.ranks || data.ranks.pairs.length === 0) return;
+    const names = make('datalist', { id: 'pair-names' }, ...data.groups.map((group) => make('option', { value: group.name })));
+    const [first, second] = this.inputs;
+    box.append(make('label', { for: first.id }, 'Who goes first,'), first, make('label', { for: second.id }, 'or'), second, names, this.answer);
+    for (const input of this.inputs) input.addEventListener('input', () => this.show());
+    box.hidden = false;
+  }
+
+  private show(): void {
+    const [a, b] = this.inputs.map((input) => this.places.get(input.value.trim().toLowerCase()));
+    this.answer.replaceChildren(...(a === undefined || b === undefined ? [] : this.tell(a, b)));
+  }
+
+  private tell(a: number, b: number): Node[] {
+    const ranks = this.data.ranks;
+    if (!ranks) return [];
+    const swapped = a < b; // there is a row for each group, with those before it
+    const answer = ranks.answers[swapped ? ranks.pairs[b][a] : ranks.pairs[a][b]];
+    const [first, second] = [this.data.groups[a].name, this.data.groups[b].name];
+    const lines: string[] = [];
+    if (answer.leads) {
+      const [above, below] = (answer.leads === 'first') === !swapped ? [first, second] : [second, first];
+      lines.push(`${above} leads to ${below}: it goes first of what it leads to.`);
+    }
+    for (const code of answer.decisions) {
+      const decision = ranks.decisions[Math.floor(code / 2)];
+      const wins = sideThatWins(decision, (code % 2 === 1) !== swapped);
+      const head = wins === 'equal' || a === b ? '' : `${wins === 'first' ? first : second} goes first. `;
+      lines.push(`${head}At ${decision.words}.`);
+    }
+    if (lines.length === 0) {
+      lines.push(a === b ? `Nowhere do two chains of requesters lead to ${first}.` : `They never meet: no requester leads to both beside each other.`);
+    } else if (answer.decisions.some((code) => ranks.decisions[Math.floor(code / 2)].goes_first === 'equal')) {
+      lines.push('Of equals, who has it keeps it; of two that ask, the older request goes first.');
+    }
+    return [make('ul', {}, ...lines.map((line) => make('li', {}, line)))];
+  }
+}

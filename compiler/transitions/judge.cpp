@@ -1,0 +1,68 @@
+// Door: compiler/transitions/judge.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/transitions/judge.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace director::compiler::transitions {
+
+using Kind = Transition::Kind;
+
+void Judge::judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
+                  Told& told) const {
+  const std::vector<GroupId> all = player_.lost(row, now.trial.rest);
+  for (const GroupId id : all) (now.trial.rest.groups[id.value].granted ? out.taken : out.stops).push_back(id);
+  out.pushes = pushes_of(now.trial, row);
+  const Parting parting = part(model_, row.way, column.way);
+  const bool ended = !runs(now.trial.rest, row.way);
+  told.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
+  if (player_.ends_by(row, change, all)) {
+    out.kind = Kind::condition_lost;
+  } else if (parting.replaced && ended) {
+    out.kind = Kind::replaced;
+  } else if (all.empty()) {
+    out.kind = Kind::both;
+  } else {
+    out.kind = pushed_first(row, now.trial) ? Kind::soft : Kind::hard;
+  }
+  if (out.kind != Kind::soft) return;
+  out.bound = 0;
+  for (const Transition::Push& push : out.pushes)
+    out.bound = out.bound && push.within ? std::optional(*out.bound + *push.within) : std::nullopt;
+}
+
+/// Nothing was taken from the row's side before somebody was pushed.
+bool Judge::pushed_first(const Beginning& row, const Trial& trial) const {
+  const EdgeId edge = row.way.last().edge;
+  std::uint64_t pushed = std::numeric_limits<std::uint64_t>::max();
+  for (const Event& event : trial.events) {
+    if (event.kind == Event::Kind::push) pushed = std::min(pushed, event.micro_step);
+    if (event.micro_step >= pushed) return true;
+    const bool takes = event.kind == Event::Kind::lose || event.kind == Event::Kind::stop ||
+                       (event.kind == Event::Kind::grant && event.other != nil && event.other != event.edge);
+    if (takes && row.rest.is_under(model_, GroupId{event.group}, edge)) return false;
+  }
+  return false;
+}
+
+std::vector<Transition::Push> Judge::pushes_of(const Trial& trial, const Beginning& row) const {
+  std::vector<Transition::Push> out;
+  for (const Event& event : trial.events) {
+    if (event.kind != Event::Kind::push) continue;
+    const GroupId waits = model_.edges[EdgeId{event.edge}].target;
+    if (row.rest.is_under(model_, waits, row.way.last().edge)) continue;
+    Transition::Push push{ProviderId{event.provider}, {}, {}};
+    if (event.condition != nil) push.condition = model_.conditions[lowered_.condition_ids[event.condition]].text;
+    for (const ConditionUse& use : model_.providers[push.to].causing) {
+      if (event.condition != nil && model_.satisfies(use.id, lowered_.condition_ids[event.condition]))
+        push.within = use.within;
+    }
+    const bool known =
+        std::any_of(out.begin(), out.end(), [&](const Transition::Push& each) { return each.to == push.to; });
+    if (!known) out.push_back(std::move(push));
+  }
+  return out;
+}
+
+} // namespace director::compiler::transitions

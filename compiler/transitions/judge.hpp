@@ -1,0 +1,32 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What a play of both groups was: soft, hard, replaced, and so on.
+
+#include "compiler/transitions/player.hpp"
+#include "compiler/transitions/words.hpp"
+
+namespace director::compiler::transitions {
+
+class Judge {
+public:
+  Judge(const Model& model, const Lowered& lowered, const Player& player)
+      : model_(model),
+        lowered_(lowered),
+        player_(player) {}
+
+  /// `now`: the column runs.
+  void judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
+             Told& told) const;
+
+  /// Those that were not made for the row's side.
+  std::vector<Transition::Push> pushes_of(const Trial& trial, const Beginning& row) const;
+
+private:
+  bool pushed_first(const Beginning& row, const Trial& trial) const;
+
+  const Model& model_;
+  const Lowered& lowered_;
+  const Player& player_;
+};
+
+} // namespace director::compiler::transitions

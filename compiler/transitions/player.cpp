@@ -1,0 +1,53 @@
+// Door: compiler/transitions/player.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/transitions/player.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::compiler::transitions {
+
+Player::Player(const Model& model, const Lowered& lowered, const std::string& behaviour)
+    : model_(model),
+      lowered_(lowered),
+      head_(fmt::format("scenario: transition\nbehaviour: {}\n", behaviour)) {}
+
+Play Player::play(Script script, std::string steps, std::uint32_t from, const Way& way) const {
+  std::string text = head_ + (script.empty() ? "" : "script:\n");
+  for (const auto& [id, cases] : script) text += entry_text(model_, id, cases);
+  Trial trial = play_trial(text + steps, model_, lowered_, from, way);
+  return {std::move(script), std::move(steps), std::move(trial)};
+}
+
+std::string Player::beginning(const Way& way, const Outside& outside) const {
+  return given_text(model_, outside.given) + "steps:\n" + request_step(model_, way, outside.values);
+}
+
+std::vector<GroupId> Player::lost(const Beginning& row, const Rest& rest) const {
+  const EdgeId edge = row.way.last().edge;
+  std::vector<GroupId> out;
+  for (const GroupId id : model_.groups.ids()) {
+    const Rest::Held& before = row.rest.groups[id.value];
+    if (before.active && row.rest.is_under(model_, id, edge) && !rest.is_under(model_, id, edge)) out.push_back(id);
+  }
+  return out;
+}
+
+bool Player::ends_by(const Beginning& row, const Values& change, const std::vector<GroupId>& all) const {
+  if (change.empty()) return false;
+  const std::string steps = beginning(row.way, row.outside) + settings_step(model_, change);
+  const Play alone = play(script_of(model_, row.way), steps, 2, row.way);
+  if (!alone.trial.good) return false;
+  if (!runs(alone.trial.rest, row.way)) return true;
+  const std::vector<GroupId> ended = lost(row, alone.trial.rest);
+  return !all.empty() && std::all_of(all.begin(), all.end(), [&](GroupId id) {
+    return std::find(ended.begin(), ended.end(), id) != ended.end();
+  });
+}
+
+bool runs(const Rest& rest, const Way& way) { return rest.running[way.last().edge.value]; }
+
+bool runs_at_all(const Rest& rest, const Way& way) { return rest.groups[way.target.value].granted; }
+
+} // namespace director::compiler::transitions

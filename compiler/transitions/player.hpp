@@ -1,0 +1,53 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Plays of the matrix: a group brought to run, and what is asked for beside it.
+
+#include "compiler/transitions/matrix.hpp"
+#include "compiler/transitions/trial.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::compiler::transitions {
+
+/// How a group is brought to run.
+struct Beginning {
+  Way way;
+  Outside outside;
+  Runs runs;
+  Rest rest;
+};
+
+struct Play {
+  Script script;
+  std::string steps;
+  Trial trial;
+};
+
+class Player {
+public:
+  Player(const Model& model, const Lowered& lowered, const std::string& behaviour);
+
+  /// `from`: the step whose events are kept.
+  Play play(Script script, std::string steps, std::uint32_t from, const Way& way) const;
+
+  /// All that stands before the column's step.
+  std::string beginning(const Way& way, const Outside& outside) const;
+
+  /// What ran for the row's task and does not run for it any more.
+  std::vector<GroupId> lost(const Beginning& row, const Rest& rest) const;
+
+  /// The values alone end the row's task, or take from it all that it lost.
+  bool ends_by(const Beginning& row, const Values& change, const std::vector<GroupId>& all) const;
+
+private:
+  const Model& model_;
+  const Lowered& lowered_;
+  std::string head_;
+};
+
+bool runs(const Rest& rest, const Way& way);
+/// Also for somebody else: it was running then, and is not asked for in vain.
+bool runs_at_all(const Rest& rest, const Way& way);
+
+} // namespace director::compiler::transitions

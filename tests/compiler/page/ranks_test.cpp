@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/page/ranks.hpp"
+#include "tests/compiler/support/compiled.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace director::tests {
+
+namespace {
+
+std::string about(std::size_t count) {
+  std::string out = "behaviour: many\nlanguage: 1\nroots: [G0]\ngroups:\n";
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const std::string here = std::to_string(i), next = std::to_string(i + 1);
+    out += "  G" + here + ": {tasks: [G" + next + "]}\n";
+  }
+  return out + "  G" + std::to_string(count - 1) + ": {}\n";
+}
+
+/// What the page tells of two groups, a line for each decision.
+std::string told_of(const std::string& behaviour, const std::string& first, const std::string& second) {
+  const Compiled c = compile("behaviour: test\nlanguage: 1\n" + behaviour);
+  const compiler::Json ranks = compiler::ranks_json(c.model);
+  const compiler::GroupId a = c.group(first), b = c.group(second);
+  REQUIRE(b <= a); // a row has those before it
+  const auto place = static_cast<std::size_t>(ranks["pairs"].items()[a.value].items()[b.value].as_number());
+  const compiler::Json& answer = ranks["answers"].items()[place];
+  std::string out = answer["leads"].is_null() ? "" : answer["leads"].as_text() + " leads\n";
+  for (const compiler::Json& code : answer["decisions"].items()) {
+    const compiler::Json& decision = ranks["decisions"].items()[static_cast<std::size_t>(code.as_number() / 2)];
+    std::string wins = decision["goes_first"].as_text();
+    if (code.as_number() % 2 == 1 && wins != "equal") wins = wins == "first" ? "second" : "first";
+    out += wins + ", " + decision["words"].as_text() + "\n";
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("two groups below two roots are decided by the priorities of these") {
+  const std::string behaviour = R"(roots: {Rescue: {priority: 9}, Play: {priority: 1}}
+groups:
+  Kick: {needs: [Legs]}
+  GetUp: {needs: [Legs]}
+  Rescue: {tasks: [GetUp]}
+  Play: {tasks: {Kick: {priority: 50}}}
+  Legs: {}
+)";
+  CHECK(told_of(behaviour, "GetUp", "Kick") == "first, the program: Rescue (priority 9) before Play (priority 1)\n");
+  CHECK(told_of(behaviour, "Legs", "Legs") == "second, the program: Rescue (priority 9) before Play (priority 1)\n");
+}
+
+TEST_CASE("each level is compared, also with the other side's optional one") {
+  CHECK(told_of(R"(roots: [Play]
+groups:
+  Play:
+    packs:
+      near: {Kick: {levels: {calm: {priority: 5}, firm: {priority: 20}}}, Look: {levels: {must: {priority: 10}, may: {priority: 30, optional: true}}}}
+  Kick: {}
+  Look: {}
+)",
+                "Look", "Kick") ==
+        "first, Play: Look (priority 10) before Kick (priority 5), together or not at all\n"
+        "second, Play: Kick (priority 20) before Look (priority 10), together or not at all\n"
+        "second, Play: Kick (priority 5) before Look (priority 30, optional)\n"
+        "second, Play: Kick (priority 20) before Look (priority 30, optional)\n");
+}
+
+TEST_CASE("two of one pack with the same priority are equal, and granted together unless one is apart") {
+  const auto pack = [](const std::string& look) {
+    return "roots: [Play]\ngroups:\n  Play: {tasks: {Kick: {}, Look: {" + look + "}}}\n  Kick: {}\n  Look: {}\n";
+  };
+  CHECK(told_of(pack(""), "Look", "Kick") ==
+        "equal, Play: Kick (priority 0) and Look (priority 0) are equal, together or not at all\n");
+  CHECK(told_of(pack("apart: true"), "Look", "Kick") ==
+        "equal, Play: Kick (priority 0) and Look (priority 0) are equal\n");
+}
+
+TEST_CASE("tasks of two packs are never both asked for") {
+  CHECK(told_of(R"(roots: [Play]
+groups:
+  Play: {packs: {attack: {Kick: {priority: 2}}, defend: {Walk: {priority: 1}}}}
+  Kick: {}
+  Walk: {}
+)",
+                "Walk", "Kick") == "second, Play: Kick (priority 2) before Walk (priority 1), never both at once\n");
+}
+
+TEST_CASE("what is optional gives way, itself or below the task that is compared") {
+  CHECK(told_of(R"(roots: {Play: {priority: 9}, Idle: {priority: 1}}
+groups:
+  Play: {tasks: {Look: {optional: true}}}
+  Idle: {tasks: [Rest]}
+  Look: {}
+  Rest: {}
+)",
+                "Rest", "Look") ==
+        "first, the program: Idle (priority 1) before Play (priority 9, something below it optional)\n");
+}
+
+TEST_CASE(
+    "of two of which one leads to the other, the one above goes first; they meet where something else leads there") {
+  const std::string behaviour = R"(roots: {Play: {priority: 1}, Test: {priority: 2}}
+groups:
+  Play: {tasks: [Walk]}
+  Walk: {tasks: [Legs]}
+  Legs: {}
+  Test: {tasks: [Legs]}
+)";
+  CHECK(told_of(behaviour, "Walk", "Play") == "second leads\n");
+  CHECK(told_of(behaviour, "Legs", "Walk") ==
+        "second leads\nfirst, the program: Test (priority 2) before Play (priority 1)\n");
+}
+
+TEST_CASE("two of which one chain passes what the other one holds do not meet") {
+  CHECK(told_of(R"(roots: [Play]
+groups:
+  Play: {tasks: [Attack, Defend]}
+  Attack: {tasks: [Walk]}
+  Defend: {tasks: [Walk]}
+  Walk: {needs: [Left, Right]}
+  Left: {}
+  Right: {}
+)",
+                "Right", "Left") == "equal, Walk: Left (needed) and Right (needed) are equal\n");
+}
+
+TEST_CASE("of what several ask for, each two have what decides between them") {
+  const Compiled c = compile(R"(behaviour: test
+language: 1
+roots: {Rescue: {priority: 9}, Play: {priority: 1}, Legs: {priority: 5}}
+groups: {Rescue: {tasks: [Legs]}, Play: {tasks: [Legs]}, Legs: {}}
+)");
+  CHECK(to_line(compiler::ranks_json(c.model)["contended"]) ==
+        R"([{"group":"Legs","rivals":[{"second":"Rescue","decisions":[1]},{"second":"Play","decisions":[3]},)"
+        R"({"first":"Rescue","second":"Play","decisions":[4]}]}])");
+}
+
+TEST_CASE("of more groups than a page can hold not every two are compared, and it says so") {
+  const Compiled c = compile(about(compiler::most_compared + 1));
+  const compiler::Json ranks = compiler::ranks_json(c.model);
+  CHECK(ranks["left_out"].as_text() ==
+        "Not every two of 251 groups are compared here, as there are more than 250; those "
+        "that several ask for are.");
+  CHECK(ranks["pairs"].items().empty());
+}
+
+} // namespace director::tests
