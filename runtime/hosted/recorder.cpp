@@ -53,6 +53,11 @@ Observer Recorder::observer() {
   return {[](void* self, const Event& event) { static_cast<Recorder*>(self)->tell(event); }, this};
 }
 
+void Recorder::put_when_full(const Event& event) {
+  if (!options_.waits) return queue_.drop();
+  while (!queue_.put(event)) std::this_thread::sleep_for(std::chrono::microseconds(100));
+}
+
 /// Who steps wakes nobody, since that would be a system call: so the writer looks now and then.
 void Recorder::write_all() {
   std::unique_lock lock(mutex_);

@@ -26,8 +26,9 @@ namespace director {
 class Recorder {
 public:
   struct Options {
-    std::size_t queue = 65'536;                ///< how many events can wait
+    std::size_t queue = 65'536;             ///< how many events can wait
     std::chrono::milliseconds interval{20}; ///< how often what waits is written
+    bool waits = false; ///< who steps waits while the queue is full: for simulations, which run faster than the world
   };
 
   /// What is written follows from the end of the path: JSON lines, or Perfetto's packets for `.perfetto-trace` and
@@ -44,7 +45,9 @@ public:
   /// For the constructor of a Behaviour, which the recorder must outlive.
   Observer observer();
   /// Records the event; what an observer of your own may do besides.
-  void tell(const Event& event) { queue_.put(event); }
+  void tell(const Event& event) {
+    if (!queue_.put(event)) put_when_full(event);
+  }
 
   /// The file could be opened, and all so far could be written. From any thread.
   bool good() const { return error_.load(std::memory_order_relaxed) == 0; }
@@ -54,6 +57,7 @@ public:
   std::uint64_t dropped() const { return queue_.dropped(); }
 
 private:
+  void put_when_full(const Event& event);
   void write_all();
   void write_waiting();
   void flush();

@@ -29,19 +29,21 @@ public:
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;
 
-  /// For the thread that steps.
-  void put(const Event& event) {
+  // For the thread that steps.
+
+  /// False: the queue is full.
+  bool put(const Event& event) {
     const std::uint64_t end = end_.load(std::memory_order_relaxed);
     if (end - seen_begin_ == ring_.size()) {
       seen_begin_ = begin_.load(std::memory_order_acquire);
-      if (end - seen_begin_ == ring_.size()) {
-        dropped_.store(dropped_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
-        return;
-      }
+      if (end - seen_begin_ == ring_.size()) return false;
     }
     ring_[end & (ring_.size() - 1)] = {event, dropped_.load(std::memory_order_relaxed)};
     end_.store(end + 1, std::memory_order_release);
+    return true;
   }
+  /// An event is given up.
+  void drop() { dropped_.store(dropped_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
   /// For the thread that writes: calls `use(entry)` for each entry that waits, and gives their places back at the end.
   template <class Use>

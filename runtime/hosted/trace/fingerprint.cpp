@@ -23,7 +23,8 @@ public:
   void operator()(std::int32_t number) { (*this)(static_cast<std::int64_t>(number)); }
   void operator()(bool flag) { byte(flag ? 1 : 0); }
   void operator()(Index index) { (*this)(index == nil ? ~std::uint64_t{0} : std::uint64_t{index}); }
-  void operator()(Range range) { all(range.begin, range.end); }
+  /// Where nothing begins and ends does not count: generated code leaves it out.
+  void operator()(Range range) { range.empty() ? all(Index{0}, Index{0}) : all(range.begin, range.end); }
   void operator()(std::string_view text) {
     for (const char each : text) byte(static_cast<unsigned char>(each));
     byte(0);

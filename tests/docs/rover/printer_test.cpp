@@ -2,7 +2,7 @@
 // A rover whose bodies do what the scenario of the pages scripts: what is printed of both is the same.
 #include "rover.hpp"
 #include "runtime/hosted/decision_printer.hpp"
-#include "tests/docs/command.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
