@@ -30,8 +30,7 @@ private:
   const director::Names names_;
 };
 
-std::unique_ptr<TraceFormat> format_of(const std::string& word, const director::Names& names, const std::string& file) {
-  if (word == "json") return json_lines(names, file);
+std::unique_ptr<TraceFormat> format_of(const std::string& word, const director::Names& names) {
   if (word == "perfetto") return perfetto(names);
   return std::make_unique<Text>(names);
 }
@@ -43,26 +42,32 @@ int run(const Trace& request, Console& console) {
   if (trace.status != clean) return trace.status;
   const director::Names names = trace.recorded->names();
   const Lookup lookup(names);
-  const std::unique_ptr<TraceFormat> format = format_of(request.to, names, trace.recorded->file);
+  const std::unique_ptr<TraceFormat> format = format_of(request.to, names);
+  const bool as_it_is = request.to == "json"; // but for what cannot be read
   std::string out;
-  format->begin(out);
   TraceLines lines(trace.text);
-  lines.next(); // the header
+  const std::optional<TraceLine> header = lines.next();
+  const auto copy = [&](const TraceLine& line) { out.append(line.text).append("\n"); };
+  if (as_it_is)
+    copy(*header);
+  else
+    format->begin(out);
   int status = clean;
   while (const std::optional<TraceLine> line = lines.next()) {
-    if (line->dropped != 0) {
-      format->dropped(line->dropped, out);
-      continue;
-    }
-    const Lookup::Found event = lookup.event(line->json);
+    const Lookup::Found event = line->dropped == 0 ? lookup.event(line->json) : Lookup::Found{};
     if (!event.problem.empty()) {
       say_problem(request.file, line->number, event.problem, console);
       status = found;
       break;
     }
-    format->event(event.event, out);
+    if (as_it_is)
+      copy(*line);
+    else if (line->dropped != 0)
+      format->dropped(line->dropped, out);
+    else
+      format->event(event.event, out);
   }
-  format->end(out);
+  if (!as_it_is) format->end(out);
   if (!say_end(lines, request.file, console)) status = found;
   if (request.output.empty()) {
     console.out << out;
