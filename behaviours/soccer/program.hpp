@@ -7,7 +7,7 @@
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/timeline/timeline.hpp"
 
-#include "runtime/hosted/recorder.hpp"
+#include "runtime/hosted/trace/recorder.hpp"
 
 #include <unistd.h>
 

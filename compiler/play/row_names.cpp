@@ -1,4 +1,4 @@
-// Door: compiler/play/row_names.hpp. Test: tests/compiler/play/row_names_test.cpp.
+// Door: compiler/play/row_names.hpp. Test: tests/compiler/cli/trace_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/row_names.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A rover that records what it does: it is what its scenario does, and can be played again.
 #include "rover.hpp"
-#include "runtime/hosted/recorder.hpp"
+#include "runtime/hosted/trace/recorder.hpp"
 #include "tests/docs/rover/scripted.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"

@@ -4,7 +4,7 @@
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
 #include "behaviours/soccer/world/world.hpp"
-#include "runtime/hosted/recorder.hpp"
+#include "runtime/hosted/trace/recorder.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/system/no_heap/heap_trap.hpp"

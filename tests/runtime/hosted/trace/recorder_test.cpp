@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/hosted/recorder.hpp and the queue in it.
-#include "runtime/hosted/recorder.hpp"
+// Tests runtime/hosted/trace/recorder.hpp and the queue in it.
+#include "runtime/hosted/trace/recorder.hpp"
 
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"

@@ -1,6 +1,6 @@
-// Door: runtime/hosted/recorder.hpp. Test: tests/runtime/hosted/recorder_test.cpp.
+// Door: runtime/hosted/trace/recorder.hpp. Test: tests/runtime/hosted/trace/recorder_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "runtime/hosted/recorder.hpp"
+#include "runtime/hosted/trace/recorder.hpp"
 
 #include <cerrno>
 #include <fcntl.h>
