@@ -6,12 +6,13 @@
 
 namespace {
 
-constexpr std::string_view usage = R"(Usage: soccer [--seed N] [--seconds N]
+constexpr std::string_view usage = R"(Usage: soccer [--seed N] [--seconds N] [--trace FILE]
 
 Plays soccer in a small simulated world and prints what the behaviour decides.
 
   --seed N      which world: the same number, the same game (default 1)
   --seconds N   of simulated time, 1 to 3600 (default 60)
+  --trace FILE  record what happens, as JSON lines; in a file called *.perfetto-trace for ui.perfetto.dev
   --help        this text
   --version     the version of Director that this was built with
 )";
@@ -37,9 +38,14 @@ CommandLine parse(const std::vector<std::string_view>& arguments) {
       value = name.substr(at + 1);
       name = name.substr(0, at);
     }
-    if (name != "--seed" && name != "--seconds") return wrong("unknown argument " + std::string(arguments[i]));
+    const bool trace = name == "--trace";
+    if (!trace && name != "--seed" && name != "--seconds") return wrong("unknown argument " + std::string(arguments[i]));
     if (!value && i + 1 < arguments.size()) value = arguments[++i];
-    if (!value) return wrong(std::string(name) + " needs a number");
+    if (!value) return wrong(std::string(name) + (trace ? " needs a file" : " needs a number"));
+    if (trace) {
+      out.trace = *value;
+      continue;
+    }
     const bool good = name == "--seed" ? read(*value, out.seed)
                                        : read(*value, out.seconds) && out.seconds >= 1 && out.seconds <= 3600;
     if (!good)

@@ -11,6 +11,7 @@
 struct Arguments {
   std::uint64_t seed = 1;
   int seconds = 60;
+  std::string trace; ///< a file to record into; empty: none
 };
 
 /// What to do: play, or say something and leave.

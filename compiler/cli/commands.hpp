@@ -75,6 +75,21 @@ struct Simulate {
   Format format = Format::text;
   bool decisions = false;
   bool times = false;
+  std::string trace; ///< a file for all that happens; empty: none
+};
+
+/// What a robot or a scenario recorded, in another form.
+struct Trace {
+  std::string file;
+  std::string to = "text"; ///< text, json, perfetto
+  std::string output;      ///< empty: to the terminal
+};
+
+/// What was recorded, on the engine again.
+struct Replay {
+  std::string trace;
+  std::string behaviour; ///< its file; empty: the one that the trace names
+  Format format = Format::text;
 };
 
 /// Why a group runs or does not, at some moment of a scenario.
@@ -133,6 +148,8 @@ int run(const Docs& request, Console& console);
 int run(const Explain& request, Console& console);
 int run(const ListChecks& request, Console& console);
 int run(const Simulate& request, Console& console);
+int run(const Trace& request, Console& console);
+int run(const Replay& request, Console& console);
 int run(const Why& request, Console& console);
 int run(const Test& request, Console& console);
 int run(const Dump& request, Console& console);

@@ -28,6 +28,8 @@ Make graph_options(CLI::App& app);
 Make docs_options(CLI::App& app);
 // options_playing.cpp
 Make simulate_options(CLI::App& app);
+Make trace_options(CLI::App& app);
+Make replay_options(CLI::App& app);
 Make why_options(CLI::App& app);
 Make test_options(CLI::App& app);
 Make explore_options(CLI::App& app);

@@ -12,6 +12,29 @@ Make simulate_options(CLI::App& app) {
   add_format(app, request->format, {"text", "json"});
   app.add_flag("--decisions", request->decisions, "also print what is queued, pushed, released and set");
   app.add_flag("--times", request->times, "also print when, in seconds; in JSON, in microseconds");
+  app.add_option("--trace", request->trace, "also write all that happens, as a robot's recorder does")->type_name("FILE");
+  return [=]() -> Request { return *request; };
+}
+
+Make trace_options(CLI::App& app) {
+  auto request = std::make_shared<Trace>();
+  app.add_option("FILE", request->file, "what was recorded, JSON lines")->required();
+  app.add_option("--to", request->to,
+                 "text, as `simulate --decisions --times` prints it; json, line by line; perfetto, for ui.perfetto.dev")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"text", "json", "perfetto"}))
+      ->capture_default_str();
+  app.add_option("-o,--output", request->output, "the file; without it, to the terminal")->type_name("FILE");
+  return [=]() -> Request { return *request; };
+}
+
+Make replay_options(CLI::App& app) {
+  auto request = std::make_shared<Replay>();
+  app.add_option("TRACE", request->trace, "what was recorded, JSON lines")->required();
+  app.add_option("--behaviour", request->behaviour,
+                 "the file of the behaviour, or of another version of it; without it, the one that the trace names")
+      ->type_name("FILE");
+  add_format(app, request->format, {"text", "json"});
   return [=]() -> Request { return *request; };
 }
 

@@ -37,7 +37,7 @@ struct Subcommand {
   Make (*options)(CLI::App& app);
 };
 
-const std::array<Subcommand, 13> subcommands{{
+const std::array<Subcommand, 15> subcommands{{
     {"check", "Look for mistakes in a behaviour", check_options},
     {"generate", "Write the C++ of a behaviour", generate_options},
     {"graph", "Draw a behaviour", graph_options},
@@ -45,6 +45,8 @@ const std::array<Subcommand, 13> subcommands{{
     {"explain", "Print the page of a check, or what a key of the language says", explain_options},
     {"checks", "List all checks", checks_options},
     {"simulate", "Play a scenario and print what happens", simulate_options},
+    {"trace", "Print what was recorded, or write it for Perfetto", trace_options},
+    {"replay", "Play again what was recorded, and say where a behaviour decides otherwise", replay_options},
     {"why", "Say why a group runs, or does not, in a scenario", why_options},
     {"test", "Play scenarios and compare with what they expect", test_options},
     {"explore", "Try everything that can happen, and decide the assertions", explore_options},

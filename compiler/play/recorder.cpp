@@ -72,6 +72,10 @@ void Recorder::tell(const Event& event) {
   case Event::Kind::keep:
   case Event::Kind::withdraw:
   case Event::Kind::wait:
+  case Event::Kind::answer:
+  case Event::Kind::assign:
+  case Event::Kind::begin:
+  case Event::Kind::given:
   case Event::Kind::lost: return; // the page's format has no such event, or the player tells it itself
   }
   sink_(out);

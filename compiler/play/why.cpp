@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
+#include "compiler/play/row_names.hpp"
 #include "dsl/colours.hpp"
 #include "runtime/core/inspect/why_text.hpp"
 
@@ -16,27 +17,6 @@ namespace {
 constexpr std::array<std::string_view, 11> kinds{"running",   "not_requested", "no_provider", "lost",
                                                  "need_held", "together",      "condition",   "outdated",
                                                  "deferred",  "reserved",      "limbo"};
-
-/// What rows are called, as functions without a type can find it.
-struct RowNames {
-  RowNames(const Model& model, const Lowered& lowered) {
-    for (const Group& group : model.groups) groups.push_back(group.name.value);
-    for (const Provider& provider : model.providers) providers.push_back(provider.name);
-    for (const EdgeId id : model.edges.ids()) edges.push_back(model.edge_name(id));
-    for (const ConditionId id : lowered.condition_ids) conditions.push_back(model.conditions[id].text);
-  }
-
-  template <std::vector<std::string> RowNames::*all>
-  static const char* find(const void* self, Index row) {
-    return (static_cast<const RowNames*>(self)->*all)[row].c_str();
-  }
-  director::Names names() const {
-    return {this, &find<&RowNames::groups>, &find<&RowNames::providers>, &find<&RowNames::edges>,
-            &find<&RowNames::conditions>};
-  }
-
-  std::vector<std::string> groups, providers, edges, conditions;
-};
 
 class Reasoner {
 public:

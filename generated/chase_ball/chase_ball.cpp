@@ -245,7 +245,7 @@ const director::Names& all() {
       .state = [](const void*, director::Index row) { return state(row); },
       .value = [](const void*, director::Index row, std::int32_t number) { return value(row, number); },
       .trigger = [](const void*, director::Index row) { return trigger(row); },
-      .level = [](const void*, director::Index row) { return level(row); }};
+      .level = [](const void*, director::Index row) { return level(row); }, .tables = &rows, .behaviour = "chase_ball"};
   return every;
 }
 

@@ -16,7 +16,11 @@ void Outbox::hear(void* self, const Event& event) {
   case Event::Kind::ask:
   case Event::Kind::keep:
   case Event::Kind::withdraw:
-  case Event::Kind::wait: return;
+  case Event::Kind::wait:
+  case Event::Kind::answer:
+  case Event::Kind::assign:
+  case Event::Kind::begin:
+  case Event::Kind::given: return;
   case Event::Kind::set: return out.put(event, 0); // for the promises
   default: return out.put(event, ++out.number_);
   }

@@ -81,7 +81,11 @@ public:
     case Event::Kind::ask:
     case Event::Kind::keep:
     case Event::Kind::withdraw:
-    case Event::Kind::wait: return;
+    case Event::Kind::wait:
+    case Event::Kind::answer:
+    case Event::Kind::assign:
+    case Event::Kind::begin:
+    case Event::Kind::given: return;
     }
   }
 
@@ -140,7 +144,10 @@ private:
   void input() {
     switch (e_.input) {
     case Event::Input::request: request(); return;
-    case Event::Input::cancel: line_ << "> " << name_of(e_.input) << " " << n_.group(n_.self, e_.group); return;
+    case Event::Input::cancel:
+      if (e_.group == nil) return; // of all: each is told
+      line_ << "> " << name_of(e_.input) << " " << n_.group(n_.self, e_.group);
+      return;
     case Event::Input::set:
       line_ << "> set {" << n_.state(n_.self, e_.state) << ": ";
       value();

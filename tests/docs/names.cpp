@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/docs/names.hpp"
 
-#include "tests/docs/command.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <algorithm>

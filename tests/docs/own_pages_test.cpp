@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pages of the project's own behaviours, as `directorc docs` writes them now.
-#include "tests/docs/command.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pages themselves.
-#include "tests/docs/command.hpp"
+#include "tests/support/command.hpp"
 #include "tests/docs/comment.hpp"
 #include "tests/docs/names.hpp"
 #include "tests/docs/told.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/docs/told.hpp"
 
-#include "tests/docs/command.hpp"
+#include "tests/support/command.hpp"
 #include "tests/docs/comment.hpp"
 #include "tests/docs/shortened.hpp"
 #include "tests/support/golden.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/docs/command.hpp"
+#include "tests/support/command.hpp"
 #include "tests/docs/comment.hpp"
 #include "tests/docs/told.hpp"
 
@@ -41,7 +41,7 @@ TEST_CASE("a command runs in its folder and tells how it ends") {
 }
 
 TEST_CASE("a block may be a file or a part of it") {
-  const std::string file = "tests/docs/command.hpp";
+  const std::string file = "tests/support/command.hpp";
   stays("file: " + file, "#pragma once\n…\n} // namespace director::tests\n");
   stays("file, from \"struct Ran\", to \"};\": " + file, "struct Ran {\n  int status = 0;\n  std::string output; ///< "
                                                          "what it printed, and its errors, as they come\n};\n");

@@ -2,7 +2,7 @@
 # cmake -D DIRECTORC=<program> -D VERDICTS=<program> -D NODE=<program> -D NPM=<program> -D FROM=<this folder> -D SCHEMAS=<folder> -D WORK=<folder> -P schemas.cmake
 # Installs the pinned npm packages in WORK, has VERDICTS read the corpus, and compares with the schemas. Then holds what
 # DIRECTORC prints as SARIF against the schema of SARIF, and its graphs against that of graphs.
-foreach(file package.json package-lock.json compare.mjs sarif.mjs graph.mjs)
+foreach(file package.json package-lock.json compare.mjs sarif.mjs graph.mjs trace.mjs)
   file(COPY_FILE ${FROM}/${file} ${WORK}/${file} ONLY_IF_DIFFERENT)
 endforeach()
 if(NOT EXISTS ${WORK}/node_modules/ajv OR ${FROM}/package-lock.json IS_NEWER_THAN ${WORK}/installed)
@@ -65,4 +65,17 @@ draw(limited ${WORK}/large.yaml --page --transitions=Task_0,Task_1)
 execute_process(COMMAND ${NODE} graph.mjs ${SCHEMAS}/graph.schema.json ${graphs} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "a graph is not what its schema says")
+endif()
+
+# Of every scenario of tests/conformance, and each line by itself.
+file(GLOB scenarios ${root}/tests/conformance/*.scenario.yaml)
+set(traces "")
+foreach(scenario IN LISTS scenarios)
+  cmake_path(GET scenario STEM name)
+  execute_process(COMMAND ${DIRECTORC} simulate --trace ${WORK}/${name}.jsonl ${scenario} OUTPUT_QUIET ERROR_QUIET)
+  list(APPEND traces ${name}.jsonl)
+endforeach()
+execute_process(COMMAND ${NODE} trace.mjs ${SCHEMAS}/trace.schema.json ${traces} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "a trace is not what its schema says")
 endif()

@@ -71,7 +71,11 @@ void Timeline::tell(const Event& event) {
   case Kind::ask:
   case Kind::keep:
   case Kind::withdraw:
-  case Kind::wait: return;
+  case Kind::wait:
+  case Kind::answer:
+  case Kind::assign:
+  case Kind::begin:
+  case Kind::given: return;
   case Kind::set: return set(event);
   case Kind::refused: return refused(event);
   case Kind::broken:
@@ -83,6 +87,7 @@ void Timeline::tell(const Event& event) {
 }
 
 void Timeline::input(const Event& event) {
+  if (event.input == Event::Input::cancel && event.edge == nil) return; // of all: each is told
   const auto task = [&] { return group(tables_.edges[event.edge].target); };
   switch (event.input) {
   case Event::Input::set: return change(event, "sensed", "");

@@ -4,6 +4,8 @@
 // What the numbers in an observer's events are called.
 #include "compiler/emit/cpp/parts.hpp"
 
+#include "compiler/lower/level_names.hpp"
+
 #include <fmt/format.h>
 
 namespace director::compiler {
@@ -38,26 +40,6 @@ void values(Code& code, const Model& model) {
   code.line("default: return \"\";");
   code.line("}");
   code.close("}");
-}
-
-/// Of the rows of all edges, one after another. What one pack calls its level another may call otherwise: the first
-/// counts.
-std::vector<std::string> level_names(const CppEmission& e) {
-  const Tables tables = e.from.lowered.view();
-  std::vector<std::string> out(tables.levels.size());
-  const auto add = [&](const std::vector<Task>& tasks) {
-    for (const Task& task : tasks) {
-      for (const Task::NamedLevel& each : task.levels) {
-        std::string& name = out[tables.edges[task.edge.value].levels.begin + each.level];
-        if (each.level != task.levels.front().level && name.empty()) name = each.name;
-      }
-    }
-  };
-  add(e.model.roots);
-  for (const Provider& provider : e.model.providers) {
-    for (const Pack& pack : provider.packs) add(pack.tasks);
-  }
-  return out;
 }
 
 } // namespace
@@ -109,7 +91,7 @@ Code name_definitions(const CppEmission& e) {
   values(code, e.model);
   table(code, "trigger", triggers);
   table(code, "condition", conditions);
-  table(code, "level", level_names(e));
+  table(code, "level", level_names(e.model, e.from.lowered));
   code.blank();
   std::vector<std::string> functions{".self = nullptr"};
   const auto add = [&](std::string_view word) {
@@ -126,6 +108,8 @@ Code name_definitions(const CppEmission& e) {
       ".value = [](const void*, director::Index row, std::int32_t number) { return value(row, number); }");
   add("trigger");
   add("level");
+  functions.emplace_back(".tables = &rows");
+  functions.push_back(fmt::format(".behaviour = \"{}\"", e.model.name));
   code.open("const director::Names& all() {");
   code.list("static constexpr director::Names every{", functions, "};");
   code.line("return every;");

@@ -30,6 +30,10 @@ constexpr const char* name_of(Event::Kind kind) {
   case Event::Kind::withdraw: return "withdraw";
   case Event::Kind::wait: return "wait";
   case Event::Kind::lost: return "lost";
+  case Event::Kind::answer: return "answer";
+  case Event::Kind::assign: return "assign";
+  case Event::Kind::begin: return "begin";
+  case Event::Kind::given: return "given";
   }
   return "";
 }
@@ -72,6 +76,18 @@ constexpr const char* name_of(Why why) {
   case Why::waiting: return "waiting";
   case Why::outdated: return "outdated";
   case Why::deferred: return "deferred";
+  }
+  return "";
+}
+
+/// As scripts of scenarios have it.
+constexpr const char* name_of(Outcome::Kind outcome) {
+  switch (outcome) {
+  case Outcome::Kind::pack: return "pack";
+  case Outcome::Kind::done: return "done";
+  case Outcome::Kind::failed: return "failed";
+  case Outcome::Kind::keep: return "keep";
+  case Outcome::Kind::fault: return "fault";
   }
   return "";
 }

@@ -105,6 +105,7 @@ Event Engine::event(Event::Kind kind, Index group) const {
   out.kind = kind;
   out.group = group;
   out.time = x_.s.counters->now;
+  out.until = x_.s.counters->until;
   out.micro_step = x_.s.counters->micro_step;
   return out;
 }
@@ -144,7 +145,10 @@ void Run::refuse(Index state, std::int32_t value) {
 Time Handling::now() const { return engine_.now(); }
 DataPlace Handling::data() const { return engine_.data_of(group_); }
 
-void Handling::set(Index state, std::int32_t value) { engine_.set_by_handler(state, value); }
+void Handling::set(Index state, std::int32_t value) {
+  engine_.report_assign(group_, nil, state, value);
+  engine_.set_by_handler(state, value);
+}
 
 void Handling::refuse(Index state, std::int32_t value) {
   if (!engine_.observed()) return;

@@ -155,6 +155,9 @@ private:
   void answer(Index group, bool failed);
   void report_request(Event::Kind kind, Index edge, Index level = nil) const;
   void report_wait(Index group, Time due) const;
+  void report_begin() const;
+  void report_answer(Index group, Index provider, Outcome::Kind outcome, std::uint16_t pack) const;
+  void report_assign(Index group, Index provider, Index state, std::int32_t value) const;
 
   // timers.cpp: section 3, Time
   Index timer(Due kind, Index row) const;

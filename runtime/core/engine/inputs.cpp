@@ -198,7 +198,7 @@ void Engine::report_lost() {
 
 void Engine::report_cancel(Index edge) const {
   if (!observed()) return;
-  Event cancel = event(Event::Kind::input, x_.t.edges[edge].target);
+  Event cancel = event(Event::Kind::input, edge == nil ? nil : x_.t.edges[edge].target);
   cancel.input = Event::Input::cancel;
   cancel.edge = edge;
   tell(cancel);
@@ -206,7 +206,8 @@ void Engine::report_cancel(Index edge) const {
 
 void Engine::report_input(const Input& record) const {
   if (!observed()) return;
-  if (record.kind == Input::Kind::cancel && record.thing == nil) {
+  if (record.kind == Input::Kind::cancel && record.thing == nil) { // first of all, and then of each
+    report_cancel(nil);
     for (Index edge = 0; edge < x_.t.root_edges; ++edge) {
       if (x_.s.request[edge].level != nil) report_cancel(edge);
     }

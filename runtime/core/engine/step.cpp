@@ -12,7 +12,8 @@ namespace director {
 /// From the first step on, values expire.
 void Engine::take_first_step(Time now) {
   x_.s.counters->begun = true;
-  x_.s.counters->until = now;
+  x_.s.counters->until = x_.s.counters->now = now;
+  report_begin();
   for (Index i = 0; i < x_.t.states.size(); ++i) {
     if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset) arm(Due::expiry, i, later(now, x_.t.states[i].expires));
   }
@@ -100,6 +101,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
   inside_ = true;
   const Outcome outcome = bodies_.run(bodies_.self, run);
   inside_ = false;
+  if (observed()) report_answer(group, provider, outcome.kind(), run.pack_);
   commit(group, provider, run.wait_, outcome.kind());
   return group;
 }
@@ -163,8 +165,8 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   if (c.now != c.until && !c.serving && (further || !(c.handlers_set || c.queue_first != nil || c.unsettled)))
     c.now = c.until;
   inbox_.open();
-  if (observed() && inbox_.lost() != told_lost_) {
-    report_lost();
+  if (observed()) {
+    if (inbox_.lost() != told_lost_) report_lost();
     if (faulted_) { // the observer threw
       faulted_ = false;
       return StepResult::fault;
@@ -228,6 +230,39 @@ void Engine::report_request(Event::Kind kind, Index edge, Index level) const {
   request.edge = edge;
   request.level = level;
   tell(request);
+}
+
+void Engine::report_begin() const {
+  if (!observed()) return;
+  tell(event(Event::Kind::begin));
+  for (Index i = 0; i < x_.t.states.size(); ++i) {
+    if (x_.s.values[i].value == x_.t.states[i].initial) continue;
+    Event given = event(Event::Kind::given);
+    given.state = i;
+    given.value = x_.s.values[i].value;
+    tell(given);
+  }
+}
+
+/// And which states the run sets, those among them that have the value already.
+[[gnu::noinline]] void Engine::report_answer(Index group, Index provider, Outcome::Kind outcome, std::uint16_t pack) const {
+  if (!observed()) return;
+  Event answer = event(Event::Kind::answer, group);
+  answer.provider = provider;
+  answer.outcome = outcome;
+  if (outcome == Outcome::Kind::pack) answer.pack = pack;
+  tell(answer);
+  for (Index i = 0; i < x_.s.counters->staged_count && outcome != Outcome::Kind::fault; ++i)
+    report_assign(group, provider, x_.s.staged[i], x_.s.values[x_.s.staged[i]].staged);
+}
+
+void Engine::report_assign(Index group, Index provider, Index state, std::int32_t value) const {
+  if (!observed()) return;
+  Event assign = event(Event::Kind::assign, group);
+  assign.provider = provider;
+  assign.state = state;
+  assign.value = value;
+  tell(assign);
 }
 
 void Engine::report_wait(Index group, Time due) const {

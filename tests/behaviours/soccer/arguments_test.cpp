@@ -26,6 +26,8 @@ TEST_CASE("a value stands behind its name or behind an equals sign") {
   REQUIRE(command.play);
   CHECK(command.play->seed == 7);
   CHECK(command.play->seconds == 90);
+  CHECK(command.play->trace.empty());
+  CHECK(parse({"--trace", "run.jsonl"}).play->trace == "run.jsonl");
   CHECK(parse({"--seed=18446744073709551615"}).play->seed == 18446744073709551615u);
 }
 
@@ -39,6 +41,7 @@ TEST_CASE("help and version are no faults") {
 TEST_CASE("what is no argument is refused with its reason") {
   CHECK(refused({"--sed", "7"}) == "soccer: unknown argument --sed");
   CHECK(refused({"7"}) == "soccer: unknown argument 7");
+  CHECK(refused({"--trace"}) == "soccer: --trace needs a file");
   CHECK(refused({"--seed"}) == "soccer: --seed needs a number");
   CHECK(refused({"--seed", "seven"}) == "soccer: --seed takes a whole number, not \"seven\"");
   CHECK(refused({"--seed", "-1"}) == "soccer: --seed takes a whole number, not \"-1\"");

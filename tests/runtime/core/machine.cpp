@@ -162,6 +162,25 @@ void Machine::tell(const Event& event) {
     default: break;
     }
   }
+  if (answers) {
+    constexpr std::array outcomes{"pack", "done", "failed", "keep", "fault"};
+    switch (event.kind) {
+    case Event::Kind::answer:
+      lines_.push_back("answer " + provider_name(event.provider) + " " + outcomes[static_cast<std::size_t>(event.outcome)]);
+      break;
+    case Event::Kind::assign:
+      lines_.push_back("assign " + value_text() + " by " +
+                       (event.provider == nil ? group_name() : provider_name(event.provider)));
+      break;
+    case Event::Kind::begin: lines_.push_back("begin " + std::to_string(event.time)); break;
+    case Event::Kind::given: lines_.push_back("given " + value_text()); break;
+    case Event::Kind::input:
+      lines_.push_back("input at " + std::to_string(event.time) + " of " + std::to_string(event.until) +
+                       (event.input == Event::Input::cancel ? " cancel " + (event.edge == nil ? "all" : group_name()) : ""));
+      break;
+    default: break;
+    }
+  }
   if (!decisions) return;
   switch (event.kind) {
   case Event::Kind::queue: {

@@ -194,7 +194,7 @@ TEST_CASE("the time stands before a line in seconds") {
 
 TEST_CASE("each word of an event has a name of its own") {
   std::vector<std::string> names;
-  for (int i = 0; i <= static_cast<int>(Event::Kind::wait); ++i)
+  for (int i = 0; i <= static_cast<int>(Event::Kind::given); ++i)
     names.emplace_back(name_of(static_cast<Event::Kind>(i)));
   for (const std::string& name : names) {
     CAPTURE(name);

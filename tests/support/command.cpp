@@ -1,6 +1,6 @@
-// Door: tests/docs/command.hpp. Test: tests/docs/told_test.cpp.
+// Door: tests/support/command.hpp. Test: tests/docs/told_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "tests/docs/command.hpp"
+#include "tests/support/command.hpp"
 
 #include "tests/support/golden.hpp"
 

@@ -1,0 +1,97 @@
+// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/trace_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/trace/replay.hpp"
+
+#include "compiler/cli/load.hpp"
+#include "compiler/cli/load_trace.hpp"
+#include "compiler/lower/lower.hpp"
+#include "compiler/play/row_names.hpp"
+#include "runtime/hosted/trace/fingerprint.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler::cli {
+
+namespace {
+
+/// Where the behaviour is written: as the trace says, else a file of its name; as seen from here, or beside the trace.
+std::string behaviour_of(const Replay& request, const RecordedNames& recorded, Console& console) {
+  if (!request.behaviour.empty()) return request.behaviour;
+  const std::string file = recorded.file.empty() ? recorded.behaviour + ".yaml" : recorded.file;
+  const std::size_t folder = request.trace.rfind('/');
+  const std::string beside = folder == std::string::npos ? file : request.trace.substr(0, folder + 1) + file;
+  constexpr std::size_t any = 1 << 30;
+  return console.files.read(file, any) || !console.files.read(beside, any) ? file : beside;
+}
+
+std::string seconds(Time time) { return fmt::format("{:.6f} s", static_cast<double>(time) / 1e6); }
+
+std::string events(std::uint64_t count) { return fmt::format("{} event{}", count, count == 1 ? "" : "s"); }
+
+void print(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other, Console& console) {
+  const std::string version = other ? fmt::format(" by `{}`, another version than the one recorded", behaviour) : "";
+  if (replayed.difference) {
+    const Replayed::Difference& it = *replayed.difference;
+    console.out << fmt::format("{}:{}: event {}, at {}, is decided otherwise{}\n", trace, it.line, it.event, seconds(it.time), version);
+    const bool same_words = it.recorded == it.replayed;
+    console.out << fmt::format("  recorded: {}\n  replayed: {}\n", same_words ? it.recorded_line : it.recorded,
+                               same_words ? it.replayed_line : it.replayed);
+    console.out << fmt::format("  {} before it {} the same\n", events(replayed.events), replayed.events == 1 ? "is" : "are");
+  } else if (replayed.dropped != 0) {
+    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace, events(replayed.events), version,
+                               events(replayed.dropped) + (replayed.dropped == 1 ? " is" : " are"));
+  } else {
+    console.out << fmt::format("{}: {}, all the same{}\n", trace, events(replayed.events), version);
+  }
+}
+
+Json to_json(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other) {
+  Json out = Json::object({{"trace", Json::text(trace)},
+                           {"behaviour", Json::text(behaviour)},
+                           {"other_version", Json::boolean(other)},
+                           {"events", Json::count(replayed.events)},
+                           {"dropped", Json::number(static_cast<std::int64_t>(replayed.dropped))}});
+  if (replayed.difference) {
+    const Replayed::Difference& it = *replayed.difference;
+    const auto event = [](const std::string& line) { return parse_json(line).value_or(Json{}); };
+    out.add("difference", Json::object({{"line", Json::count(it.line)},
+                                        {"event", Json::count(it.event)},
+                                        {"time_us", Json::number(it.time)},
+                                        {"recorded", event(it.recorded_line)},
+                                        {"replayed", event(it.replayed_line)}}));
+  }
+  return out;
+}
+
+} // namespace
+
+int run(const Replay& request, Console& console) {
+  const LoadedTrace trace = load_trace(request.trace, console);
+  if (trace.status != clean) return trace.status;
+  const std::string behaviour = shown_path(behaviour_of(request, *trace.recorded, console));
+  dsl::Sources sources;
+  const std::optional<Checked> checked = load(behaviour, {}, sources, console);
+  if (!checked) return misused;
+  if (!checked->lowerable) {
+    const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
+    print_findings(errors, sources, console.err, console.err_colours);
+    if (errors.empty())
+      console.err << fmt::format("directorc: `{}` has no `roots`: a module alone cannot be played\n", behaviour);
+    return errors.empty() ? misused : found;
+  }
+  const Lowered lowered = lower(checked->model);
+  const RowNames rows(checked->model, lowered);
+  const bool other = fingerprint_text(rows.names()) != trace.recorded->fingerprint;
+  TraceLines lines(trace.text);
+  lines.next(); // the header
+  const Replayed replayed = replay(lines, rows.names());
+  if (!say_end(lines, request.trace, console)) return found;
+  const std::string shown = shown_path(request.trace);
+  if (request.format == Format::json)
+    console.out << to_line(to_json(replayed, shown, behaviour, other)) << '\n';
+  else
+    print(replayed, shown, behaviour, other, console);
+  return replayed.difference ? found : clean;
+}
+
+} // namespace director::compiler::cli

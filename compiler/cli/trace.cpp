@@ -1,0 +1,81 @@
+// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/trace_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/cli/load_trace.hpp"
+#include "compiler/trace/lookup.hpp"
+#include "runtime/hosted/decision_printer.hpp"
+#include "runtime/hosted/trace/trace_format.hpp"
+
+#include <array>
+
+namespace director::compiler::cli {
+
+namespace {
+
+/// What `simulate --decisions --times` prints.
+class Text final : public TraceFormat {
+public:
+  explicit Text(const director::Names& names) : names_(names) {}
+  void begin(std::string&) override {}
+  void event(const Event& event, std::string& out) override {
+    std::array<char, 1000> line{};
+    std::array<char, 40> time{};
+    if (*to_text(event, names_, line) == '\0') return;
+    out.append(time_text(event.time, time)).append(line.data()).append("\n");
+  }
+  void dropped(std::uint64_t count, std::string& out) override {
+    out += "... " + std::to_string(count) + (count == 1 ? " event is missing\n" : " events are missing\n");
+  }
+
+private:
+  const director::Names names_;
+};
+
+std::unique_ptr<TraceFormat> format_of(const std::string& word, const director::Names& names) {
+  if (word == "perfetto") return perfetto(names);
+  return std::make_unique<Text>(names);
+}
+
+} // namespace
+
+int run(const Trace& request, Console& console) {
+  LoadedTrace trace = load_trace(request.file, console);
+  if (trace.status != clean) return trace.status;
+  const director::Names names = trace.recorded->names();
+  const Lookup lookup(names);
+  const std::unique_ptr<TraceFormat> format = format_of(request.to, names);
+  const bool as_it_is = request.to == "json"; // but for what cannot be read
+  std::string out;
+  TraceLines lines(trace.text);
+  const std::optional<TraceLine> header = lines.next();
+  const auto copy = [&](const TraceLine& line) { out.append(line.text).append("\n"); };
+  if (as_it_is)
+    copy(*header);
+  else
+    format->begin(out);
+  int status = clean;
+  while (const std::optional<TraceLine> line = lines.next()) {
+    const Lookup::Found event = line->dropped == 0 ? lookup.event(line->json) : Lookup::Found{};
+    if (!event.problem.empty()) {
+      say_problem(request.file, line->number, event.problem, console);
+      status = found;
+      break;
+    }
+    if (as_it_is)
+      copy(*line);
+    else if (line->dropped != 0)
+      format->dropped(line->dropped, out);
+    else
+      format->event(event.event, out);
+  }
+  if (!as_it_is) format->end(out);
+  if (!say_end(lines, request.file, console)) status = found;
+  if (request.output.empty()) {
+    console.out << out;
+  } else if (const auto wrong = console.outputs.write({{request.output, std::move(out)}})) {
+    console.err << "directorc: " << *wrong << '\n';
+    return misused;
+  }
+  return status;
+}
+
+} // namespace director::compiler::cli

@@ -1,0 +1,40 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// From the names in a line of a trace to the rows of a behaviour, which may be another version than the one recorded.
+
+#include "compiler/base/json.hpp"
+#include "runtime/core/base/observer.hpp"
+#include "runtime/core/inspect/why_text.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace director::compiler {
+
+class Lookup {
+public:
+  /// `names` must have tables, and outlive this.
+  explicit Lookup(const director::Names& names);
+
+  struct Found {
+    Event event;
+    std::string problem; ///< what keeps the line from being an event of this behaviour; empty: it is one
+  };
+  Found event(const Json& line) const;
+
+private:
+  using Rows = std::map<std::string, Index, std::less<>>;
+  Rows rows(const char* (*name)(const void*, Index), std::size_t count) const;
+
+  director::Names names_;
+  const Tables& tables_;
+  Rows groups_, edges_, states_, triggers_, conditions_;
+  std::vector<Rows> providers_; ///< by group
+  friend class EventReading;
+};
+
+} // namespace director::compiler

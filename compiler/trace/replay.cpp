@@ -1,0 +1,306 @@
+// Door: compiler/trace/replay.hpp. Test: tests/property/replay_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// The engine is stepped one micro-step at a time. Each event says in which micro-step it was told, so an input is posted
+// where the next micro-step is the one that took it, and `until` says what time the step was given then. Nothing else
+// decides what a micro-step does: how many of them a step had made no difference.
+#include "compiler/trace/replay.hpp"
+
+#include "compiler/trace/lookup.hpp"
+#include "runtime/core/api/event_names.hpp"
+#include "runtime/core/engine/engine.hpp"
+#include "runtime/hosted/decision_printer.hpp"
+#include "runtime/hosted/engine_memory.hpp"
+#include "runtime/hosted/trace/json_lines.hpp"
+
+#include <array>
+#include <bit>
+#include <deque>
+#include <vector>
+
+namespace director::compiler {
+
+namespace {
+
+constexpr std::size_t most_records = 4096;         ///< of one input
+constexpr std::uint32_t most_silent_steps = 100'000; ///< micro-steps without an event
+
+using Kind = Event::Kind;
+
+class Replayer {
+public:
+  Replayer(TraceLines& lines, const director::Names& names)
+      : lines_(lines),
+        names_(names),
+        tables_(*names.tables),
+        lookup_(names),
+        cells_(most_records),
+        inbox_(cells_),
+        memory_(tables_),
+        engine_(tables_, memory_.state().data(), bodies(), inbox_, {&hear, this}) {
+    engine_.set_budget(1);
+  }
+
+  Replayed play() {
+    give();
+    std::uint32_t silent = 0;
+    while (!over_) {
+      const Recorded* const next = coming();
+      if (next == nullptr) break;
+      const std::uint64_t steps = engine_.micro_steps();
+      const std::size_t events = out_.events;
+      post();
+      if (over_) break;
+      engine_.step(next->event.until);
+      if (over_) break;
+      silent = out_.events == events ? silent + 1 : 0;
+      if (silent == most_silent_steps || (engine_.micro_steps() == steps && out_.events == events)) differ(nullptr);
+    }
+    return out_;
+  }
+
+private:
+  struct Recorded {
+    std::size_t line = 0;
+    std::string_view text;
+    Event event;
+    std::uint64_t dropped = 0;
+    std::string problem; ///< nothing that this behaviour could tell
+  };
+
+  // The trace.
+
+  /// The event so many places ahead; null: there is none. What the recorder missed, or the inbox lost, or a budget ended,
+  /// decides nothing.
+  const Recorded* ahead(std::size_t places) {
+    while (waiting_.size() <= places) {
+      std::optional<TraceLine> line = lines_.next();
+      if (!line) return nullptr;
+      Recorded recorded{line->number, line->text, {}, line->dropped, {}};
+      if (line->dropped == 0) {
+        Lookup::Found found = lookup_.event(line->json);
+        recorded.event = found.event;
+        recorded.problem = std::move(found.problem);
+        if (recorded.problem.empty() && (recorded.event.kind == Kind::lost || recorded.event.kind == Kind::exhausted)) {
+          continue;
+        }
+      }
+      waiting_.push_back(std::move(recorded));
+    }
+    return &waiting_[places];
+  }
+
+  /// The next event; null: the trace ends here, for one reason or another.
+  const Recorded* coming() {
+    const Recorded* const next = ahead(0);
+    if (next == nullptr) {
+      out_.problem = lines_.problem();
+    } else if (next->dropped != 0) {
+      out_.dropped = next->dropped;
+    } else if (next->problem.empty()) {
+      return next;
+    } else {
+      differ(nullptr);
+    }
+    over_ = true;
+    return nullptr;
+  }
+
+  static bool is(const Recorded* recorded, Kind kind) {
+    return recorded != nullptr && recorded->dropped == 0 && recorded->problem.empty() && recorded->event.kind == kind;
+  }
+
+  // What comes from outside.
+
+  /// States that were set before the first step.
+  void give() {
+    if (!is(ahead(0), Kind::begin)) return;
+    for (std::size_t i = 1; is(ahead(i), Kind::given); ++i) {
+      engine_.preset(ahead(i)->event.state, ahead(i)->event.value);
+    }
+  }
+
+  static bool from_outside(const Event& event) {
+    return event.kind == Kind::input && event.input >= Event::Input::request && event.input <= Event::Input::disable;
+  }
+
+  static Input record(const Event& event) {
+    Input out;
+    out.level = event.level;
+    out.value = event.value;
+    switch (event.input) {
+    case Event::Input::request:
+      out.kind = Input::Kind::request;
+      out.thing = event.edge;
+      break;
+    case Event::Input::cancel:
+      out.kind = Input::Kind::cancel;
+      out.thing = event.edge;
+      break;
+    case Event::Input::set:
+      out.kind = Input::Kind::set;
+      out.thing = event.state;
+      break;
+    case Event::Input::fire:
+      out.kind = Input::Kind::fire;
+      out.thing = event.trigger;
+      break;
+    case Event::Input::enable:
+    case Event::Input::disable:
+      out.kind = event.input == Event::Input::enable ? Input::Kind::enable : Input::Kind::disable;
+      out.thing = event.provider;
+      break;
+    default: break;
+    }
+    return out;
+  }
+
+  /// The input that the next micro-step took, if it took one.
+  void post() {
+    std::size_t place = 0;
+    while (is(ahead(place), Kind::begin) || is(ahead(place), Kind::given)) ++place;
+    if (!is(ahead(place), Kind::input)) return;
+    const std::uint64_t step = engine_.micro_steps() + 1;
+    if (place != 0 && ahead(place)->event.until != ahead(0)->event.until) return; // of a later step than the first one
+    std::vector<Input> records;
+    for (; is(ahead(place), Kind::input) && from_outside(ahead(place)->event) && ahead(place)->event.micro_step == step;
+         ++place) {
+      records.push_back(record(ahead(place)->event));
+      if (records.front().kind == Input::Kind::cancel || records.size() == most_records) break; // of all: each is told besides
+    }
+    for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
+    if (!records.empty()) inbox_.post(records);
+  }
+
+  // What bodies and handlers do.
+
+  Bodies bodies() {
+    Bodies out;
+    out.self = this;
+    out.run = [](void* self, Run& run) { return static_cast<Replayer*>(self)->run(run); };
+    out.start = out.stop = [](void* self, Handling& handling) { static_cast<Replayer*>(self)->handle(handling); };
+    return out;
+  }
+
+  Outcome run(Run& run) {
+    while (!over_ && is(ahead(0), Kind::refused)) {
+      const Event refused = ahead(0)->event;
+      run.refuse(refused.state, refused.value);
+    }
+    if (over_ || !is(ahead(0), Kind::answer)) return run.keep();
+    const Event answer = ahead(0)->event;
+    for (std::size_t i = 1; ahead(i) != nullptr && ahead(i)->problem.empty() && ask(run, ahead(i)->event); ++i) {}
+    switch (answer.outcome) {
+    case Outcome::Kind::pack: return run.pack(answer.pack);
+    case Outcome::Kind::done: return run.done();
+    case Outcome::Kind::failed: return run.fail();
+    case Outcome::Kind::keep: return run.keep();
+    case Outcome::Kind::fault: break;
+    }
+    return run.fault();
+  }
+
+  /// What a run asked for stands between its answer and what came of it. False: that is it.
+  bool ask(Run& run, const Event& event) {
+    if (event.micro_step != engine_.micro_steps()) return false;
+    const auto own = [&] {
+      const Range edges = tables_.groups[run.group()].edges;
+      return event.edge >= edges.begin && event.edge < edges.end;
+    };
+    switch (event.kind) {
+    case Kind::assign:
+      if (event.provider == nil) return false;
+      run.set(event.state, event.value);
+      return true;
+    case Kind::ask:
+    case Kind::keep:
+      if (own()) run.request(event.edge, event.level, event.kind == Kind::keep);
+      return true;
+    case Kind::wait: run.wait(event.due - event.time); return true;
+    case Kind::set:
+    case Kind::withdraw:
+    case Kind::done:
+    case Kind::failed: return true;
+    default: return false;
+    }
+  }
+
+  void handle(Handling& handling) {
+    const auto own = [&](Kind kind) {
+      return is(ahead(0), kind) && ahead(0)->event.group == handling.group() && ahead(0)->event.provider == nil;
+    };
+    while (!over_ && (own(Kind::assign) || own(Kind::refused))) {
+      const Event event = ahead(0)->event;
+      if (event.kind == Kind::assign)
+        handling.set(event.state, event.value);
+      else
+        handling.refuse(event.state, event.value);
+    }
+    if (!over_ && own(Kind::fault)) handling.fault();
+  }
+
+  // What the engine tells.
+
+  static void hear(void* self, const Event& event) { static_cast<Replayer*>(self)->tell(event); }
+
+  void tell(const Event& event) {
+    if (over_ || event.kind == Kind::exhausted) return;
+    const Recorded* const recorded = ahead(0);
+    if (recorded == nullptr || recorded->dropped != 0) {
+      coming(); // the trace ended in the middle of a micro-step
+      over_ = true;
+      return;
+    }
+    line_.clear();
+    append_event(event, names_, line_);
+    if (line_ != recorded->text) return differ(&event);
+    waiting_.pop_front();
+    ++out_.events;
+  }
+
+  /// In the words of `simulate`; what it has none for, as in the trace.
+  std::string words(const Event& event, std::string_view line) const {
+    std::array<char, 1000> buffer{};
+    const std::string text = to_text(event, names_, buffer);
+    return text.empty() ? std::string(line) : text;
+  }
+
+  /// From what is recorded next. `event`: what the engine tells instead; null: nothing.
+  void differ(const Event* event) {
+    over_ = true;
+    const Recorded& recorded = *ahead(0);
+    Replayed::Difference found;
+    found.event = recorded.line - 1; // behind the header
+    found.line = recorded.line;
+    found.time = recorded.event.time;
+    found.recorded_line = recorded.text;
+    found.recorded = recorded.problem.empty() ? words(recorded.event, recorded.text) : found.recorded_line;
+    if (event != nullptr) {
+      found.time = event->time;
+      found.replayed_line = line_;
+      found.replayed = words(*event, line_);
+    } else {
+      found.replayed = recorded.problem.empty() ? "nothing" : recorded.problem;
+    }
+    out_.difference = found;
+  }
+
+  TraceLines& lines_;
+  const director::Names names_;
+  const Tables& tables_;
+  Lookup lookup_;
+  std::deque<Recorded> waiting_;
+  Replayed out_;
+  bool over_ = false;
+  std::string line_;
+  std::vector<Inbox::Cell> cells_;
+  Inbox inbox_;
+  EngineMemory memory_;
+  Engine engine_;
+};
+
+} // namespace
+
+Replayed replay(TraceLines& lines, const director::Names& names) { return Replayer(lines, names).play(); }
+
+} // namespace director::compiler

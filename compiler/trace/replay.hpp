@@ -1,0 +1,36 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// A trace played again on the engine: what was recorded of the outside comes in as it came then, bodies and handlers
+// answer what they answered, and every event that the engine tells must be the one that was recorded. Where a version of
+// the behaviour decides otherwise the replay ends, because from there on nobody recorded what bodies would have answered.
+
+#include "compiler/trace/trace_lines.hpp"
+#include "runtime/core/base/tables.hpp"
+#include "runtime/core/inspect/why_text.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace director::compiler {
+
+struct Replayed {
+  /// The first thing that is not as it was.
+  struct Difference {
+    std::size_t event = 1; ///< counts from 1
+    std::size_t line = 0;  ///< of the trace; counts from 1
+    Time time = 0;
+    std::string recorded, replayed;             ///< in words; of what simulate says nothing about, the line
+    std::string recorded_line, replayed_line; ///< empty: the behaviour came to rest, or the trace has something else
+  };
+
+  std::size_t events = 0; ///< that are the same
+  std::optional<Difference> difference;
+  std::uint64_t dropped = 0; ///< not 0: so many events are missing from the trace, and the replay ended there
+  std::string problem;       ///< what is wrong with the line of the trace at which `lines` stands
+};
+
+/// `lines`: behind the header. `names`: of the behaviour that is to play, with tables.
+Replayed replay(TraceLines& lines, const director::Names& names);
+
+} // namespace director::compiler

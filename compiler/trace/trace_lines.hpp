@@ -1,0 +1,42 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// The lines of a trace, one after another. What is no line of a trace is normal input: of a program that was killed the
+// last one is cut off, and a disk may have done anything.
+
+#include "compiler/base/json.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace director::compiler {
+
+/// One line behind the header.
+struct TraceLine {
+  std::size_t number = 0; ///< counts from 1, the header is the first
+  std::string_view text;
+  Json json;
+  std::uint64_t dropped = 0; ///< not 0: so many events are missing here, and the line is no event
+};
+
+class TraceLines {
+public:
+  /// The text must outlive this.
+  explicit TraceLines(std::string_view text) : rest_(text) {}
+
+  /// The next line; nothing at the end, or where something is wrong.
+  std::optional<TraceLine> next();
+
+  std::size_t number() const { return number_; }             ///< of the line that was read last
+  const std::string& problem() const { return problem_; }    ///< of that line; empty: there is none
+  bool cut_off() const { return cut_off_; }                   ///< the last line was, and was left out
+
+private:
+  std::string_view rest_;
+  std::size_t number_ = 0;
+  std::string problem_;
+  bool cut_off_ = false;
+};
+
+} // namespace director::compiler

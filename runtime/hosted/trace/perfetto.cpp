@@ -1,0 +1,251 @@
+// Door: runtime/hosted/trace/trace_format.hpp. Test: tests/runtime/hosted/trace/perfetto_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// A process track for the behaviour; below it one track for what comes from outside, one for each group, with a slice for each time that a
+// provider is in charge, and counters. Flows lead from who waits to who is pushed for it, and from who loses a group to who takes it over.
+// Numbers of fields: protos/perfetto/trace of https://github.com/google/perfetto; those used are in tests/support/perfetto.proto.
+#include "runtime/core/api/event_names.hpp"
+#include "runtime/hosted/decision_printer.hpp"
+#include "runtime/hosted/trace/protobuf.hpp"
+#include "runtime/hosted/trace/trace_format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace director {
+
+namespace {
+
+using protobuf::Message;
+
+enum : std::uint32_t { // fields
+  trace_packet = 1,
+  packet_timestamp = 8,
+  packet_sequence = 10,
+  packet_track_event = 11,
+  packet_track_descriptor = 60,
+  track_uuid = 1,
+  track_name = 2,
+  track_process = 3,
+  track_parent = 5,
+  track_counter = 8,
+  process_pid = 1,
+  process_name = 6,
+  event_annotation = 4,
+  event_type = 9,
+  event_track = 11,
+  event_name = 23,
+  event_counter = 30,
+  event_flow = 47,
+  event_flow_end = 48,
+  annotation_text = 6,
+  annotation_name = 10,
+};
+
+enum class Type : std::uint32_t { begin = 1, end = 2, instant = 3, counter = 4 };
+
+constexpr std::uint64_t process = 1, outside = 2, queued_tasks = 3, lost_inputs = 4, first_group = 16; ///< tracks
+constexpr std::size_t longest_line = 1000;
+
+class Perfetto final : public TraceFormat {
+public:
+  explicit Perfetto(const Names& names)
+      : n_(names),
+        t_(*names.tables),
+        in_charge_(t_.groups.size(), nil),
+        queued_at_(t_.edges.size(), 0) {}
+
+  void begin(std::string& out) override {
+    const char* const behaviour = n_.behaviour == nullptr ? "behaviour" : n_.behaviour;
+    Message root;
+    root.number(track_uuid, process).message(track_process, Message().number(process_pid, 1).text(process_name, behaviour));
+    describe(root, out);
+    describe(below(outside, "outside"), out);
+    for (Index g = 0; g < t_.groups.size(); ++g) describe(below(first_group + g, n_.group(n_.self, g)), out);
+    describe(below(queued_tasks, "queued tasks").message(track_counter, Message()), out);
+    describe(below(lost_inputs, "lost inputs").message(track_counter, Message()), out);
+  }
+
+  void event(const Event& e, std::string& out) override {
+    now_ = std::max(now_, e.time); // what is due earlier than an input is served after it
+    switch (e.kind) {
+    case Event::Kind::input: input(e, out); break;
+    case Event::Kind::run:
+      take_charge(e.group, e.provider, out);
+      instant(first_group + e.group, "run", reasons(e), out);
+      break;
+    case Event::Kind::grant: grant(e, out); break;
+    case Event::Kind::lose:
+      take_charge(e.group, nil, out);
+      for (Index edge = 0; edge < t_.edges.size(); ++edge) {
+        if (t_.edges[edge].requester == e.group) forget(edge, out);
+      }
+      break;
+    case Event::Kind::queue:
+      instant(first_group + e.group, line(e), {}, out);
+      queued(e, out);
+      break;
+    case Event::Kind::withdraw: forget(e.edge, out); break;
+    case Event::Kind::push: push(e, out); break;
+    case Event::Kind::start:
+    case Event::Kind::stop:
+    case Event::Kind::done:
+    case Event::Kind::failed:
+    case Event::Kind::broken:
+    case Event::Kind::fault:
+    case Event::Kind::release: instant(first_group + e.group, line(e), {}, out); break;
+    case Event::Kind::set: instant(outside, line(e), {}, out); break;
+    case Event::Kind::refused: instant(first_group + e.group, line(e), {}, out); break;
+    case Event::Kind::exhausted: instant(outside, line(e), {}, out); break;
+    case Event::Kind::lost:
+      lost_ += e.count;
+      count(lost_inputs, lost_, out);
+      break;
+    case Event::Kind::ask:
+    case Event::Kind::keep:
+    case Event::Kind::wait:
+    case Event::Kind::answer:
+    case Event::Kind::assign:
+    case Event::Kind::begin:
+    case Event::Kind::given: break; // what people look for comes of them
+    }
+  }
+
+  /// Nobody knows who is in charge from here on, until it is told again.
+  void dropped(std::uint64_t count, std::string& out) override {
+    end(out);
+    instant(outside, std::to_string(count) + " events are missing", {}, out);
+  }
+
+  void end(std::string& out) override {
+    for (Index g = 0; g < t_.groups.size(); ++g) take_charge(g, nil, out);
+  }
+
+private:
+  static Message below(std::uint64_t uuid, std::string_view name) {
+    Message track;
+    track.number(track_uuid, uuid).number(track_parent, process).text(track_name, name);
+    return track;
+  }
+
+  static void write(Message& packet, std::string& out) {
+    packet.number(packet_sequence, 1);
+    out += Message().message(trace_packet, packet).bytes();
+  }
+
+  static void describe(const Message& track, std::string& out) {
+    Message packet;
+    packet.message(packet_track_descriptor, track);
+    write(packet, out);
+  }
+
+  static Message told(Type type, std::uint64_t track) {
+    Message event;
+    event.number(event_type, static_cast<std::uint64_t>(type)).number(event_track, track);
+    return event;
+  }
+
+  void tell(const Message& event, std::string& out) const {
+    constexpr Time nanoseconds = 1000;
+    Message packet;
+    packet.number(packet_timestamp, static_cast<std::uint64_t>(now_ * nanoseconds)).message(packet_track_event, event);
+    write(packet, out);
+  }
+
+  void instant(std::uint64_t track, std::string_view name, std::string_view why, std::string& out) const {
+    Message event = told(Type::instant, track);
+    event.text(event_name, name);
+    if (!why.empty())
+      event.message(event_annotation, Message().text(annotation_name, "reasons").text(annotation_text, why));
+    tell(event, out);
+  }
+
+  void count(std::uint64_t track, std::uint64_t value, std::string& out) const {
+    Message event = told(Type::counter, track);
+    event.number(event_counter, value);
+    tell(event, out);
+  }
+
+  /// From the first track to the second one.
+  void flow(std::uint64_t from, std::string_view said, std::uint64_t to, std::string_view heard, std::string& out) {
+    ++flows_;
+    Message first = told(Type::instant, from), second = told(Type::instant, to);
+    tell(first.text(event_name, said).fixed64(event_flow, flows_), out);
+    tell(second.text(event_name, heard).fixed64(event_flow_end, flows_), out);
+  }
+
+  /// A provider is in charge from now on, or nobody.
+  void take_charge(Index group, Index provider, std::string& out) {
+    if (in_charge_[group] == provider) return;
+    if (in_charge_[group] != nil) tell(told(Type::end, first_group + group), out);
+    in_charge_[group] = provider;
+    if (provider == nil) return;
+    Message slice = told(Type::begin, first_group + group);
+    const std::string_view name = n_.provider(n_.self, provider);
+    tell(slice.text(event_name, name == "default" ? n_.group(n_.self, group) : name), out);
+  }
+
+  std::uint64_t requester(Index edge) const {
+    const Index group = edge < t_.edges.size() ? t_.edges[edge].requester : nil;
+    return group == nil ? outside : first_group + group;
+  }
+
+  void grant(const Event& e, std::string& out) {
+    take_charge(e.group, e.provider, out);
+    if (e.edge < t_.edges.size() && queued_at_[e.edge] != e.micro_step) forget(e.edge, out);
+    if (e.edge >= t_.edges.size() || e.other >= t_.edges.size()) return; // from nobody, or from nobody's hands
+    const std::string group = n_.group(n_.self, e.group);
+    flow(requester(e.other), "lose " + group, requester(e.edge), "take " + group, out);
+  }
+
+  void push(const Event& e, std::string& out) {
+    const std::string pushed = std::string(n_.group(n_.self, e.group)) + "." + n_.provider(n_.self, e.provider);
+    flow(first_group + t_.edges[e.edge].target, "push " + pushed, first_group + e.group,
+         std::string("pushed for ") + n_.edge(n_.self, e.edge), out);
+  }
+
+  void queued(const Event& e, std::string& out) {
+    if (queued_at_[e.edge] == 0) count(queued_tasks, ++queued_, out);
+    queued_at_[e.edge] = e.micro_step;
+  }
+
+  void forget(Index edge, std::string& out) {
+    if (queued_at_[edge] == 0) return;
+    queued_at_[edge] = 0;
+    count(queued_tasks, --queued_, out);
+  }
+
+  void input(const Event& e, std::string& out) {
+    if (e.input == Event::Input::cancel && e.edge != nil) forget(e.edge, out);
+    const std::string text = line(e);
+    if (!text.empty()) instant(outside, std::string_view(text).substr(2), {}, out); // without `> `
+  }
+
+  std::string line(const Event& e) const {
+    std::array<char, longest_line> buffer{};
+    return to_text(e, n_, buffer);
+  }
+
+  static std::string reasons(const Event& e) {
+    std::string out;
+    for (const Reason reason : all_reasons) {
+      if (e.reasons.has(reason)) out += (out.empty() ? "" : "+") + std::string(name_of(reason));
+    }
+    return out;
+  }
+
+  const Names n_;
+  const Tables& t_;
+  std::vector<Index> in_charge_;         ///< by group: provider
+  std::vector<std::uint64_t> queued_at_; ///< by edge: the micro-step in which it was queued last; 0: it is not
+  std::uint64_t queued_ = 0, lost_ = 0, flows_ = 0;
+  Time now_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<TraceFormat> perfetto(const Names& names) { return std::make_unique<Perfetto>(names); }
+
+} // namespace director

@@ -1,0 +1,96 @@
+// Door: runtime/hosted/trace/recorder.hpp. Test: tests/runtime/hosted/trace/recorder_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "runtime/hosted/trace/recorder.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <utility>
+
+namespace director {
+
+namespace {
+constexpr std::size_t full_buffer = 1 << 20; ///< bytes; the file gets them while more events wait
+} // namespace
+
+std::unique_ptr<TraceFormat> trace_format_of(const std::string& path, const Names& names) {
+  return path.ends_with(".perfetto-trace") || path.ends_with(".pftrace") ? perfetto(names) : json_lines(names);
+}
+
+Recorder::Recorder(const Names& names, const std::string& path) : Recorder(names, path, Options()) {}
+
+Recorder::Recorder(const Names& names, const std::string& path, Options options)
+    : Recorder(trace_format_of(path, names), path, options) {}
+
+Recorder::Recorder(std::unique_ptr<TraceFormat> format, const std::string& path, Options options)
+    : queue_(options.queue),
+      format_(std::move(format)),
+      options_(options),
+      file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+  if (file_ < 0) error_ = errno;
+  format_->begin(buffer_);
+  flush();
+  writer_ = std::thread([this] { write_all(); });
+}
+
+Recorder::~Recorder() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  stopped_.notify_one();
+  writer_.join();
+  write_waiting();
+  if (const std::uint64_t dropped = queue_.dropped(); dropped != told_dropped_)
+    format_->dropped(dropped - told_dropped_, buffer_);
+  format_->end(buffer_);
+  flush();
+  if (file_ >= 0) ::close(file_);
+}
+
+Observer Recorder::observer() {
+  return {[](void* self, const Event& event) { static_cast<Recorder*>(self)->tell(event); }, this};
+}
+
+void Recorder::put_when_full(const Event& event) {
+  if (!options_.waits) return queue_.drop();
+  while (!queue_.put(event)) std::this_thread::sleep_for(std::chrono::microseconds(100));
+}
+
+/// Who steps wakes nobody, since that would be a system call: so the writer looks now and then.
+void Recorder::write_all() {
+  std::unique_lock lock(mutex_);
+  while (!stop_) {
+    lock.unlock();
+    write_waiting();
+    flush();
+    lock.lock();
+    stopped_.wait_for(lock, options_.interval, [&] { return stop_; });
+  }
+}
+
+void Recorder::write_waiting() {
+  queue_.take([&](const EventQueue::Entry& entry) {
+    if (entry.dropped != told_dropped_) {
+      format_->dropped(entry.dropped - told_dropped_, buffer_);
+      told_dropped_ = entry.dropped;
+    }
+    format_->event(entry.event, buffer_);
+    if (buffer_.size() >= full_buffer) flush();
+  });
+}
+
+void Recorder::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty() && good()) {
+    const ssize_t written = ::write(file_, rest.data(), rest.size());
+    if (written >= 0)
+      rest.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      error_ = errno;
+  }
+  buffer_.clear();
+}
+
+} // namespace director

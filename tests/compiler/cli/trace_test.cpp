@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Tests compiler/cli/trace.cpp and replay.cpp, and what `simulate --trace` writes. All scenarios: tests/conformance.
+#include "tests/compiler/cli/world.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::World;
+
+const std::string rover_that_is_recorded = R"(behaviour: rover
+language: 1
+states:
+  Motion: {values: [still, rolling], initial: still}
+roots:
+  Explore: {priority: 10}
+  Photograph: {priority: 20}
+groups:
+  Explore: {tasks: [Drive]}
+  Photograph: {when: [Motion == still], tasks: [Wheels]}
+  Drive:
+    providers:
+      - {name: rolling, sets: [Motion == rolling], tasks: [Wheels]}
+      - {name: braking, causing: [Motion == still], tasks: [Wheels]}
+  Wheels: {}
+)";
+
+/// Where `run.jsonl` has been recorded.
+World with_trace() {
+  World world;
+  world.files.add("rover.yaml", rover_that_is_recorded);
+  world.files.add("s.yaml", R"(scenario: a picture
+behaviour: rover.yaml
+script:
+  Drive.rolling: {set: {Motion: rolling}, tasks: [Wheels]}
+  Drive.braking:
+    - {reason: wait, set: {Motion: still}, continue: true}
+    - {wait: 1 s, tasks: [Wheels]}
+steps:
+  - request: Explore
+  - request: Photograph
+  - advance: 2 s
+)");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  world.files.add("run.jsonl", world.outputs.files.at("run.jsonl"));
+  return world;
+}
+
+std::string trace_in(World& world) { return world.outputs.files.at("run.jsonl"); }
+
+std::string traced_line(const std::string& text, std::size_t number) {
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < number; ++i) begin = text.find('\n', begin) + 1;
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+TEST_CASE("a trace as text is what simulate prints, with the inputs as they were taken") {
+  World world = with_trace();
+  CHECK(world.directorc({"trace", "run.jsonl"}) == 0);
+  CHECK(world.out == R"([    0.000000] > request Explore
+[    0.000000] run Explore new_task
+[    0.000000] run Drive.rolling new_task
+[    0.000000] set Motion rolling
+[    0.000000] run Wheels new_task
+[    0.000000] > request Photograph
+[    0.000000] push Drive.braking for root>Photograph
+[    0.000000] queue root>Photograph: waiting for Motion == still
+[    0.000000] run Drive.braking pushed
+[    0.000000] run Wheels new_task
+[    1.000000] run Drive.braking wait
+[    1.000000] set Motion still
+[    1.000000] run Photograph new_task
+[    1.000000] queue Drive>Wheels: blocked
+[    1.000000] run Wheels new_task
+)");
+  CHECK(world.err.empty());
+}
+
+TEST_CASE("a trace as JSON is the trace") {
+  World world = with_trace();
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=json"}) == 0);
+  CHECK(world.out == trace_in(world));
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=json", "-o", "again.jsonl"}) == 0);
+  CHECK(world.out.empty());
+  CHECK(world.outputs.files.at("again.jsonl") == trace_in(world));
+}
+
+TEST_CASE("of a trace that was cut off in its last line the rest is read") {
+  World world = with_trace();
+  world.directorc({"trace", "run.jsonl"});
+  const std::string whole = world.out;
+  const std::string cut = trace_in(world).substr(0, trace_in(world).size() - 5);
+  world.files.add("cut.jsonl", cut);
+  CHECK(world.directorc({"trace", "cut.jsonl"}) == 0);
+  CHECK(whole.starts_with(world.out));
+  const auto lines = std::count(cut.begin(), cut.end(), '\n') + 1;
+  CHECK(world.err == "cut.jsonl:" + std::to_string(lines) + ": note: the last line is cut off, and was left out\n");
+  CHECK(world.directorc({"replay", "cut.jsonl"}) == 0);
+  CHECK(world.out == "cut.jsonl: " + std::to_string(lines - 2) + " events, all the same\n");
+}
+
+TEST_CASE("what is no trace is said with its line") {
+  World world = with_trace();
+  const auto say = [&](const std::string& text) {
+    world.files.add("bad.jsonl", text);
+    CHECK(world.directorc({"trace", "bad.jsonl"}) == 1);
+    CHECK(world.directorc({"replay", "bad.jsonl", "--behaviour=rover.yaml"}) == 1);
+    return world.err + world.out;
+  };
+  const std::string header = traced_line(trace_in(world), 1) + "\n";
+  CHECK(say("") == "bad.jsonl:1: error: this is no trace: its first line is not the header of one\n");
+  CHECK(say("\xff\x00\n{}") == "bad.jsonl:1: error: this is no trace: its first line is not the header of one\n");
+  CHECK(say("{\"director_trace\":2}\n") == "bad.jsonl:1: error: a trace of version 2; this program reads version 1\n");
+  CHECK(say(header + "{\"t\":\n{}\n") == "bad.jsonl:2: error: this is no line of a trace\n");
+  CHECK(say(header + "[]\n") == "bad.jsonl:2: error: this is no line of a trace\n");
+  world.files.add("bad.jsonl", header + "{\"event\":\"run\",\"group\":\"Nobody\"}\n");
+  CHECK(world.directorc({"trace", "bad.jsonl"}) == 1);
+  CHECK(world.err == "bad.jsonl:2: error: the behaviour has no group called `Nobody`\n");
+  world.files.add("bad.jsonl", header + "{\"event\":\"run\",\"group\":\"Drive\"}\n");
+  CHECK(world.directorc({"trace", "bad.jsonl"}) == 1);
+  CHECK(world.err == "bad.jsonl:2: error: `run` without its provider\n");
+  CHECK(world.directorc({"trace", "none.jsonl"}) == 2);
+}
+
+TEST_CASE("the same behaviour decides the same") {
+  World world = with_trace();
+  CHECK(world.directorc({"replay", "run.jsonl"}) == 0);
+  CHECK(world.out == "run.jsonl: 37 events, all the same\n");
+  CHECK(world.directorc({"replay", "run.jsonl", "--format=json"}) == 0);
+  CHECK(world.out == "{\"trace\":\"run.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":37,\"dropped\":0}\n");
+}
+
+TEST_CASE("another version decides otherwise, and it is said where") {
+  World world = with_trace();
+  std::string other = rover_that_is_recorded;
+  other.replace(other.find("priority: 20"), 12, "priority: 5");
+  world.files.add("other.yaml", other);
+  CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml"}) == 1);
+  CHECK(world.out == R"(run.jsonl:18: event 17, at 0.000000 s, is decided otherwise by `other.yaml`, another version than the one recorded
+  recorded: push Drive.braking for root>Photograph
+  replayed: queue root>Photograph: waiting for Motion == still
+  16 events before it are the same
+)");
+  CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml", "--format=json"}) == 1);
+  CHECK(world.out ==
+        "{\"trace\":\"run.jsonl\",\"behaviour\":\"other.yaml\",\"other_version\":true,\"events\":16,\"dropped\":0,"
+        "\"difference\":{\"line\":18,\"event\":17,\"time_us\":0,\"recorded\":" +
+            traced_line(trace_in(world), 18) +
+            ",\"replayed\":{\"t\":0,\"n\":5,\"event\":\"queue\",\"edge\":\"root>Photograph\",\"why\":\"waiting\","
+            "\"condition\":\"Motion == still\"}}}\n");
+}
+
+TEST_CASE("a version without something that was recorded") {
+  World world = with_trace();
+  world.files.add("other.yaml", "behaviour: rover\nlanguage: 1\nroots: [Explore]\ngroups:\n  Explore: {}\n");
+  CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml"}) == 1);
+  CHECK(world.out == R"(run.jsonl:7: event 6, at 0.000000 s, is decided otherwise by `other.yaml`, another version than the one recorded
+  recorded: )" + traced_line(trace_in(world), 7) +
+                         R"(
+  replayed: the behaviour has no edge called `Explore>Drive`
+  5 events before it are the same
+)");
+}
+
+TEST_CASE("a trace with events missing is played up to there") {
+  World world = with_trace();
+  std::string some;
+  for (std::size_t i = 1; i <= 10; ++i) some += traced_line(trace_in(world), i) + "\n";
+  world.files.add("some.jsonl", some + "{\"event\":\"dropped\",\"count\":3}\n" + traced_line(trace_in(world), 14) + "\n");
+  CHECK(world.directorc({"replay", "some.jsonl"}) == 0);
+  CHECK(world.out == "some.jsonl: 9 events the same, up to where 3 events are missing\n");
+  CHECK(world.directorc({"trace", "some.jsonl"}) == 0);
+  CHECK(world.out.find("... 3 events are missing\n") != std::string::npos);
+}
+
+TEST_CASE("where the behaviour is found that a trace names") {
+  World world = with_trace();
+  world.files.add("runs/run.jsonl", trace_in(world));
+  world.files.add("runs/rover.yaml", rover_that_is_recorded);
+  CHECK(world.directorc({"replay", "runs/run.jsonl"}) == 0); // as seen from here
+  World elsewhere;
+  elsewhere.files.add("runs/run.jsonl", trace_in(world));
+  elsewhere.files.add("runs/rover.yaml", rover_that_is_recorded);
+  CHECK(elsewhere.directorc({"replay", "runs/run.jsonl"}) == 0); // beside the trace
+  World nowhere;
+  nowhere.files.add("run.jsonl", trace_in(world));
+  CHECK(nowhere.directorc({"replay", "run.jsonl"}) == 2);
+  CHECK(nowhere.err.find("rover.yaml") != std::string::npos);
+}
+
+} // namespace

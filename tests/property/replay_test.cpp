@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// What is recorded of random scenarios, played again: the same by the same behaviour. By another one it is decided
+// otherwise just where the scenario played on that one goes another way for the first time.
+//
+//   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
+#include "compiler/play/play.hpp"
+#include "compiler/play/row_names.hpp"
+#include "compiler/trace/replay.hpp"
+#include "runtime/hosted/trace/json_lines.hpp"
+#include "tests/property/compiled.hpp"
+#include "tests/property/generate.hpp"
+#include "tests/support/environment.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace director::property;
+using director::tests::from_environment;
+
+#ifdef NDEBUG
+constexpr std::uint64_t usual_cases = 1'000;
+#else
+constexpr std::uint64_t usual_cases = 100;
+#endif
+
+/// All events of the scenario, a line each.
+std::string record(const Compiled& compiled) {
+  struct Tape {
+    director::Names names;
+    std::string text;
+  };
+  const director::compiler::RowNames rows(compiled.model, compiled.lowered);
+  Tape tape{rows.names(), {}};
+  director::compiler::PlayOptions options;
+  options.events = {[](void* self, const director::Event& event) {
+                      auto& to = *static_cast<Tape*>(self);
+                      director::append_event(event, to.names, to.text);
+                      to.text += '\n';
+                    },
+                    &tape};
+  director::compiler::play(compiled.scenario, compiled.model, compiled.lowered, options,
+                           [](const director::compiler::Happening&) {});
+  return tape.text;
+}
+
+director::compiler::Replayed replay(const std::string& recorded, const Compiled& compiled) {
+  const director::compiler::RowNames rows(compiled.model, compiled.lowered);
+  director::compiler::TraceLines lines(recorded);
+  return director::compiler::replay(lines, rows.names());
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    out.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return out;
+}
+
+/// One priority is another one.
+std::string mutated(std::string behaviour, Random& random) {
+  constexpr std::string_view word = "priority: ";
+  std::vector<std::size_t> places;
+  for (std::size_t at = behaviour.find(word); at != std::string::npos; at = behaviour.find(word, at + 1))
+    places.push_back(at + word.size());
+  if (places.empty()) return behaviour;
+  const std::size_t at = places[random.below(places.size())];
+  const std::size_t end = behaviour.find_first_not_of("-0123456789", at);
+  return behaviour.replace(at, end - at, std::to_string(random.below(60)));
+}
+
+TEST_CASE("what was recorded of random scenarios is the same when it is played again, and otherwise where it is decided otherwise") {
+  const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
+  const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases);
+  std::size_t events = 0, others = 0, differing = 0;
+  for (std::uint64_t seed = first; seed < first + cases; ++seed) {
+    CAPTURE(seed);
+    const Documents documents = generate(seed);
+    const std::string behaviour = to_yaml(documents.behaviour), scenario = to_yaml(documents.scenario);
+    const CompileResult result = compile(behaviour, scenario);
+    REQUIRE(result.compiled);
+    const std::string recorded = record(*result.compiled);
+    const auto replayed = replay(recorded, *result.compiled);
+    if (replayed.difference)
+      FAIL("line " << replayed.difference->line << "\n" << replayed.difference->recorded_line << "\n"
+                   << replayed.difference->replayed_line);
+    REQUIRE(replayed.problem.empty());
+    const std::vector<std::string> before = lines_of(recorded);
+    CHECK(replayed.events == before.size());
+    events += replayed.events;
+
+    Random random(seed);
+    const CompileResult other = compile(mutated(behaviour, random), scenario);
+    if (!other.compiled) continue;
+    ++others;
+    const std::vector<std::string> after = lines_of(record(*other.compiled));
+    const auto differs = std::mismatch(before.begin(), before.end(), after.begin(), after.end());
+    const auto place = static_cast<std::size_t>(differs.first - before.begin());
+    const auto found = replay(recorded, *other.compiled);
+    if (differs.first == before.end()) {
+      CHECK(!found.difference);
+      continue;
+    }
+    // With another priority a task may have a level more or less, and then the script itself asks for another one.
+    const auto asks = [&](const char* word) { return before[place].find(word) != std::string::npos; };
+    if (asks("\"event\":\"ask\"") || asks("\"event\":\"keep\"") || asks("\"event\":\"input\"")) continue;
+    ++differing;
+    REQUIRE(found.difference);
+    CHECK(found.difference->line == place + 1);
+    CHECK(found.events == place);
+    CHECK(found.difference->recorded_line == before[place]);
+    if (place < after.size()) CHECK(found.difference->replayed_line == after[place]);
+  }
+  if (cases < 1'000) return;
+  CHECK(events > 30'000);
+  CHECK(others > cases / 2);
+  CHECK(differing > cases / 100);
+}
+
+} // namespace

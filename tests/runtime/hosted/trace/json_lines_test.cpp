@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Tests runtime/hosted/trace/json_lines.hpp. That what is written can be read and played: tests/compiler/trace.
+#include "runtime/hosted/trace/json_lines.hpp"
+
+#include "runtime/hosted/trace/fingerprint.hpp"
+#include "tests/runtime/hosted/trace/lamp.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace director;
+using namespace director::tests;
+
+namespace {
+
+std::string line(const Event& event, const Names& names) {
+  std::string out;
+  append_event(event, names, out);
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("the header of a trace says what everything is called") {
+  const Lamp lamp;
+  std::string out;
+  append_header(lamp.names, "a \"lamp\"\n.yaml", out);
+  CHECK(out == R"({"director_trace":1,"behaviour":"lamp","file":"a \"lamp\"\u000a.yaml","fingerprint":")" +
+                   fingerprint_text(lamp.names) +
+                   R"(","groups":[{"name":"Shine","providers":["default"]},{"name":"Signal","providers":["default"]},)"
+                   R"({"name":"Bulb","providers":["bright","dim"]}],)"
+                   R"("edges":[{"name":"root>Shine","target":"Shine","levels":[""]},)"
+                   R"({"name":"root>Signal","target":"Signal","levels":[""]},)"
+                   R"({"name":"Shine>Bulb","target":"Bulb","levels":[""]},)"
+                   R"({"name":"Signal>Bulb","target":"Bulb","levels":[""]}],)"
+                   R"("states":[{"name":"Motion","values":["still","moving"]},{"name":"Charge"}],)"
+                   R"("triggers":["Alarm"],"conditions":["Motion == still"]})");
+}
+
+TEST_CASE("each event is a line, with names instead of numbers") {
+  const Lamp lamp;
+  Event request = lamp.event(Event::Kind::input, 1'500'000, 7);
+  request.input = Event::Input::request;
+  request.group = 1;
+  request.edge = request.level = 1;
+  CHECK(line(request, lamp.names) ==
+        R"({"t":1500000,"n":7,"event":"input","input":"request","edge":"root>Signal"})");
+  Event push = lamp.event(Event::Kind::push, 10);
+  push.until = 20;
+  push.group = 2;
+  push.provider = 3;
+  push.edge = 1;
+  push.condition = 0;
+  CHECK(line(push, lamp.names) == R"({"t":10,"until":20,"n":1,"event":"push","group":"Bulb","edge":"root>Signal",)"
+                                  R"("provider":"dim","condition":"Motion == still"})");
+  Event run = lamp.event(Event::Kind::run, 0);
+  run.group = 2;
+  run.provider = 3;
+  run.reasons = Reasons{3};
+  CHECK(line(run, lamp.names) ==
+        R"({"t":0,"n":1,"event":"run","group":"Bulb","provider":"dim","reasons":["new_task","pushed"]})");
+  Event set = lamp.event(Event::Kind::set, 0);
+  set.state = 1;
+  set.value = 42;
+  CHECK(line(set, lamp.names) == R"({"t":0,"n":1,"event":"set","state":"Charge","value":42})");
+  set.value = unset;
+  CHECK(line(set, lamp.names) == R"({"t":0,"n":1,"event":"set","state":"Charge","value":null})");
+  Event grant = lamp.event(Event::Kind::grant, 0);
+  grant.group = 2;
+  grant.edge = 3;
+  grant.other = 4 + 2;
+  CHECK(line(grant, lamp.names) == R"({"t":0,"n":1,"event":"grant","edge":"Signal>Bulb","from":"limbo"})");
+  Event answer = lamp.event(Event::Kind::answer, 0);
+  answer.group = answer.provider = 0;
+  answer.outcome = Outcome::Kind::pack;
+  answer.pack = 2;
+  CHECK(line(answer, lamp.names) ==
+        R"({"t":0,"n":1,"event":"answer","group":"Shine","provider":"default","answer":"pack","pack":2})");
+  std::string dropped;
+  append_dropped(12, dropped);
+  CHECK(dropped == R"({"event":"dropped","count":12})");
+}
+
+TEST_CASE("behaviours that differ have different fingerprints, and equal ones the same") {
+  const Lamp one, same;
+  CHECK(fingerprint(one.names) == fingerprint(same.names));
+  Lamp other;
+  Names renamed = other.names;
+  renamed.trigger = [](const void*, Index) { return "Bell"; };
+  CHECK(fingerprint(renamed) != fingerprint(one.names));
+  Tables tables = *other.names.tables;
+  std::vector<Level> levels(tables.levels.begin(), tables.levels.end());
+  levels.front().optional = true;
+  tables.levels = levels;
+  Names changed = other.names;
+  changed.tables = &tables;
+  CHECK(fingerprint(changed) != fingerprint(one.names));
+}

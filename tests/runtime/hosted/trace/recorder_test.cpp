@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Tests runtime/hosted/trace/recorder.hpp and the queue in it.
+#include "runtime/hosted/trace/recorder.hpp"
+
+#include "runtime/hosted/trace/json_lines.hpp"
+#include "tests/runtime/hosted/trace/lamp.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <semaphore>
+#include <thread>
+
+using namespace director;
+using namespace director::tests;
+
+namespace {
+
+std::string header(const Names& names) {
+  std::string out;
+  append_header(names, "", out);
+  return out + "\n";
+}
+
+std::string lines(const Lamp& lamp, int from, int to) {
+  std::string out;
+  for (int i = from; i < to; ++i) {
+    append_event(lamp.event(Event::Kind::exhausted, i), lamp.names, out);
+    out += '\n';
+  }
+  return out;
+}
+
+/// Whose events wait until the test lets them go.
+class Held final : public TraceFormat {
+public:
+  explicit Held(std::binary_semaphore& begun, std::binary_semaphore& go, const Names& names)
+      : begun_(begun),
+        go_(go),
+        lines_(json_lines(names)) {}
+  void begin(std::string&) override {}
+  void event(const Event& event, std::string& out) override {
+    if (event.time == 0) {
+      begun_.release();
+      go_.acquire();
+    }
+    lines_->event(event, out);
+  }
+  void dropped(std::uint64_t count, std::string& out) override { lines_->dropped(count, out); }
+
+private:
+  std::binary_semaphore &begun_, &go_;
+  std::unique_ptr<TraceFormat> lines_;
+};
+
+} // namespace
+
+TEST_CASE("a recorder writes its header at once, and at its end all that was told") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "run.jsonl").string();
+  const Lamp lamp;
+  {
+    Recorder recorder{lamp.names, file};
+    CHECK(read_file(file) == header(lamp.names));
+    const Observer observer = recorder.observer();
+    for (int i = 0; i < 1000; ++i) observer.tell(observer.self, lamp.event(Event::Kind::exhausted, i));
+    CHECK(recorder.good());
+    CHECK(recorder.dropped() == 0);
+  }
+  CHECK(read_file(file) == header(lamp.names) + lines(lamp, 0, 1000));
+}
+
+TEST_CASE("what finds the queue full is counted, and said in the file at its place") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "run.jsonl").string();
+  const Lamp lamp;
+  std::binary_semaphore begun{0}, go{0};
+  {
+    Recorder recorder{std::make_unique<Held>(begun, go, lamp.names), file, {.queue = 8, .interval = std::chrono::milliseconds(1)}};
+    recorder.tell(lamp.event(Event::Kind::exhausted, 0));
+    begun.acquire(); // its place is still taken
+    for (int i = 1; i < 13; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+    CHECK(recorder.dropped() == 5);
+    go.release();
+    for (int tries = 0; tries < 10'000 && recorder.dropped() == 5; ++tries) { // until there is place again
+      if (read_file(file).find("\"t\":7,") != std::string::npos) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    recorder.tell(lamp.event(Event::Kind::exhausted, 13));
+    CHECK(recorder.dropped() == 5);
+  }
+  CHECK(read_file(file) == lines(lamp, 0, 8) + "{\"event\":\"dropped\",\"count\":5}\n" + lines(lamp, 13, 14));
+}
+
+TEST_CASE("what is missing at the end is said too") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "run.jsonl").string();
+  const Lamp lamp;
+  std::binary_semaphore begun{0}, go{0};
+  {
+    Recorder recorder{std::make_unique<Held>(begun, go, lamp.names), file, {.queue = 2, .interval = std::chrono::milliseconds(1)}};
+    recorder.tell(lamp.event(Event::Kind::exhausted, 0));
+    begun.acquire();
+    for (int i = 1; i < 4; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+    go.release();
+  }
+  CHECK(read_file(file) == lines(lamp, 0, 2) + "{\"event\":\"dropped\",\"count\":2}\n");
+}
+
+TEST_CASE("a simulation waits for its recorder, and nothing is missing") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "run.jsonl").string();
+  const Lamp lamp;
+  {
+    Recorder recorder{lamp.names, file, {.queue = 4, .interval = std::chrono::milliseconds(1), .waits = true}};
+    for (int i = 0; i < 300; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+    CHECK(recorder.dropped() == 0);
+  }
+  CHECK(read_file(file) == header(lamp.names) + lines(lamp, 0, 300));
+}
+
+TEST_CASE("a file that cannot be written is no reason to stop") {
+  const Lamp lamp;
+  Recorder nowhere{lamp.names, "/nowhere/run.jsonl"};
+  CHECK(nowhere.error() == ENOENT);
+  for (int i = 0; i < 10; ++i) nowhere.tell(lamp.event(Event::Kind::exhausted, i));
+  Recorder full{lamp.names, "/dev/full"};
+  CHECK(full.error() == ENOSPC);
+}
+
+TEST_CASE("a process that is killed leaves whole lines, up to shortly before its end") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "run.jsonl").string();
+  const Lamp lamp;
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    Recorder recorder{lamp.names, file, {.interval = std::chrono::milliseconds(1), .waits = true}};
+    for (int i = 0;; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+  }
+  while (!std::filesystem::exists(file) || std::filesystem::file_size(file) < 500'000)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  const std::string text = read_file(file);
+  const std::string whole = text.substr(0, text.rfind('\n') + 1);
+  const auto count = static_cast<int>(std::count(whole.begin(), whole.end(), '\n')) - 1;
+  CHECK(count > 5000);
+  CHECK(whole == header(lamp.names) + lines(lamp, 0, count));
+}
