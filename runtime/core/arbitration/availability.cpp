@@ -3,7 +3,6 @@
 
 #include "runtime/core/arbitration/availability.hpp"
 
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/reach.hpp"
 #include "runtime/core/arbitration/trail.hpp"

@@ -5,7 +5,7 @@
 
 #include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/plan.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/base/fault_injection.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What becomes of a unit that gets what it asks for. docs/semantics.md, section 4.4, Grant.
 
-#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/marks.hpp"

@@ -3,7 +3,6 @@
 
 #include "runtime/core/arbitration/limbo.hpp"
 
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/plan.hpp"

@@ -4,7 +4,6 @@
 #include "runtime/core/arbitration/staleness.hpp"
 
 #include "runtime/core/arbitration/availability.hpp"
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/combination.hpp"
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"

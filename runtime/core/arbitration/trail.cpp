@@ -11,7 +11,7 @@
 
 #include "runtime/core/arbitration/trail.hpp"
 
-#include "runtime/core/arbitration/claims.hpp"
+#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/reach.hpp"
 #include "runtime/core/arbitration/staleness.hpp"

@@ -3,7 +3,6 @@
 
 #include "runtime/core/arbitration/walk.hpp"
 
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
@@ -248,7 +247,7 @@ void sort_roots(Context& x) {
   if ((x.s.component[x.component] & work::reordered) == 0) return;
   x.s.component[x.component] &= static_cast<std::uint8_t>(~work::reordered);
   const auto comes_first = [&](Index a, Index b) {
-    return compare_siblings(x, {a, optional(x, a)}, {b, optional(x, b)}, true) < 0;
+    return compare_siblings(x, a, b) < 0;
   };
   Index* link = &x.s.first_root[x.component];
   Index last = nil, moved = 0;
