@@ -6,7 +6,6 @@
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 

@@ -13,10 +13,7 @@
 
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/reach.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 
