@@ -78,7 +78,7 @@ public:
     return (records.size() == 1 && take_first(records[0])) || inbox_.post(records);
   }
 
-  /// The next time at which a step would have something to do without an input; `never` if there is nil.
+  /// The next time at which a step would have something to do without an input; `never` if there is none.
   Time next_due() const { return x_.s.counters->next_due; }
 
   // What holds between steps.

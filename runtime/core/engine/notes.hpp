@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a micro-step notes on its way: components to be decided again, groups with a new reason. Small, and called from everywhere in it: so it is inline, and only the engine's own files include it.
+// What a micro-step notes on its way: components to be decided again, groups with a new reason. Small, and called from
+// everywhere in it: so it is inline, and only the engine's own files include it.
 
 #include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/marks.hpp"
