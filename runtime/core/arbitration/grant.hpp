@@ -9,7 +9,6 @@
 namespace director::arbitration {
 
 void try_members(Context& x, Index count, bool outdated);
-bool try_simple(Context& x, Index count);
 void grant(Context& x, Index count);
 void repeat(Context& x, Index edge);
 void decide_alone(Context& x, Index edge, bool outdated);

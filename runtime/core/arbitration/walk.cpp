@@ -50,7 +50,7 @@ void try_unit(Context& x, Index edge, bool outdated) {
     for (Index i = 0; i < count; ++i) decide_alone(x, x.s.unit[i], outdated);
   } else {
     for (Index i = 0; i < count; ++i) x.s.member[i] = x.s.unit[i];
-    if (!try_simple(x, count)) try_members(x, count, false);
+    try_members(x, count, false);
   }
   end_decision(x, count);
 }
