@@ -183,7 +183,7 @@ private:
     return true;
   }
 
-  /// Puts the data, from where they are by now, where they belong to the newest record.
+  /// Moves the data, from where they are by now, to the place of the overflow slot that was reserved.
   template <class Task>
   void say([[maybe_unused]] Task& task, [[maybe_unused]] const Input& before,
            [[maybe_unused]] const Input& word) const {

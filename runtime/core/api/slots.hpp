@@ -76,7 +76,7 @@ private:
 };
 
 /// The data of requests of one root task that the engine has not taken yet. Many writers, one reader; needs what Inbox
-/// needs. First the places of those that wait in the inbox, then one for each place of the task's newest record.
+/// needs. First the places of those that wait in the inbox, then one for each place of the task's overflow slot.
 template <TaskType Task>
 class Waiting {
   using Data = typename TaskBase<Task>::data_type;
@@ -93,10 +93,10 @@ public:
       return place;
     }
   }
-  /// The same for a newest record: the caller has this handle for itself.
+  /// The same for a record of OverflowSlots: the caller has this handle for itself.
   void put_at(Index handle, Data&& data) noexcept { slots_[handle].put(std::move(data)); }
   Data& value(Index handle) { return slots_[handle].value(); }
-  /// The handle of a newest record is free again when its word is.
+  /// The handle of such a record is free again when its place is.
   void free(Index handle) noexcept {
     slots_[handle].clear();
     if (handle >= waiting_requests) return;

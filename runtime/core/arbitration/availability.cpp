@@ -3,12 +3,8 @@
 
 #include "runtime/core/arbitration/availability.hpp"
 
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/order.hpp"
-#include "runtime/core/arbitration/reach.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 

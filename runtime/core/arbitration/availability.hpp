@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Which groups are available to an edge. docs/semantics.md, section 4.2.
 
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/arbitration/order.hpp"
 
 namespace director::arbitration {
 

@@ -1,15 +1,11 @@
 // docs/semantics.md, section 4.4, Grant: the first combination of choices of a unit in which all claims are compatible.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/combination.hpp"
+#include "runtime/core/arbitration/choices.hpp"
 
 #include "runtime/core/arbitration/availability.hpp"
-#include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/claims.hpp"
-#include "runtime/core/arbitration/plan.hpp"
+#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 

@@ -5,14 +5,9 @@
 
 #include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/claims.hpp"
-#include "runtime/core/arbitration/combination.hpp"
-#include "runtime/core/arbitration/plan.hpp"
+#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/refuse.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 
@@ -106,31 +101,6 @@ void try_members(Context& x, Index count, bool outdated) {
   x.depends_on_stale = true;
   leave_combination(x, count);
   defer(x, count); // of a stale requester nothing gets here: the members in hand are those of the unit
-}
-
-/// The same as all that follows, where several members have nothing to choose: each target has one provider, which
-/// needs nothing, and all goes well. False: it does not, and nothing was claimed.
-bool try_simple(Context& x, Index count) {
-  for (Index at = 0; at < count; ++at) {
-    const Index edge = x.s.member[at], group = x.t.edges[edge].target;
-    if ((x.s.traits[group] & trait::simple) == 0) return false;
-    if (!runs_for_now(x, edge)) {
-      if (x.stale_granted != 0 || !available(x, group, edge, true)) return false;
-    } else if (taken(x, edge)) {
-      return false;
-    }
-    const Index provider = x.t.groups[group].providers.begin;
-    if (x.s.enabled[provider] == 0) return false;
-    if ((x.s.traits[group] & trait::conditional) != 0 && first_false(x, provider, edge) != nil) return false;
-    x.s.member_provider[at] = provider;
-    x.s.member_entries[at] = 0;
-  }
-  for (Index at = 0; at < count; ++at) {
-    claim(x, x.t.edges[x.s.member[at]].target, x.s.member[at]);
-    now_granted(x, x.s.member[at], x.s.member_provider[at]);
-  }
-  if (x.had_pushes) keep_own_pushes(x, count);
-  return true;
 }
 
 void grant(Context& x, Index count) {

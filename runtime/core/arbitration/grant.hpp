@@ -1,19 +1,21 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What becomes of a unit that gets what it asks for. docs/semantics.md, section 4.4, Grant.
+// What becomes of a unit, whether it gets what it asks for or not. docs/semantics.md, section 4.4, Grant and Refuse.
 
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 
 void try_members(Context& x, Index count, bool outdated);
-bool try_simple(Context& x, Index count);
 void grant(Context& x, Index count);
 void repeat(Context& x, Index edge);
 void decide_alone(Context& x, Index edge, bool outdated);
+void block(Context& x, Index count);
+void block_alone(Context& x, Index edge);
+void refuse(Context& x, Index count);
+void explain(Context& x, Index count, Why why, Index condition = nil);
 
 /// For this very edge, or for the first time.
 inline void claim(Context& x, Index group, Index edge) {

@@ -1,70 +1,73 @@
-// docs/semantics.md, section 4.1: which of two edges goes first.
+// docs/semantics.md, section 4.1: the chains of holders, and which of two edges goes first.
 // SPDX-License-Identifier: MIT
-//
-// Along both chains from the bottom up at equal height, the pair of different edges nearest to root is where they part:
-// all below it belongs to one side only. One walk finds that pair and whether something optional lies on either side.
-// Cost: the length of the longer chain.
 
 #include "runtime/core/arbitration/order.hpp"
 
-#include "runtime/core/arbitration/claims.hpp"
-#include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/heap_sort.hpp"
 
 namespace director::arbitration {
 
 namespace {
 
-struct Parting {
-  Side a, b;
-};
-
-/// Where two chains part: the siblings below their closest common requester. Nil: one is a part of the other.
 Parting parting(const Context& x, Place a, Place b, Index length_a, Index length_b) {
-  bool optional_a = false, optional_b = false;
-  const auto climb = [&](Place& place, bool& is_optional) {
-    is_optional = is_optional || optional(x, place.edge);
-    place.edge = above(x, place);
-  };
-  for (Index i = length_b; i < length_a; ++i) climb(a, optional_a);
-  for (Index i = length_a; i < length_b; ++i) climb(b, optional_b);
-  Parting out{{nil, false}, {nil, false}};
-  while (a.edge != nil) {
-    const Index at_a = a.edge, at_b = b.edge;
-    if (at_a == at_b && a.along == b.along) break; // and so is all above
-    climb(a, optional_a);
-    climb(b, optional_b);
-    if (at_a != at_b) out = {{at_a, optional_a}, {at_b, optional_b}};
-  }
-  return out;
+  return parting(
+      a, b, length_a, length_b, [&](Place place) { return above(x, place); },
+      [&](Index edge) { return optional(x, edge); });
+}
+
+inline int compare_parted(const Context& x, const Parting& at, Index length_a, Index length_b, bool in_order) {
+  return at.a.edge == nil ? compare_heights(length_a, length_b).order : compare_siblings(x, at.a, at.b, in_order);
 }
 
 } // namespace
 
-/// Two edges whose chains end with the same edge of root: their depths are known, and chains that have met stay
-/// together.
+/// The walk has passed something that it is a part of.
+bool is_passed(const Context& x, Index group) {
+  for (; group != nil && !is_opened(x, group); group = requester_of_holder(x, x.s.last[group])) {
+    if ((x.s.group_trail[group] & trail::passed) != 0) return true;
+  }
+  return false;
+}
+
+Chain chain(const Context& x, Place place) {
+  Chain out;
+  for (; place.edge != nil; place.edge = above(x, place)) {
+    ++out.length;
+    const Index group = requester(x, place.edge);
+    if (group == nil) {
+      out.top = place.edge;
+    } else if (x.lineage_is_valid && place.along == Chains::current && holder_now(x, group) != nil) {
+      out.length = static_cast<Index>(out.length + x.s.lineage[group].depth);
+      out.top = place.edge; // some edge that is not limbo: which one does not matter
+      break;
+    }
+  }
+  return out;
+}
+
+bool in_chain(const Context& x, Index edge, Place of) {
+  for (; of.edge != nil; of.edge = above(x, of)) {
+    if (of.edge == edge) return true;
+  }
+  return false;
+}
+
+/// Two edges whose chains end with the same edge of root: their depths are known.
 int compare_relatives(const Context& x, Index a, Index b, bool in_order) {
   const Edge* const edges = x.t.edges.data();
   const GroupAssignment* const now = x.s.now.group;
-  Index from_a = edges[a].requester, from_b = edges[b].requester;
-  Index depth_a = from_a == nil ? Index{0} : x.s.lineage[from_a].depth,
-        depth_b = from_b == nil ? Index{0} : x.s.lineage[from_b].depth;
-  bool optional_a = optional(x, a), optional_b = optional(x, b);
-  const auto climb = [&](Index& edge, Index& from, bool& is_optional) {
-    edge = now[from].holder;
-    from = edges[edge].requester;
-    is_optional = is_optional || optional(x, edge);
+  const auto depth = [&](Index edge) {
+    const Index from = edges[edge].requester;
+    return from == nil ? Index{0} : x.s.lineage[from].depth;
   };
-  const Index lower_a = depth_a, lower_b = depth_b;
-  for (; depth_a > depth_b; --depth_a) climb(a, from_a, optional_a);
-  for (; depth_b > depth_a; --depth_b) climb(b, from_b, optional_b);
-  if (a == b && injected(Fault::ancestors_are_equals)) return 0;
-  if (a == b) return lower_a < lower_b ? -1 : lower_a > lower_b ? 1 : 0; // rule 1
-  while (from_a != from_b) {
-    climb(a, from_a, optional_a);
-    climb(b, from_b, optional_b);
-  }
-  return compare_siblings(x, {a, optional_a}, {b, optional_b}, in_order);
+  const auto above = [&](Place place) {
+    const Index from = edges[place.edge].requester;
+    return from == nil ? nil : now[from].holder;
+  };
+  const Index depth_a = depth(a), depth_b = depth(b);
+  const Parting at = parting({a, Chains::current}, {b, Chains::current}, depth_a, depth_b, above,
+                             [&](Index edge) { return optional(x, edge); });
+  return compare_parted(x, at, depth_a, depth_b, in_order);
 }
 
 int compare_chains(const Context& x, Place a, Place b, bool in_order) {
@@ -74,18 +77,15 @@ int compare_chains(const Context& x, Place a, Place b, bool in_order) {
   const Chain of_a = chain(x, a), of_b = chain(x, b);
   const bool limbo_a = is_limbo(x, of_a.top), limbo_b = is_limbo(x, of_b.top);
   if (limbo_a != limbo_b) return limbo_a ? 1 : -1;
-  const Parting siblings = parting(x, a, b, of_a.length, of_b.length);
-  if (siblings.a.edge == nil && injected(Fault::ancestors_are_equals)) return 0;
-  if (siblings.a.edge == nil) return of_a.length < of_b.length ? -1 : of_a.length > of_b.length ? 1 : 0; // rule 1
-  return compare_siblings(x, siblings.a, siblings.b, in_order);
+  return compare_parted(x, parting(x, a, b, of_a.length, of_b.length), of_a.length, of_b.length, in_order);
 }
 
 /// Neither they nor anything below one of them can be equal.
 bool never_equal(const Context& x, Place a, Place b) {
   const Chain of_a = chain(x, a), of_b = chain(x, b);
   if (is_limbo(x, of_a.top) || is_limbo(x, of_b.top)) return false;
-  const Parting siblings = parting(x, a, b, of_a.length, of_b.length);
-  return siblings.a.edge != nil && urgency(x, siblings.a.edge) != urgency(x, siblings.b.edge);
+  const Parting at = parting(x, a, b, of_a.length, of_b.length);
+  return at.a.edge != nil && urgency(x, at.a.edge) != urgency(x, at.b.edge);
 }
 
 void sort_by_holders(const Context& x, std::span<Index> groups, Chains along) {

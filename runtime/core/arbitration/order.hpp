@@ -1,36 +1,167 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The order between two edges, each with the chain of its holders up to root. It is keyed by chains that move while the
-// static ranks do not: the priority table of each requester (Level::urgency, Level::optional).
-// docs/semantics.md, section 4.1.
+// The order between two edges, each with the chain of its holders up to root: by the claims of the pass in hand, or by the last
+// assignment. Rules 1 to 4 compare static ranks along these chains: the priority table of each requester (Level::urgency,
+// Level::optional). docs/semantics.md, section 4.1.
 
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/fault_injection.hpp"
 
 namespace director::arbitration {
 
-struct Side {
+/// Which holders a chain is read along: those of this pass (and of the combination in hand), or of the last one.
+enum class Chains : std::uint8_t { current, previous };
+
+struct Place {
   Index edge;
-  bool optional; ///< it, or something below it
+  Chains along;
 };
 
+struct Chain {
+  Index length = 0;
+  Index top = nil; ///< its edge of root or limbo; nil where the chain does not reach that far
+};
+
+/// One of two siblings below the closest common requester.
+struct Side {
+  Index edge = nil;
+  bool optional = false; ///< it, or something below it
+};
+
+/// Where two chains part. Nil: one is a part of the other.
+struct Parting {
+  Side a, b;
+};
+
+/// Which goes first of two edges, and by which rule. `order`: negative, the first one; 0: they are equal, or the same.
+struct Verdict {
+  Precedence by;
+  int order;
+};
+
+/// Along both chains from the bottom up at equal height, the pair of different places nearest to root is where they part:
+/// all below it belongs to one side only. Cost: the length of the longer chain. `above(place)`: the next one of its chain;
+/// its edge is nil behind the last.
+template <class Above, class Optional>
+Parting parting(Place a, Place b, Index length_a, Index length_b, const Above& above, const Optional& optional) {
+  bool optional_a = false, optional_b = false;
+  const auto climb = [&](Place& place, bool& is_optional) {
+    is_optional = is_optional || optional(place.edge);
+    place.edge = above(place);
+  };
+  for (Index i = length_b; i < length_a; ++i) climb(a, optional_a);
+  for (Index i = length_a; i < length_b; ++i) climb(b, optional_b);
+  Parting out;
+  while (a.edge != nil) {
+    const Index at_a = a.edge, at_b = b.edge;
+    if (at_a == at_b && a.along == b.along) break; // and so is all above
+    climb(a, optional_a);
+    climb(b, optional_b);
+    if (at_a != at_b) out = {{at_a, optional_a}, {at_b, optional_b}};
+  }
+  return out;
+}
+
+/// Rule 1.
+inline Verdict compare_heights(Index length_a, Index length_b) {
+  if (injected(Fault::ancestors_are_equals)) return {Precedence::above, 0};
+  return {Precedence::above, length_a < length_b ? -1 : length_a > length_b ? 1 : 0};
+}
+
+/// Rules 3 and 4.
+inline Verdict compare_ranks(Side a, Side b, Index urgency_a, Index urgency_b) {
+  if (a.optional != b.optional)
+    return {Precedence::optional, a.optional != injected(Fault::optional_goes_first) ? 1 : -1};
+  if (urgency_a == urgency_b) return {Precedence::equal, 0};
+  return {Precedence::priority, (urgency_a < urgency_b) != injected(Fault::priorities_are_reversed) ? -1 : 1};
+}
+
+/// Of an edge that is requested at this level; nil: it holds without a request.
+inline Index urgency(const Tables& t, Index edge, Index level) {
+  return level == nil ? t.edges[edge].need_urgency : t.levels[level].urgency;
+}
+
+bool is_passed(const Context& x, Index group);
+Chain chain(const Context& x, Place place);
+bool in_chain(const Context& x, Index edge, Place of);
 int compare_relatives(const Context& x, Index a, Index b, bool in_order);
 int compare_chains(const Context& x, Place a, Place b, bool in_order);
 bool never_equal(const Context& x, Place a, Place b);
 void sort_by_holders(const Context& x, std::span<Index> groups, Chains along);
 
+inline bool is_limbo(const Context& x, Index edge) { return edge >= x.t.edges.size(); }
+
+inline Index target(const Context& x, Index edge) {
+  return is_limbo(x, edge) ? static_cast<Index>(edge - x.t.edges.size()) : x.t.edges[edge].target;
+}
+
+inline Index requester(const Context& x, Index edge) { return is_limbo(x, edge) ? nil : x.t.edges[edge].requester; }
+
+inline bool requested(const Context& x, Index edge) { return !is_limbo(x, edge) && x.s.request[edge].level != nil; }
+
+inline bool optional(const Context& x, Index edge) {
+  return requested(x, edge) && x.t.levels[x.s.request[edge].level].optional;
+}
+
+inline Index urgency(const Context& x, Index edge) {
+  return is_limbo(x, edge) ? Index{0} : urgency(x.t, edge, x.s.request[edge].level);
+}
+
+inline Index requester_of_holder(const Context& x, const GroupAssignment& assignment) {
+  return assignment.holder == nil ? nil : requester(x, assignment.holder);
+}
+
+/// Whether the condition is true.
+inline bool holds(const Context& x, Index condition) { return x.s.truth[condition] != 0; }
+
+/// This pass looks at the group; otherwise it stands as in the last one.
+inline bool is_opened(const Context& x, Index group) { return (x.s.group_trail[group] & trail::opened) != 0; }
+
+/// The edge that has claimed the group so far. One that the pass in hand has not opened stands as in the last pass, and
+/// counts from where the walk passes it.
+inline Index holder_now(const Context& x, Index group) {
+  const Index holder = x.s.now[group].holder;
+  return holder == nil || !x.walking || is_opened(x, group) || is_passed(x, group) ? holder : nil;
+}
+
+/// In this pass; root always is.
+inline bool claimed(const Context& x, Index group) { return group == nil || holder_now(x, group) != nil; }
+
+/// An edge before it has its target.
+inline bool taken(const Context& x, Index edge) {
+  const Index holder = holder_now(x, target(x, edge));
+  return holder != nil && holder != edge;
+}
+
+/// Its target was granted to it before this pass.
+inline bool runs_for_now(const Context& x, Index edge) {
+  const GroupAssignment& last = x.s.last[target(x, edge)];
+  return last.holder == edge && last.granted();
+}
+
+/// The edge that controls the requester of this one. A claim counts before a trial: a plan in hand may name a group
+/// that is claimed already, even one above it; it cannot be chosen, but it must not bend the chains.
+inline Index above(const Context& x, Place place) {
+  const Index group = requester(x, place.edge);
+  if (group == nil) return nil;
+  if (place.along == Chains::previous) return x.s.last[group].holder;
+  const Index holder = holder_now(x, group);
+  return holder != nil ? holder : x.s.trial[group];
+}
+
 /// Rules 3 to 5 for two edges of one requester and what lies below them.
 inline int compare_siblings(const Context& x, Side a, Side b, bool in_order) {
-  if (a.optional != b.optional) return a.optional != injected(Fault::optional_goes_first) ? 1 : -1; // rule 3
-  const Index urgency_a = urgency(x, a.edge), urgency_b = urgency(x, b.edge);
-  if (urgency_a != urgency_b) // rule 4
-    return (urgency_a < urgency_b) != injected(Fault::priorities_are_reversed) ? -1 : 1;
-  if (!in_order) return 0;
+  const int by_rank = compare_ranks(a, b, urgency(x, a.edge), urgency(x, b.edge)).order;
+  if (by_rank != 0 || !in_order) return by_rank;
   const auto stamp = [&](Index edge) { return requested(x, edge) ? x.s.request[edge].stamp : ~std::uint64_t{0}; };
   if (stamp(a.edge) != stamp(b.edge)) // rule 5
     return (stamp(a.edge) < stamp(b.edge)) != injected(Fault::younger_goes_first) ? -1 : 1;
   return a.edge < b.edge ? -1 : 1;
+}
+
+/// Of two edges of one requester alone.
+inline int compare_siblings(const Context& x, Index a, Index b) {
+  return compare_siblings(x, {a, optional(x, a)}, {b, optional(x, b)}, true);
 }
 
 /// Of an edge whose requester is claimed or root.
@@ -64,8 +195,6 @@ inline bool before_in_order(const Context& x, Index a, Index b, Chains along) {
   const Assignment& held = along == Chains::current ? x.s.now : x.s.last;
   if (requester(x, held[b].holder) == a && !is_limbo(x, held[b].holder)) return true; // its own requester
   if (requester(x, held[a].holder) == b && !is_limbo(x, held[a].holder)) return false;
-  if (x.lineage_is_valid && along == Chains::current)
-    return compare_claimed(x, held[a].holder, held[b].holder, true) < 0;
   return compare(x, {held[a].holder, along}, {held[b].holder, along}, true) < 0;
 }
 

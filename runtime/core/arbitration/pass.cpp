@@ -4,13 +4,11 @@
 #include "runtime/core/arbitration/pass.hpp"
 
 #include "runtime/core/arbitration/availability.hpp"
-#include "runtime/core/arbitration/limbo.hpp"
+#include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/arbitration/walk.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 
@@ -38,6 +36,38 @@ void sweep_again(Context& x) {
     x.s.next_order[x.row.order + i] = order[i];
   }
   begin_sweep(x);
+}
+
+void keep_in_limbo(Context& x, Index group) {
+  const Index end = entries_of(x, group, x.s.last);
+  for (Index i = 0; i < end; ++i) {
+    if (x.s.now[x.s.entry_group[i]].holder != nil) return;
+  }
+  x.depends_on_last = x.depends_on_stale = true;
+  x.lineage_is_valid = false;
+  claim(x, group, static_cast<Index>(x.t.edges.size() + group));
+  x.s.now[group].active = x.s.last[group].active;
+  if (x.s.last[group].planned != nil) plan_for(x, group, x.s.last[group].planned, 0, end);
+  for (Index i = 0; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
+  claim_plan(x, 0, end);
+  compare_claim(x, group);
+  for (Index i = 0; i < end; ++i) compare_claim(x, x.s.entry_group[i]);
+  sweep_below(x, group);
+}
+
+/// Hand-over: live groups that nobody claims are kept for an heir that is about to run.
+void keep_for_heirs(Context& x) {
+  if (x.stale_granted == 0 || injected(Fault::nobody_inherits)) return;
+  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
+    const Index group = x.s.order[x.row.order + i];
+    if (x.s.last[group].active == nil || x.s.now[group].holder != nil) continue;
+    x.s.reach[0] = group;
+    if (reached_from_stale(x, 1, nil)) keep_in_limbo(x, group);
+  }
+  const std::span<Index> limbo{x.s.next_order + x.row.order + x.limbo_begin,
+                               static_cast<std::size_t>(x.placed - x.limbo_begin)};
+  sort_by_holders(x, limbo, Chains::current); // by declaration
+  for (Index at = x.limbo_begin; at < x.placed; ++at) put(x, limbo[at - x.limbo_begin], at);
 }
 
 /// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.

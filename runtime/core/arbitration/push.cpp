@@ -8,13 +8,8 @@
 #include "runtime/core/arbitration/push.hpp"
 
 #include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/order.hpp"
-#include "runtime/core/arbitration/plan.hpp"
-#include "runtime/core/arbitration/reach.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 // Pushes, from the one that is made to the one that is dropped. docs/semantics.md, sections 4.3 and 4.4.
 
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/base/fault_injection.hpp"

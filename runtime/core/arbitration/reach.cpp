@@ -3,14 +3,11 @@
 //
 // What changed is an input, or a group whose claim, plan, push or place in the order is another than in the last pass.
 
-#include "runtime/core/arbitration/reach.hpp"
-
-#include "runtime/core/arbitration/claims.hpp"
-#include "runtime/core/arbitration/plan.hpp"
-#include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
+
+#include "runtime/core/arbitration/choices.hpp"
+#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/push.hpp"
 
 namespace director::arbitration {
 

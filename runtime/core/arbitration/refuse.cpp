@@ -1,18 +1,13 @@
 // docs/semantics.md, section 4.4, Refuse: a unit is queued, for a reason.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/refuse.hpp"
+#include "runtime/core/arbitration/grant.hpp"
 
 #include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/claims.hpp"
-#include "runtime/core/arbitration/combination.hpp"
-#include "runtime/core/arbitration/plan.hpp"
+#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/reach.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 

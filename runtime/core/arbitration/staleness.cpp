@@ -4,15 +4,10 @@
 #include "runtime/core/arbitration/staleness.hpp"
 
 #include "runtime/core/arbitration/availability.hpp"
-#include "runtime/core/arbitration/claims.hpp"
-#include "runtime/core/arbitration/combination.hpp"
+#include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
-#include "runtime/core/arbitration/plan.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/refuse.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 

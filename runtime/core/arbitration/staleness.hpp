@@ -3,7 +3,6 @@
 // Whose orders are outdated, and who has to wait for them. docs/semantics.md, section 4.4, Stale and Defer.
 
 #include "runtime/core/arbitration/context.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 

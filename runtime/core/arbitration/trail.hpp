@@ -1,12 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a pass looks at, and what it leaves as it is. docs/semantics.md, section 4.4.
+// What a pass looks at, and what it leaves as it is: from what is another than in the last pass (reach.cpp) to the units that
+// are decided again. docs/semantics.md, section 4.4.
 
+#include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/context.hpp"
-#include "runtime/core/arbitration/plan.hpp"
-#include "runtime/core/arbitration/reach.hpp"
 #include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 
@@ -16,6 +15,15 @@ void open(Context& x, Index group);
 void touch_group(Context& x, Index group);
 void end_trail(Context& x);
 void clear_marks(Context& x);
+void rest_on(Context& x, Index edge, std::uint8_t bits);
+void begin_followed(Context& x, Index count);
+void compare_with_last(Context& x, Index count);
+void compare_claim(Context& x, Index group);
+void reach_edge(Context& x, Index edge);
+void take_up(Context& x, Index edge, bool with_siblings);
+void take_up_last(Context& x, Index group);
+void reach(Context& x, Index group);
+void move(Context& x, Index group);
 
 /// What is decided about the group in this pass: nothing yet.
 inline void clear(Context& x, Index group) {

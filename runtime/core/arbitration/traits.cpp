@@ -4,9 +4,7 @@
 // How simple a group is, and where two edges can be equal (4.1, rule 5): only where a requester has two that go by one
 // priority. Most people give each task a priority of its own; there nobody's last holder has to be looked at.
 
-#include "runtime/core/arbitration/traits.hpp"
-
-#include "runtime/core/base/marks.hpp"
+#include "runtime/core/arbitration/pass.hpp"
 
 namespace director::arbitration {
 

@@ -3,17 +3,12 @@
 
 #include "runtime/core/arbitration/walk.hpp"
 
-#include "runtime/core/arbitration/claims.hpp"
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/reach.hpp"
-#include "runtime/core/arbitration/refuse.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/heap_sort.hpp"
-#include "runtime/core/base/marks.hpp"
 
 namespace director::arbitration {
 
@@ -55,7 +50,7 @@ void try_unit(Context& x, Index edge, bool outdated) {
     for (Index i = 0; i < count; ++i) decide_alone(x, x.s.unit[i], outdated);
   } else {
     for (Index i = 0; i < count; ++i) x.s.member[i] = x.s.unit[i];
-    if (!try_simple(x, count)) try_members(x, count, false);
+    try_members(x, count, false);
   }
   end_decision(x, count);
 }
@@ -248,7 +243,7 @@ void sort_roots(Context& x) {
   if ((x.s.component[x.component] & work::reordered) == 0) return;
   x.s.component[x.component] &= static_cast<std::uint8_t>(~work::reordered);
   const auto comes_first = [&](Index a, Index b) {
-    return compare_siblings(x, {a, optional(x, a)}, {b, optional(x, b)}, true) < 0;
+    return compare_siblings(x, a, b) < 0;
   };
   Index* link = &x.s.first_root[x.component];
   Index last = nil, moved = 0;

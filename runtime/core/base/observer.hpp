@@ -31,7 +31,7 @@ struct Event {
     queue,     ///< the request on `edge` does not run: `why`, and for waiting the first false `condition`
     push,      ///< `group` is pushed to `provider` for the request on `edge`, to make `condition` true
     release,   ///< the push on `group` is over
-    set,       ///< `state` becomes `value` (director::unset: it has nil any more), by a body, handler, owner or expiry
+    set,       ///< `state` becomes `value` (director::unset: it has none any more), by a body, handler, owner or expiry
     refused,   ///< a body tried to set `state` to `value`, which its provider does not declare
     broken,    ///< the promise of `provider` of `group` ran out
     fault,     ///< the body of `provider`, or a handler of `group`, threw

@@ -203,8 +203,8 @@ struct State {
   // The decision state.
   Counters* counters = nullptr;
   Requested* request = nullptr;           ///< edge
-  Time* due = nullptr;                    ///< timer (see timers.cpp): when; never
-  Index* soonest = nullptr;               ///< timers, as a tree of which one is due first
+  Time* due = nullptr;                    ///< timer (Timers): when; never
+  Index* soonest = nullptr;               ///< a tree over them: which one is due first
   StateValue* values = nullptr;           ///< state
   Bits* truth = nullptr;                  ///< condition: it holds
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing

@@ -73,4 +73,12 @@ enum class Why : std::uint8_t {
   deferred, ///< someone stronger is about to run and may take what it needs
 };
 
+/// By which rule of semantics.md 4.1 one task goes before another.
+enum class Precedence : std::uint8_t {
+  above,    ///< it requested the other, directly or not
+  optional, ///< the other is optional below the common requester
+  priority, ///< it has the higher priority there
+  equal,    ///< by none: equals never take from each other, and it was there first
+};
+
 } // namespace director

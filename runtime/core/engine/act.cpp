@@ -105,7 +105,7 @@ void Engine::end_what_it_has(Index group) {
     if (!injected(Fault::owned_states_stay)) set_by_handler(state, x_.t.states[state].initial);
   }
   handle(group, Reason::stopped);
-  disarm(Due::every, group);
+  timers_.disarm({Timers::Kind::every, group});
 }
 
 void Engine::stop_group(Index group) {
@@ -166,8 +166,8 @@ void Engine::begin(Index group, const GroupAssignment& now) {
     starting_ = nil;
   }
   const Time every = x_.t.providers[now.active].every; // the period begins when the provider becomes active
-  disarm(Due::every, group);
-  if (every != 0) arm(Due::every, group, later(x_.s.counters->now, every));
+  timers_.disarm({Timers::Kind::every, group});
+  if (every != 0) timers_.arm({Timers::Kind::every, group}, later(x_.s.counters->now, every));
 }
 
 /// To a group that is granted and stands elsewhere than before, or was touched.
@@ -175,7 +175,7 @@ void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
   if (takes_more(group, last, now) && !injected(Fault::handlers_are_overlooked)) begin(group, now);
   note_given(group, now.holder, reasons(last, now));
-  enqueue(group);
+  queue().enter(group);
 }
 
 /// Section 7: a promise ends with its push, and when its condition has come true.
@@ -187,7 +187,7 @@ void Engine::keep_promises(Index group) {
   const bool stands = in_force(group) && push.edge == promised.edge && push.provider == provider;
   const Range promises = x_.t.providers[provider].promises;
   for (Index i = promises.begin; i != promises.end; ++i) {
-    if (!stands || arbitration::holds(x_, x_.t.promises[i].condition)) disarm(Due::promise, i);
+    if (!stands || arbitration::holds(x_, x_.t.promises[i].condition)) timers_.disarm({Timers::Kind::promise, i});
   }
   if (!stands) promised = {};
 }
@@ -205,7 +205,7 @@ void Engine::settle_data(Index edge) {
 
 /// The new assignment becomes the last one. Runs of groups that are not granted leave the queue; what is pending stays.
 inline void Engine::adopt(Index group) {
-  if (!x_.s.now[group].granted() && !injected(Fault::who_leaves_stays_queued)) leave_queue(group);
+  if (!x_.s.now[group].granted() && !injected(Fault::who_leaves_stays_queued)) queue().leave(group);
   x_.s.group_marks[group] &= static_cast<std::uint8_t>(~mark::differs);
   x_.s.last[group] = x_.s.now[group];
   const Range slots = x_.t.groups[group].slots;

@@ -3,13 +3,14 @@
 
 #include "runtime/core/engine/engine.hpp"
 
-#include "runtime/core/arbitration/traits.hpp"
+#include "runtime/core/arbitration/pass.hpp"
 #include "runtime/core/base/marks.hpp"
 
 namespace director {
 
 Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
     : x_{tables, State::in(memory, Shape::of(tables))},
+      timers_(x_.t, x_.s),
       bodies_(bodies),
       inbox_(inbox),
       observer_(observer) {
@@ -25,7 +26,7 @@ void Engine::reset() {
         for (std::size_t i = 0; i < count; ++i) array[i] = T{};
       },
       [] {});
-  clear_timers();
+  timers_.clear();
   for (Index i = 0; i < x_.t.states.size(); ++i) {
     x_.s.values[i].value = x_.t.states[i].initial;
     x_.s.handler_values[i] = unset;

@@ -7,10 +7,12 @@
 #include "runtime/core/arbitration/pass.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/duration.hpp"
-#include "runtime/core/engine/inbox.hpp"
 #include "runtime/core/base/observer.hpp"
-#include "runtime/core/engine/run.hpp"
 #include "runtime/core/base/state.hpp"
+#include "runtime/core/engine/inbox.hpp"
+#include "runtime/core/engine/run.hpp"
+#include "runtime/core/engine/run_queue.hpp"
+#include "runtime/core/engine/timers.hpp"
 
 namespace director {
 
@@ -76,7 +78,7 @@ public:
     return (records.size() == 1 && take_first(records[0])) || inbox_.post(records);
   }
 
-  /// The next time at which a step would have something to do without an input; `never` if there is nil.
+  /// The next time at which a step would have something to do without an input; `never` if there is none.
   Time next_due() const { return x_.s.counters->next_due; }
 
   // What holds between steps.
@@ -112,9 +114,6 @@ private:
   friend class Run;
   friend class Handling;
 
-  /// Kinds of timers, in the order in which those that are due together are served.
-  enum class Due : std::uint8_t { expiry, wait, promise, every };
-
   /// What a micro-step found to do.
   enum class Taken : std::uint8_t { nothing, no_change, change };
 
@@ -140,6 +139,11 @@ private:
   Taken take_cancel_of_all();
   Taken take_enabled(Index provider, std::uint8_t wanted);
   Taken take_handlers_input();
+  Taken take_timer();
+  bool serve(Timers::Timer timer, Time when);
+  bool expire(Index state);
+  bool break_promise(Index promise);
+  void end_wait(Index group);
   bool fire(Index trigger);
   void set_by_handler(Index state, std::int32_t value);
   void look_at_conditions(Index state);
@@ -147,6 +151,7 @@ private:
   void report_cancel(Index edge) const;
   void report_lost();
   void report_set(Index state) const;
+  void report_timer(Timers::Timer timer) const;
 
   Index run_next();
   void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
@@ -159,24 +164,6 @@ private:
   void report_answer(Index group, Index provider, Outcome::Kind outcome, std::uint16_t pack) const;
   void report_assign(Index group, Index provider, Index state, std::int32_t value) const;
 
-  // timers.cpp: section 3, Time
-  Index timer(Due kind, Index row) const;
-  void arm(Due kind, Index row, Time due) { set_timer(timer(kind, row), due); }
-  void disarm(Due kind, Index row);
-  void end_wait(Index group);
-  void set_timer(Index index, Time due);
-  void clear_timers();
-  Index soonest(std::size_t node) const {
-    const std::size_t timers = x_.t.states.size() + 2 * x_.t.groups.size() + x_.t.promises.size();
-    return node < timers ? x_.s.soonest[node] : static_cast<Index>(node - timers);
-  }
-  Index sooner(std::size_t node) const;
-  Taken take_timer();
-  bool serve_timer(Due kind, Index row, Time when);
-  void report_timer(Due kind, Index row) const;
-  bool expire(Index state);
-  bool break_promise(Index promise);
-
   // notes.hpp
   void mark(Index component, std::uint8_t bits);
   void mark_stale(Index group);
@@ -188,10 +175,7 @@ private:
   void live_on(Index group, Index edge);
   void note_given(Index group, Index holder, std::uint8_t bits);
   void add_reason(Index group, Reason reason);
-  void enqueue(Index group);
   void give_again(Index group, bool anew);
-  Index next_of_queue();
-  void leave_queue(Index group);
   void forget_triggers(Index group);
   void mark_request(Index edge);
   void request(Index edge, Index level);
@@ -231,6 +215,7 @@ private:
   void report_queued(Index component) const;
   void handle(Index group, Reason reason);
 
+  RunQueue queue() const { return RunQueue(x_.s); }
   std::uint8_t flags_of(Index group) const;
   Event event(Event::Kind kind, Index group = nil) const;
   void report(Event::Kind kind, Index group = nil) const {
@@ -241,6 +226,7 @@ private:
   DataPlace data_of(Index group) const;
 
   arbitration::Context x_; ///< the tables, the memory, and what arbitration knows
+  Timers timers_;
   Bodies bodies_;
   Inbox& inbox_;
   Observer observer_;

@@ -24,7 +24,7 @@ public:
     Input input;
   };
 
-  /// `cells`: a power of two of them, at least 2. `words`: one for each root edge, then one for each whom `put` names;
+  /// `cells`: a power of two of them, at least 2. `words`: a slot for each root edge, then one for each other that `put` names;
   /// without them a full inbox refuses everything. Both are owned by the caller, who must keep them.
   explicit Inbox(std::span<Cell> cells, std::span<OverflowSlots::Slot> words = {});
   Inbox(const Inbox&) = delete;
@@ -42,8 +42,8 @@ public:
   // The two halves of insist, for requests with data.
   /// False: a request or cancel of one of these root tasks waits outside the queue, and this one must wait behind it.
   bool post_in_turn(std::span<const Input> records);
-  /// Gives each record the handle of its newest record: there its data go before they are published. Nil: this record does
-  /// not count, as a later one about the same root task does. False: there are no overflow slots.
+  /// Reserves a place of OverflowSlots for each record, as its handle: there its data go before they are published. Nil: this
+  /// record does not count, as a later one about the same root task does. False: there are no overflow slots.
   bool reserve(std::span<Input> records);
   void publish(std::span<const Input> records);
 
@@ -100,7 +100,7 @@ private:
   bool closed_ = false;     ///< nothing is due, or the next record's writer is not ready yet
   bool first_waits_ = false;
   Input first_;       ///< taken before what is in the cells
-  bool word_ = false; ///< what was taken last is a newest record
+  bool word_ = false; ///< what was taken last came by an overflow slot
   OverflowSlots words_;
 };
 

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 3, Inputs: what the outside asks for, sets and fires, and what handlers set.
+// docs/semantics.md, section 3, Inputs: what the outside asks for, sets and fires, what handlers set, and what is due.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/base/heap_sort.hpp"
@@ -138,6 +138,90 @@ bool Engine::fire(Index trigger) {
     heard = true;
   }
   return heard;
+}
+
+/// What is due at the time being served, which began with the earliest: states that expire, waits, promises, `every`,
+/// each in order of declaration. Each is an input of its own. What one of them cancels is not due any more when its
+/// turn comes.
+Engine::Taken Engine::take_timer() {
+  Counters& c = *x_.s.counters;
+  const Time when = c.next_due;
+  if (when > c.now) {
+    c.serving = false;
+    return Taken::nothing;
+  }
+  const Timers::Timer timer = timers_.take_first();
+  ++c.micro_step;
+  if (observed()) report_timer(timer);
+  return serve(timer, when) ? Taken::change : Taken::no_change;
+}
+
+/// True if that is an input with an effect.
+bool Engine::serve(Timers::Timer timer, Time when) {
+  const Counters& c = *x_.s.counters;
+  const Index row = timer.row;
+  switch (timer.kind) {
+  case Timers::Kind::expiry: return expire(row);
+  case Timers::Kind::promise: return break_promise(row);
+  case Timers::Kind::wait: add_reason(row, Reason::wait); break;
+  case Timers::Kind::every: {
+    const Time period = x_.t.providers[x_.s.last[row].active].every;
+    // One that is late runs once, and is due again at the first multiple after it. Two times may be further apart than
+    // a Time can say.
+    const auto late = static_cast<std::uint64_t>(c.until) - static_cast<std::uint64_t>(when);
+    const auto each = static_cast<std::uint64_t>(period);
+    timers_.arm({Timers::Kind::every, row}, later(late < each ? when : c.until - static_cast<Time>(late % each), period));
+    add_reason(row, Reason::trigger);
+    break;
+  }
+  }
+  return true;
+}
+
+bool Engine::expire(Index state) {
+  if (!assign(state, x_.t.states[state].expires_to)) return false;
+  report_set(state);
+  return true;
+}
+
+/// Once for a push: the other promises of this run of it are over too. True if somebody listens.
+bool Engine::break_promise(Index promise) {
+  const Index provider = x_.t.promises[promise].provider;
+  const Range all = x_.t.providers[provider].promises;
+  for (Index i = all.begin; i != all.end; ++i) timers_.disarm({Timers::Kind::promise, i});
+  if (observed()) {
+    Event broken = event(Event::Kind::broken, x_.t.providers[provider].group);
+    broken.provider = provider;
+    tell(broken);
+  }
+  const Index trigger = x_.t.promises[promise].trigger;
+  return trigger != nil && fire(trigger);
+}
+
+void Engine::report_timer(Timers::Timer timer) const {
+  if (!observed()) return;
+  Event input = event(Event::Kind::input);
+  const Index row = timer.row;
+  switch (timer.kind) {
+  case Timers::Kind::expiry:
+    input.input = Event::Input::expire;
+    input.state = row;
+    break;
+  case Timers::Kind::wait:
+    input.input = Event::Input::wait;
+    input.group = row;
+    break;
+  case Timers::Kind::promise:
+    input.input = Event::Input::within;
+    input.provider = x_.t.promises[row].provider;
+    input.group = x_.t.providers[input.provider].group;
+    break;
+  case Timers::Kind::every:
+    input.input = Event::Input::every;
+    input.group = row;
+    break;
+  }
+  tell(input);
 }
 
 namespace {

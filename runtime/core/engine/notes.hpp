@@ -1,11 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a micro-step notes on its way: components to be decided again, groups with a new reason, the run queue, timers
-// that are off. Small, and called from everywhere in it: so it is inline, and only the engine's own files include it.
+// What a micro-step notes on its way: components to be decided again, groups with a new reason. Small, and called from
+// everywhere in it: so it is inline, and only the engine's own files include it.
 
-#include "runtime/core/engine/engine.hpp"
-#include "runtime/core/base/marks.hpp"
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/marks.hpp"
+#include "runtime/core/engine/engine.hpp"
 
 /// For what is called once, or from within a loop: a call would cost more than what it does.
 #define DIRECTOR_INLINE [[gnu::always_inline]] inline
@@ -66,20 +66,6 @@ inline void Engine::add_reason(Index group, Reason reason) {
   if (note_reasons(group, static_cast<std::uint8_t>(reason))) touch(group);
 }
 
-// The run queue: groups linked in the order in which they are to run, so that one that is not granted any more leaves
-// without a look at the others.
-
-DIRECTOR_INLINE void Engine::enqueue(Index group) {
-  RunQueueEntry& entry = x_.s.run_queue[group];
-  if (entry.pending == 0 || (entry.flags & group_flag::queue) != 0) return;
-  entry.flags |= group_flag::queue;
-  Counters& c = *x_.s.counters;
-  const Index last = c.queue_last;
-  (last == nil ? c.queue_first : x_.s.run_queue[last].runs_before) = group;
-  entry.runs_after = last;
-  c.queue_last = group;
-}
-
 /// To a group that is granted as before. `anew`: to the request that holds it. Whom it concerns that its orders are
 /// outdated, request() told.
 DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
@@ -89,31 +75,7 @@ DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
     entry.pending |= reason::new_task;
     if (!injected(Fault::done_outlives_a_new_task)) entry.done = 0;
   }
-  enqueue(group);
-}
-
-/// Takes the group away that is to run next.
-inline Index Engine::next_of_queue() {
-  Counters& c = *x_.s.counters;
-  const Index group = c.queue_first;
-  RunQueueEntry& entry = x_.s.run_queue[group];
-  const Index before = entry.runs_before;
-  entry.flags &= static_cast<std::uint8_t>(~group_flag::queue);
-  entry.runs_before = nil;
-  c.queue_first = before;
-  (before == nil ? c.queue_last : x_.s.run_queue[before].runs_after) = nil;
-  return group;
-}
-
-inline void Engine::leave_queue(Index group) {
-  RunQueueEntry& entry = x_.s.run_queue[group];
-  if ((entry.flags & group_flag::queue) == 0) return;
-  entry.flags &= static_cast<std::uint8_t>(~group_flag::queue);
-  Counters& c = *x_.s.counters;
-  const Index after = entry.runs_after, before = entry.runs_before;
-  (after == nil ? c.queue_first : x_.s.run_queue[after].runs_before) = before;
-  (before == nil ? c.queue_last : x_.s.run_queue[before].runs_after) = after;
-  entry.runs_after = entry.runs_before = nil;
+  queue().enter(group);
 }
 
 // What the next arbitration has to look at.
@@ -174,7 +136,7 @@ DIRECTOR_INLINE void Engine::withdraw(Index edge) {
 /// True if the value changes. What expires counts anew, also where it does not.
 inline bool Engine::set_value(Index state, std::int32_t value) {
   const Time expires = x_.t.states[state].expires;
-  if (expires != 0) arm(Due::expiry, state, later(x_.s.counters->now, expires));
+  if (expires != 0) timers_.arm({Timers::Kind::expiry, state}, later(x_.s.counters->now, expires));
   return assign(state, value);
 }
 
@@ -222,21 +184,6 @@ DIRECTOR_INLINE void Engine::give_what_is_asked_again(Index edge) {
   if (last.granted()) give_again(group, last.holder == edge);
 }
 
-inline Index Engine::timer(Due kind, Index row) const {
-  switch (kind) {
-  case Due::expiry: break;
-  case Due::wait: return static_cast<Index>(x_.t.states.size() + row);
-  case Due::promise: return static_cast<Index>(x_.t.states.size() + x_.t.groups.size() + row);
-  case Due::every: return static_cast<Index>(x_.t.states.size() + x_.t.groups.size() + x_.t.promises.size() + row);
-  }
-  return row;
-}
-
-inline void Engine::disarm(Due kind, Index row) {
-  const Index index = timer(kind, row);
-  if (x_.s.due[index] != never) set_timer(index, never);
-}
-
 /// Those that fired since its last run. Mostly it listens to none.
 inline void Engine::forget_triggers(Index group) {
   if ((x_.s.run_queue[group].flags & group_flag::listens) == 0) return;
@@ -249,7 +196,7 @@ inline void Engine::end_wait(Index group) {
   Bits& flags = x_.s.run_queue[group].flags;
   if ((flags & group_flag::waits) == 0) return;
   flags &= static_cast<std::uint8_t>(~group_flag::waits);
-  disarm(Due::wait, group);
+  timers_.disarm({Timers::Kind::wait, group});
 }
 
 } // namespace director

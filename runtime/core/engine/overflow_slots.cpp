@@ -3,7 +3,7 @@
 //
 // A place is free, then being filled by one writer, then published (at most one in a slot, the newest record), then in the
 // reader's hands, then free again. Each step is a compare-and-swap of the slot's one word of states. To publish frees
-// the word before it in the same step. Only a writer that finds no free place takes the newest record away before it has
+// the record before it in the same step. Only a writer that finds no free place takes the newest record away before it has
 // its own ready.
 //
 // The records of one input are published from the last to the first, the leader, and all places are reserved before:
@@ -109,7 +109,7 @@ void OverflowSlots::open() {
   if (spoken_.load(std::memory_order_relaxed) == 0 ||
       !spoken_.compare_exchange_strong(spoken, 0, std::memory_order_acquire, std::memory_order_relaxed))
     return;
-  // Again until nothing is new: what was published before a word that was seen must be seen with it.
+  // Again until nothing is new: what was published before a record that was seen must be seen with it.
   bool found = true;
   for (std::size_t i = 0; i <= slots_.size() && found; ++i) {
     found = false;
@@ -150,7 +150,7 @@ bool OverflowSlots::leader_comes(const Note& note) const {
   return find(states, PlaceState::filling) != nil || find(states, PlaceState::published) != nil;
 }
 
-/// A later word may have come meanwhile; then this one is forgotten.
+/// A later record may have come meanwhile; then this one is forgotten.
 void OverflowSlots::put_back(Slot& slot) {
   const std::uint32_t before = change(slot.states, [&](std::uint32_t now) {
     return with(now, slot.held, any_published(now) ? PlaceState::free : PlaceState::published);

@@ -43,15 +43,15 @@ public:
   bool has(Index slot) const { return slot < slots_.size(); }
   /// The newest record in this slot was not seen by the reader yet.
   bool wait(Index slot) const;
-  /// A handle for a word in this slot and its data, which only the caller has until it publishes. Nil: so many others
-  /// are at it right now that no place is left; theirs count as the later words, and there is nothing to do.
+  /// A handle for a record in this slot and its data, which only the caller has until it publishes. Nil: so many others
+  /// are writing right now that no place is left; theirs count as the later ones, and there is nothing to do.
   Index reserve(Index slot);
   /// The records of one input about root tasks, whose edges are their slots; each with the handle that was reserved for
   /// it, or nil.
   void publish(std::span<const Input> records, std::uint32_t position);
   /// An input of one record, with its handle.
   void publish(Index slot, const Input& record, std::uint32_t position);
-  /// An input more was lost; from here on the reader has something to see.
+  /// One more input was lost; from here on the reader has something to see.
   void count_lost();
 
   // For anybody.
@@ -60,9 +60,9 @@ public:
 
   // For the reader.
 
-  /// Takes every newest record in hand; what is said later waits for the next time.
+  /// Takes the newest record of every slot in hand; what is published later waits for the next time.
   void open();
-  /// Of those in hand with a position up to this one, the one that was said first. `more`: there is another of the
+  /// Of those in hand with a position up to this one, the one that was published first. `more`: there is another of the
   /// same input.
   bool take(std::uint32_t position, Input& out);
   /// The next record of the input that was taken last.
@@ -83,7 +83,7 @@ private:
 
   std::span<Slot> slots_;
   std::atomic<std::uint32_t> tickets_{0};
-  std::atomic<std::uint32_t> spoken_{0}; ///< not 0: a word, or a loss, may wait that the reader has not seen
+  std::atomic<std::uint32_t> spoken_{0}; ///< not 0: a record, or a loss, that the reader has not seen may wait
   std::atomic<std::uint32_t> lost_{0};   ///< inputs so far
   Index in_hand_ = 0;                    ///< slots with a place held that was not taken
   std::uint32_t taken_ = 0;              ///< ticket of the input that was taken last

@@ -97,7 +97,7 @@ private:
 
 /// What the engine calls. `self` is given back to each function; what the others get says whose body is meant.
 struct Bodies {
-  /// What happens to task data; the engine moves nil itself. Null where no task has data.
+  /// What happens to task data; the engine itself moves none. Null where no task has data.
   enum class Data : std::uint8_t {
     accept, ///< of root edge `edge`: from slot `handle` of the program's inputs (nil: no data) to the edge's staging
             ///< slot; the slot of the inputs is free again

@@ -6,7 +6,7 @@
 // its own result, and those in which it counts whose orders are outdated, when that has changed (pass.hpp).
 // Everything else stays as it is, and only groups that gained a reason to run have to be looked at.
 
-#include "runtime/core/arbitration/plan.hpp"
+#include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/engine/notes.hpp"
 
 namespace director {

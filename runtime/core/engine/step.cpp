@@ -15,7 +15,7 @@ void Engine::take_first_step(Time now) {
   x_.s.counters->until = x_.s.counters->now = now;
   report_begin();
   for (Index i = 0; i < x_.t.states.size(); ++i) {
-    if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset) arm(Due::expiry, i, later(now, x_.t.states[i].expires));
+    if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset) timers_.arm({Timers::Kind::expiry, i}, later(now, x_.t.states[i].expires));
   }
 }
 
@@ -69,7 +69,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
   const Time due = later(x_.s.counters->now, wait);
   if (observed()) report_wait(group, due);
   entry.flags |= group_flag::waits;
-  arm(Due::wait, group, due);
+  timers_.arm({Timers::Kind::wait, group}, due);
 }
 
 /// The oldest run calls its provider, and everything that it asked for takes effect together. The group that ran; nil:
@@ -77,7 +77,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
 DIRECTOR_INLINE Index Engine::run_next() {
   Counters& c = *x_.s.counters;
   ++c.micro_step;
-  const Index group = next_of_queue();
+  const Index group = queue().take_first();
   std::uint8_t reasons = x_.s.run_queue[group].pending;
   x_.s.run_queue[group].pending = 0;
   mark_stale(group);
@@ -89,7 +89,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
   if (pushed && !x_.t.promises.empty() && x_.s.promised[group].provider == nil) { // section 7: its first run on that push
     x_.s.promised[group] = {x_.s.last[group].push.edge, provider};
     const Range own = x_.t.providers[provider].promises;
-    for (Index i = own.begin; i != own.end; ++i) arm(Due::promise, i, later(c.now, x_.t.promises[i].within));
+    for (Index i = own.begin; i != own.end; ++i) timers_.arm({Timers::Kind::promise, i}, later(c.now, x_.t.promises[i].within));
   }
   Run run(*this, x_.s, x_.s.run_queue[group].edges.begin, group, provider, Reasons{reasons});
   if (observed()) {
@@ -120,7 +120,7 @@ DIRECTOR_INLINE Engine::Taken Engine::take_next(Index& ran) {
     if (c.serving) {
       if (const Taken timer = take_timer(); timer != Taken::nothing) return timer;
     }
-    if (c.queue_first != nil) {
+    if (!queue().empty()) {
       ran = run_next();
       return Taken::change;
     }
@@ -162,7 +162,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   // Called again for the same time because the budget ran out: what was begun goes on at its own time.
   const bool further = now > c.until;
   if (further) c.until = now;
-  if (c.now != c.until && !c.serving && (further || !(c.handlers_set || c.queue_first != nil || c.unsettled)))
+  if (c.now != c.until && !c.serving && (further || !(c.handlers_set || !queue().empty() || c.unsettled)))
     c.now = c.until;
   inbox_.open();
   if (observed()) {
@@ -199,7 +199,7 @@ StepResult Engine::come_to_rest() {
 
 bool Engine::work_left() const {
   const Counters& c = *x_.s.counters;
-  return c.handlers_set || c.queue_first != nil || c.unsettled || inbox_.due() || next_due() <= c.until;
+  return c.handlers_set || !queue().empty() || c.unsettled || inbox_.due() || next_due() <= c.until;
 }
 
 void Engine::commit_states(bool fault) {

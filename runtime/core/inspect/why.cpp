@@ -7,6 +7,8 @@
 
 #include "runtime/core/inspect/why.hpp"
 
+#include "runtime/core/arbitration/order.hpp"
+
 namespace director {
 
 namespace {
@@ -73,31 +75,22 @@ private:
     for (; edge != nil; edge = above(edge)) ++count;
     return count;
   }
+  Index urgency(Index edge) const { return arbitration::urgency(t_, edge, v_.request[edge].level); }
 
-  /// Rules 1 to 4 of the order between `ours` and `theirs`. False: ours goes first.
+  /// By rules 1 to 4 of the order, or equal and there before.
   bool goes_first(Index theirs, Index ours, Rivalry& out) const {
+    using arbitration::Chains, arbitration::Parting, arbitration::Place, arbitration::Verdict;
     out = {};
-    bool optional_ours = false, optional_theirs = false;
-    const auto climb = [&](Index& edge, bool& is_optional) {
-      is_optional = is_optional || optional(edge);
-      edge = above(edge);
-    };
     const Index length_ours = length(ours), length_theirs = length(theirs);
-    for (Index i = length_theirs; i < length_ours; ++i) climb(ours, optional_ours);
-    for (Index i = length_ours; i < length_theirs; ++i) climb(theirs, optional_theirs);
-    bool below_ours = false, below_theirs = false;
-    while (ours != nil) {
-      const Index at_ours = ours, at_theirs = theirs;
-      climb(ours, optional_ours);
-      climb(theirs, optional_theirs);
-      if (at_ours == at_theirs) continue;
-      out.ours = at_ours, out.theirs = at_theirs;
-      below_ours = optional_ours, below_theirs = optional_theirs;
+    const auto [at_ours, at_theirs] = arbitration::parting(
+        {ours, Chains::previous}, {theirs, Chains::previous}, length_ours, length_theirs,
+        [&](Place place) { return above(place.edge); }, [&](Index edge) { return optional(edge); });
+    if (at_ours.edge == nil) {
+      const Verdict verdict = arbitration::compare_heights(length_ours, length_theirs);
+      out.won_by = verdict.by;
+      return verdict.order > 0;
     }
-    if (out.ours == nil) {
-      out.won_by = Precedence::above;
-      return length_theirs < length_ours;
-    }
+    out.ours = at_ours.edge, out.theirs = at_theirs.edge;
     out.common = requester(out.ours);
     if (v_.is_limbo(out.ours) || v_.is_limbo(out.theirs)) { // limbo goes after everything, and nobody is told of it
       out.won_by = Precedence::optional;
@@ -105,12 +98,9 @@ private:
     }
     out.our_priority = priority(out.ours);
     out.their_priority = priority(out.theirs);
-    if (below_ours != below_theirs) {
-      out.won_by = Precedence::optional;
-      return below_ours;
-    }
-    out.won_by = out.our_priority == out.their_priority ? Precedence::equal : Precedence::priority;
-    return out.their_priority >= out.our_priority;
+    const Verdict verdict = arbitration::compare_ranks(at_ours, at_theirs, urgency(out.ours), urgency(out.theirs));
+    out.won_by = verdict.by;
+    return verdict.order >= 0;
   }
 
   /// Of the requests for a group, the one that goes first.

@@ -8,14 +8,6 @@
 
 namespace director {
 
-/// By which rule of semantics.md 4.1 one task goes before another.
-enum class Precedence : std::uint8_t {
-  above,    ///< it requested the other, directly or not
-  optional, ///< the other is optional below the common requester
-  priority, ///< it has the higher priority there
-  equal,    ///< by none: equals never take from each other, and it was there first
-};
-
 /// Where the chains of requesters of two rivals part.
 struct Rivalry {
   Precedence won_by = Precedence::equal; ///< the rule that decided

@@ -1,0 +1,55 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// The groups that have a reason to run, in the order in which they came to have it. docs/semantics.md, section 3.
+
+#include "runtime/core/base/marks.hpp"
+
+namespace director {
+
+/// The groups that have a reason to run, in the order in which they came to have it. They are linked in State::run_queue, so
+/// one that is not granted any more leaves without a look at the others.
+class RunQueue {
+public:
+  explicit RunQueue(const State& memory) : counters_(memory.counters), entries_(memory.run_queue) {}
+
+  bool empty() const { return counters_->queue_first == nil; }
+
+  /// If it has a reason, and is not there yet.
+  [[gnu::always_inline]] void enter(Index group) {
+    RunQueueEntry& entry = entries_[group];
+    if (entry.pending == 0 || (entry.flags & group_flag::queue) != 0) return;
+    entry.flags |= group_flag::queue;
+    const Index last = counters_->queue_last;
+    (last == nil ? counters_->queue_first : entries_[last].runs_before) = group;
+    entry.runs_after = last;
+    counters_->queue_last = group;
+  }
+
+  /// Takes away the group that is to run next; there is one.
+  Index take_first() {
+    const Index group = counters_->queue_first;
+    RunQueueEntry& entry = entries_[group];
+    const Index before = entry.runs_before;
+    entry.flags &= static_cast<std::uint8_t>(~group_flag::queue);
+    entry.runs_before = nil;
+    counters_->queue_first = before;
+    (before == nil ? counters_->queue_last : entries_[before].runs_after) = nil;
+    return group;
+  }
+
+  void leave(Index group) {
+    RunQueueEntry& entry = entries_[group];
+    if ((entry.flags & group_flag::queue) == 0) return;
+    entry.flags &= static_cast<std::uint8_t>(~group_flag::queue);
+    const Index after = entry.runs_after, before = entry.runs_before;
+    (after == nil ? counters_->queue_first : entries_[after].runs_before) = before;
+    (before == nil ? counters_->queue_last : entries_[before].runs_after) = after;
+    entry.runs_after = entry.runs_before = nil;
+  }
+
+private:
+  Counters* counters_;
+  RunQueueEntry* entries_;
+};
+
+} // namespace director
