@@ -1,12 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The subcommands: what each is asked for, and what it does. One file each; compiler/cli/options_*.cpp make the requests
-// from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or too
-// little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written; 3 an
-// assertion was not decided, or not everything was explored.
+// The subcommands: what each is asked for, and what it does. One file each; compiler/cli/options_*.cpp make the
+// requests from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or
+// too little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written; 3
+// an assertion was not decided, or not everything was explored.
 
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/cli/console.hpp"
+#include "compiler/diff/diff.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -68,6 +69,16 @@ struct Explain {
 
 struct ListChecks {};
 
+/// What one behaviour means otherwise than another, or than itself in a revision of git.
+struct Diff {
+  std::string before; ///< empty with `revision`
+  std::string after;
+  std::string revision; ///< empty: `before` is a file
+  Format format = Format::text;
+  Breaking breaking;
+  std::string build; ///< folder with compile_commands.json, for the types that they name; empty: looked for
+};
+
 struct Simulate {
   std::string file;
   Format format = Format::text;
@@ -128,6 +139,7 @@ int run(const Check& request, Console& console);
 int run(const Generate& request, Console& console);
 int run(const DrawGraph& request, Console& console);
 int run(const Docs& request, Console& console);
+int run(const Diff& request, Console& console);
 int run(const Explain& request, Console& console);
 int run(const ListChecks& request, Console& console);
 int run(const Simulate& request, Console& console);

@@ -1,0 +1,254 @@
+// Door: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// Who goes before whom. Two tasks meet below their closest common requester, and the two edges there decide
+// (semantics.md, 4.1): so each pair of edges of each requester is compared, over all levels that each may have. It
+// means something where both lead to one group, by requests or needs. An optional task further down is told by itself,
+// as a change of its unit.
+#include "compiler/base/and_list.hpp"
+#include "compiler/diff/side.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace director::compiler::diff {
+
+namespace {
+
+enum Order : unsigned { goes_before = 1, is_equal = 2, goes_after = 4 };
+
+/// What a model says of all pairs.
+class Ranks {
+public:
+  Ranks(const Model& model, const Graph& graph) : model_(model), graph_(graph), led_to_(model.groups.size()) {
+    for (const EdgeId id : model.edges.ids()) {
+      const Edge& edge = model.edges[id];
+      edges_[edge.requester ? name_of(model, *edge.requester) : ""].push_back(id);
+    }
+  }
+
+  const std::map<std::string, std::vector<EdgeId>>& edges() const { return edges_; }
+  const Edge* find(const std::string& requester, const std::string& target) const {
+    const auto at = edges_.find(requester);
+    if (at == edges_.end()) return nullptr;
+    for (const EdgeId id : at->second) {
+      if (name_of(model_, model_.edges[id].target) == target) return &model_.edges[id];
+    }
+    return nullptr;
+  }
+
+  /// A need counts as mandatory, with the priority of the first level.
+  static std::vector<Level> levels(const Edge& edge) {
+    std::vector<Level> out = edge.levels;
+    if (edge.needed) out.push_back({out.empty() ? 0 : out.front().priority, false, false});
+    return out;
+  }
+  static unsigned orders(const Edge& one, const Edge& other) {
+    unsigned out = 0;
+    for (const Level& a : levels(one)) {
+      for (const Level& b : levels(other)) {
+        if (a.optional != b.optional) out |= a.optional ? goes_after : goes_before;
+        if (a.optional == b.optional)
+          out |= a.priority > b.priority ? goes_before : a.priority < b.priority ? goes_after : is_equal;
+      }
+    }
+    return out;
+  }
+
+  /// Names of the groups that both lead to. `top`: without what these lead to in turn.
+  std::vector<std::string> over(const Edge& one, const Edge& other, bool top) {
+    const std::vector<bool>&first = led_to(one.target), &second = led_to(other.target);
+    const auto both = [&](GroupId id) { return first[id.value] && second[id.value]; };
+    std::vector<std::string> out;
+    for (const GroupId id : model_.groups.ids()) {
+      if (!both(id)) continue;
+      const std::vector<EdgeId>& above = model_.groups[id].requesters;
+      const bool below_another = std::any_of(above.begin(), above.end(), [&](EdgeId edge) {
+        return model_.edges[edge].requester && both(*model_.edges[edge].requester);
+      });
+      if (!top || !below_another) out.push_back(name_of(model_, id));
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+private:
+  const std::vector<bool>& led_to(GroupId from) {
+    std::vector<bool>& out = led_to_[from.value];
+    if (out.empty()) {
+      out = reachable(graph_.claims, from.value);
+      out[from.value] = true;
+    }
+    return out;
+  }
+
+  const Model& model_;
+  const Graph& graph_;
+  std::map<std::string, std::vector<EdgeId>> edges_; ///< by requester, "" for the program; in order
+  std::vector<std::vector<bool>> led_to_;
+};
+
+std::string rank_text(const Edge& edge) {
+  std::vector<std::string> out;
+  if (edge.levels.empty()) return "needed only";
+  for (const Level& level : edge.levels)
+    out.push_back(fmt::format("{}{}", level.optional ? "optional, " : "", level.priority));
+  return "priority " + and_list(out);
+}
+
+class Comparison {
+public:
+  Comparison(const Pair& pair, Changes& changes)
+      : pair_(pair),
+        changes_(changes),
+        old_(pair.old_model, pair.before.graph),
+        new_(pair.new_model, pair.after.graph) {}
+
+  void compare() {
+    for (const auto& [requester, edges] : new_.edges()) {
+      const bool known = requester.empty() || pair_.old_model.find_group(requester);
+      if (!known) continue;
+      for (const EdgeId winner : edges) losers_of(requester, pair_.new_model.edges[winner]);
+      ties(requester);
+    }
+    for (const auto& [requester, edges] : new_.edges()) {
+      for (const EdgeId id : edges) number(requester, pair_.new_model.edges[id]);
+    }
+  }
+
+private:
+  using Names = std::vector<std::string>;
+  /// Of one winner: who loses what, by the sentence around it.
+  struct Told {
+    Names losers;
+    Span before{}, after{};
+  };
+
+  std::string target(const Edge& edge) const { return name_of(pair_.new_model, edge.target); }
+
+  void losers_of(const std::string& requester, const Edge& winner) {
+    std::map<std::pair<Names, std::string>, Told> gained, lost;
+    const Edge* const old_winner = old_.find(requester, target(winner));
+    for (const EdgeId id : new_.edges().at(requester)) {
+      const Edge& loser = pair_.new_model.edges[id];
+      const Edge* const old_loser = old_.find(requester, target(loser));
+      if (&loser == &winner || old_loser == nullptr) continue;
+      const bool can = (Ranks::orders(winner, loser) & goes_before) != 0;
+      const bool could = old_winner != nullptr && (Ranks::orders(*old_winner, *old_loser) & goes_before) != 0;
+      if (!can && !could) continue;
+      const Names none;
+      const Names more = missing_in(can ? new_.over(winner, loser, true) : none,
+                                    could ? old_.over(*old_winner, *old_loser, false) : none);
+      const Names less = missing_in(could ? old_.over(*old_winner, *old_loser, true) : none,
+                                    can ? new_.over(winner, loser, false) : none);
+      const std::string why = reason(winner, old_winner, loser, *old_loser);
+      if (!more.empty()) tell(gained, more, why, winner, old_winner, loser, *old_loser);
+      if (!less.empty()) tell(lost, less, why, winner, old_winner, loser, *old_loser);
+    }
+    for (const auto& [what, told] : gained) add(ChangeKind::takeover_gained, "can now", winner, what, told);
+    for (const auto& [what, told] : lost) add(ChangeKind::takeover_lost, "can no longer", winner, what, told);
+  }
+
+  std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) const {
+    const std::string by = requester_name(pair_.new_model, winner.requester);
+    if (old_winner == nullptr) return fmt::format("{} asks for it now, with {}", by, rank_text(winner));
+    if (Ranks::orders(winner, loser) == Ranks::orders(*old_winner, old_loser))
+      return fmt::format("below {} the one goes before the other as before, but not both led there, or now do", by);
+    if (winner.levels != old_winner->levels)
+      return fmt::format("{} asks for it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner));
+    return fmt::format("{} asks for `{}` with {}, before with {}", by, target(loser), rank_text(loser),
+                       rank_text(old_loser));
+  }
+
+  void tell(std::map<std::pair<Names, std::string>, Told>& all, const Names& over, const std::string& why,
+            const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
+    Told& told = all[{over, why}];
+    told.losers.push_back(target(loser));
+    // The place is that of the side that has changed.
+    const bool by_loser = old_winner != nullptr && winner.levels == old_winner->levels;
+    told.before = by_loser || old_winner == nullptr ? old_loser.span : old_winner->span;
+    told.after = by_loser ? loser.span : winner.span;
+    explained_.insert(edge_name(winner));
+    explained_.insert(edge_name(loser));
+  }
+
+  std::string edge_name(const Edge& edge) const {
+    return (edge.requester ? name_of(pair_.new_model, *edge.requester) : "root") + ">" + target(edge);
+  }
+
+  void add(ChangeKind kind, const char* how, const Edge& winner, const std::pair<Names, std::string>& what,
+           const Told& told) {
+    const bool itself = what.first == Names{target(winner)};
+    changes_.add(kind, edge_name(winner),
+                 fmt::format("`{}` {} take {} from {}: {}", target(winner), how,
+                             itself ? "the place" : ticked_list(what.first), ticked_list(told.losers), what.second),
+                 told.before, told.after);
+  }
+
+  /// Of equal rank the earlier declaration goes first.
+  void ties(const std::string& requester) {
+    Names was, is;
+    std::set<std::string> flipped;
+    const auto at = old_.edges().find(requester);
+    if (at == old_.edges().end()) return;
+    const Edge *first_old = nullptr, *first_new = nullptr;
+    const std::vector<EdgeId>& edges = new_.edges().at(requester);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      for (std::size_t k = i + 1; k < edges.size(); ++k) {
+        const Edge &one = pair_.new_model.edges[edges[i]], &other = pair_.new_model.edges[edges[k]];
+        const Edge *const old_one = old_.find(requester, target(one)), *const old_other =
+                                                                           old_.find(requester, target(other));
+        if (old_one == nullptr || old_other == nullptr || old_one < old_other)
+          continue; // one table: addresses are the order
+        if ((Ranks::orders(one, other) & is_equal) == 0 || (Ranks::orders(*old_one, *old_other) & is_equal) == 0)
+          continue;
+        flipped.insert(target(one));
+        flipped.insert(target(other));
+        if (first_new == nullptr) first_new = &one, first_old = old_one;
+      }
+    }
+    if (flipped.empty()) return;
+    for (const EdgeId id : at->second) {
+      const std::string& name = name_of(pair_.old_model, pair_.old_model.edges[id].target);
+      if (flipped.count(name) != 0) was.push_back(name);
+    }
+    for (const EdgeId id : edges) {
+      if (flipped.count(target(pair_.new_model.edges[id])) != 0) is.push_back(target(pair_.new_model.edges[id]));
+    }
+    changes_.add(ChangeKind::tie_order, requester.empty() ? "root" : requester,
+                 fmt::format("of what {} asks for at one rank, the order is {}, before {}: the first one wins where "
+                             "they are asked for at once",
+                             requester.empty() ? std::string("the program") : ticked(requester), ticked_list(is),
+                             ticked_list(was)),
+                 first_old->span, first_new->span);
+  }
+
+  /// Whatever has another rank and changed nothing.
+  void number(const std::string& requester, const Edge& edge) {
+    const Edge* const old = old_.find(requester, target(edge));
+    if (old == nullptr || explained_.count(edge_name(edge)) != 0) return;
+    const auto ranks = [](const Edge& each) {
+      std::vector<std::pair<std::int32_t, bool>> out;
+      for (const Level& level : each.levels) out.emplace_back(level.priority, level.optional);
+      return out;
+    };
+    if (ranks(edge) == ranks(*old) || edge.levels.empty() || old->levels.empty()) return;
+    changes_.add(ChangeKind::priority, edge_name(edge),
+                 fmt::format("{} asks for `{}` with {}, before with {}; that decides nothing",
+                             requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge),
+                             rank_text(*old)),
+                 old->span, edge.span);
+  }
+
+  const Pair& pair_;
+  Changes& changes_;
+  Ranks old_, new_;
+  std::set<std::string> explained_;
+};
+
+} // namespace
+
+void compare_ranks(const Pair& pair, Changes& changes) { Comparison(pair, changes).compare(); }
+
+} // namespace director::compiler::diff
