@@ -16,8 +16,9 @@ constexpr std::array pages{
                    "The new behaviour has errors in its text or its names: nothing of it is compared."},
     ChangeKindPage{Kind::hardened, "hardened", "A transition that was soft is hard now: one task cuts off the other."},
     ChangeKindPage{Kind::takeover_gained, "takeover_gained",
-                   "A task can take a group from another one from which it could not."},
-    ChangeKindPage{Kind::takeover_lost, "takeover_lost", "A task can no longer take a group from another one."},
+                   "A task can take a group from another one, always or sometimes, where it could not."},
+    ChangeKindPage{Kind::takeover_lost, "takeover_lost",
+                   "A task can no longer, or no longer always, take a group from another one."},
     ChangeKindPage{Kind::tie_order, "tie_order", "Of tasks of equal rank another one goes first."},
     ChangeKindPage{Kind::unit, "unit",
                    "What is granted all or none has changed: a task became optional, mandatory or apart."},
@@ -70,7 +71,7 @@ constexpr std::array pages{
     ChangeKindPage{Kind::finding_new, "finding_new", "A check finds something that it did not find before."},
     ChangeKindPage{Kind::finding_gone, "finding_gone", "A check finds something no longer."},
     ChangeKindPage{Kind::priority, "priority",
-                   "A priority is another number, and nobody goes before anybody else for it."},
+                   "A priority is another number; who can take a group from whom is as before."},
     ChangeKindPage{Kind::layers, "layers", "Layers have changed, which only pictures and pages show."},
 };
 

@@ -34,7 +34,9 @@ std::vector<const Finding*> more_than(const std::map<std::string, std::vector<co
   return out;
 }
 
+/// Of a thing, not of some values under which nothing runs.
 bool says_never(const Finding& finding) {
+  if (finding.id == "uncovered_state") return false;
   const checks::Registered* const check = checks::find_registered(finding.id);
   return check != nullptr && checks::says_never(*check);
 }

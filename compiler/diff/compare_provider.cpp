@@ -171,6 +171,20 @@ private:
     return [&model](GroupId id) { return model.groups[id].name.value; };
   }
 
+  /// Needs for which there is a choice, of their own or further down.
+  static std::vector<std::string> choosing(const Checked& side, const Provider& provider) {
+    std::vector<std::string> out;
+    for (const Use<GroupId>& need : provider.needs) {
+      std::vector<bool> below = reachable(side.graph.needs, need.id.value);
+      below[need.id.value] = true;
+      const std::vector<GroupId> all = side.model.groups.ids();
+      const bool any = std::any_of(all.begin(), all.end(), [&](GroupId id) {
+        return below[id.value] && side.model.groups[id].providers.size() > 1;
+      });
+      if (any) out.push_back(name_of(side.model, need.id));
+    }
+    return out;
+  }
   void needs() {
     const std::function<std::string(GroupId)> old_name = groups_of(pair_.old_model),
                                               new_name = groups_of(pair_.new_model);
@@ -178,6 +192,11 @@ private:
       add(ChangeKind::needs_added, fmt::format("`{}` now needs `{}`", name_, new_name(each.id)), {}, each.span);
     for (const Use<GroupId>& each : lacking(before_.needs, old_name, after_.needs, new_name))
       add(ChangeKind::needs_removed, fmt::format("`{}` no longer needs `{}`", name_, old_name(each.id)), each.span);
+    // Where several of them leave a choice, that of the first goes before that of the others.
+    const std::vector<std::string> was = choosing(pair_.before, before_), is = choosing(pair_.after, after_);
+    if (is_reordered(was, is))
+      add(ChangeKind::preference, fmt::format("for the needs of `{}` providers are chosen in the order {}, before {}",
+                                              name_, ticked_list(is), ticked_list(was)));
   }
   void uses() {
     const std::function<std::string(GroupId)> old_name = groups_of(pair_.old_model),

@@ -128,33 +128,42 @@ private:
   std::string target(const Edge& edge) const { return name_of(pair_.new_model, edge.target); }
 
   void losers_of(const std::string& requester, const Edge& winner) {
-    std::map<std::pair<Names, std::string>, Told> gained, lost;
+    std::map<std::pair<Names, std::string>, Told> gained, lost, always, sometimes;
     const Edge* const old_winner = old_.find(requester, target(winner));
     for (const EdgeId id : new_.edges().at(requester)) {
       const Edge& loser = pair_.new_model.edges[id];
       const Edge* const old_loser = old_.find(requester, target(loser));
       if (&loser == &winner || old_loser == nullptr) continue;
-      const bool can = (Ranks::orders(winner, loser) & goes_before) != 0;
-      const bool could = old_winner != nullptr && (Ranks::orders(*old_winner, *old_loser) & goes_before) != 0;
+      const unsigned now = Ranks::orders(winner, loser),
+                     before = old_winner == nullptr ? 0 : Ranks::orders(*old_winner, *old_loser);
+      const bool can = (now & goes_before) != 0, could = (before & goes_before) != 0;
       if (!can && !could) continue;
+      const std::string why = reason(winner, old_winner, loser, *old_loser);
       const Names none;
       const Names more = missing_in(can ? new_.over(winner, loser, true) : none,
                                     could ? old_.over(*old_winner, *old_loser, false) : none);
       const Names less = missing_in(could ? old_.over(*old_winner, *old_loser, true) : none,
                                     can ? new_.over(winner, loser, false) : none);
-      const std::string why = reason(winner, old_winner, loser, *old_loser);
       if (!more.empty()) tell(gained, more, why, winner, old_winner, loser, *old_loser);
       if (!less.empty()) tell(lost, less, why, winner, old_winner, loser, *old_loser);
+      // At all of its levels against all of the other's, or only at some.
+      if (!can || !could || !more.empty() || !less.empty() || (now == goes_before) == (before == goes_before)) continue;
+      const Names over = new_.over(winner, loser, true);
+      if (!over.empty())
+        tell(now == goes_before ? always : sometimes, over, why, winner, old_winner, loser, *old_loser);
     }
     for (const auto& [what, told] : gained) add(ChangeKind::takeover_gained, "can now", winner, what, told);
+    for (const auto& [what, told] : always) add(ChangeKind::takeover_gained, "can now always", winner, what, told);
     for (const auto& [what, told] : lost) add(ChangeKind::takeover_lost, "can no longer", winner, what, told);
+    for (const auto& [what, told] : sometimes)
+      add(ChangeKind::takeover_lost, "can no longer always", winner, what, told);
   }
 
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) const {
     const std::string by = requester_name(pair_.new_model, winner.requester);
     if (old_winner == nullptr) return fmt::format("{} asks for it now, with {}", by, rank_text(winner));
     if (Ranks::orders(winner, loser) == Ranks::orders(*old_winner, old_loser))
-      return fmt::format("below {} the one goes before the other as before, but not both led there, or now do", by);
+      return fmt::format("below {} the one goes before the other as it did; what they lead to has changed", by);
     if (winner.levels != old_winner->levels)
       return fmt::format("{} asks for it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner));
     return fmt::format("{} asks for `{}` with {}, before with {}", by, target(loser), rank_text(loser),
@@ -235,7 +244,7 @@ private:
     };
     if (ranks(edge) == ranks(*old) || edge.levels.empty() || old->levels.empty()) return;
     changes_.add(ChangeKind::priority, edge_name(edge),
-                 fmt::format("{} asks for `{}` with {}, before with {}; that decides nothing",
+                 fmt::format("{} asks for `{}` with {}, before with {}; nobody can take a group for it",
                              requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge),
                              rank_text(*old)),
                  old->span, edge.span);
