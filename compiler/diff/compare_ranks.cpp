@@ -208,6 +208,8 @@ private:
         const Edge &one = pair_.new_model.edges[edges[i]], &other = pair_.new_model.edges[edges[k]];
         const Edge *const old_one = old_.find(requester, target(one)), *const old_other =
                                                                            old_.find(requester, target(other));
+        // What is only needed is claimed with the rest of its plan, or is younger than what is asked for.
+        if (one.levels.empty() || other.levels.empty()) continue;
         if (old_one == nullptr || old_other == nullptr || old_one < old_other)
           continue; // one table: addresses are the order
         if ((Ranks::orders(one, other) & is_equal) == 0 || (Ranks::orders(*old_one, *old_other) & is_equal) == 0)
@@ -238,8 +240,8 @@ private:
     const Edge* const old = old_.find(requester, target(edge));
     if (old == nullptr || explained_.count(edge_name(edge)) != 0) return;
     const auto ranks = [](const Edge& each) {
-      std::vector<std::pair<std::int32_t, bool>> out;
-      for (const Level& level : each.levels) out.emplace_back(level.priority, level.optional);
+      std::multiset<std::int32_t> out;
+      for (const Level& level : each.levels) out.insert(level.priority);
       return out;
     };
     if (ranks(edge) == ranks(*old) || edge.levels.empty() || old->levels.empty()) return;

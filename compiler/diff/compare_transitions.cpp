@@ -33,7 +33,7 @@ using Cells = std::map<std::pair<std::string, std::string>, Cell>;
 
 Cells play(const Model& model) {
   Cells out;
-  const TransitionMatrix matrix = find_transitions(model, lower(model), "");
+  const TransitionMatrix matrix = find_transitions(model, lower(model), "behaviour.yaml");
   for (const TransitionMatrix::Row& row : matrix.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const GroupId to = matrix.rows[i].group;

@@ -4,7 +4,7 @@
 //   defects_meaning                  each defect, against the same behaviour without it: which kinds of change are
 //   told;
 //                                    and changes of text that mean nothing, of which nothing may be told.
-//                                    DIRECTOR_LONG in the environment: 1,056 and 1,000; else some of both.
+//                                    DIRECTOR_LONG in the environment: 16 of each check, and 1,000; else some of both.
 //   defects_meaning --show ID SEED   one of them, and what is told
 //   defects_meaning --silent N       one change without meaning, and what is told
 #include "compiler/diff/diff.hpp"
@@ -13,6 +13,7 @@
 #include "tests/defects/meaning/vary.hpp"
 #include "tests/defects/trial.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -26,8 +27,21 @@ namespace {
 using namespace director;
 using namespace director::defects;
 
-constexpr std::size_t long_seeds = 8, usual_seeds = 1;           ///< for each shape of a defect
+constexpr std::size_t long_seeds = 16;                           ///< for each shape of a defect
 constexpr std::uint64_t long_silent = 1'000, usual_silent = 150; ///< changes without meaning
+
+/// As `defects` numbers them: those are without a mistake but for the defect.
+Case case_of(const std::vector<Planter>& shapes, std::uint64_t seed) {
+  return {&shapes[seed % shapes.size()], seed, static_cast<int>(seed / shapes.size() % 5)};
+}
+
+using Shapes = std::map<std::string, std::vector<Planter>>;
+
+Shapes shapes_of(const std::vector<Planter>& planters) {
+  Shapes out;
+  for (const Planter& planter : planters) out[planter.id].push_back(planter);
+  return out;
+}
 
 struct Told {
   std::vector<compiler::BehaviourChange> changes;
@@ -92,15 +106,16 @@ Silent make_silent(const std::vector<Planter>& planters, std::uint64_t seed) {
 std::size_t measure_defects(const std::vector<Planter>& planters, bool whole) {
   std::size_t planted = 0, missed = 0;
   std::map<std::string, std::size_t> told;
-  for (const Planter& planter : planters) {
-    for (std::uint64_t seed = 0; seed < (whole ? long_seeds : usual_seeds); ++seed) {
-      const Case one{&planter, seed, static_cast<int>(seed % 5)};
+  for (const auto& [id, shapes] : shapes_of(planters)) {
+    const std::size_t seeds = whole ? std::max(long_seeds, shapes.size()) : shapes.size();
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      const Case one = case_of(shapes, seed);
       const Told result = tell(make_planted(one, false), make_planted(one, true));
       ++planted;
       for (const std::string& kind : kinds_of(result)) ++told[kind];
       if (is_named(one, result)) continue;
       ++missed;
-      std::cout << "not named: " << planter.id << " " << seed << " (" << planter.shape << "), told are";
+      std::cout << "not named: " << id << " " << seed << " (" << one.planter->shape << "), told are";
       for (const std::string& kind : kinds_of(result)) std::cout << " " << kind;
       std::cout << "\n";
     }
@@ -133,16 +148,15 @@ int main(int count, char** arguments) {
   const std::vector<Planter> planters = all_planters();
   const std::vector<std::string> words(arguments + 1, arguments + count);
   if (words.size() == 3 && words[0] == "--show") {
-    for (const Planter& planter : planters) {
-      if (planter.id != words[1]) continue;
-      const Case one{&planter, std::strtoull(words[2].c_str(), nullptr, 10), 0};
-      const Planted before = make_planted(one, false), after = make_planted(one, true);
-      std::cout << "== " << planter.id << ", " << planter.shape << "\n";
-      show(before);
-      std::cout << "== with the defect\n";
-      show(after);
-      std::cout << tell(before, after).text;
-    }
+    const Shapes shapes = shapes_of(planters);
+    if (shapes.count(words[1]) == 0) return std::cerr << "no defect is planted for " << words[1] << "\n", 2;
+    const Case one = case_of(shapes.at(words[1]), std::strtoull(words[2].c_str(), nullptr, 10));
+    const Planted before = make_planted(one, false), after = make_planted(one, true);
+    std::cout << "== " << words[1] << ", " << one.planter->shape << "\n";
+    show(before);
+    std::cout << "== with the defect\n";
+    show(after);
+    std::cout << tell(before, after).text;
     return 0;
   }
   if (words.size() == 2 && words[0] == "--silent") {
