@@ -35,7 +35,8 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
   return load_from(files, files.path(), there, sources, console);
 }
 
-void print(const std::vector<BehaviourChange>& changes, const Diff& request, const dsl::Sources& sources, Console& console) {
+void print(const std::vector<BehaviourChange>& changes, const Diff& request, const dsl::Sources& sources,
+           Console& console) {
   switch (request.format) {
   case Format::json: console.out << to_lines(changes_json(changes, request.breaking, sources)); return;
   case Format::sarif: console.out << to_lines(changes_sarif(changes, request.breaking, sources)); return;

@@ -24,18 +24,16 @@ public:
   Ranks(const Model& model, const Graph& graph) : model_(model), graph_(graph), led_to_(model.groups.size()) {
     for (const EdgeId id : model.edges.ids()) {
       const Edge& edge = model.edges[id];
-      edges_[edge.requester ? name_of(model, *edge.requester) : ""].push_back(id);
+      const std::string requester = edge.requester ? name_of(model, *edge.requester) : "";
+      edges_[requester].push_back(id);
+      by_names_.emplace(std::pair(requester, name_of(model, edge.target)), &edge);
     }
   }
 
   const std::map<std::string, std::vector<EdgeId>>& edges() const { return edges_; }
   const Edge* find(const std::string& requester, const std::string& target) const {
-    const auto at = edges_.find(requester);
-    if (at == edges_.end()) return nullptr;
-    for (const EdgeId id : at->second) {
-      if (name_of(model_, model_.edges[id].target) == target) return &model_.edges[id];
-    }
-    return nullptr;
+    const auto at = by_names_.find({requester, target});
+    return at == by_names_.end() ? nullptr : at->second;
   }
 
   /// A need counts as mandatory, with the priority of the first level.
@@ -73,6 +71,16 @@ public:
     return out;
   }
 
+  /// Names of all that a group leads to, and its own.
+  std::set<std::string> reach(GroupId from) {
+    const std::vector<bool>& below = led_to(from);
+    std::set<std::string> out;
+    for (const GroupId id : model_.groups.ids()) {
+      if (below[id.value]) out.insert(name_of(model_, id));
+    }
+    return out;
+  }
+
 private:
   const std::vector<bool>& led_to(GroupId from) {
     std::vector<bool>& out = led_to_[from.value];
@@ -86,6 +94,7 @@ private:
   const Model& model_;
   const Graph& graph_;
   std::map<std::string, std::vector<EdgeId>> edges_; ///< by requester, "" for the program; in order
+  std::map<std::pair<std::string, std::string>, const Edge*> by_names_;
   std::vector<std::vector<bool>> led_to_;
 };
 
@@ -109,7 +118,12 @@ public:
     for (const auto& [requester, edges] : new_.edges()) {
       const bool known = requester.empty() || pair_.old_model.find_group(requester);
       if (!known) continue;
-      for (const EdgeId winner : edges) losers_of(requester, pair_.new_model.edges[winner]);
+      pairs_.clear();
+      for (const EdgeId id : edges) {
+        const Edge& edge = pair_.new_model.edges[id];
+        pairs_.emplace_back(&edge, old_.find(requester, target(edge)));
+      }
+      for (const auto& [winner, old_winner] : pairs_) losers_of(*winner, old_winner);
       ties(requester);
     }
     for (const auto& [requester, edges] : new_.edges()) {
@@ -127,17 +141,23 @@ private:
 
   std::string target(const Edge& edge) const { return name_of(pair_.new_model, edge.target); }
 
-  void losers_of(const std::string& requester, const Edge& winner) {
+  /// It leads to the same groups as before.
+  bool leads_alike(const Edge& edge, const Edge& old) {
+    const auto [at, fresh] = alike_.try_emplace(edge.target, false);
+    if (fresh) at->second = new_.reach(edge.target) == old_.reach(old.target);
+    return at->second;
+  }
+
+  void losers_of(const Edge& winner, const Edge* old_winner) {
     std::map<std::pair<Names, std::string>, Told> gained, lost, always, sometimes;
-    const Edge* const old_winner = old_.find(requester, target(winner));
-    for (const EdgeId id : new_.edges().at(requester)) {
-      const Edge& loser = pair_.new_model.edges[id];
-      const Edge* const old_loser = old_.find(requester, target(loser));
+    for (const auto& [other, old_loser] : pairs_) {
+      const Edge& loser = *other;
       if (&loser == &winner || old_loser == nullptr) continue;
       const unsigned now = Ranks::orders(winner, loser),
                      before = old_winner == nullptr ? 0 : Ranks::orders(*old_winner, *old_loser);
       const bool can = (now & goes_before) != 0, could = (before & goes_before) != 0;
       if (!can && !could) continue;
+      if (now == before && leads_alike(winner, *old_winner) && leads_alike(loser, *old_loser)) continue;
       const std::string why = reason(winner, old_winner, loser, *old_loser);
       const Names none;
       const Names more = missing_in(can ? new_.over(winner, loser, true) : none,
@@ -203,11 +223,10 @@ private:
     if (at == old_.edges().end()) return;
     const Edge *first_old = nullptr, *first_new = nullptr;
     const std::vector<EdgeId>& edges = new_.edges().at(requester);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      for (std::size_t k = i + 1; k < edges.size(); ++k) {
-        const Edge &one = pair_.new_model.edges[edges[i]], &other = pair_.new_model.edges[edges[k]];
-        const Edge *const old_one = old_.find(requester, target(one)), *const old_other =
-                                                                           old_.find(requester, target(other));
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      for (std::size_t k = i + 1; k < pairs_.size(); ++k) {
+        const Edge &one = *pairs_[i].first, &other = *pairs_[k].first;
+        const Edge *const old_one = pairs_[i].second, *const old_other = pairs_[k].second;
         // What is only needed is claimed with the rest of its plan, or is younger than what is asked for.
         if (one.levels.empty() || other.levels.empty()) continue;
         if (old_one == nullptr || old_other == nullptr || old_one < old_other)
@@ -255,6 +274,8 @@ private:
   const Pair& pair_;
   Changes& changes_;
   Ranks old_, new_;
+  std::vector<std::pair<const Edge*, const Edge*>> pairs_; ///< of one requester: the new edge, and the old one or none
+  std::map<GroupId, bool> alike_;
   std::set<std::string> explained_;
 };
 
