@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <map>
 
 namespace director::compiler::diff {
@@ -123,7 +124,12 @@ public:
         const Edge& edge = pair_.new_model.edges[id];
         pairs_.emplace_back(&edge, old_.find(requester, target(edge)));
       }
-      for (const auto& [winner, old_winner] : pairs_) losers_of(*winner, old_winner);
+      // Of two that are as before nothing is to be told: most requesters of most changes have nothing but these.
+      std::vector<std::pair<const Edge*, const Edge*>> changed;
+      std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(changed),
+                   [&](const auto& each) { return !is_alike(each); });
+      for (const auto& [winner, old_winner] : pairs_)
+        losers_of(*winner, old_winner, is_alike({winner, old_winner}) ? changed : pairs_);
       ties(requester);
     }
     for (const auto& [requester, edges] : new_.edges()) {
@@ -148,16 +154,21 @@ private:
     return at->second;
   }
 
-  void losers_of(const Edge& winner, const Edge* old_winner) {
+  bool is_alike(const std::pair<const Edge*, const Edge*>& each) {
+    const auto& [edge, old] = each;
+    return old != nullptr && edge->levels == old->levels && edge->needed == old->needed && leads_alike(*edge, *old);
+  }
+
+  void losers_of(const Edge& winner, const Edge* old_winner,
+                 const std::vector<std::pair<const Edge*, const Edge*>>& others) {
     std::map<std::pair<Names, std::string>, Told> gained, lost, always, sometimes;
-    for (const auto& [other, old_loser] : pairs_) {
+    for (const auto& [other, old_loser] : others) {
       const Edge& loser = *other;
       if (&loser == &winner || old_loser == nullptr) continue;
       const unsigned now = Ranks::orders(winner, loser),
                      before = old_winner == nullptr ? 0 : Ranks::orders(*old_winner, *old_loser);
       const bool can = (now & goes_before) != 0, could = (before & goes_before) != 0;
       if (!can && !could) continue;
-      if (now == before && leads_alike(winner, *old_winner) && leads_alike(loser, *old_loser)) continue;
       const std::string why = reason(winner, old_winner, loser, *old_loser);
       const Names none;
       const Names more = missing_in(can ? new_.over(winner, loser, true) : none,
@@ -221,7 +232,14 @@ private:
     std::set<std::string> flipped;
     const auto at = old_.edges().find(requester);
     if (at == old_.edges().end()) return;
-    const Edge *first_old = nullptr, *first_new = nullptr;
+    const Edge *first_old = nullptr, *first_new = nullptr, *last = nullptr;
+    bool sorted = true; // the old edges are one table: addresses are their order
+    for (const auto& [edge, old] : pairs_) {
+      if (old == nullptr) continue;
+      sorted = sorted && last <= old;
+      last = old;
+    }
+    if (sorted) return;
     const std::vector<EdgeId>& edges = new_.edges().at(requester);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       for (std::size_t k = i + 1; k < pairs_.size(); ++k) {

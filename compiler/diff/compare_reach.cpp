@@ -4,8 +4,8 @@
 // What may ever happen, by the facts that the checks have too: they err on one side only, so "dead" is a proof and
 // "reachable" means "may".
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/diff/side.hpp"
-#include "compiler/play/coverage.hpp"
 
 #include <fmt/format.h>
 
@@ -27,10 +27,8 @@ May find_may(const Checked& checked) {
   const analysis::Facts facts = analysis::find_facts(model, checked.graph, analysis::Reported::as_is);
   for (const GroupId id : model.groups.ids()) out.groups[name_of(model, id)] = facts.requested.contains(id);
   for (const ProviderId id : model.providers.ids()) out.providers[model.full_name(id)] = facts.active.contains(id);
-  for (const CoveragePoint& point : coverage_of(model, checked.graph).points) {
-    if (point.key.kind == CoveragePoint::Kind::push)
-      out.pushes.emplace(name_of(model, GroupId{point.key.first}), model.full_name(ProviderId{point.key.second}));
-  }
+  for (const auto& [waiter, causer] : analysis::find_all_pushes(model, facts))
+    out.pushes.emplace(name_of(model, waiter), model.full_name(causer));
   return out;
 }
 
