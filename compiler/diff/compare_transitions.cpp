@@ -59,7 +59,9 @@ void compare_transitions(const Pair& pair, Changes& changes) {
     Span before{}, after{};
   };
   std::map<std::tuple<ChangeKind, std::string, std::string>, Told> told; // what, from, sentence
-  for (const auto& [ends, now] : is) {
+  for (const auto& each : is) {
+    const auto& ends = each.first; // no binding: clang has none of these in lambdas
+    const Cell& now = each.second;
     const auto old = was.find(ends);
     if (old == was.end()) continue;
     const Transition &before = old->second.transition, &after = now.transition;
