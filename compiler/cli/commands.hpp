@@ -7,6 +7,7 @@
 
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/cli/console.hpp"
+#include "compiler/diff/diff.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -69,6 +70,16 @@ struct Explain {
 };
 
 struct ListChecks {};
+
+/// What one behaviour means otherwise than another, or than itself in a revision of git.
+struct Diff {
+  std::string before; ///< empty with `revision`
+  std::string after;
+  std::string revision; ///< empty: `before` is a file
+  Format format = Format::text;
+  Breaking breaking;
+  std::string build; ///< folder with compile_commands.json, for the types that they name; empty: looked for
+};
 
 struct Simulate {
   std::string file;
@@ -145,6 +156,7 @@ int run(const Check& request, Console& console);
 int run(const Generate& request, Console& console);
 int run(const DrawGraph& request, Console& console);
 int run(const Docs& request, Console& console);
+int run(const Diff& request, Console& console);
 int run(const Explain& request, Console& console);
 int run(const ListChecks& request, Console& console);
 int run(const Simulate& request, Console& console);

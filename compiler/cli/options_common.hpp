@@ -20,6 +20,8 @@ Make verify_options(CLI::App& app);
 Make explain_options(CLI::App& app);
 Make checks_options(CLI::App& app);
 Make dump_options(CLI::App& app);
+// options_diff.cpp
+Make diff_options(CLI::App& app);
 // options_code.cpp
 Make generate_options(CLI::App& app);
 Make stubs_options(CLI::App& app);

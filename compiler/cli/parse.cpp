@@ -37,11 +37,12 @@ struct Subcommand {
   Make (*options)(CLI::App& app);
 };
 
-const std::array<Subcommand, 15> subcommands{{
+const std::array<Subcommand, 16> subcommands{{
     {"check", "Look for mistakes in a behaviour", check_options},
     {"generate", "Write the C++ of a behaviour", generate_options},
     {"graph", "Draw a behaviour", graph_options},
     {"docs", "Write pages about behaviours, for a browser or as Markdown", docs_options},
+    {"diff", "Tell what changes in meaning from one behaviour to another", diff_options},
     {"explain", "Print the page of a check, or what a key of the language says", explain_options},
     {"checks", "List all checks", checks_options},
     {"simulate", "Play a scenario and print what happens", simulate_options},

@@ -17,7 +17,7 @@ struct Say {
 };
 
 using Request = std::variant<Say, Check, Generate, DrawGraph, Docs, Explain, ListChecks, Simulate, Trace, Replay, Why, Test, Dump,
-                             Explore, Stubs, Verify>;
+                             Explore, Stubs, Verify, Diff>;
 
 /// `arguments`: without the program's name. `schemas`: the folder of the JSON schemas, which the help names; empty:
 /// unknown.

@@ -106,14 +106,8 @@ private:
   }
 
   void plan_pushes() {
-    const analysis::Chains chains(model_, counts_);
-    const analysis::Causers causers = analysis::find_causers(model_);
-    analysis::Pushes pushes(model_, facts_, chains, causers);
-    for (const GroupId waiter : model_.groups.ids()) {
-      if (!facts_.requested.contains(waiter)) continue;
-      for (const ProviderId causer : analysis::find_pushable(model_, pushes, waiter))
-        add({Kind::push, waiter.value, causer.value}, model_.providers[causer].span);
-    }
+    for (const auto& [waiter, causer] : analysis::find_all_pushes(model_, facts_))
+      add({Kind::push, waiter.value, causer.value}, model_.providers[causer].span);
   }
 
   const analysis::Claims& claims(GroupId task) {

@@ -44,26 +44,41 @@ void add_near_misses(Robot& robot, const Planter& planter) {
 
 } // namespace
 
-Outcome try_out(const Case& one, bool defect) {
+Planted make_planted(const Case& one, bool defect, const std::function<void(Robot&)>& change) {
   const std::string id = one.planter->id;
   const bool asserted = id == "assertion_failed"; // decided by trying everything: of a small robot
-  Outcome out;
   Random random(mixed(id, one.seed));
   Robot robot(random);
   grow(robot, asserted ? -1 : one.size);
   if (!asserted) add_near_misses(robot, *one.planter);
   one.planter->plant(robot, defect);
+  if (change) {
+    for (File& file : robot.files) without_signs(file.node);
+    change(robot);
+  }
+  Planted out;
   std::vector<Mark> marks;
   out.texts = robot.render(marks);
   out.expected.insert(marks.begin(), marks.end());
+  out.main = robot.files.front().path;
+  out.edited = !robot.edits.empty();
+  return out;
+}
+
+Outcome try_out(const Case& one, bool defect) {
+  const std::string id = one.planter->id;
+  Planted planted = make_planted(one, defect);
+  Outcome out;
+  out.texts = std::move(planted.texts);
+  out.expected = std::move(planted.expected);
 
   dsl::MemoryFiles files;
   for (const auto& [path, text] : out.texts) files.add(path, text);
   dsl::Sources sources;
   compiler::CheckOptions options;
-  options.decide = asserted;
+  options.decide = id == "assertion_failed";
   options.selection.lints.insert(id);
-  compiler::Checked checked = compiler::check(robot.files.front().path, files, sources, options);
+  compiler::Checked checked = compiler::check(planted.main, files, sources, options);
   if (out.texts.count(std::string(scenario)) != 0 && checked.lowerable) {
     for (dsl::Diagnostic& each : tests::scenario_findings(std::string(scenario), checked.model, files, sources))
       checked.findings.push_back(std::move(each));

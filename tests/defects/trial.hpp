@@ -5,6 +5,7 @@
 #include "tests/defects/planter.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -15,6 +16,17 @@ struct Case {
   std::uint64_t seed = 0;
   int size = 0; ///< of the robot: 0 to 4
 };
+
+/// The files of a behaviour, and where findings are expected.
+struct Planted {
+  std::string main;
+  Texts texts;
+  std::set<Mark> expected;
+  bool edited = false; ///< its texts are no documents any more
+};
+
+/// `change`: done to the robot in the end, which has no signs any more then, and nothing is expected.
+Planted make_planted(const Case& one, bool defect, const std::function<void(Robot&)>& change = {});
 
 struct Outcome {
   Texts texts;

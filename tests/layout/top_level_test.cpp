@@ -40,6 +40,7 @@ TEST_CASE("at the top stands what a project has, and nothing else") {
                                        ".clang-tidy",
                                        ".gitattributes",
                                        ".gitignore",
+                                       ".pre-commit-hooks.yaml",
                                        "CHANGELOG.md",
                                        "CITATION.cff",
                                        "CMakeLists.txt",

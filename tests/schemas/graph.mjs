@@ -32,6 +32,6 @@ const declare = (value) => {
   Object.values(value).forEach(declare);
 };
 declare(schema);
-for (const key of declared) if (!keys.has(key)) ++wrong, console.log(`no graph has the key ${key}`);
-console.log(`graphs: ${files.length}, keys: ${declared.size}`);
+for (const key of declared) if (!keys.has(key)) ++wrong, console.log(`none has the key ${key}`);
+console.log(`${path.split("/").pop()}: ${files.length}, keys: ${declared.size}`);
 process.exit(wrong === 0 && files.length > 0 ? 0 : 1);

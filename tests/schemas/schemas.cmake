@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D DIRECTORC=<program> -D VERDICTS=<program> -D NODE=<program> -D NPM=<program> -D FROM=<this folder> -D SCHEMAS=<folder> -D WORK=<folder> -P schemas.cmake
 # Installs the pinned npm packages in WORK, has VERDICTS read the corpus, and compares with the schemas. Then holds what
-# DIRECTORC prints as SARIF against the schema of SARIF, and its graphs against that of graphs.
+# DIRECTORC prints as SARIF against the schema of SARIF, and its graphs, changes and traces against theirs.
 foreach(file package.json package-lock.json compare.mjs sarif.mjs graph.mjs trace.mjs)
   file(COPY_FILE ${FROM}/${file} ${WORK}/${file} ONLY_IF_DIFFERENT)
 endforeach()
@@ -78,4 +78,26 @@ endforeach()
 execute_process(COMMAND ${NODE} trace.mjs ${SCHEMAS}/trace.schema.json ${traces} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "a trace is not what its schema says")
+endif()
+
+set(changes "")
+function(compare name before after)
+  execute_process(COMMAND ${DIRECTORC} diff --format=json ${before} ${after} --breaking=code WORKING_DIRECTORY ${root} OUTPUT_FILE ${WORK}/${name}.diff.json)
+  execute_process(COMMAND ${DIRECTORC} diff --format=sarif ${before} ${after} --breaking=code WORKING_DIRECTORY ${root} OUTPUT_FILE ${WORK}/${name}.diff.sarif)
+  set(changes ${changes} ${name}.diff.json PARENT_SCOPE)
+endfunction()
+compare(none behaviours/soccer/soccer.yaml behaviours/soccer/soccer.yaml)
+compare(all behaviours/soccer/soccer.yaml behaviours/drone/drone.yaml)
+compare(rover tests/docs/rover/rover.yaml tests/docs/diff/rover.yaml)
+file(READ ${root}/tests/docs/rover/rover.yaml renamed)
+string(REPLACE Camera Lens renamed "${renamed}")
+file(WRITE ${WORK}/renamed.yaml "${renamed}")
+compare(renamed tests/docs/rover/rover.yaml ${WORK}/renamed.yaml)
+execute_process(COMMAND ${NODE} graph.mjs ${SCHEMAS}/diff.schema.json ${changes} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "changes are not what their schema says")
+endif()
+execute_process(COMMAND ${NODE} sarif.mjs all.diff.sarif rover.diff.sarif renamed.diff.sarif WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "changes are no SARIF")
 endif()

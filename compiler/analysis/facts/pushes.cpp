@@ -293,4 +293,18 @@ std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& 
   return out;
 }
 
+std::vector<std::pair<GroupId, ProviderId>> find_all_pushes(const Model& model, const Facts& facts) {
+  const Chains chains(model, [&](ProviderId id) {
+    return facts.capable.contains(id) && facts.requested.contains(model.providers[id].group);
+  });
+  const Causers causers = find_causers(model);
+  Pushes pushes(model, facts, chains, causers);
+  std::vector<std::pair<GroupId, ProviderId>> out;
+  for (const GroupId waiter : model.groups.ids()) {
+    if (!facts.requested.contains(waiter)) continue;
+    for (const ProviderId causer : find_pushable(model, pushes, waiter)) out.emplace_back(waiter, causer);
+  }
+  return out;
+}
+
 } // namespace director::analysis

@@ -86,6 +86,9 @@ private:
 /// In order of id.
 std::vector<ProviderId> find_pushable(const Model& model, Pushes& all, GroupId waiter);
 
+/// Who may push whom at all: requested groups, each with those that a task for it may push. In order.
+std::vector<std::pair<GroupId, ProviderId>> find_all_pushes(const Model& model, const Facts& facts);
+
 /// What a task for this group may wait for: the conditions of its providers and of those in their plans.
 std::vector<std::pair<ProviderId, ConditionUse>> waited_conditions(const Model& model, const Facts& facts,
                                                                    GroupId waiter);

@@ -1,0 +1,69 @@
+// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/diff_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/cli/git_files.hpp"
+#include "compiler/cli/load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace director::compiler::cli {
+
+namespace {
+
+std::optional<Checked> load_from(dsl::FileAccess& files, const std::string& file, const Diff& request,
+                                 dsl::Sources& sources, Console& console) {
+  Console other{console.out,     console.err,      console.out_colours, console.err_colours, files,
+                console.outputs, console.programs, console.scanner,     console.headers,     console.out_width};
+  return load(file, {}, sources, other, {request.build, {}});
+}
+
+std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, Console& console) {
+  if (request.revision.empty()) {
+    FilesBeside files(console.files, shown_path(request.before), shown_path(request.after));
+    return load_from(files, request.before, request, sources, console);
+  }
+  GitFiles files(console.programs, console.files, request.revision);
+  if (const std::optional<std::string> wrong = files.open(request.after)) {
+    console.err << fmt::format("directorc: {}\n", *wrong);
+    return {};
+  }
+  Diff there = request;
+  std::error_code error; // a build is no part of a revision
+  if (!there.build.empty()) there.build = std::filesystem::absolute(there.build, error).string();
+  return load_from(files, files.path(), there, sources, console);
+}
+
+void print(const std::vector<BehaviourChange>& changes, const Diff& request, const dsl::Sources& sources,
+           Console& console) {
+  switch (request.format) {
+  case Format::json: console.out << to_lines(changes_json(changes, request.breaking, sources)); return;
+  case Format::sarif: console.out << to_lines(changes_sarif(changes, request.breaking, sources)); return;
+  default: console.out << changes_text(changes, request.breaking, sources); return;
+  }
+}
+
+} // namespace
+
+int run(const Diff& request, Console& console) {
+  dsl::Sources sources;
+  const std::optional<Checked> before = load_before(request, sources, console);
+  if (!before) return misused;
+  const std::optional<Checked> after = load(request.after, {}, sources, console, {request.build, {}});
+  if (!after) return misused;
+  if (!before->resolved && !after->resolved) {
+    console.err << "directorc: neither of the two can be compared: both have errors in their text or their names\n";
+    for (const Checked* side : {&*before, &*after})
+      print_findings(errors_of(side->findings), sources, console.err, console.err_colours);
+    return found;
+  }
+  const std::vector<BehaviourChange> changes = find_changes(*before, *after);
+  print(changes, request, sources, console);
+  const bool breaks = std::any_of(changes.begin(), changes.end(), [&](const BehaviourChange& change) {
+    return request.breaking.has(change) || change.kind == ChangeKind::refused;
+  });
+  return breaks ? found : clean;
+}
+
+} // namespace director::compiler::cli

@@ -1,0 +1,85 @@
+// Door: compiler/cli/git_files.hpp. Test: tests/docs/diff_git_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/cli/git_files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string_view>
+
+namespace director::compiler::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Of the file; where that folder is gone too, the nearest one above it that is left.
+fs::path folder_of(const std::string& file) {
+  std::error_code error;
+  fs::path folder = fs::absolute(file, error).lexically_normal().parent_path();
+  while (!fs::is_directory(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
+  return folder;
+}
+
+} // namespace
+
+std::optional<std::string> GitFiles::open(const std::string& file) {
+  const fs::path folder = folder_of(file);
+  folder_ = folder.string();
+  const Answer prefix = programs_.run({"git", "-C", folder_, "rev-parse", "--show-prefix"}, "");
+  if (!prefix.started) return "there is no program `git`";
+  if (prefix.status != 0) return fmt::format("`{}` is in no git repository", file);
+  const Answer commit = programs_.run(
+      {"git", "-C", folder_, "rev-parse", "--verify", "--quiet", "--end-of-options", revision_ + "^{commit}"}, "");
+  if (commit.status != 0) return fmt::format("git knows no revision `{}`", revision_);
+  commit_ = first_line(commit.output);
+  std::error_code error;
+  const fs::path inside = fs::absolute(file, error).lexically_normal().lexically_relative(folder);
+  path_ = revision_ + ":/" + (first_line(prefix.output) / inside).lexically_normal().string();
+  return {};
+}
+
+dsl::Result<std::string, dsl::FileError> GitFiles::read(const std::string& path, std::size_t most) {
+  using Kind = dsl::FileError::Kind;
+  if (path.starts_with('/')) return disk_.read(path, most);
+  const std::string top = revision_ + ":/";
+  if (!path.starts_with(top)) return dsl::FileError{Kind::not_found, "it is outside of the repository"};
+  const std::string name = path.substr(top.size());
+  if (name.find('\n') != std::string::npos) return dsl::FileError{Kind::not_readable, "a line break in its name"};
+  // One line tells what follows: `OID blob SIZE`, or that there is no such thing.
+  const Answer answer = programs_.run({"git", "-C", folder_, "cat-file", "--batch"}, commit_ + ":" + name + "\n");
+  if (!answer.started || answer.status != 0) return dsl::FileError{Kind::not_readable, "git cannot read it"};
+  const std::string head = first_line(answer.output);
+  const std::size_t blob = head.find(" blob ");
+  if (head.ends_with(" missing"))
+    return dsl::FileError{Kind::not_found, fmt::format("no such file in the revision `{}`", revision_)};
+  if (blob == std::string::npos) return dsl::FileError{Kind::not_readable, "it is no file there"};
+  if (answer.output.size() < head.size() + 2) return dsl::FileError{Kind::not_readable, "git cannot read it"};
+  std::string text = answer.output.substr(head.size() + 1);
+  text.pop_back(); // the line break that git adds
+  if (text.size() > most) return dsl::FileError{Kind::too_large, "it is too large"};
+  return text;
+}
+
+std::string GitFiles::identity(const std::string& path) {
+  return path.starts_with('/') ? disk_.identity(path) : fs::path(path).lexically_normal().string();
+}
+
+FilesBeside::FilesBeside(dsl::FileAccess& files, const std::string& first, const std::string& second)
+    : files_(files),
+      path_(fs::path(first).lexically_normal().string()),
+      first_(fs::path(path_).parent_path().string()),
+      second_(fs::path(second).lexically_normal().parent_path().string()) {}
+
+dsl::Result<std::string, dsl::FileError> FilesBeside::read(const std::string& path, std::size_t most) {
+  auto found = files_.read(path, most);
+  if (found || path == path_ || found.error().kind != dsl::FileError::Kind::not_found) return found;
+  const fs::path inside = fs::path(path).lexically_normal().lexically_relative(first_.empty() ? "." : first_);
+  if (inside.empty() || first_ == second_) return found;
+  auto other = files_.read((fs::path(second_) / inside).lexically_normal().string(), most);
+  return other ? std::move(other) : std::move(found);
+}
+
+} // namespace director::compiler::cli

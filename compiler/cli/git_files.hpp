@@ -1,0 +1,52 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Files as they were in a revision of git. Their paths are REVISION:/PATH, from the top of the repository; absolute
+// ones are read from the disk, as what describes a build has no revision.
+
+#include "compiler/facts/programs.hpp"
+#include "dsl/file_access.hpp"
+
+#include <optional>
+#include <string>
+
+namespace director::compiler::cli {
+
+class GitFiles final : public dsl::FileAccess {
+public:
+  GitFiles(Programs& programs, dsl::FileAccess& disk, std::string revision)
+      : programs_(programs),
+        disk_(disk),
+        revision_(std::move(revision)) {}
+
+  /// Looks for the repository around `file`, which need not exist any more, and for the revision. What is wrong, or
+  /// nothing.
+  std::optional<std::string> open(const std::string& file);
+  /// Of the file that it was opened with.
+  const std::string& path() const { return path_; }
+
+  dsl::Result<std::string, dsl::FileError> read(const std::string& path, std::size_t most) override;
+  std::string identity(const std::string& path) override;
+
+private:
+  Programs& programs_;
+  dsl::FileAccess& disk_;
+  std::string revision_; ///< as it was given
+  std::string folder_;   ///< in the repository
+  std::string commit_;
+  std::string path_;
+};
+
+/// Files beside one file, or else beside another: git's difftool copies the old one alone into a folder of its own, and
+/// what that imports lies beside the new one.
+class FilesBeside final : public dsl::FileAccess {
+public:
+  FilesBeside(dsl::FileAccess& files, const std::string& first, const std::string& second);
+  dsl::Result<std::string, dsl::FileError> read(const std::string& path, std::size_t most) override;
+  std::string identity(const std::string& path) override { return files_.identity(path); }
+
+private:
+  dsl::FileAccess& files_;
+  std::string path_, first_, second_; ///< folders, but the path
+};
+
+} // namespace director::compiler::cli

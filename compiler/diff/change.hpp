@@ -1,0 +1,84 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// A change of meaning between two behaviours, and its kind. Things are the same where their names are; ids of the two
+// models have nothing to do with each other.
+
+#include "dsl/span.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::compiler {
+
+/// The most dangerous first: this is the order in which changes are told.
+enum class ChangeKind {
+  refused,
+  hardened,
+  takeover_gained,
+  takeover_lost,
+  tie_order,
+  unit,
+  became_dead,
+  became_reachable,
+  condition_loosened,
+  condition_tightened,
+  push_gained,
+  push_lost,
+  bound_grew,
+  preference,
+  promise,
+  sets,
+  handler,
+  needs_added,
+  needs_removed,
+  request_added,
+  request_removed,
+  state_values,
+  state_initial,
+  state_source,
+  triggers,
+  levels,
+  transition_changed,
+  softened,
+  bound_shrank,
+  group_removed,
+  provider_removed,
+  state_removed,
+  assertion,
+  api,
+  realtime,
+  uses,
+  group_added,
+  provider_added,
+  state_added,
+  accepted,
+  finding_new,
+  finding_gone,
+  priority,
+  layers,
+};
+
+struct ChangeKindPage {
+  ChangeKind kind;
+  std::string_view id;
+  std::string_view meaning; ///< a sentence
+};
+
+/// In order of danger.
+std::span<const ChangeKindPage> change_kinds();
+const ChangeKindPage& page_of(ChangeKind kind);
+
+struct BehaviourChange {
+  ChangeKind kind{};
+  std::string subject; ///< `Walk.halting`, `Stability`, `root>Kick`
+  std::string message;
+  std::optional<dsl::Span> before, after; ///< at least one of them
+  bool breaks_code = false;               ///< C++ that was written for the old one does not compile, or not unchanged
+  std::string hint;                       ///< what it may be instead; mostly empty
+  bool operator==(const BehaviourChange&) const = default;
+};
+
+} // namespace director::compiler

@@ -1,0 +1,56 @@
+// Door: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// What the checks find on one side only. A finding is the same where its check and its words are; where nothing else
+// has changed, its check is enough, for the words may name another one of two.
+#include "compiler/diff/side.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace director::compiler::diff {
+
+namespace {
+
+using Finding = dsl::Diagnostic;
+
+std::map<std::string, std::vector<const Finding*>> sorted(const std::vector<Finding>& findings, bool by_check) {
+  std::map<std::string, std::vector<const Finding*>> out;
+  for (const Finding& each : findings) {
+    if (each.level != dsl::Level::lint) out[by_check ? each.id : each.id + ": " + each.message].push_back(&each);
+  }
+  return out;
+}
+
+/// Of each kind of finding, as many of the first as there are more than in the second.
+std::vector<const Finding*> more_than(const std::map<std::string, std::vector<const Finding*>>& first,
+                                      const std::map<std::string, std::vector<const Finding*>>& second) {
+  std::vector<const Finding*> out;
+  for (const auto& [key, all] : first) {
+    const auto at = second.find(key);
+    for (std::size_t i = at == second.end() ? 0 : at->second.size(); i < all.size(); ++i) out.push_back(all[i]);
+  }
+  return out;
+}
+
+/// Of a thing, not of some values under which nothing runs.
+bool says_never(const Finding& finding) {
+  if (finding.id == "uncovered_state") return false;
+  const checks::Registered* const check = checks::find_registered(finding.id);
+  return check != nullptr && checks::says_never(*check);
+}
+
+} // namespace
+
+void compare_findings(const Pair& pair, bool alike, Changes& changes) {
+  const auto was = sorted(pair.before.findings, alike), is = sorted(pair.after.findings, alike);
+  for (const Finding* each : more_than(is, was))
+    changes.add(says_never(*each) ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
+                fmt::format("{} is new: {}", name_of(each->level), each->message), {}, each->span);
+  for (const Finding* each : more_than(was, is))
+    changes.add(says_never(*each) ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
+                fmt::format("{} is gone: {}", name_of(each->level), each->message), each->span, {});
+}
+
+} // namespace director::compiler::diff

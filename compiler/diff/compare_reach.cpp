@@ -1,0 +1,100 @@
+// Door: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// What may ever happen, by the facts that the checks have too: they err on one side only, so "dead" is a proof and
+// "reachable" means "may".
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/pushes.hpp"
+#include "compiler/diff/side.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace director::compiler::diff {
+
+namespace {
+
+/// Groups and providers by name, and whether each may ever be.
+struct May {
+  std::map<std::string, bool> groups, providers;
+  std::set<std::pair<std::string, std::string>> pushes; ///< who waits, whom it may push
+};
+
+May find_may(const Checked& checked) {
+  May out;
+  const Model& model = checked.model;
+  const analysis::Facts facts = analysis::find_facts(model, checked.graph, analysis::Reported::as_is);
+  for (const GroupId id : model.groups.ids()) out.groups[name_of(model, id)] = facts.requested.contains(id);
+  for (const ProviderId id : model.providers.ids()) out.providers[model.full_name(id)] = facts.active.contains(id);
+  for (const auto& [waiter, causer] : analysis::find_all_pushes(model, facts))
+    out.pushes.emplace(name_of(model, waiter), model.full_name(causer));
+  return out;
+}
+
+std::optional<ProviderId> find_provider(const Model& model, const std::string& name) {
+  for (const ProviderId id : model.providers.ids()) {
+    if (model.full_name(id) == name) return id;
+  }
+  return {};
+}
+
+class Reaching {
+public:
+  Reaching(const Pair& pair, Changes& changes)
+      : pair_(pair),
+        changes_(changes),
+        was_(find_may(pair.before)),
+        is_(find_may(pair.after)) {}
+
+  void compare() {
+    std::set<std::string> told; // of a group whose requests are told, its providers are not
+    for (const auto& [name, may] : is_.groups) {
+      const auto old = was_.groups.find(name);
+      if (old == was_.groups.end() || old->second == may) continue;
+      told.insert(name);
+      const Span before = pair_.old_model.groups[*pair_.old_model.find_group(name)].name.span,
+                 after = pair_.new_model.groups[*pair_.new_model.find_group(name)].name.span;
+      changes_.add(may ? ChangeKind::became_reachable : ChangeKind::became_dead, name,
+                   fmt::format("`{}` {}", name, may ? "may be requested now" : "is never requested any more"), before,
+                   after);
+    }
+    for (const auto& [name, may] : is_.providers) {
+      const auto old = was_.providers.find(name);
+      if (old == was_.providers.end() || old->second == may) continue;
+      const auto before = find_provider(pair_.old_model, name), after = find_provider(pair_.new_model, name);
+      if (told.count(pair_.new_model.group_of(*after).name.value) != 0) continue;
+      changes_.add(may ? ChangeKind::became_reachable : ChangeKind::became_dead, name,
+                   fmt::format("`{}` {}", name, may ? "may run now" : "can never run any more"),
+                   pair_.old_model.providers[*before].span, pair_.new_model.providers[*after].span);
+    }
+    for (const auto& push : is_.pushes) {
+      if (was_.pushes.count(push) == 0) pushed(push, true);
+    }
+    for (const auto& push : was_.pushes) {
+      if (is_.pushes.count(push) == 0) pushed(push, false);
+    }
+  }
+
+private:
+  void pushed(const std::pair<std::string, std::string>& push, bool now) {
+    const auto& [waiter, causer] = push;
+    const auto old = find_provider(pair_.old_model, causer), fresh = find_provider(pair_.new_model, causer);
+    const std::optional<Span> before = old ? std::optional(pair_.old_model.providers[*old].span) : std::nullopt,
+                              after = fresh ? std::optional(pair_.new_model.providers[*fresh].span) : std::nullopt;
+    changes_.add(now ? ChangeKind::push_gained : ChangeKind::push_lost, causer,
+                 fmt::format("`{}` {} push `{}`", waiter, now ? "may now" : "can no longer", causer), before, after);
+  }
+
+  const Pair& pair_;
+  Changes& changes_;
+  May was_, is_;
+};
+
+} // namespace
+
+void compare_reach(const Pair& pair, Changes& changes) {
+  if (pair.old_model.deployment && pair.new_model.deployment) Reaching(pair, changes).compare();
+}
+
+} // namespace director::compiler::diff

@@ -1,0 +1,164 @@
+// Door: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// What is asked for: by the program, and in each pack or list of a provider that both sides have. Priorities are
+// compared by what they decide, in compare_ranks.cpp.
+#include "compiler/diff/side.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler::diff {
+
+namespace {
+
+/// Entries that stand together, and who asks.
+struct Asked {
+  std::string subject; ///< `Striker.playing`
+  std::string who;     ///< "the program", "`Striker.playing`, pack `attack`,"
+  Span before{}, after{};
+};
+
+class Entries {
+public:
+  Entries(const Pair& pair, const Asked& asked, Changes& changes) : pair_(pair), asked_(asked), changes_(changes) {}
+
+  void compare(const std::vector<Task>& before, const std::vector<Task>& after) {
+    for (const Task& task : before) {
+      const std::string& name = name_of(pair_.old_model, task.target);
+      const Task* now = find(after, pair_.new_model, name);
+      if (now != nullptr) {
+        levels(name, task, *now);
+        units(name, task, *now);
+        continue;
+      }
+      changes_
+          .add(ChangeKind::request_removed, asked_.subject, fmt::format("{} no longer asks for `{}`", asked_.who, name),
+               task.span, asked_.after)
+          .breaks_code = true;
+    }
+    for (const Task& task : after) {
+      const std::string& name = name_of(pair_.new_model, task.target);
+      if (find(before, pair_.old_model, name) == nullptr)
+        changes_.add(ChangeKind::request_added, asked_.subject,
+                     fmt::format("{} may now ask for `{}`", asked_.who, name), asked_.before, task.span);
+    }
+  }
+
+private:
+  static const Task* find(const std::vector<Task>& tasks, const Model& model, const std::string& name) {
+    for (const Task& task : tasks) {
+      if (name_of(model, task.target) == name) return &task;
+    }
+    return nullptr;
+  }
+
+  static std::vector<std::string> names_of(const Task& task) {
+    std::vector<std::string> out;
+    for (const Task::NamedLevel& level : task.levels) {
+      if (!level.name.empty()) out.push_back(level.name);
+    }
+    return out;
+  }
+  void levels(const std::string& name, const Task& before, const Task& after) {
+    const std::vector<std::string> was = names_of(before), is = names_of(after);
+    const std::vector<std::string> more = missing_in(is, was), less = missing_in(was, is);
+    const auto add = [&](const std::string& what) -> BehaviourChange& {
+      return changes_.add(ChangeKind::levels, asked_.subject, what, before.span, after.span);
+    };
+    if (!more.empty()) add(fmt::format("{} may now ask for `{}` at {}", asked_.who, name, ticked_list(more)));
+    if (!less.empty())
+      add(fmt::format("{} can no longer ask for `{}` at {}", asked_.who, name, ticked_list(less))).breaks_code = true;
+    if (!was.empty() && !is.empty() && was.front() != is.front())
+      add(fmt::format("{} asks for `{}` at `{}` where it names no level, before at `{}`", asked_.who, name, is.front(),
+                      was.front()));
+  }
+
+  static const Level& level_of(const Model& model, const Task& task, const Task::NamedLevel& level) {
+    return model.edges[task.edge].levels[level.level];
+  }
+  static std::string manner(const Level& level) {
+    return level.optional ? "optional" : level.apart ? "apart" : "mandatory";
+  }
+  void units(const std::string& name, const Task& before, const Task& after) {
+    for (std::size_t i = 0; i < after.levels.size(); ++i) {
+      const Task::NamedLevel& level = after.levels[i];
+      const auto old = std::find_if(before.levels.begin(), before.levels.end(),
+                                    [&](const Task::NamedLevel& each) { return each.name == level.name; });
+      if (old == before.levels.end()) continue;
+      const std::string was = manner(level_of(pair_.old_model, before, *old)),
+                        is = manner(level_of(pair_.new_model, after, level));
+      if (was == is) continue;
+      const std::string at = level.name.empty() ? "" : fmt::format(" at `{}`", level.name);
+      changes_.add(ChangeKind::unit, asked_.subject,
+                   fmt::format("{} asks for `{}`{} as {}, before as {}", asked_.who, name, at, is, was), before.span,
+                   after.span);
+    }
+  }
+
+  const Pair& pair_;
+  const Asked& asked_;
+  Changes& changes_;
+};
+
+const Pack* find_pack(const Provider& provider, const std::string& name) {
+  for (const Pack& pack : provider.packs) {
+    if (pack.name == name) return &pack;
+  }
+  return nullptr;
+}
+
+void compare_packs(const Pair& pair, ProviderId before, ProviderId after, Changes& changes) {
+  const Provider &was = pair.old_model.providers[before], &is = pair.new_model.providers[after];
+  const std::string name = pair.new_model.full_name(after);
+  static const std::vector<Task> nothing;
+  if (was.has_packs != is.has_packs) {
+    const char* const how = is.has_packs ? "`{}` asks by packs now, whole, before for any of its tasks"
+                                         : "`{}` asks for any of its tasks now, before by packs, whole";
+    changes.add(ChangeKind::unit, name, fmt::format(fmt::runtime(how), name), was.span, is.span).breaks_code = true;
+  }
+  if (!was.has_packs && !is.has_packs) {
+    const Pack *old = find_pack(was, ""), *now = find_pack(is, "");
+    const Asked asked{name, ticked(name), was.span, is.span};
+    Entries(pair, asked, changes).compare(old ? old->tasks : nothing, now ? now->tasks : nothing);
+    return;
+  }
+  for (const Pack& pack : was.packs) {
+    if (pack.name.empty()) continue;
+    const Pack* now = find_pack(is, pack.name);
+    if (now == nullptr) {
+      changes
+          .add(ChangeKind::request_removed, name, fmt::format("`{}` has no pack `{}` any more", name, pack.name),
+               pack.span, is.span)
+          .breaks_code = true;
+      continue;
+    }
+    const Asked asked{name, fmt::format("`{}`, pack `{}`,", name, pack.name), pack.span, now->span};
+    Entries(pair, asked, changes).compare(pack.tasks, now->tasks);
+  }
+  for (const Pack& pack : is.packs) {
+    if (pack.name.empty() || find_pack(was, pack.name) != nullptr) continue;
+    std::vector<std::string> tasks;
+    for (const Task& task : pack.tasks) tasks.push_back(name_of(pair.new_model, task.target));
+    changes.add(ChangeKind::request_added, name,
+                fmt::format("`{}` has a new pack `{}` with {}", name, pack.name,
+                            tasks.empty() ? "nothing" : ticked_list(tasks)),
+                was.span, pack.span);
+  }
+}
+
+} // namespace
+
+void compare_requests(const Pair& pair, Changes& changes) {
+  const Asked program{"root", "the program", pair.old_model.name_span, pair.new_model.name_span};
+  Entries(pair, program, changes).compare(pair.old_model.roots, pair.new_model.roots);
+  for (const ProviderId after : pair.new_model.providers.ids()) {
+    const auto group = pair.old_model.find_group(pair.new_model.group_of(after).name.value);
+    if (!group) continue;
+    for (const ProviderId before : pair.old_model.groups[*group].providers) {
+      if (pair.old_model.providers[before].name == pair.new_model.providers[after].name)
+        compare_packs(pair, before, after, changes);
+    }
+  }
+}
+
+} // namespace director::compiler::diff

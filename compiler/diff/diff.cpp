@@ -1,0 +1,63 @@
+// Door: compiler/diff/diff.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/diff/diff.hpp"
+
+#include "compiler/base/and_list.hpp"
+#include "compiler/diff/side.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler {
+
+namespace diff {
+
+std::string ticked_list(const std::vector<std::string>& words) {
+  std::vector<std::string> out;
+  for (const std::string& word : words) out.push_back(ticked(word));
+  return and_list(out);
+}
+
+std::string requester_name(const Model& model, const std::optional<GroupId>& requester) {
+  return requester ? ticked(name_of(model, *requester)) : std::string("the program");
+}
+
+std::string time_text(Microseconds time) { return dsl::to_text(dsl::in_largest_unit(time)); }
+
+namespace {
+
+void add_errors(const Checked& checked, ChangeKind kind, Changes& changes) {
+  for (const dsl::Diagnostic& finding : checked.findings) {
+    if (finding.level != dsl::Level::error) continue;
+    const bool is_new = kind == ChangeKind::refused;
+    const std::optional<Span> place = finding.span, nowhere;
+    changes.add(kind, finding.id, finding.message, is_new ? nowhere : place, is_new ? place : nowhere);
+  }
+}
+
+} // namespace
+
+} // namespace diff
+
+std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& after) {
+  diff::Changes changes;
+  if (!before.resolved || !after.resolved) {
+    if (before.resolved) diff::add_errors(after, ChangeKind::refused, changes);
+    if (after.resolved) diff::add_errors(before, ChangeKind::accepted, changes);
+    return changes.take();
+  }
+  const diff::Pair pair{before, after};
+  diff::compare_program(pair, changes);
+  diff::compare_states(pair, changes);
+  diff::compare_groups(pair, changes);
+  diff::compare_requests(pair, changes);
+  diff::compare_ranks(pair, changes);
+  // What follows from that. Where nothing has changed nothing follows: then neither is the order of what has no order
+  // taken for a change, nor is anybody kept waiting.
+  const bool alike = changes.all().empty();
+  if (!alike) diff::compare_reach(pair, changes);
+  if (!alike) diff::compare_transitions(pair, changes);
+  diff::compare_findings(pair, alike, changes);
+  return changes.take();
+}
+
+} // namespace director::compiler

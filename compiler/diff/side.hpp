@@ -1,0 +1,83 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What the parts of a comparison share: the two behaviours, what was found so far, and how things are matched.
+
+#include "compiler/diff/change.hpp"
+#include "compiler/pipeline.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace director::compiler::diff {
+
+/// Two behaviours without errors in text and names, whose places are in one set of sources.
+struct Pair {
+  const Checked& before;
+  const Checked& after;
+  const Model& old_model = before.model;
+  const Model& new_model = after.model;
+};
+
+class Changes {
+public:
+  BehaviourChange& add(ChangeKind kind, std::string subject, std::string message, std::optional<Span> before,
+                       std::optional<Span> after) {
+    all_.push_back({kind, std::move(subject), std::move(message), before, after, false, {}});
+    return all_.back();
+  }
+  const std::vector<BehaviourChange>& all() const { return all_; }
+  /// The most dangerous first; of one kind in the order in which they were found.
+  std::vector<BehaviourChange> take() {
+    std::stable_sort(all_.begin(), all_.end(),
+                     [](const BehaviourChange& a, const BehaviourChange& b) { return a.kind < b.kind; });
+    return std::move(all_);
+  }
+
+private:
+  std::vector<BehaviourChange> all_;
+};
+
+inline std::string ticked(std::string_view word) { return "`" + std::string(word) + "`"; }
+
+/// "`a`, `b` and `c`"
+std::string ticked_list(const std::vector<std::string>& words);
+
+inline const std::string& name_of(const Model& model, GroupId id) { return model.groups[id].name.value; }
+
+/// "the program", "`Striker`"
+std::string requester_name(const Model& model, const std::optional<GroupId>& requester);
+
+/// Those of the first that are not in the second, in order.
+inline std::vector<std::string> missing_in(const std::vector<std::string>& first,
+                                           const std::vector<std::string>& second) {
+  std::vector<std::string> out;
+  for (const std::string& each : first) {
+    if (std::find(second.begin(), second.end(), each) == second.end()) out.push_back(each);
+  }
+  return out;
+}
+
+/// What both have stands in another order.
+inline bool is_reordered(const std::vector<std::string>& first, const std::vector<std::string>& second) {
+  return missing_in(first, missing_in(first, second)) != missing_in(second, missing_in(second, first));
+}
+
+/// `2 s`
+std::string time_text(Microseconds time);
+
+// One function for each part of the model. Things that only one side has are told by the part that they belong to.
+void compare_program(const Pair& pair, Changes& changes);
+void compare_states(const Pair& pair, Changes& changes);
+void compare_groups(const Pair& pair, Changes& changes);
+void compare_provider(const Pair& pair, ProviderId before, ProviderId after, Changes& changes);
+void compare_requests(const Pair& pair, Changes& changes);
+void compare_ranks(const Pair& pair, Changes& changes);
+/// What follows from all of the above, as far as it is decided.
+void compare_reach(const Pair& pair, Changes& changes);
+void compare_transitions(const Pair& pair, Changes& changes);
+/// `alike`: nothing else has changed.
+void compare_findings(const Pair& pair, bool alike, Changes& changes);
+
+} // namespace director::compiler::diff

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// `directorc diff`: what it prints in each format, and with which status it ends. In a repository of git:
+// tests/docs/diff_git_test.cpp. What counts as a change: tests/compiler/diff.
+#include "compiler/base/json.hpp"
+#include "tests/compiler/cli/world.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using namespace director::tests;
+
+World diff_world() {
+  World out;
+  out.files.add("old.yaml", "behaviour: walker\nlanguage: 1\nroots: [Walk]\ngroups: {Walk: {}, Legs: {}}\n");
+  out.files.add("new.yaml",
+                "behaviour: walker\nlanguage: 1\nroots: [Walk]\ngroups:\n  Walk: {needs: [Legs]}\n  Legs: {}\n");
+  out.files.add("bad.yaml", "behaviour: walker\nlanguage: 1\nroots: [Wlak]\ngroups: {Walk: {}}\n");
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("diff: each kind with its sentence, each change with both places") {
+  World w = diff_world();
+  CHECK(w.directorc({"diff", "old.yaml", "new.yaml"}) == 0);
+  CHECK(w.err.empty());
+  CHECK(w.out == "needs_added: A provider needs one more group.\n"
+                 "  `Walk` now needs `Legs`\n"
+                 "    now    new.yaml:5:18\n"
+                 "    before old.yaml:4:10\n"
+                 "\n"
+                 "1 change\n");
+}
+
+TEST_CASE("diff: nothing is printed where nothing has changed") {
+  World w = diff_world();
+  CHECK(w.directorc({"diff", "old.yaml", "old.yaml", "--breaking=all"}) == 0);
+  CHECK(w.out.empty());
+  CHECK(w.err.empty());
+}
+
+TEST_CASE("diff: a kind that breaks ends with status 1, another one does not") {
+  World w = diff_world();
+  CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--breaking=hardened,needs_added"}) == 1);
+  CHECK(w.out.find("  breaking: `Walk` now needs `Legs`\n") != std::string::npos);
+  CHECK(w.out.ends_with("1 change, 1 of them breaking\n"));
+  CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--breaking=code"}) == 0);
+  CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--breaking=all"}) == 1);
+}
+
+TEST_CASE("diff: the new one is refused") {
+  World w = diff_world();
+  CHECK(w.directorc({"diff", "old.yaml", "bad.yaml"}) == 1);
+  CHECK(w.out.starts_with("refused: "));
+  CHECK(w.directorc({"diff", "bad.yaml", "new.yaml"}) == 0);
+  CHECK(w.out.starts_with("accepted: "));
+  CHECK(w.directorc({"diff", "bad.yaml", "bad.yaml"}) == 1);
+  CHECK(w.out.empty());
+  CHECK(w.err.starts_with("directorc: neither of the two can be compared: both have errors in their text or their "
+                          "names\nbad.yaml:3:9: error: "));
+}
+
+TEST_CASE("diff: wrong words") {
+  World w = diff_world();
+  CHECK(w.directorc({"diff", "old.yaml"}) == 2);
+  CHECK(w.err == "directorc: diff needs two files, the old one and the new one; or --git REVISION FILE\n");
+  CHECK(w.directorc({"diff", "--git", "HEAD", "old.yaml", "new.yaml"}) == 2);
+  CHECK(w.err == "directorc: with --git there is one file: directorc diff --git REVISION FILE\n");
+  CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--breaking=takeover_gaind"}) == 2);
+  CHECK(w.err == "directorc: there is no kind of change `takeover_gaind`; did you mean `takeover_gained`?\n");
+  CHECK(w.directorc({"diff", "gone.yaml", "new.yaml"}) == 2);
+  CHECK(w.err == "directorc: cannot read `gone.yaml`: No such file or directory\n");
+}
+
+TEST_CASE("diff: JSON has kind, subject, places and what breaks") {
+  World w = diff_world();
+  CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--format=json", "--breaking=needs_added"}) == 1);
+  const auto json = compiler::parse_json(w.out);
+  REQUIRE(json);
+  CHECK(compiler::to_line(*json) ==
+        "{\"breaking\":true,\"changes\":[{\"kind\":\"needs_added\",\"subject\":\"Walk\",\"message\":\"`Walk` now needs "
+        "`Legs`\",\"breaking\":true,\"breaks_code\":false,\"before\":{\"file\":\"old.yaml\",\"line\":4,\"column\":10},"
+        "\"after\":{\"file\":\"new.yaml\",\"line\":5,\"column\":18}}]}");
+}
+
+TEST_CASE("diff: SARIF has a rule for each kind, what breaks is an error") {
+  World w = diff_world();
+  CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--format=sarif", "--breaking=needs_added"}) == 1);
+  const auto json = compiler::parse_json(w.out);
+  REQUIRE(json);
+  const compiler::Json& run = (*json)["runs"].items().at(0);
+  CHECK(run["tool"]["driver"]["rules"].items().size() == compiler::change_kinds().size());
+  const compiler::Json& result = run["results"].items().at(0);
+  CHECK(result["ruleId"].as_text() == "needs_added");
+  CHECK(result["level"].as_text() == "error");
+  CHECK(result["message"]["text"].as_text() == "`Walk` now needs `Legs`");
+}
+
+TEST_CASE("diff: what the old file imports and does not lie beside it lies beside the new one") {
+  World w;
+  const char* const main = "behaviour: walker\nlanguage: 1\nimports: [parts/legs.yaml]\nroots: [Walk]\n";
+  w.files.add("/tmp/blob/walker.yaml", std::string(main) + "groups: {Walk: {}}\n");
+  w.files.add("robot/walker.yaml", std::string(main) + "groups: {Walk: {needs: [Legs]}}\n");
+  w.files.add("robot/parts/legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {}}\n");
+  CHECK(w.directorc({"diff", "/tmp/blob/walker.yaml", "robot/walker.yaml"}) == 0);
+  CHECK(w.out.starts_with("needs_added: "));
+}

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Which changes of meaning are told, in which words. What planted defects and changes without meaning come to:
+// tests/defects/meaning.
+#include "compiler/diff/diff.hpp"
+#include "dsl/file_access.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+
+struct Files {
+  std::string main, other;
+};
+
+/// Kind and message of each change, a line each.
+std::string told(const Files& before, const Files& after) {
+  dsl::MemoryFiles files;
+  files.add("old/robot.yaml", "behaviour: robot\nlanguage: 1\n" + before.main);
+  files.add("old/parts.yaml", "behaviour: parts\nlanguage: 1\n" + before.other);
+  files.add("new/robot.yaml", "behaviour: robot\nlanguage: 1\n" + after.main);
+  files.add("new/parts.yaml", "behaviour: parts\nlanguage: 1\n" + after.other);
+  dsl::Sources sources;
+  const compiler::Checked was = compiler::check("old/robot.yaml", files, sources),
+                          is = compiler::check("new/robot.yaml", files, sources);
+  std::string out;
+  for (const compiler::BehaviourChange& change : compiler::find_changes(was, is)) {
+    CHECK((change.before || change.after));
+    out += std::string(compiler::page_of(change.kind).id) + ": " + change.message + "\n";
+    if (!change.hint.empty()) out += "hint: " + change.hint + "\n";
+  }
+  return out;
+}
+
+std::string told(const std::string& before, const std::string& after) { return told(Files{before, {}}, {after, {}}); }
+
+/// A robot that walks and kicks, softly.
+std::string walker(const std::string& kick, const std::string& within, const std::string& priorities) {
+  return "states: {Pose: {values: [moving, standing], initial: standing}}\n"
+         "roots: {" +
+         priorities +
+         "}\n"
+         "groups:\n"
+         "  Walk:\n"
+         "    providers:\n"
+         "      - {name: walking, when: [Pose == moving|standing], needs: [Legs], sets: [Pose == moving], tasks: "
+         "[Legs]}\n"
+         "      - {name: halting, needs: [Legs], causing: [Pose == standing" +
+         within +
+         "], tasks: [Legs]}\n"
+         "  Kick: {" +
+         kick +
+         "needs: [Legs], tasks: [Legs]}\n"
+         "  Legs: {}\n";
+}
+
+const char* const ranks = "Walk: {priority: 10}, Kick: {priority: 20}";
+const char* const waits = "when: [Pose == standing], ";
+
+} // namespace
+
+TEST_CASE("the kinds of changes are in order, each once, with a sentence") {
+  std::size_t at = 0;
+  for (const compiler::ChangeKindPage& page : compiler::change_kinds()) {
+    CHECK(static_cast<std::size_t>(page.kind) == at++);
+    CHECK(page.meaning.ends_with("."));
+  }
+}
+
+TEST_CASE("a condition that made a transition soft is gone: it is hard, and that comes first") {
+  CHECK(
+      told(walker(waits, "", ranks), walker("", "", ranks)) ==
+      "hardened: from `Walk` to `Kick`: hard now, before soft\n"
+      "became_dead: `Walk.halting` can never run any more\n"
+      "became_dead: warning is new: `Walk.halting` never runs: `Walk.walking` comes before it and can run whenever it "
+      "can\n"
+      "condition_loosened: `Kick` no longer asks for `Pose == standing` to run\n"
+      "push_lost: `Kick` can no longer push `Walk.halting`\n");
+}
+
+TEST_CASE("the other way round it is soft now") {
+  CHECK(told(walker("", "", ranks), walker(waits, "", ranks)) ==
+        "became_reachable: `Walk.halting` may run now\n"
+        "became_reachable: warning is gone: `Walk.halting` never runs: `Walk.walking` comes before it and can run "
+        "whenever it can\n"
+        "condition_tightened: `Kick` now asks for `Pose == standing` to run\n"
+        "push_gained: `Kick` may now push `Walk.halting`\n"
+        "softened: from `Walk` to `Kick`: soft now, before hard\n");
+}
+
+TEST_CASE("a promise takes longer, and so does the transition that waits for it") {
+  CHECK(told(walker(waits, " within 2 s", ranks), walker(waits, " within 500 ms", ranks)) ==
+        "bound_shrank: `Walk.halting` promises `Pose == standing` within 500 ms; before within 2 s\n"
+        "bound_shrank: from `Walk` to `Kick`: soft, and may take at most 500 ms, before at most 2 s\n");
+  CHECK(told(walker(waits, " within 2 s", ranks), walker(waits, "", ranks)) ==
+        "bound_grew: `Walk.halting` promises `Pose == standing` at no time in particular; before within 2 s\n"
+        "bound_grew: from `Walk` to `Kick`: soft, and may take any time, before at most 2 s\n");
+}
+
+TEST_CASE("two tasks change ranks: the one gains what the other loses") {
+  const char* const plain = "groups: {Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
+  CHECK(
+      told(std::string("roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n") + plain,
+           std::string("roots: {Walk: {priority: 30}, Kick: {priority: 20}}\n") + plain) ==
+      "takeover_gained: `Walk` can now take `Legs` from `Kick`: the program asks for it with priority 30, before with "
+      "priority 10\n"
+      "takeover_lost: `Kick` can no longer take `Legs` from `Walk`: the program asks for `Walk` with priority 30, "
+      "before with priority 10\n"
+      "transition_changed: from `Kick` to `Walk`: hard now, before waits\n"
+      "transition_changed: from `Walk` to `Kick`: waits now, before hard\n");
+}
+
+TEST_CASE("a task that leads to one more group can take that group too") {
+  const char* const roots = "roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n";
+  CHECK(
+      told(std::string(roots) + "groups: {Walk: {needs: [Legs, Arms]}, Kick: {needs: [Legs]}, Legs: {}, Arms: {}}\n",
+           std::string(roots) +
+               "groups: {Walk: {needs: [Legs, Arms]}, Kick: {needs: [Legs, Arms]}, Legs: {}, Arms: {}}\n") ==
+      "takeover_gained: `Kick` can now take `Arms` from `Walk`: below the program the one goes before the other as it "
+      "did; what they lead to has changed\n"
+      "needs_added: `Kick` now needs `Arms`\n");
+}
+
+TEST_CASE("of equal rank the order decides, of different ranks it does not") {
+  const char* const plain = "groups: {Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
+  CHECK(
+      told(std::string("roots: [Walk, Kick]\n") + plain, std::string("roots: [Kick, Walk]\n") + plain)
+          .starts_with(
+              "tie_order: of what the program asks for at one rank, the order is `Kick` and `Walk`, before `Walk` and "
+              "`Kick`: the first one wins where they are asked for at once\n"));
+  CHECK(told(std::string("roots: {Walk: {priority: 1}, Kick: {}}\n") + plain,
+             std::string("roots: {Kick: {}, Walk: {priority: 1}}\n") + plain)
+            .empty());
+}
+
+TEST_CASE("the order of providers, and of needs between whose providers there is a choice, is told") {
+  const auto robot = [](const std::string& providers) {
+    return "states: {Charge: {range: [0, 100], external: true}}\nroots: [Walk]\ngroups:\n  Walk: {providers: [" +
+           providers +
+           "]}\n  One: {providers: [{name: left, when: [Charge > 5]}, {name: right}]}\n"
+           "  Two: {providers: [{name: up, when: [Charge > 5]}, {name: down}]}\n  Three: {}\n";
+  };
+  CHECK(told(robot("{name: fast, when: [Charge > 50]}, {name: slow}"),
+             robot("{name: slow}, {name: fast, when: [Charge > 50]}"))
+            .find("preference: the providers of `Walk` are tried in the order `slow` and `fast`, before `fast` and "
+                  "`slow`\n") != std::string::npos);
+  CHECK(told(robot("{name: only, needs: [One, Three, Two]}"), robot("{name: only, needs: [Three, Two, One]}")) ==
+        "preference: for the needs of `Walk.only` providers are chosen in the order `Two` and `One`, before `One` and "
+        "`Two`\n");
+  CHECK(told(robot("{name: only, needs: [One, Three]}"), robot("{name: only, needs: [Three, One]}")).empty());
+}
+
+TEST_CASE("conditions are compared by what they accept") {
+  const auto robot = [](const std::string& when) {
+    return "states:\n  Phase: {values: [off, ready, set], initial: off, external: true}\n"
+           "  Charge: {range: [0, 100], external: true}\n"
+           "roots: [Walk]\ngroups: {Walk: {when: [" +
+           when + "], allow: [uncovered_state], because: it waits}}\n";
+  };
+  CHECK(told(robot("Phase == ready|set"), robot("Phase != off")).empty());
+  CHECK(told(robot("Phase >= ready"), robot("Phase == set|ready, Phase != off")).empty());
+  CHECK(told(robot("Charge > 30, Charge < 60"), robot("Charge <= 59, Charge >= 31")).empty());
+  CHECK(told(robot("Phase == ready"), robot("Phase == set")) ==
+        "condition_loosened: `Walk` may now run also while `Phase == set`\n"
+        "condition_tightened: `Walk` may no longer run while `Phase == ready`\n");
+  CHECK(told(robot("Charge > 30"), robot("Charge > 20, Charge < 90")) ==
+        "condition_loosened: `Walk` may now run also while `Charge == 21..30`\n"
+        "condition_tightened: `Walk` may no longer run while `Charge == 90..100`\n");
+}
+
+TEST_CASE("moves between files, comments, docs and other spellings are silent") {
+  CHECK(told(Files{"imports: [parts.yaml]\nroots: [Walk]\ngroups: {Walk: {needs: [Legs], tasks: [Legs]}}\n",
+                   "groups: {Legs: {}}\n"},
+             Files{"# moved\nimports: [parts.yaml]\nroots: {Walk: {priority: 0}}\n"
+                   "groups: {Legs: {doc: Two of them}, Walk: {tasks: {Legs: {}}, needs: [Legs]}}\n",
+                   "groups: {}\n"})
+            .empty());
+}
+
+TEST_CASE("a module that is written down is told of") {
+  CHECK(told("roots: [Walk]\ngroups: {Walk: {module: legs}}\n", "roots: [Walk]\ngroups: {Walk: {module: feet}}\n") ==
+        "api: `Walk` is in the module `feet`, before in `legs`\n");
+}
+
+TEST_CASE("a group that is called otherwise is gone and new, with a hint") {
+  CHECK(told("roots: [Walk]\ngroups: {Walk: {tasks: [Legs]}, Legs: {}}\n",
+             "roots: [Walk]\ngroups: {Walk: {tasks: [Feet]}, Feet: {}}\n") ==
+        "request_added: `Walk` may now ask for `Feet`\n"
+        "request_removed: `Walk` no longer asks for `Legs`\n"
+        "group_removed: the group `Legs` is gone\n"
+        "hint: it may be called `Feet` now: all else is equal\n"
+        "group_added: the group `Feet` is new\n");
+}
+
+TEST_CASE("what a pack asks for, how, and at which levels") {
+  const auto robot = [](const std::string& packs) {
+    return "roots: [Play]\ngroups: {Play: {packs: {" + packs + "}}, Walk: {}, Look: {}}\n";
+  };
+  CHECK(told(robot("go: {Walk: {priority: 10}, Look: {}}"),
+             robot("go: {Walk: {priority: 10}, Look: {optional: true}}")) ==
+        "unit: `Play`, pack `go`, asks for `Look` as optional, before as mandatory\n");
+  CHECK(told(robot("go: {Walk: {}, Look: {}}"), robot("go: {Walk: {}}, stay: {Look: {}}")) ==
+        "request_added: `Play` has a new pack `stay` with `Look`\n"
+        "request_removed: `Play`, pack `go`, no longer asks for `Look`\n");
+  CHECK(told(robot("go: {Walk: {priority: {calm: 10, urgent: 80}}, Look: {}}"),
+             robot("go: {Walk: {priority: {urgent: 80, calm: 10}}, Look: {}}")) ==
+        "levels: `Play`, pack `go`, asks for `Walk` at `urgent` where it names no level, before at `calm`\n");
+}
+
+TEST_CASE("states: values, their order, the first one, who sets them, when they expire") {
+  const auto robot = [](const std::string& state) {
+    return "states: {Pose: {" + state +
+           "}}\nroots: [Walk]\ngroups: {Walk: {when: [Pose == up], allow: [uncovered_state], because: it waits}}\n";
+  };
+  CHECK(told(robot("values: [down, up], initial: up, external: true, expires: {after: 1 s, to: up}"),
+             robot("values: [up, down, flat], initial: down, external: true, expires: {after: 2 s, to: down}")) ==
+        "bound_grew: `Pose` expires after 2 s, before after 1 s\n"
+        "state_values: `Pose` may now be `flat`\n"
+        "state_values: the values of `Pose` ascend as `up`, `down` and `flat`, before as `down` and `up`\n"
+        "state_initial: `Pose` begins as `down`, before as `up`\n"
+        "state_source: `Pose` is as `down` when it has expired, before as `up`\n");
+}
+
+TEST_CASE("what the generated C++ is called, includes and carries") {
+  CHECK(told("cpp: {namespace: one, headers: [a.hpp]}\nroots: [Walk]\ngroups: {Walk: {data: one::Speed}}\n",
+             "cpp: {namespace: two, headers: [b.hpp]}\nroots: [Walk]\ngroups: {Walk: {stop: true}}\n") ==
+        "handler: `Walk` now has a stop handler\n"
+        "api: the namespace is `two`, before `one`\n"
+        "api: the generated code now includes `b.hpp`\n"
+        "api: the generated code no longer includes `a.hpp`\n"
+        "api: the data of a task for `Walk` is none, before `one::Speed`\n");
+}
+
+TEST_CASE("limits, triggers, assertions and layers") {
+  CHECK(told("layers: [low, high]\ntriggers: [Tick]\nroots: [Walk]\ngroups: {Walk: {triggers: [Tick]}}\n"
+             "assertions: [{can_run: Walk}]\n",
+             "layers: [low]\ntriggers: [Tick]\nroots: [Walk]\ngroups: {Walk: {every: 10 ms}}\nlimits: {trials: "
+             "20000}\n") == "bound_grew: the limit of `trials` is 20000, before 10000\n"
+                            "triggers: `Tick` no longer calls `Walk` again\n"
+                            "triggers: `Walk` is now called again every 10 ms\n"
+                            "assertion: no longer asserted: `Walk` can run\n"
+                            "layers: the layers are `low`, before `low` and `high`\n");
+}
+
+TEST_CASE("what cannot be read or named is refused, and accepted when it is mended") {
+  const char* const good = "roots: [Walk]\ngroups: {Walk: {}}\n";
+  const char* const bad = "roots: [Wlak]\ngroups: {Walk: {}}\n";
+  CHECK(told(good, bad) == "refused: there is no group called `Wlak`\n");
+  CHECK(told(bad, good) == "accepted: there is no group called `Wlak`\n");
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// `directorc diff` with git: revisions, its difftool, and the hook that docs/diff.md offers.
+#include "tests/docs/command.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+
+namespace {
+
+using namespace director::tests;
+namespace fs = std::filesystem;
+
+/// A repository with a behaviour in a folder, which imports another one, and two commits.
+class Repository {
+public:
+  Repository() {
+    run("git init --quiet . && git config user.name Nobody && git config user.email nobody@example.org");
+    write("robot/walker.yaml", walker("[Legs]"));
+    write("robot/parts/legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {}, Arms: {}}\n");
+    write("other.yaml", "roots: of something else\n");
+    CHECK(run("git add . && git commit --quiet -m first").status == 0);
+  }
+  static std::string walker(const std::string& needs) {
+    return "behaviour: walker\nlanguage: 1\nimports: [parts/legs.yaml]\nroots: [Walk]\ngroups: {Walk: {needs: " +
+           needs + "}}\n";
+  }
+  void write(const std::string& path, const std::string& text) const {
+    fs::create_directories((folder_.path() / path).parent_path());
+    std::ofstream(folder_.path() / path) << text;
+  }
+  Ran run(const std::string& command) const {
+    return run_command("export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1; " + command, folder_.path());
+  }
+
+private:
+  TemporaryFolder folder_;
+};
+
+const char* const needs_arms = "needs_added: A provider needs one more group.\n"
+                               "  `Walk` now needs `Arms`\n"
+                               "    now    robot/walker.yaml:5:31\n"
+                               "    before HEAD:/robot/walker.yaml:5:10\n"
+                               "\n"
+                               "1 change\n";
+
+} // namespace
+
+TEST_CASE("a file is compared with itself in a revision, from wherever it is called") {
+  const Repository repository;
+  CHECK(repository.run("directorc diff --git HEAD robot/walker.yaml").output.empty());
+  repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
+  const Ran ran = repository.run("directorc diff --git HEAD robot/walker.yaml");
+  CHECK(ran.output == needs_arms);
+  CHECK(ran.status == 0);
+  CHECK(repository.run("cd robot/parts && directorc diff --git HEAD ../walker.yaml --breaking=needs_added").status ==
+        1);
+}
+
+TEST_CASE("what the old one imported is read in that revision too") {
+  const Repository repository;
+  repository.write("robot/parts/legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {stop: true}, Arms: {}}\n");
+  CHECK(repository.run("directorc diff --git HEAD robot/walker.yaml").output.starts_with("handler: "));
+  CHECK(
+      repository.run("git commit --quiet -a -m second && directorc diff --git HEAD robot/walker.yaml").output.empty());
+  CHECK(repository.run("directorc diff --git HEAD~1 robot/walker.yaml").output.starts_with("handler: "));
+}
+
+TEST_CASE("a revision or a file that there is not is said, with status 2") {
+  const Repository repository;
+  const Ran revision = repository.run("directorc diff --git v1 robot/walker.yaml");
+  CHECK(revision.output == "directorc: git knows no revision `v1`\n");
+  CHECK(revision.status == 2);
+  const Ran option = repository.run("directorc diff --git=--help robot/walker.yaml");
+  CHECK(option.output == "directorc: git knows no revision `--help`\n");
+  repository.write("new.yaml", Repository::walker("[]"));
+  const Ran file = repository.run("directorc diff --git HEAD new.yaml");
+  CHECK(file.output == "directorc: cannot read `HEAD:/new.yaml`: no such file in the revision `HEAD`\n");
+  CHECK(file.status == 2);
+  const TemporaryFolder outside;
+  const Ran none = run_command("directorc diff --git HEAD walker.yaml 2>&1 | tail -n 1", outside.path());
+  CHECK(none.output == "directorc: `walker.yaml` is in no git repository\n");
+}
+
+TEST_CASE("it is a tool of git difftool, and imports are those beside the new file") {
+  const Repository repository;
+  repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
+  const Ran ran = repository.run("git difftool --no-prompt -x 'directorc diff' HEAD -- robot/walker.yaml");
+  CHECK(ran.output.find("  `Walk` now needs `Arms`\n") != std::string::npos);
+}
+
+TEST_CASE("the hook tells, and refuses what it was told to") {
+  const Repository repository;
+  const std::string hook = (source_dir() / "docs/hooks/pre-commit").string();
+  REQUIRE(repository.run("cp '" + hook + "' .git/hooks/pre-commit").status == 0);
+  repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
+  const Ran told = repository.run("cd robot && git commit --quiet -a -m second");
+  CHECK(told.output == std::string("robot/walker.yaml:\n") + needs_arms + "\n");
+  CHECK(told.status == 0);
+  repository.write("robot/walker.yaml", Repository::walker("[Legs]"));
+  const Ran refused = repository.run("git config director.breaking needs_removed && git commit --quiet -a -m third");
+  CHECK(refused.output.find("  breaking: `Walk` no longer needs `Arms`\n") != std::string::npos);
+  CHECK(refused.status == 1);
+  repository.write("robot/parts/legs.yaml",
+                   "behaviour: legs\nlanguage: 1\n# as it was\ngroups: {Arms: {}, Legs: {}}\n");
+  repository.write("robot/walker.yaml", Repository::walker("[Arms, Legs]"));
+  const Ran silent = repository.run("git commit --quiet -a -m fourth");
+  CHECK(silent.output.empty());
+  CHECK(silent.status == 0);
+}
