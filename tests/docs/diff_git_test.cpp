@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `directorc diff` with git: revisions, its difftool, and the hook that docs/diff.md offers.
-#include "tests/docs/command.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>

@@ -256,7 +256,11 @@ private:
     case Kind::keep:
     case Kind::withdraw:
     case Kind::wait:
-    case Kind::lost: return;
+    case Kind::lost:
+    case Kind::answer:
+    case Kind::assign:
+    case Kind::begin:
+    case Kind::given: return;
     }
     line_.end();
   }
