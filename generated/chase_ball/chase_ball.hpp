@@ -123,20 +123,20 @@ struct Facts<Wheels::Default> : director::NothingDeclared {
 /// - when: Ball == seen
 /// - triggers: Picture
 /// - tasks: Wheels
-class chase_ball::ChaseBall::Driving final : public director::Body<chase_ball::detail::Facts<chase_ball::ChaseBall::Driving>> {
+class chase_ball::ChaseBall::Driving final : public director::Body<::chase_ball::detail::Facts<::chase_ball::ChaseBall::Driving>> {
 public:
   using director::Body<detail::Facts<ChaseBall::Driving>>::Body;
 };
 
 /// (chase_ball.yaml:20)
 /// - tasks: Wheels
-class chase_ball::ChaseBall::Turning final : public director::Body<chase_ball::detail::Facts<chase_ball::ChaseBall::Turning>> {
+class chase_ball::ChaseBall::Turning final : public director::Body<::chase_ball::detail::Facts<::chase_ball::ChaseBall::Turning>> {
 public:
   using director::Body<detail::Facts<ChaseBall::Turning>>::Body;
 };
 
 /// (chase_ball.yaml:21)
-class chase_ball::Wheels::Default final : public director::Body<chase_ball::detail::Facts<chase_ball::Wheels::Default>> {
+class chase_ball::Wheels::Default final : public director::Body<::chase_ball::detail::Facts<::chase_ball::Wheels::Default>> {
 public:
   using director::Body<detail::Facts<Wheels::Default>>::Body;
 };

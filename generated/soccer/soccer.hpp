@@ -717,7 +717,7 @@ struct Facts<RightAnkle::Default> : director::NothingDeclared {
 /// (recovery.yaml:17)
 /// - needs: LeftLeg, RightLeg, LeftArm, RightArm
 /// - tasks: LeftLeg, RightLeg, LeftArm, RightArm
-class soccer::Brace::Default final : public director::Body<soccer::detail::Facts<soccer::Brace::Default>> {
+class soccer::Brace::Default final : public director::Body<::soccer::detail::Facts<::soccer::Brace::Default>> {
 public:
   using director::Body<detail::Facts<Brace::Default>>::Body;
 };
@@ -728,7 +728,7 @@ public:
 /// - sets: RisingStep == tucked
 /// - uses: LeftLeg, RightLeg, LeftArm, RightArm
 /// - tasks: LeftLeg, RightLeg, LeftArm, RightArm
-class soccer::GetUp::Tucking final : public director::Body<soccer::detail::Facts<soccer::GetUp::Tucking>> {
+class soccer::GetUp::Tucking final : public director::Body<::soccer::detail::Facts<::soccer::GetUp::Tucking>> {
 public:
   using director::Body<detail::Facts<GetUp::Tucking>>::Body;
 };
@@ -739,7 +739,7 @@ public:
 /// - sets: RisingStep == kneeling
 /// - uses: LeftLeg, RightLeg, LeftArm, RightArm
 /// - tasks: LeftLeg, RightLeg, LeftArm, RightArm
-class soccer::GetUp::Pushing final : public director::Body<soccer::detail::Facts<soccer::GetUp::Pushing>> {
+class soccer::GetUp::Pushing final : public director::Body<::soccer::detail::Facts<::soccer::GetUp::Pushing>> {
 public:
   using director::Body<detail::Facts<GetUp::Pushing>>::Body;
 };
@@ -750,14 +750,14 @@ public:
 /// - sets: Stability == unstable
 /// - uses: LeftLeg, RightLeg, LeftArm, RightArm
 /// - tasks: LeftLeg, RightLeg, LeftArm, RightArm
-class soccer::GetUp::Rising final : public director::Body<soccer::detail::Facts<soccer::GetUp::Rising>> {
+class soccer::GetUp::Rising final : public director::Body<::soccer::detail::Facts<::soccer::GetUp::Rising>> {
 public:
   using director::Body<detail::Facts<GetUp::Rising>>::Body;
 };
 
 /// (safety.yaml:13)
 /// - when: Stability == fallen
-class soccer::FallRecovery::Recovering final : public director::Body<soccer::detail::Facts<soccer::FallRecovery::Recovering>> {
+class soccer::FallRecovery::Recovering final : public director::Body<::soccer::detail::Facts<::soccer::FallRecovery::Recovering>> {
 public:
   using director::Body<detail::Facts<FallRecovery::Recovering>>::Body;
 
@@ -774,7 +774,7 @@ public:
 
 /// (safety.yaml:17)
 /// - when: Stability == falling
-class soccer::FallRecovery::Protecting final : public director::Body<soccer::detail::Facts<soccer::FallRecovery::Protecting>> {
+class soccer::FallRecovery::Protecting final : public director::Body<::soccer::detail::Facts<::soccer::FallRecovery::Protecting>> {
 public:
   using director::Body<detail::Facts<FallRecovery::Protecting>>::Body;
 
@@ -790,19 +790,19 @@ public:
 };
 
 /// All is well. (safety.yaml:21)
-class soccer::FallRecovery::Watching final : public director::Body<soccer::detail::Facts<soccer::FallRecovery::Watching>> {
+class soccer::FallRecovery::Watching final : public director::Body<::soccer::detail::Facts<::soccer::FallRecovery::Watching>> {
 public:
   using director::Body<detail::Facts<FallRecovery::Watching>>::Body;
 };
 
 /// (locomotion.yaml:13)
-class soccer::Walk::Start final : public director::Handler<soccer::detail::Facts<soccer::Walk::Start>> {
+class soccer::Walk::Start final : public director::Handler<::soccer::detail::Facts<::soccer::Walk::Start>> {
 public:
   using director::Handler<detail::Facts<Walk::Start>>::Handler;
 };
 
 /// (locomotion.yaml:14)
-class soccer::Walk::Stop final : public director::Handler<soccer::detail::Facts<soccer::Walk::Stop>> {
+class soccer::Walk::Stop final : public director::Handler<::soccer::detail::Facts<::soccer::Walk::Stop>> {
 public:
   using director::Handler<detail::Facts<Walk::Stop>>::Handler;
 };
@@ -812,7 +812,7 @@ public:
 /// - sets: Stability == unstable
 /// - uses: LeftLeg, RightLeg
 /// - tasks: LeftLeg, RightLeg, LeftArm (optional), RightArm (optional)
-class soccer::Walk::Walking final : public director::Body<soccer::detail::Facts<soccer::Walk::Walking>> {
+class soccer::Walk::Walking final : public director::Body<::soccer::detail::Facts<::soccer::Walk::Walking>> {
 public:
   using director::Body<detail::Facts<Walk::Walking>>::Body;
 };
@@ -823,7 +823,7 @@ public:
 /// - causing: Stability == standing within 2 s
 /// - uses: LeftLeg, RightLeg
 /// - tasks: LeftLeg, RightLeg
-class soccer::Walk::Halting final : public director::Body<soccer::detail::Facts<soccer::Walk::Halting>> {
+class soccer::Walk::Halting final : public director::Body<::soccer::detail::Facts<::soccer::Walk::Halting>> {
 public:
   using director::Body<detail::Facts<Walk::Halting>>::Body;
 };
@@ -835,7 +835,7 @@ public:
 /// - sets: Stability == unstable
 /// - uses: LeftLeg, RightLeg
 /// - tasks: LeftLeg, RightLeg
-class soccer::Kick::Default final : public director::Body<soccer::detail::Facts<soccer::Kick::Default>> {
+class soccer::Kick::Default final : public director::Body<::soccer::detail::Facts<::soccer::Kick::Default>> {
 public:
   using director::Body<detail::Facts<Kick::Default>>::Body;
 };
@@ -843,13 +843,13 @@ public:
 /// (looking.yaml:10)
 /// - needs: Head
 /// - tasks: Head
-class soccer::LookAt::Default final : public director::Body<soccer::detail::Facts<soccer::LookAt::Default>> {
+class soccer::LookAt::Default final : public director::Body<::soccer::detail::Facts<::soccer::LookAt::Default>> {
 public:
   using director::Body<detail::Facts<LookAt::Default>>::Body;
 };
 
 /// (planning.yaml:10)
-class soccer::WalkTo::Default final : public director::Body<soccer::detail::Facts<soccer::WalkTo::Default>> {
+class soccer::WalkTo::Default final : public director::Body<::soccer::detail::Facts<::soccer::WalkTo::Default>> {
 public:
   using director::Body<detail::Facts<WalkTo::Default>>::Body;
 
@@ -867,7 +867,7 @@ public:
 /// (planning.yaml:16)
 /// - uses: Walk, Kick
 /// - triggers: Vision
-class soccer::KickTo::Default final : public director::Body<soccer::detail::Facts<soccer::KickTo::Default>> {
+class soccer::KickTo::Default final : public director::Body<::soccer::detail::Facts<::soccer::KickTo::Default>> {
 public:
   using director::Body<detail::Facts<KickTo::Default>>::Body;
 
@@ -900,7 +900,7 @@ public:
 
 /// (strategy.yaml:13)
 /// - when: Phase == playing
-class soccer::Striker::Playing final : public director::Body<soccer::detail::Facts<soccer::Striker::Playing>> {
+class soccer::Striker::Playing final : public director::Body<::soccer::detail::Facts<::soccer::Striker::Playing>> {
 public:
   using director::Body<detail::Facts<Striker::Playing>>::Body;
 
@@ -919,7 +919,7 @@ public:
 /// Goes to its place before the kick-off, and waits there. (strategy.yaml:17)
 /// - when: Phase == ready
 /// - uses: WalkToReady
-class soccer::Striker::Ready final : public director::Body<soccer::detail::Facts<soccer::Striker::Ready>> {
+class soccer::Striker::Ready final : public director::Body<::soccer::detail::Facts<::soccer::Striker::Ready>> {
 public:
   using director::Body<detail::Facts<Striker::Ready>>::Body;
 
@@ -945,7 +945,7 @@ public:
 };
 
 /// The referee has not started the game yet, or has ended it. (strategy.yaml:24)
-class soccer::Striker::Waiting final : public director::Body<soccer::detail::Facts<soccer::Striker::Waiting>> {
+class soccer::Striker::Waiting final : public director::Body<::soccer::detail::Facts<::soccer::Striker::Waiting>> {
 public:
   using director::Body<detail::Facts<Striker::Waiting>>::Body;
 
@@ -962,7 +962,7 @@ public:
 
 /// (strategy.yaml:29)
 /// - uses: KickTo
-class soccer::KickToGoal::Default final : public director::Body<soccer::detail::Facts<soccer::KickToGoal::Default>> {
+class soccer::KickToGoal::Default final : public director::Body<::soccer::detail::Facts<::soccer::KickToGoal::Default>> {
 public:
   using director::Body<detail::Facts<KickToGoal::Default>>::Body;
 
@@ -982,7 +982,7 @@ public:
 /// - when: Ball == near
 /// - stay: Ball >= close
 /// - triggers: Vision
-class soccer::WalkToBall::Creeping final : public director::Body<soccer::detail::Facts<soccer::WalkToBall::Creeping>> {
+class soccer::WalkToBall::Creeping final : public director::Body<::soccer::detail::Facts<::soccer::WalkToBall::Creeping>> {
 public:
   using director::Body<detail::Facts<WalkToBall::Creeping>>::Body;
 
@@ -1000,7 +1000,7 @@ public:
 /// (strategy.yaml:45)
 /// - when: Ball != lost
 /// - triggers: Vision
-class soccer::WalkToBall::Striding final : public director::Body<soccer::detail::Facts<soccer::WalkToBall::Striding>> {
+class soccer::WalkToBall::Striding final : public director::Body<::soccer::detail::Facts<::soccer::WalkToBall::Striding>> {
 public:
   using director::Body<detail::Facts<WalkToBall::Striding>>::Body;
 
@@ -1016,7 +1016,7 @@ public:
 };
 
 /// Nobody knows where the ball is; turn on the spot until it comes into view. (strategy.yaml:50)
-class soccer::WalkToBall::Searching final : public director::Body<soccer::detail::Facts<soccer::WalkToBall::Searching>> {
+class soccer::WalkToBall::Searching final : public director::Body<::soccer::detail::Facts<::soccer::WalkToBall::Searching>> {
 public:
   using director::Body<detail::Facts<WalkToBall::Searching>>::Body;
 
@@ -1033,7 +1033,7 @@ public:
 
 /// (strategy.yaml:55)
 /// - uses: WalkTo
-class soccer::WalkToReady::Default final : public director::Body<soccer::detail::Facts<soccer::WalkToReady::Default>> {
+class soccer::WalkToReady::Default final : public director::Body<::soccer::detail::Facts<::soccer::WalkToReady::Default>> {
 public:
   using director::Body<detail::Facts<WalkToReady::Default>>::Body;
 
@@ -1051,7 +1051,7 @@ public:
 /// (strategy.yaml:64)
 /// - when: Ball != lost
 /// - triggers: Vision
-class soccer::Look::Tracking final : public director::Body<soccer::detail::Facts<soccer::Look::Tracking>> {
+class soccer::Look::Tracking final : public director::Body<::soccer::detail::Facts<::soccer::Look::Tracking>> {
 public:
   using director::Body<detail::Facts<Look::Tracking>>::Body;
 
@@ -1068,7 +1068,7 @@ public:
 
 /// (strategy.yaml:69)
 /// - triggers: every 600 ms
-class soccer::Look::Sweeping final : public director::Body<soccer::detail::Facts<soccer::Look::Sweeping>> {
+class soccer::Look::Sweeping final : public director::Body<::soccer::detail::Facts<::soccer::Look::Sweeping>> {
 public:
   using director::Body<detail::Facts<Look::Sweeping>>::Body;
 
@@ -1084,26 +1084,26 @@ public:
 };
 
 /// (limbs.yaml:10)
-class soccer::LeftArm::Default final : public director::Body<soccer::detail::Facts<soccer::LeftArm::Default>> {
+class soccer::LeftArm::Default final : public director::Body<::soccer::detail::Facts<::soccer::LeftArm::Default>> {
 public:
   using director::Body<detail::Facts<LeftArm::Default>>::Body;
 };
 
 /// (limbs.yaml:11)
-class soccer::RightArm::Default final : public director::Body<soccer::detail::Facts<soccer::RightArm::Default>> {
+class soccer::RightArm::Default final : public director::Body<::soccer::detail::Facts<::soccer::RightArm::Default>> {
 public:
   using director::Body<detail::Facts<RightArm::Default>>::Body;
 };
 
 /// (limbs.yaml:12)
-class soccer::Head::Default final : public director::Body<soccer::detail::Facts<soccer::Head::Default>> {
+class soccer::Head::Default final : public director::Body<::soccer::detail::Facts<::soccer::Head::Default>> {
 public:
   using director::Body<detail::Facts<Head::Default>>::Body;
 };
 
 /// (servos.yaml:10)
 /// - uses: LeftHipYaw, LeftKnee, LeftAnkle
-class soccer::LeftLeg::Default final : public director::Body<soccer::detail::Facts<soccer::LeftLeg::Default>> {
+class soccer::LeftLeg::Default final : public director::Body<::soccer::detail::Facts<::soccer::LeftLeg::Default>> {
 public:
   using director::Body<detail::Facts<LeftLeg::Default>>::Body;
 
@@ -1140,7 +1140,7 @@ public:
 
 /// (servos.yaml:18)
 /// - uses: RightHipYaw, RightKnee, RightAnkle
-class soccer::RightLeg::Default final : public director::Body<soccer::detail::Facts<soccer::RightLeg::Default>> {
+class soccer::RightLeg::Default final : public director::Body<::soccer::detail::Facts<::soccer::RightLeg::Default>> {
 public:
   using director::Body<detail::Facts<RightLeg::Default>>::Body;
 
@@ -1176,37 +1176,37 @@ public:
 };
 
 /// (servos.yaml:27)
-class soccer::LeftHipYaw::Default final : public director::Body<soccer::detail::Facts<soccer::LeftHipYaw::Default>> {
+class soccer::LeftHipYaw::Default final : public director::Body<::soccer::detail::Facts<::soccer::LeftHipYaw::Default>> {
 public:
   using director::Body<detail::Facts<LeftHipYaw::Default>>::Body;
 };
 
 /// (servos.yaml:28)
-class soccer::LeftKnee::Default final : public director::Body<soccer::detail::Facts<soccer::LeftKnee::Default>> {
+class soccer::LeftKnee::Default final : public director::Body<::soccer::detail::Facts<::soccer::LeftKnee::Default>> {
 public:
   using director::Body<detail::Facts<LeftKnee::Default>>::Body;
 };
 
 /// (servos.yaml:29)
-class soccer::LeftAnkle::Default final : public director::Body<soccer::detail::Facts<soccer::LeftAnkle::Default>> {
+class soccer::LeftAnkle::Default final : public director::Body<::soccer::detail::Facts<::soccer::LeftAnkle::Default>> {
 public:
   using director::Body<detail::Facts<LeftAnkle::Default>>::Body;
 };
 
 /// (servos.yaml:30)
-class soccer::RightHipYaw::Default final : public director::Body<soccer::detail::Facts<soccer::RightHipYaw::Default>> {
+class soccer::RightHipYaw::Default final : public director::Body<::soccer::detail::Facts<::soccer::RightHipYaw::Default>> {
 public:
   using director::Body<detail::Facts<RightHipYaw::Default>>::Body;
 };
 
 /// (servos.yaml:31)
-class soccer::RightKnee::Default final : public director::Body<soccer::detail::Facts<soccer::RightKnee::Default>> {
+class soccer::RightKnee::Default final : public director::Body<::soccer::detail::Facts<::soccer::RightKnee::Default>> {
 public:
   using director::Body<detail::Facts<RightKnee::Default>>::Body;
 };
 
 /// (servos.yaml:32)
-class soccer::RightAnkle::Default final : public director::Body<soccer::detail::Facts<soccer::RightAnkle::Default>> {
+class soccer::RightAnkle::Default final : public director::Body<::soccer::detail::Facts<::soccer::RightAnkle::Default>> {
 public:
   using director::Body<detail::Facts<RightAnkle::Default>>::Body;
 };

@@ -34,8 +34,9 @@ void describe(Code& code, const Model& model, const Provider& provider) {
 void open_class(Code& code, const CppEmission& e, const std::string& name, std::string_view base,
                 const dsl::Span& span) {
   const std::string& in = e.model.name_space;
-  code.open(fmt::format("class {}::{} final : public director::{}<{}::detail::Facts<{}::{}>> {{", in, name, base, in, in,
-                        name),
+  // From the global namespace on: a module may be called like the namespace.
+  code.open(fmt::format("class {}::{} final : public director::{}<::{}::detail::Facts<::{}::{}>> {{", in, name, base,
+                        in, in, name),
             span);
 }
 

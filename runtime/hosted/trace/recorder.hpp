@@ -23,8 +23,10 @@
 
 namespace director {
 
+/// An observer whose events a thread of its own writes into a file.
 class Recorder {
 public:
+  /// How much waits, how long, and what happens when there is no more room.
   struct Options {
     std::size_t queue = 65'536;             ///< how many events can wait
     std::chrono::milliseconds interval{20}; ///< how often what waits is written
@@ -34,6 +36,7 @@ public:
   /// What is written follows from the end of the path: JSON lines, or Perfetto's packets for `.perfetto-trace` and
   /// `.pftrace`. A file that is there is replaced. `names`: `all()` of the behaviour's `names`.
   Recorder(const Names& names, const std::string& path);
+  /// The same, with options.
   Recorder(const Names& names, const std::string& path, Options options);
   /// In a format of your own.
   Recorder(std::unique_ptr<TraceFormat> format, const std::string& path, Options options);

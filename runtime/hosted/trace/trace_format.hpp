@@ -21,10 +21,13 @@ public:
   virtual ~TraceFormat() = default;
 
   // Each appends to `out`.
+  /// What the file begins with.
   virtual void begin(std::string& out) = 0;
+  /// One event, whole by itself.
   virtual void event(const Event& event, std::string& out) = 0;
   /// `count` events are missing here.
   virtual void dropped(std::uint64_t count, std::string& out) = 0;
+  /// What the file ends with, where its writer comes to its end.
   virtual void end(std::string&) {}
 };
 

@@ -4,6 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
+
 using namespace director;
 using namespace director::tests;
 
@@ -14,7 +17,9 @@ struct Told {
   static void hear(void* self, const Event& event) {
     Told& told = *static_cast<Told*>(self);
     const dds::Decision d = dds::decision_of(event, *told.plug);
-    if (event.kind != Event::Kind::set && event.kind != Event::Kind::input && event.kind != Event::Kind::ask)
+    using enum Event::Kind;
+    constexpr std::array no_decisions{set, input, ask, answer, assign, begin, given};
+    if (std::find(no_decisions.begin(), no_decisions.end(), event.kind) == no_decisions.end())
       told.decisions.push_back(d.kind + " " + d.group + "." + d.provider + " for " + d.requester + ": " + d.reason);
     if (const auto ended = told.promises->hear(event))
       told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->group + "." + ended->provider + ": " +
