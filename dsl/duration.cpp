@@ -72,4 +72,6 @@ Duration in_largest_unit(std::int64_t microseconds) {
   return {microseconds, TimeUnit::us};
 }
 
+std::string time_text(std::int64_t microseconds) { return to_text(in_largest_unit(microseconds)); }
+
 } // namespace director::dsl

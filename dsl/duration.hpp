@@ -31,5 +31,6 @@ std::string to_text(const Duration& duration); ///< `500 ms`
 
 /// In seconds, milliseconds or microseconds: the largest of these units that leaves no rest.
 Duration in_largest_unit(std::int64_t microseconds);
+std::string time_text(std::int64_t microseconds); ///< in that unit
 
 } // namespace director::dsl

@@ -153,23 +153,22 @@ int draw_moments(const DrawGraph& request, Console& console) {
   const Subject subject{loaded.model, loaded.graph, graph, true, nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;
-  if (request.frames && (request.format == Format::dot || request.format == Format::svg)) {
-    for (std::uint32_t step = 1; step <= steps; ++step) {
-      const std::optional<Moment> moment = moment_in(loaded, step, {}, sources, console);
-      if (!moment) return found;
-      options->frames.push_back(*moment);
-    }
-  }
-  std::vector<Output> frames;
-  const std::size_t digits = std::to_string(steps).size();
+  std::vector<Moment> moments;
   for (std::uint32_t step = request.frames ? 1 : request.step; step <= (request.frames ? steps : request.step);
        ++step) {
-    options->moment = moment_in(loaded, step, request.time, sources, console);
-    if (!options->moment) return found;
+    std::optional<Moment> moment = moment_in(loaded, step, request.time, sources, console);
+    if (!moment) return found;
+    moments.push_back(std::move(*moment));
+  }
+  if (request.frames && (request.format == Format::dot || request.format == Format::svg)) options->frames = moments;
+  std::vector<Output> frames;
+  const std::size_t digits = std::to_string(steps).size();
+  for (const Moment& moment : moments) {
+    options->moment = moment;
     const std::optional<std::string> text = drawn(subject, sources, request, *options, console);
     if (!text) return misused;
     if (!request.frames) return hand_over(*text, request.output, console);
-    const std::string name = fmt::format("step_{:0{}}.{}", step, digits, ending_of(request.format));
+    const std::string name = fmt::format("step_{:0{}}.{}", frames.size() + 1, digits, ending_of(request.format));
     frames.push_back({(std::filesystem::path(request.output) / name).string(), *text, has_notice});
   }
   return write(frames, console);

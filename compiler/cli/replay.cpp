@@ -17,7 +17,7 @@ namespace {
 /// Where the behaviour is written: as the trace says, else a file of its name; as seen from here, or beside the trace.
 std::string behaviour_of(const Replay& request, const RecordedNames& recorded, Console& console) {
   if (!request.behaviour.empty()) return request.behaviour;
-  const std::string file = recorded.file.empty() ? recorded.behaviour + ".yaml" : recorded.file;
+  const std::string file = recorded.file.empty() ? recorded.behaviour() + ".yaml" : recorded.file;
   const std::size_t folder = request.trace.rfind('/');
   const std::string beside = folder == std::string::npos ? file : request.trace.substr(0, folder + 1) + file;
   constexpr std::size_t any = 1 << 30;

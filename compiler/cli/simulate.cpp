@@ -3,29 +3,33 @@
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/row_names.hpp"
-#include "runtime/hosted/trace/json_lines.hpp"
+#include "runtime/hosted/trace/trace_format.hpp"
 
 namespace director::compiler::cli {
 
 namespace {
 
-/// All events as JSON lines.
-struct Tape {
-  const RowNames rows;
-  director::Names names;
-  std::string text;
-
-  Observer begin(const std::string& file) {
-    names = rows.names();
-    append_header(names, file, text);
-    text += '\n';
+/// All events, as a robot's recorder writes them.
+class Tape {
+public:
+  explicit Tape(const LoadedScenario& loaded)
+      : rows_(loaded.model, loaded.lowered),
+        format_(json_lines(rows_.names(), loaded.behaviour)) {
+    format_->begin(text_);
+  }
+  Observer observer() {
     return {[](void* self, const Event& event) {
               auto& tape = *static_cast<Tape*>(self);
-              append_event(event, tape.names, tape.text);
-              tape.text += '\n';
+              tape.format_->event(event, tape.text_);
             },
             this};
   }
+  std::string take() { return std::move(text_); }
+
+private:
+  const RowNames rows_;
+  const std::unique_ptr<TraceFormat> format_;
+  std::string text_;
 };
 
 } // namespace
@@ -41,11 +45,11 @@ int run(const Simulate& request, Console& console) {
   };
   PlayOptions options;
   options.decisions = request.decisions;
-  Tape tape{RowNames(loaded.model, loaded.lowered), {}, {}};
-  if (!request.trace.empty()) options.events = tape.begin(loaded.behaviour);
+  std::optional<Tape> tape;
+  if (!request.trace.empty()) options.events = tape.emplace(loaded).observer();
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, sink);
-  if (!request.trace.empty()) {
-    if (const auto wrong = console.outputs.write({{request.trace, std::move(tape.text)}})) {
+  if (tape) {
+    if (const auto wrong = console.outputs.write({{request.trace, tape->take()}})) {
       console.err << "directorc: " << *wrong << '\n';
       return misused;
     }

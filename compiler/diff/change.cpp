@@ -75,12 +75,16 @@ constexpr std::array pages{
     ChangeKindPage{Kind::layers, "layers", "Layers have changed, which only pictures and pages show."},
 };
 
+static_assert(std::all_of(pages.begin(), pages.end(), [](const ChangeKindPage& page) {
+  return page.kind == static_cast<Kind>(&page - pages.data());
+}));
+
 } // namespace
 
 std::span<const ChangeKindPage> change_kinds() { return pages; }
 
 const ChangeKindPage& page_of(ChangeKind kind) {
-  return *std::find_if(pages.begin(), pages.end(), [&](const ChangeKindPage& page) { return page.kind == kind; });
+  return pages[static_cast<std::size_t>(kind)];
 }
 
 } // namespace director::compiler

@@ -3,6 +3,7 @@
 //
 // Changes as text, as JSON and as SARIF.
 #include "compiler/diff/diff.hpp"
+#include "compiler/emit/findings_json.hpp"
 
 #include <fmt/format.h>
 
@@ -14,13 +15,6 @@ std::string place_text(const dsl::Span& span, const dsl::Sources& sources) {
   const dsl::SourceFile& file = sources[span.file];
   const dsl::Place place = file.place(span.begin);
   return fmt::format("{}:{}:{}", file.path(), place.line, place.column);
-}
-
-Json place_json(const dsl::Span& span, const dsl::Sources& sources) {
-  const dsl::SourceFile& file = sources[span.file];
-  const dsl::Place place = file.place(span.begin);
-  return Json::object(
-      {{"file", Json::text(file.path())}, {"line", Json::number(place.line)}, {"column", Json::number(place.column)}});
 }
 
 } // namespace

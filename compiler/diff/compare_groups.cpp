@@ -17,13 +17,6 @@ std::vector<std::string> providers_of(const Model& model, const Group& group) {
   return out;
 }
 
-std::optional<ProviderId> find_provider(const Model& model, const Group& group, const std::string& name) {
-  for (const ProviderId id : group.providers) {
-    if (model.providers[id].name == name) return id;
-  }
-  return {};
-}
-
 /// All that makes a group what it is but its own name, for which `@` stands.
 std::string likeness(const Model& model, GroupId of) {
   const auto name = [&](GroupId id) { return id == of ? std::string("@") : name_of(model, id); };

@@ -124,14 +124,12 @@ private:
       }
     }
   }
-  /// No time is longer than any.
   void bound(const std::string& what, std::optional<Microseconds> before, std::optional<Microseconds> after, Span from,
              Span to) {
-    const bool grew = before && (!after || *after > *before);
     const auto text = [](std::optional<Microseconds> time) {
-      return time ? "within " + time_text(*time) : std::string("at no time in particular");
+      return time ? "within " + dsl::time_text(*time) : std::string("at no time in particular");
     };
-    add(grew ? ChangeKind::bound_grew : ChangeKind::bound_shrank,
+    add(bound_change(before, after),
         fmt::format("{} {}; before {}", what, text(after), text(before)), from, to);
   }
 
@@ -222,15 +220,14 @@ private:
   void every() {
     if (before_.every == after_.every) return;
     if (before_.every && after_.every) {
-      const bool grew = *after_.every > *before_.every;
-      add(grew ? ChangeKind::bound_grew : ChangeKind::bound_shrank,
-          fmt::format("`{}` is called again every {}; before every {}", name_, time_text(*after_.every),
-                      time_text(*before_.every)));
+      add(bound_change(before_.every, after_.every),
+          fmt::format("`{}` is called again every {}; before every {}", name_, dsl::time_text(*after_.every),
+                      dsl::time_text(*before_.every)));
     } else if (after_.every) {
-      add(ChangeKind::triggers, fmt::format("`{}` is now called again every {}", name_, time_text(*after_.every)));
+      add(ChangeKind::triggers, fmt::format("`{}` is now called again every {}", name_, dsl::time_text(*after_.every)));
     } else {
       add(ChangeKind::triggers,
-          fmt::format("`{}` is no longer called again every {}", name_, time_text(*before_.every)));
+          fmt::format("`{}` is no longer called again every {}", name_, dsl::time_text(*before_.every)));
     }
   }
 

@@ -58,15 +58,9 @@ public:
   /// Names of the groups that both lead to. `top`: without what these lead to in turn.
   std::vector<std::string> over(const Edge& one, const Edge& other, bool top) {
     const std::vector<bool>&first = led_to(one.target), &second = led_to(other.target);
-    const auto both = [&](GroupId id) { return first[id.value] && second[id.value]; };
     std::vector<std::string> out;
-    for (const GroupId id : model_.groups.ids()) {
-      if (!both(id)) continue;
-      const std::vector<EdgeId>& above = model_.groups[id].requesters;
-      const bool below_another = std::any_of(above.begin(), above.end(), [&](EdgeId edge) {
-        return model_.edges[edge].requester && both(*model_.edges[edge].requester);
-      });
-      if (!top || !below_another) out.push_back(name_of(model_, id));
+    for (const GroupId id : top ? contested(model_, first, second) : model_.groups.ids()) {
+      if (first[id.value] && second[id.value]) out.push_back(name_of(model_, id));
     }
     std::sort(out.begin(), out.end());
     return out;
@@ -85,10 +79,7 @@ public:
 private:
   const std::vector<bool>& led_to(GroupId from) {
     std::vector<bool>& out = led_to_[from.value];
-    if (out.empty()) {
-      out = reachable(graph_.claims, from.value);
-      out[from.value] = true;
-    }
+    if (out.empty()) out = compiler::led_to(graph_, from);
     return out;
   }
 

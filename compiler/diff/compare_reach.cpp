@@ -32,11 +32,12 @@ May find_may(const Checked& checked) {
   return out;
 }
 
-std::optional<ProviderId> find_provider(const Model& model, const std::string& name) {
+/// By its full name.
+const Provider* find_provider(const Model& model, const std::string& name) {
   for (const ProviderId id : model.providers.ids()) {
-    if (model.full_name(id) == name) return id;
+    if (model.full_name(id) == name) return &model.providers[id];
   }
-  return {};
+  return nullptr;
 }
 
 class Reaching {
@@ -62,11 +63,11 @@ public:
     for (const auto& [name, may] : is_.providers) {
       const auto old = was_.providers.find(name);
       if (old == was_.providers.end() || old->second == may) continue;
-      const auto before = find_provider(pair_.old_model, name), after = find_provider(pair_.new_model, name);
-      if (told.count(pair_.new_model.group_of(*after).name.value) != 0) continue;
+      const Provider *const before = find_provider(pair_.old_model, name), *const after = find_provider(pair_.new_model, name);
+      if (told.count(name_of(pair_.new_model, after->group)) != 0) continue;
       changes_.add(may ? ChangeKind::became_reachable : ChangeKind::became_dead, name,
                    fmt::format("`{}` {}", name, may ? "may run now" : "can never run any more"),
-                   pair_.old_model.providers[*before].span, pair_.new_model.providers[*after].span);
+                   before->span, after->span);
     }
     for (const auto& push : is_.pushes) {
       if (was_.pushes.count(push) == 0) pushed(push, true);
@@ -79,9 +80,9 @@ public:
 private:
   void pushed(const std::pair<std::string, std::string>& push, bool now) {
     const auto& [waiter, causer] = push;
-    const auto old = find_provider(pair_.old_model, causer), fresh = find_provider(pair_.new_model, causer);
-    const std::optional<Span> before = old ? std::optional(pair_.old_model.providers[*old].span) : std::nullopt,
-                              after = fresh ? std::optional(pair_.new_model.providers[*fresh].span) : std::nullopt;
+    const Provider *const old = find_provider(pair_.old_model, causer), *const fresh = find_provider(pair_.new_model, causer);
+    const std::optional<Span> before = old ? std::optional(old->span) : std::nullopt,
+                              after = fresh ? std::optional(fresh->span) : std::nullopt;
     changes_.add(now ? ChangeKind::push_gained : ChangeKind::push_lost, causer,
                  fmt::format("`{}` {} push `{}`", waiter, now ? "may now" : "can no longer", causer), before, after);
   }

@@ -45,7 +45,7 @@ Cells play(const Model& model) {
 }
 
 std::string bound_text(const std::optional<Microseconds>& bound) {
-  return bound ? "at most " + time_text(*bound) : std::string("any time");
+  return bound ? "at most " + dsl::time_text(*bound) : std::string("any time");
 }
 
 } // namespace
@@ -78,8 +78,7 @@ void compare_transitions(const Pair& pair, Changes& changes) {
                                                                                       : ChangeKind::transition_changed;
       tell(kind, fmt::format("{} now, before {}", name_of(after.kind), name_of(before.kind)));
     } else if (after.kind == Kind::soft && before.bound != after.bound) {
-      const bool grew = before.bound && (!after.bound || *after.bound > *before.bound);
-      tell(grew ? ChangeKind::bound_grew : ChangeKind::bound_shrank,
+      tell(bound_change(before.bound, after.bound),
            fmt::format("soft, and may take {}, before {}", bound_text(after.bound), bound_text(before.bound)));
     }
   }

@@ -17,11 +17,16 @@ std::string ticked_list(const std::vector<std::string>& words) {
   return and_list(out);
 }
 
+std::optional<ProviderId> find_provider(const Model& model, const Group& group, const std::string& name) {
+  for (const ProviderId id : group.providers) {
+    if (model.providers[id].name == name) return id;
+  }
+  return {};
+}
+
 std::string requester_name(const Model& model, const std::optional<GroupId>& requester) {
   return requester ? ticked(name_of(model, *requester)) : std::string("the program");
 }
-
-std::string time_text(Microseconds time) { return dsl::to_text(dsl::in_largest_unit(time)); }
 
 namespace {
 

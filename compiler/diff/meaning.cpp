@@ -10,6 +10,22 @@
 
 namespace director::compiler::diff {
 
+namespace {
+
+/// What the conditions on each state accept together.
+std::map<StateId, ValueSet> gathered(const Model& model, const std::vector<ConditionUse>& conditions,
+                                     ValueSet (ValueSet::*with)(const ValueSet&) const) {
+  std::map<StateId, ValueSet> out;
+  for (const ConditionUse& use : conditions) {
+    const Condition& condition = model.conditions[use.id];
+    const auto [at, fresh] = out.try_emplace(condition.state, condition.accepts);
+    if (!fresh) at->second = (at->second.*with)(condition.accepts);
+  }
+  return out;
+}
+
+} // namespace
+
 Values values_of(const State& state, const ValueSet& set) {
   Values out;
   out.is_range = state.is_range;
@@ -43,14 +59,8 @@ std::string to_text(const Values& values) {
 }
 
 std::map<std::string, Values> all_of(const Model& model, const std::vector<ConditionUse>& conditions) {
-  std::map<StateId, ValueSet> sets;
-  for (const ConditionUse& use : conditions) {
-    const Condition& condition = model.conditions[use.id];
-    const auto [at, fresh] = sets.try_emplace(condition.state, condition.accepts);
-    if (!fresh) at->second = at->second.intersected(condition.accepts);
-  }
   std::map<std::string, Values> out;
-  for (const auto& [id, set] : sets) {
+  for (const auto& [id, set] : gathered(model, conditions, &ValueSet::intersected)) {
     const State& state = model.states[id];
     if (state.may_be_unset() || set != state.domain()) out.emplace(state.name.value, values_of(state, set));
   }
@@ -58,14 +68,9 @@ std::map<std::string, Values> all_of(const Model& model, const std::vector<Condi
 }
 
 std::map<std::string, Values> any_of(const Model& model, const std::vector<ConditionUse>& conditions) {
-  std::map<StateId, ValueSet> sets;
-  for (const ConditionUse& use : conditions) {
-    const Condition& condition = model.conditions[use.id];
-    const auto [at, fresh] = sets.try_emplace(condition.state, condition.accepts);
-    if (!fresh) at->second = at->second.united(condition.accepts);
-  }
   std::map<std::string, Values> out;
-  for (const auto& [id, set] : sets) out.emplace(model.states[id].name.value, values_of(model.states[id], set));
+  for (const auto& [id, set] : gathered(model, conditions, &ValueSet::united))
+    out.emplace(model.states[id].name.value, values_of(model.states[id], set));
   return out;
 }
 

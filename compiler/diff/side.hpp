@@ -46,6 +46,9 @@ std::string ticked_list(const std::vector<std::string>& words);
 
 inline const std::string& name_of(const Model& model, GroupId id) { return model.groups[id].name.value; }
 
+/// Of one group, by its own name.
+std::optional<ProviderId> find_provider(const Model& model, const Group& group, const std::string& name);
+
 /// "the program", "`Striker`"
 std::string requester_name(const Model& model, const std::optional<GroupId>& requester);
 
@@ -64,8 +67,11 @@ inline bool is_reordered(const std::vector<std::string>& first, const std::vecto
   return missing_in(first, missing_in(first, second)) != missing_in(second, missing_in(second, first));
 }
 
-/// `2 s`
-std::string time_text(Microseconds time);
+/// No bound is longer than any.
+inline ChangeKind bound_change(const std::optional<Microseconds>& before, const std::optional<Microseconds>& after) {
+  const bool grew = before && (!after || *after > *before);
+  return grew ? ChangeKind::bound_grew : ChangeKind::bound_shrank;
+}
 
 // One function for each part of the model. Things that only one side has are told by the part that they belong to.
 void compare_program(const Pair& pair, Changes& changes);

@@ -8,19 +8,30 @@ namespace {
 
 void add_place(Json& to, const dsl::Span& span, const dsl::Sources& sources) {
   const dsl::SourceFile& file = sources[span.file];
-  const dsl::Place begin = file.place(span.begin), end = file.place(span.end);
+  const dsl::Place begin = file.place(span.begin);
   to.add("file", Json::text(file.path()));
   to.add("line", Json::number(begin.line));
   to.add("column", Json::number(begin.column));
+}
+
+void add_range(Json& to, const dsl::Span& span, const dsl::Sources& sources) {
+  const dsl::Place end = sources[span.file].place(span.end);
+  add_place(to, span, sources);
   to.add("end_line", Json::number(end.line));
   to.add("end_column", Json::number(end.column));
 }
 
 } // namespace
 
+Json place_json(const dsl::Span& span, const dsl::Sources& sources) {
+  Json out = Json::object({});
+  add_place(out, span, sources);
+  return out;
+}
+
 Json note_json(const dsl::Note& note, const dsl::Sources& sources) {
   Json row = Json::object({});
-  add_place(row, note.span, sources);
+  add_range(row, note.span, sources);
   row.add("message", Json::text(note.message));
   return row;
 }
@@ -29,7 +40,7 @@ Json finding_json(const dsl::Diagnostic& finding, const dsl::Sources& sources) {
   Json out = Json::object({});
   out.add("id", Json::text(finding.id));
   out.add("level", Json::text(dsl::name_of(finding.level)));
-  add_place(out, finding.span, sources);
+  add_range(out, finding.span, sources);
   out.add("message", Json::text(finding.message));
   Json notes = Json::list({});
   for (const dsl::Note& note : finding.notes) notes.add(note_json(note, sources));

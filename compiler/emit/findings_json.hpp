@@ -11,6 +11,9 @@
 namespace director::compiler {
 
 /// `{"findings": [...]}`
+/// File, line and column.
+Json place_json(const dsl::Span& span, const dsl::Sources& sources);
+
 /// A note: its place and what it says.
 Json note_json(const dsl::Note& note, const dsl::Sources& sources);
 

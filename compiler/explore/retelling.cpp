@@ -39,7 +39,7 @@ void Retelling::begin_step(const Taken& taken) {
 
 bool Retelling::advance(Time by) {
   if (by <= 0) return false;
-  steps_.push_back({"advance: " + dsl::to_text(dsl::in_largest_unit(by))});
+  steps_.push_back({"advance: " + dsl::time_text(by)});
   now_ += by;
   return true;
 }
@@ -69,7 +69,7 @@ bool Retelling::input(const Taken& taken) {
   case Kind::wake: {
     const LastRun& last = last_run_[row];
     if (last.cases == nullptr) return false;
-    (*last.cases)[last.at].push_back("wait: " + dsl::to_text(dsl::in_largest_unit(now_ + tick - last.time)));
+    (*last.cases)[last.at].push_back("wait: " + dsl::time_text(now_ + tick - last.time));
     return advance(tick);
   }
   case Kind::expire: {

@@ -40,6 +40,12 @@ struct Graph {
 
 Graph make_graph(const Model& model);
 
+/// The group, and all that it leads to by requests and needs; by number.
+std::vector<bool> led_to(const Graph& graph, GroupId from);
+
+/// What is in both of these, without what that leads to in turn: what two tasks may contend for.
+std::vector<GroupId> contested(const Model& model, const std::vector<bool>& first, const std::vector<bool>& second);
+
 /// For people and tests: one line for each arrow.
 std::string print_graph(const Model& model, const Graph& graph);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/page/facts.hpp"
 
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/algorithms.hpp"
 #include "compiler/lower/lower.hpp"
@@ -16,27 +18,6 @@
 namespace director::compiler {
 
 namespace {
-
-/// What both sides lead to, without what that leads to in turn.
-Json contested(const Model& model, const Graph& graph, GroupId taker, GroupId loser) {
-  const auto led_to = [&](GroupId from) {
-    std::vector<bool> out = reachable(graph.claims, from.value);
-    out[from.value] = true;
-    return out;
-  };
-  const std::vector<bool> first = led_to(taker), second = led_to(loser);
-  const auto both = [&](GroupId id) { return first[id.value] && second[id.value]; };
-  Json out = Json::list({});
-  for (const GroupId id : model.groups.ids()) {
-    if (!both(id)) continue;
-    const std::vector<EdgeId>& above = model.groups[id].requesters;
-    const bool below_another = std::any_of(above.begin(), above.end(), [&](EdgeId edge) {
-      return model.edges[edge].requester && both(*model.edges[edge].requester);
-    });
-    if (!below_another) out.add(Json::text(model.groups[id].name.value));
-  }
-  return out;
-}
 
 Json priorities(const Edge& edge) {
   Json out = Json::list({});
@@ -65,7 +46,10 @@ Json take_json(const TakeOver& take, const Model& model, const Graph& graph) {
   out.add("by", Json::text(decided_by(taker, loser)));
   out.add("winner_priorities", priorities(taker));
   out.add("loser_priorities", priorities(loser));
-  out.add("over", contested(model, graph, taker.target, loser.target));
+  Json over = Json::list({});
+  for (const GroupId id : contested(model, led_to(graph, taker.target), led_to(graph, loser.target)))
+    over.add(Json::text(model.groups[id].name.value));
+  out.add("over", std::move(over));
   return out;
 }
 
@@ -81,11 +65,8 @@ std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
 }
 
 Graph with_possible_pushes(const Model& model, Graph graph) {
-  std::set<std::pair<GroupId, ProviderId>> pushes; // a task for the group may push the provider, by way of others too
-  for (const CoveragePoint& point : coverage_of(model, graph).points) {
-    if (point.key.kind == CoveragePoint::Kind::push)
-      pushes.emplace(GroupId{point.key.first}, ProviderId{point.key.second});
-  }
+  const auto all = analysis::find_all_pushes(model, analysis::find_facts(model, graph));
+  const std::set<std::pair<GroupId, ProviderId>> pushes(all.begin(), all.end()); // by way of others too
   IdTable<GroupId, std::vector<bool>> plans(model.groups.size()); // what it may wait for: conditions of its needs too
   for (const auto& [task, causer] : pushes) {
     if (plans[task].empty()) plans[task] = reachable(graph.needs, task.value);

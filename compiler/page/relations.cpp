@@ -93,6 +93,6 @@ std::string provider_name(const Json& group, const Json& provider) {
   return name == "default" ? group["name"].as_text() : group["name"].as_text() + "." + name;
 }
 
-std::string time_text(const Json& microseconds) { return dsl::to_text(dsl::in_largest_unit(microseconds.as_number())); }
+std::string time_text(const Json& microseconds) { return dsl::time_text(microseconds.as_number()); }
 
 } // namespace director::compiler::page

@@ -5,10 +5,7 @@
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
-#include "runtime/core/inspect/why_text.hpp"
-
-#include <string>
-#include <vector>
+#include "compiler/play/row_texts.hpp"
 
 namespace director::compiler {
 
@@ -19,16 +16,12 @@ public:
   RowNames& operator=(const RowNames&) = delete;
 
   /// For as long as this object and the lowered tables live.
-  director::Names names() const;
+  director::Names names() const { return texts_.names(tables_); }
   const Tables& tables() const { return tables_; }
 
 private:
-  static const char* value(const void* self, Index state, std::int32_t number);
-
   Tables tables_;
-  std::string behaviour_;
-  std::vector<std::string> groups_, providers_, edges_, conditions_, states_, triggers_, levels_;
-  std::vector<std::vector<std::string>> values_; ///< by state; empty for a range
+  RowTexts texts_;
 };
 
 } // namespace director::compiler

@@ -20,7 +20,7 @@ std::optional<RecordedNames> RecordedNames::read(const Json& header, std::string
     return {};
   }
   RecordedNames out;
-  out.behaviour = header["behaviour"].as_text();
+  out.texts_.behaviour = header["behaviour"].as_text();
   out.file = header["file"].as_text();
   out.fingerprint = header["fingerprint"].as_text();
   if (!out.read_rows(header)) {
@@ -33,18 +33,18 @@ std::optional<RecordedNames> RecordedNames::read(const Json& header, std::string
 bool RecordedNames::read_rows(const Json& header) {
   for (const Json& group : header["groups"].items()) {
     director::Group row;
-    row.providers.begin = static_cast<Index>(rows_.providers.size());
+    row.providers.begin = static_cast<Index>(texts_.providers.size());
     for (const std::string& provider : group["providers"].as_texts()) {
-      rows_.providers.push_back(provider);
+      texts_.providers.push_back(provider);
       provider_rows_.push_back({.group = static_cast<Index>(group_rows_.size())});
     }
-    row.providers.end = static_cast<Index>(rows_.providers.size());
-    rows_.groups.push_back(group["name"].as_text());
+    row.providers.end = static_cast<Index>(texts_.providers.size());
+    texts_.groups.push_back(group["name"].as_text());
     group_rows_.push_back(row);
   }
   const auto group_called = [&](const std::string& name) {
-    const auto found = std::find(rows_.groups.begin(), rows_.groups.end(), name);
-    return found == rows_.groups.end() ? nil : static_cast<Index>(found - rows_.groups.begin());
+    const auto found = std::find(texts_.groups.begin(), texts_.groups.end(), name);
+    return found == texts_.groups.end() ? nil : static_cast<Index>(found - texts_.groups.begin());
   };
   for (const Json& edge : header["edges"].items()) {
     const std::string& name = edge["name"].as_text();
@@ -52,37 +52,24 @@ bool RecordedNames::read_rows(const Json& header) {
     row.requester = group_called(name.substr(0, name.find('>')));
     row.target = group_called(edge["target"].as_text());
     if (row.target == nil) return false;
-    row.levels.begin = static_cast<Index>(rows_.levels.size());
-    for (const std::string& level : edge["levels"].as_texts()) rows_.levels.push_back(level);
-    row.levels.end = static_cast<Index>(rows_.levels.size());
-    rows_.edges.push_back(name);
+    row.levels.begin = static_cast<Index>(texts_.levels.size());
+    for (const std::string& level : edge["levels"].as_texts()) texts_.levels.push_back(level);
+    row.levels.end = static_cast<Index>(texts_.levels.size());
+    texts_.edges.push_back(name);
     edge_rows_.push_back(row);
     if (row.requester == nil) tables_.root_edges = static_cast<Index>(edge_rows_.size());
   }
   for (const Json& state : header["states"].items()) {
-    rows_.states.push_back(state["name"].as_text());
-    values_.push_back(state["values"].as_texts());
+    texts_.states.push_back(state["name"].as_text());
+    texts_.values.push_back(state["values"].as_texts());
   }
-  rows_.triggers = header["triggers"].as_texts();
-  rows_.conditions = header["conditions"].as_texts();
-  level_rows_.resize(rows_.levels.size());
-  condition_rows_.resize(rows_.conditions.size());
-  state_rows_.resize(rows_.states.size());
-  trigger_rows_.resize(rows_.triggers.size());
+  texts_.triggers = header["triggers"].as_texts();
+  texts_.conditions = header["conditions"].as_texts();
+  level_rows_.resize(texts_.levels.size());
+  condition_rows_.resize(texts_.conditions.size());
+  state_rows_.resize(texts_.states.size());
+  trigger_rows_.resize(texts_.triggers.size());
   return true;
-}
-
-template <std::vector<std::string> RecordedNames::Rows::* all>
-const char* RecordedNames::find(const void* self, Index row) {
-  const std::vector<std::string>& rows = static_cast<const RecordedNames*>(self)->rows_.*all;
-  return row < rows.size() ? rows[row].c_str() : "";
-}
-
-const char* RecordedNames::value(const void* self, Index state, std::int32_t number) {
-  if (number == unset) return "unset";
-  const auto& values = static_cast<const RecordedNames*>(self)->values_[state];
-  const auto place = static_cast<std::size_t>(number);
-  return place < values.size() ? values[place].c_str() : "";
 }
 
 director::Names RecordedNames::names() {
@@ -93,17 +80,7 @@ director::Names RecordedNames::names() {
   tables_.conditions = condition_rows_;
   tables_.states = state_rows_;
   tables_.triggers = trigger_rows_;
-  return {.self = this,
-          .group = &find<&Rows::groups>,
-          .provider = &find<&Rows::providers>,
-          .edge = &find<&Rows::edges>,
-          .condition = &find<&Rows::conditions>,
-          .state = &find<&Rows::states>,
-          .value = &value,
-          .trigger = &find<&Rows::triggers>,
-          .level = &find<&Rows::levels>,
-          .tables = &tables_,
-          .behaviour = behaviour.c_str()};
+  return texts_.names(tables_);
 }
 
 } // namespace director::compiler

@@ -4,7 +4,7 @@
 // events, without the behaviour itself.
 
 #include "compiler/base/json.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "compiler/play/row_texts.hpp"
 
 #include <optional>
 #include <string>
@@ -20,19 +20,13 @@ public:
   /// For as long as this object lives and stays where it is.
   director::Names names();
 
-  std::string behaviour, file, fingerprint;
+  std::string file, fingerprint;
+  const std::string& behaviour() const { return texts_.behaviour; }
 
 private:
-  struct Rows {
-    std::vector<std::string> groups, providers, edges, conditions, states, triggers, levels;
-  };
-  template <std::vector<std::string> Rows::* all>
-  static const char* find(const void* self, Index row);
-  static const char* value(const void* self, Index state, std::int32_t number);
   bool read_rows(const Json& header);
 
-  Rows rows_;
-  std::vector<std::vector<std::string>> values_; ///< by state
+  RowTexts texts_;
   std::vector<director::Group> group_rows_;
   std::vector<director::Provider> provider_rows_;
   std::vector<director::Edge> edge_rows_;

@@ -62,7 +62,7 @@ std::string pushes(const Transition& cell, const Model& model) {
   for (const Transition::Push& push : cell.pushes) {
     const std::string& group = model.group_of(push.to).name.value;
     out += fmt::format(" {} is pushed to {} for {}", group, model.providers[push.to].name, push.condition);
-    if (push.within) out += fmt::format(", within {}", dsl::to_text(dsl::in_largest_unit(*push.within)));
+    if (push.within) out += fmt::format(", within {}", dsl::time_text(*push.within));
     out += '.';
   }
   return out;
@@ -103,7 +103,7 @@ std::string words_of(const Transition& cell, const Told& told) {
   case Kind::soft: {
     const std::string all =
         cell.pushes.size() > 1 && cell.bound
-            ? fmt::format(" All of that is promised within {}.", dsl::to_text(dsl::in_largest_unit(*cell.bound)))
+            ? fmt::format(" All of that is promised within {}.", dsl::time_text(*cell.bound))
             : std::string{};
     const std::string bound = cell.bound ? all : " No time is promised for that.";
     return fmt::format("{} waits.{}{} Then {} takes over.{}{}", second, pushes(cell, told.model), bound, second,

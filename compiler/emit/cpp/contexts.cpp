@@ -22,7 +22,7 @@ std::string triggers_text(const Model& model, const Provider& provider) {
   std::string out;
   for (const Use<TriggerId>& use : provider.triggers) out += (out.empty() ? "" : ", ") + model.triggers[use.id].name;
   if (provider.every)
-    out += fmt::format("{}every {}", out.empty() ? "" : ", ", dsl::to_text(dsl::in_largest_unit(*provider.every)));
+    out += fmt::format("{}every {}", out.empty() ? "" : ", ", dsl::time_text(*provider.every));
   return out;
 }
 
@@ -106,7 +106,7 @@ std::string conditions_text(const Model& model, const std::vector<ConditionUse>&
   for (const ConditionUse& use : uses) {
     if (!out.empty()) out += ", ";
     out += model.conditions[use.id].text;
-    if (use.within) out += fmt::format(" within {}", dsl::to_text(dsl::in_largest_unit(*use.within)));
+    if (use.within) out += fmt::format(" within {}", dsl::time_text(*use.within));
   }
   return out;
 }

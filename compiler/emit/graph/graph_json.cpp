@@ -48,12 +48,7 @@ private:
     if (!doc.empty()) out.add("doc", Json::text(doc));
   }
 
-  Json place(const Span& span) const {
-    const dsl::SourceFile& file = of_.sources[span.file];
-    const dsl::Place at = file.place(span.begin);
-    return Json::object(
-        {{"file", Json::text(file.path())}, {"line", Json::number(at.line)}, {"column", Json::number(at.column)}});
-  }
+  Json place(const Span& span) const { return place_json(span, of_.sources); }
 
   Json group_name(GroupId id) const { return Json::text(model_.groups[id].name.value); }
   Json condition_text(const ConditionUse& use) const { return Json::text(model_.conditions[use.id].text); }

@@ -18,7 +18,7 @@ void add_conditions(std::vector<PictureLine>& out, LineKind kind, std::string_vi
                     const std::vector<ConditionUse>& uses) {
   for (const ConditionUse& use : uses) {
     std::string text = model.conditions[use.id].text;
-    if (use.within) text += fmt::format(" within {}", dsl::to_text(dsl::in_largest_unit(*use.within)));
+    if (use.within) text += fmt::format(" within {}", dsl::time_text(*use.within));
     out.push_back({kind, std::string(key), std::move(text)});
   }
 }
@@ -66,7 +66,7 @@ PictureRow PictureWords::row(ProviderId id) const {
     triggers += (triggers.empty() ? "" : ", ") + model_.triggers[use.id].name;
   if (!triggers.empty()) out.lines.push_back({LineKind::runs, "on", triggers});
   if (provider.every)
-    out.lines.push_back({LineKind::runs, "every", dsl::to_text(dsl::in_largest_unit(*provider.every))});
+    out.lines.push_back({LineKind::runs, "every", dsl::time_text(*provider.every)});
   if (provider.packs.size() > 1) {
     for (const Pack& pack : provider.packs) {
       const std::string name = fmt::format("{}, pack {}", model_.full_name(id), pack.name);
