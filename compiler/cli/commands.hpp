@@ -28,6 +28,7 @@ struct Check {
   bool verbose = false;    ///< also memory and bounds
   std::string build;       ///< folder with compile_commands.json, for the types that it names; empty: looked for
   std::size_t explore = 0; ///< states to explore for what never runs; 0: none
+  bool watch = false;      ///< again whenever a file that was read changes
 };
 
 struct Generate {
@@ -117,6 +118,7 @@ struct Test {
   bool coverage = false;
   int min = 0;         ///< percent of each behaviour's points; less is a failure
   bool update = false; ///< write what happens into the files
+  bool watch = false;  ///< again whenever a file that was read changes
 };
 
 struct Dump {

@@ -14,8 +14,7 @@ namespace {
 
 std::optional<Checked> load_from(dsl::FileAccess& files, const std::string& file, const Diff& request,
                                  dsl::Sources& sources, Console& console) {
-  Console other{console.out,     console.err,      console.out_colours, console.err_colours, files,
-                console.outputs, console.programs, console.scanner,     console.headers,     console.out_width};
+  Console other = with_files(console, files, console.outputs);
   return load(file, {}, sources, other, {request.build, {}});
 }
 
