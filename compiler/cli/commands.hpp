@@ -77,6 +77,7 @@ struct Diff {
   std::string before; ///< empty with `revision`
   std::string after;
   std::string revision; ///< empty: `before` is a file
+  bool staged = false;  ///< with `revision`: `after` is what git has staged, not what lies on the disk
   Format format = Format::text;
   Breaking breaking;
   std::string build; ///< folder with compile_commands.json, for the types that they name; empty: looked for
