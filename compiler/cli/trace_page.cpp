@@ -9,7 +9,6 @@
 #include "compiler/play/row_names.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recording.hpp"
-#include "dsl/duration.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
 
@@ -110,7 +109,7 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   PageRecording page;
   const bool whole = Reading(rows.names(), recording, page).read(lines, request.file, console);
   page.about = fmt::format("{} in {}, from {}{}.", counted(recording.events(), "event"),
-                           dsl::time_text(recording.ends() - recording.begins()), shown_path(request.file),
+                           seconds(recording.ends() - recording.begins()) + " s", shown_path(request.file),
                            lines.cut_off() ? ", whose last line is cut off" : "");
   page.data = base64(packed(recording.bytes(header->json)));
   PageWish wish;

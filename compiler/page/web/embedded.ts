@@ -67,7 +67,7 @@ class Embedded implements Source {
 }
 
 /** `initial`: what states are worth before anything is told. */
-export async function decode(base64: string, initial: Map<string, Value>): Promise<Source> {
+export async function decodeRecording(base64: string, initial: Map<string, Value>): Promise<Source> {
   const raw = await inflate(base64);
   const length = new DataView(raw.buffer, raw.byteOffset).getUint32(0, true);
   const head = JSON.parse(new TextDecoder().decode(raw.subarray(4, 4 + length))) as Head;

@@ -32,7 +32,7 @@ export interface Track {
   value: Column<Uint32Array>; // place among Recording.standings or Recording.values
 }
 
-export type Value = string | number | null | undefined; // null: it has none; undefined: not known
+export type Value = string | null | undefined; // null: it has none; undefined: not known
 
 const newTrack = (): Track => ({ event: counts(), value: counts() });
 
@@ -44,6 +44,7 @@ export class Recording {
   readonly groups: Track[];
   readonly states: Track[];
   readonly flows: Column<Uint32Array> = counts(); // events that are a push or a take-over
+  readonly gaps: Column<Uint32Array> = counts(); // events before which some are missing
   readonly standings: Standing[] = [];
   readonly values: Value[] = [undefined, null];
   first = 0;
@@ -135,10 +136,11 @@ export class Recording {
     const shape = this.shapes[number];
     this.time.push(this.time.length > 0 && time < this.time.last ? this.time.last : time);
     this.shape.push(number);
-    for (const group of this.now.apply(shape)) this.put(this.groups[group], event, this.standing(group));
-    if (shape.line.event === 'set' || shape.line.event === 'given') this.put(this.states[shape.state], event, this.value(shape.line.value ?? null));
-    if (shape.line.event === 'dropped') for (const track of this.states) this.put(track, event, 0);
-    if (shape.line.event === 'push' || shape.sort === 'take-over') this.flows.push(event);
+    if (shape.decides) for (const group of this.now.apply(shape)) this.put(this.groups[group], event, this.standing(group));
+    if (shape.setsState) this.put(this.states[shape.state], event, this.value(shape.value));
+    if (shape.isGap) for (const track of this.states) this.put(track, event, 0);
+    if (shape.isFlow) this.flows.push(event);
+    if (shape.isGap) this.gaps.push(event);
   }
 
   private takeLine(line: EventLine & { t?: number }): void {
@@ -187,7 +189,7 @@ export class Recording {
       track.event.drop(gone);
       track.value.drop(gone);
     }
-    this.flows.drop(this.flows.upTo(this.first - 1));
+    for (const column of [this.flows, this.gaps]) column.drop(column.upTo(this.first - 1));
   }
 
   private tell(): void {

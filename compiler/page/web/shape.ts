@@ -22,7 +22,7 @@ export interface EventLine {
 }
 
 /** What people filter by. */
-export const sorts = ['input', 'run', 'take-over', 'control', 'push', 'queue', 'state', 'handler', 'result', 'fault'] as const;
+export const sorts = ['request', 'input', 'run', 'take-over', 'control', 'push', 'queue', 'state', 'handler', 'result', 'fault'] as const;
 export type Sort = (typeof sorts)[number];
 
 /** What a body asked for and answered, which a replay takes, and time that passed: what comes of it is told by other events. */
@@ -33,12 +33,13 @@ export function isTold(line: EventLine): boolean {
 
 function sortOf(line: EventLine): Sort {
   switch (line.event) {
-    case 'input': case 'given': case 'begin': return 'input';
+    case 'input': return line.input === 'set' || line.input === 'trigger' ? 'input' : 'request';
+    case 'given': case 'begin': return 'input';
     case 'run': return 'run';
     case 'grant': return line.from === undefined || line.from === 'limbo' || line.edge === 'limbo' ? 'control' : 'take-over';
-    case 'lose': return 'control';
+    case 'lose': case 'withdraw': return 'control';
     case 'push': case 'release': return 'push';
-    case 'queue': case 'withdraw': return 'queue';
+    case 'queue': return 'queue';
     case 'set': return 'state';
     case 'start': case 'stop': return 'handler';
     case 'done': case 'failed': return 'result';
@@ -54,6 +55,12 @@ export class Shape {
   readonly state: number;
   readonly sort: Sort;
   readonly text: string;
+  readonly value: string | null; // of a state; null: it has none any more
+  /** Somebody may stand elsewhere after it. */
+  readonly decides: boolean;
+  readonly setsState: boolean;
+  readonly isGap: boolean;
+  readonly isFlow: boolean;
   /** Whom it is about: its group, and who asks. */
   readonly groups: number[];
 
@@ -64,12 +71,17 @@ export class Shape {
     this.provider = names.provider(this.group, line.provider);
     this.state = names.state(line.state);
     this.sort = sortOf(line);
+    this.value = line.value === null || line.value === undefined ? null : String(line.value);
+    this.isGap = line.event === 'dropped';
+    this.setsState = line.event === 'set' || line.event === 'given';
+    this.isFlow = line.event === 'push' || this.sort === 'take-over';
+    this.decides = ['run', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.input === 'cancel';
     this.text = textOf(this, names);
     this.groups = [this.group, names.requesters[this.edge] ?? nobody, names.requesters[this.from] ?? nobody].filter((group) => group !== nobody);
   }
 }
 
-const valueText = (line: EventLine): string => (line.value === null || line.value === undefined ? 'no value' : String(line.value));
+const valueText = (line: EventLine): string => String(line.value ?? 'no value');
 
 /** As `directorc trace` prints it; what it leaves out has words like them. */
 function textOf(shape: Shape, names: Names): string {
@@ -106,7 +118,7 @@ function inputText(shape: Shape, names: Names, groupName: string, full: string):
     }
     case 'cancel': return `> cancel ${groupName === '' ? 'all' : groupName}`;
     case 'set': return `> set {${line.state}: ${valueText(line)}}`;
-    case 'trigger': case 'fire': return `> trigger ${line.trigger}`;
+    case 'trigger': return `> trigger ${line.trigger}`;
     default: return `> ${line.input} ${full}`;
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where each group stands, kept up event by event: what the engine's own view says at rest (compiler/play/moment.cpp), found from what it told.
 
-import { limbo, type Names, nobody } from './names';
+import { type Names, nobody } from './names';
 import type { Shape } from './shape';
 
 /** As `directorc graph --step` marks groups; unknown: events are missing, and nothing was told of it since. */
@@ -139,6 +139,3 @@ export class Standings {
     return this.touched;
   }
 }
-
-/** For limbo and the like: the edge alone, or nothing. */
-export const isEdge = (edge: number): boolean => edge !== nobody && edge !== limbo;
