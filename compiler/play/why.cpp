@@ -149,13 +149,16 @@ std::string place(const Span& span, const dsl::Sources& sources) {
 } // namespace
 
 Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered) {
-  const Because because = why(view, static_cast<Index>(group.value));
-  const RowNames names(model, lowered);
+  return reason_why(view, why(view, static_cast<Index>(group.value)), model, lowered, RowNames(model, lowered).names());
+}
+
+Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,
+                     const director::Names& names) {
   std::string buffer(4096, '\0');
   Reasoning out;
-  out.group = model.groups[group].name.value;
+  out.group = model.groups[GroupId{because.asked}].name.value;
   out.kind = kinds[static_cast<std::size_t>(because.kind)];
-  out.text = to_text(because, names.names(), buffer);
+  out.text = to_text(because, names, buffer);
   out.notes = Reasoner(view, model, lowered).notes(because);
   return out;
 }
