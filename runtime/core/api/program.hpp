@@ -121,9 +121,8 @@ public:
 
 protected:
   /// By generated code.
-  Program(const Bodies& bodies, Observer observer)
-      : inbox_(cells_, words_),
-        engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer) {}
+  explicit Program(const Bodies& bodies)
+      : inbox_(cells_, words_), engine_(Facts::tables(), State::in(memory_.data(), layout), bodies, inbox_) {}
   ~Program() = default;
 
   /// A step to this time; generated code has the typed one.
@@ -132,6 +131,8 @@ protected:
   StepResult step_on() { return checked(engine_.step()); }
   /// The slots of all tasks' data.
   typename Facts::Data& data() { return data_; }
+  /// Who is told from now on. Defined where it is called: without an observer nothing that tells is linked.
+  void observe(Observer observer) { engine_.observe(observer); }
   /// What an observer threw was kept: the step ends.
   void observer_threw() { engine_.end_with_fault(); }
 
@@ -150,7 +151,8 @@ private:
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
   std::array<OverflowSlots::Slot, OverflowSlotOf<Facts>::count> words_;
-  alignas(State::alignment) std::array<std::byte, State::bytes(Facts::shape)> memory_;
+  static constexpr State::Layout layout = State::layout(Facts::shape);
+  alignas(State::alignment) std::array<std::byte, layout.bytes()> memory_;
   Inbox inbox_;
   Engine engine_;
 };
