@@ -18,15 +18,6 @@ director::Input record(director::Input::Kind kind, std::uint32_t thing) {
   return out;
 }
 
-Told told(const Event& e, Time shift) {
-  const auto number = [](auto member) { return static_cast<std::int64_t>(member); };
-  const auto time = [&](Time t) { return t == never ? never : t - shift; };
-  return {number(e.kind),      number(e.input),   number(e.reasons.bits()), number(e.why),   number(e.group),
-          number(e.provider),  number(e.edge),    number(e.other),          number(e.state), number(e.condition),
-          number(e.trigger),   number(e.level),   number(e.outcome),        number(e.pack),  number(e.value),
-          number(e.count),     time(e.time),      time(e.until),            time(e.due),     number(e.micro_step)};
-}
-
 } // namespace
 
 EngineRun::EngineRun(const Compiled& compiled, bool leap)
@@ -38,7 +29,7 @@ EngineRun::EngineRun(const Compiled& compiled, bool leap)
       leap_(leap) {
   recorder_.share({[](void* self, const Event& event) {
                      EngineRun& run = *static_cast<EngineRun*>(self);
-                     run.events_.push_back(told(event, run.shift_));
+                     run.events_.push_back(tests::numbers_of(event, run.shift_));
                    },
                    this});
   robot_ = robot();
@@ -77,7 +68,7 @@ SaveResult EngineRun::cut(Time later, std::vector<std::byte>& bytes) {
 
 LoadResult EngineRun::load(std::span<const std::byte> bytes) {
   std::unique_ptr<Robot> next = robot();
-  const LoadResult loaded = director::load(next->engine, bytes, now_ + shift_, fingerprint);
+  const LoadResult loaded = director::load(next->engine, bytes, robot_->engine.memory().counters->until, fingerprint);
   if (loaded != LoadResult::loaded) return loaded;
   next->engine.set_budget(1);
   robot_ = std::move(next);

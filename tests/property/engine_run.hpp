@@ -10,14 +10,11 @@
 #include "runtime/hosted/engine_memory.hpp"
 #include "tests/property/compiled.hpp"
 #include "tests/property/snapshot.hpp"
+#include "tests/support/numbers_of_event.hpp"
 
-#include <array>
 #include <memory>
 
 namespace director::property {
-
-/// Each member of an Event as a number, with the times of an engine that was never cut.
-using Told = std::array<std::int64_t, 20>;
 
 class EngineRun {
 public:
@@ -30,7 +27,8 @@ public:
   bool micro_step(); ///< false: it rests, the step is over
   Snapshot snapshot() const;
   const std::vector<std::string>& trace() const { return trace_; }
-  const std::vector<Told>& events() const { return events_; } ///< all that the observer was told
+  /// All that the observer was told, with the times of an engine that was never cut.
+  const std::vector<tests::EventNumbers>& events() const { return events_; }
   const Engine& engine() const { return robot_->engine; }
 
   /// Goes on with a new engine, which stands at a time that is later by so much and knows only what was saved. If nothing could be
@@ -60,7 +58,7 @@ private:
   bool leap_;
   Time now_ = 0, until_ = 0;
   Time shift_ = 0; ///< the engine's time is so much later
-  std::vector<Told> events_;
+  std::vector<tests::EventNumbers> events_;
   std::unique_ptr<Robot> robot_;
 };
 
