@@ -3,7 +3,7 @@
 //
 // What the engine calls: functions without a type that find the module and the context, and keep what is thrown.
 #include "compiler/emit/cpp/parts.hpp"
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <fmt/format.h>

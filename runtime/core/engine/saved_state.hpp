@@ -39,7 +39,7 @@ enum class LoadResult : std::uint8_t {
 constexpr const char* to_text(SaveResult result) {
   switch (result) {
   case SaveResult::saved: return "saved";
-  case SaveResult::too_small: return "not saved: the span is smaller than Behaviour::saved_bytes";
+  case SaveResult::too_small: return "not saved: the span is smaller than Behaviour::saved_bytes()";
   case SaveResult::inputs_wait:
     return "not saved: inputs wait in the inbox; call step() first, and post nothing until the state is saved";
   case SaveResult::refused:

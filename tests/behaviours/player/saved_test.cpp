@@ -2,6 +2,7 @@
 // The soccer player's behaviour is saved in the middle of a game and goes on in a new object: what its tasks carry comes along.
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
+#include "runtime/hosted/trace/fingerprint.hpp"
 #include "tests/property/random.hpp"
 #include "tests/support/numbers_of_event.hpp"
 
@@ -67,6 +68,10 @@ struct Player {
   std::unique_ptr<soccer::Behaviour> behaviour;
 };
 
+TEST_CASE("the fingerprint in generated code is the one that traces have") {
+  CHECK(soccer::detail::Whole::fingerprint() == director::fingerprint(soccer::names::all()));
+}
+
 constexpr int a_minute = 60'000;
 
 TEST_CASE("a game whose behaviour is replaced now and then by what was saved of it is the same game") {
@@ -98,6 +103,63 @@ TEST_CASE("a game whose behaviour is replaced now and then by what was saved of 
     CHECK(whole.world.kicks() > 0);
     CHECK(whole.events == cut.events);
   }
+}
+
+/// In the middle of a game.
+Bytes some_state(Player& player) {
+  while (player.world.now() < 20'000) {
+    player.tick();
+    player.step();
+  }
+  Bytes bytes;
+  REQUIRE(player.behaviour->save(bytes) == SaveResult::saved);
+  return bytes;
+}
+
+TEST_CASE("a slot of data that is neither full nor empty, or empty where somebody lives on it, is refused") {
+  Player player(1);
+  Bytes bytes = some_state(player);
+  const std::size_t data = director::saved_bytes(soccer::detail::Whole::shape);
+  const director::saved::Layout at(soccer::detail::Whole::shape);
+  const auto walk = director::saved::read<director::saved::GroupRow>(bytes.data() + at.groups, soccer::detail::Whole::Groups::row<soccer::Walk>);
+  REQUIRE(walk.active != director::nil);
+  REQUIRE(walk.data_from != director::nil);
+  // The first slots are those of Walk, one for each way of requesting it, then its own.
+  const std::size_t slot = data + soccer::detail::Whole::places[walk.data_from] * (1 + sizeof(soccer::WalkCommand));
+  for (const int full : {0, 2}) {
+    bytes[slot] = static_cast<std::byte>(full);
+    director::saved::seal(bytes);
+    CHECK(player.behaviour->load(bytes, player.now()) == LoadResult::impossible);
+  }
+  bytes[slot] = std::byte{1};
+  director::saved::seal(bytes);
+  CHECK(player.behaviour->load(bytes, player.now()) == LoadResult::loaded);
+}
+
+TEST_CASE("a game that goes on from bytes that nobody saved does no harm") {
+  Player origin(2);
+  const Bytes state = some_state(origin);
+  director::property::Random random(1);
+  const std::size_t decisions = director::saved_bytes(soccer::detail::Whole::shape);
+  const std::size_t head = director::saved::bytes_of<director::saved::HeadRow>();
+  int accepted = 0, refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Bytes bytes = state;
+    for (std::size_t changes = 1 + random.below(3); changes > 0; --changes) {
+      std::byte& each = bytes[head + random.below(decisions - head)]; // what bodies make of other data is theirs to check
+      each = random.chance(0.5) ? static_cast<std::byte>(random.below(30)) : random.chance(0.5) ? std::byte{0xFF} : each ^ std::byte{1};
+    }
+    director::saved::seal(bytes);
+    Player player(2);
+    const LoadResult result = player.behaviour->load(bytes, player.now());
+    ++(result == LoadResult::loaded ? accepted : refused);
+    for (int tick = 0; result == LoadResult::loaded && tick < 20; ++tick) {
+      player.tick();
+      player.step();
+    }
+  }
+  CHECK(accepted > 100);
+  CHECK(refused > 100);
 }
 
 } // namespace
