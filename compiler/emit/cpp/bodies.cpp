@@ -3,6 +3,8 @@
 //
 // What the engine calls: functions without a type that find the module and the context, and keep what is thrown.
 #include "compiler/emit/cpp/parts.hpp"
+#include "compiler/lower/row_names.hpp"
+#include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <fmt/format.h>
 
@@ -178,6 +180,8 @@ Code bodies_part(const CppEmission& e) {
   code.line("namespace detail {");
   code.blank();
   code.line("const director::Tables& Whole::tables() { return rows; }");
+  code.line(fmt::format("std::uint64_t Whole::fingerprint() {{ return 0x{:016x}; }}",
+                        director::fingerprint(RowNames(e.model, e.from.lowered).names())));
   code.blank();
   code.block(called_from_inside);
   code.blank();

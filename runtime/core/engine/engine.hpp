@@ -103,6 +103,7 @@ public:
   std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< so far
   std::uint64_t passes() const { return passes_; } ///< of arbitration over a component, so far
   bool inside() const { return inside_; }          ///< a body, handler or observer is running; for the thread that calls step()
+  bool inputs_wait() const { return inbox_.waits(); } ///< something was posted that no step has taken yet; for that thread too
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs so far; from any thread
   std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
   /// So far: groups placed, units decided, and choices and plans tried, those of searches for pushes among them.
@@ -120,6 +121,7 @@ public:
 private:
   friend class Run;
   friend class Handling;
+  friend class LoadedState; // saved_state.cpp
 
   /// What a micro-step found to do.
   enum class Taken : std::uint8_t { nothing, no_change, change };
