@@ -57,15 +57,18 @@ std::string place(const Span& span, const dsl::Sources& sources) {
 } // namespace
 
 Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered) {
-  const Because because = why(view, static_cast<Index>(group.value));
-  const RowNames names(model, lowered);
+  return reason_why(view, why(view, static_cast<Index>(group.value)), model, lowered, RowNames(model, lowered).names());
+}
+
+Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,
+                     const director::Names& names) {
   std::string buffer(4096, '\0');
   Reasoning out;
-  out.group = model.groups[group].name.value;
+  out.group = model.groups[GroupId{because.asked}].name.value;
   out.kind = name_of(because.kind);
-  out.text = to_text(because, names.names(), buffer);
+  out.text = to_text(because, names, buffer);
   const Places places(because, model, lowered, *view.tables);
-  for (WhyNote& note : why_notes(view, because, names.names())) {
+  for (WhyNote& note : why_notes(view, because, names)) {
     const Span span = places.of(note);
     out.notes.push_back({std::move(note.text), span});
   }
