@@ -14,9 +14,9 @@
 namespace director::live {
 
 struct Request {
-  std::string method, path;
-  std::multimap<std::string, std::string> parameters;
-  std::string host, origin, last_event; ///< headers; empty where they are missing
+  std::string method = {}, path = {};
+  std::multimap<std::string, std::string> parameters = {};
+  std::string host = {}, origin = {}, last_event = {}; ///< headers; empty where they are missing
   bool has_body = false;
 };
 

@@ -16,7 +16,7 @@ namespace director::live {
 
 namespace {
 
-constexpr int waiting = 128; ///< connections that nobody has taken yet
+constexpr int waiting = SOMAXCONN; ///< connections that nobody has taken yet: who finds no place tries again after a second
 
 std::string words(int error) { return std::generic_category().message(error); }
 
