@@ -4,6 +4,11 @@
 #include "runtime/core/arbitration/order.hpp"
 
 #include "runtime/core/base/heap_sort.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char order = 0;
+}
 
 namespace director::arbitration {
 
@@ -20,14 +25,6 @@ inline int compare_parted(const Context& x, const Parting& at, Index length_a, I
 }
 
 } // namespace
-
-/// The walk has passed something that it is a part of.
-bool is_passed(const Context& x, Index group) {
-  for (; group != nil && !is_opened(x, group); group = requester_of_holder(x, x.s.last[group])) {
-    if ((x.s.group_trail[group] & trail::passed) != 0) return true;
-  }
-  return false;
-}
 
 Chain chain(const Context& x, Place place) {
   Chain out;

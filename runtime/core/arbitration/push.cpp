@@ -10,6 +10,11 @@
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char pushes = 0;
+}
 
 namespace director::arbitration {
 
@@ -204,6 +209,17 @@ bool asked_for(const Context& x, Index group) {
 
 } // namespace
 
+/// There is a push on the group.
+Index preferred_by_push(const Context& x, Index group, Index place, Index edge) {
+  const Index begin = x.t.groups[group].providers.begin;
+  const Index first = pushed_first(x, group, edge);
+  if (first == nil) return static_cast<Index>(begin + place);
+  if (place == 0) return first;
+  const auto usual = static_cast<Index>(begin + place - 1);
+  return usual < first ? usual : static_cast<Index>(usual + 1);
+}
+
+/// The unit is granted.
 void keep_own_pushes(Context& x, Index count) {
   if (!pushes(x, count)) return;
   if (!injected(Fault::served_pushes_end)) keep_serving_pushes(x, count);
@@ -219,8 +235,7 @@ void list_push(Context& x, Index group) {
   x.s.pushed[x.row.order + x.pushed_count++] = group;
 }
 
-/// The pushes that the unit made before stay.
-void keep_pushes(Context& x, Index count) {
+void keep_last_pushes(Context& x, Index count) {
   if (!pushes(x, count)) return;
   for (const Index g : pushed_groups(x)) {
     const Push& push = x.s.last[g].push;
@@ -299,8 +314,7 @@ void mark_pushers(Context& x) {
   }
 }
 
-void reach_pushes_of(Context& x, Index edge) {
-  if ((x.s.edge_marks[edge] & mark::pushes) == 0) return;
+void reach_pushes(Context& x, Index edge) {
   for (const Index g : pushed_groups(x)) {
     if (x.s.last[g].push.edge == edge) reach(x, g);
   }
