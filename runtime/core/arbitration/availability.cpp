@@ -4,6 +4,7 @@
 #include "runtime/core/arbitration/availability.hpp"
 
 #include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/parts.hpp"
 
@@ -98,6 +99,21 @@ bool denied_in_vain(Context& x) {
     return true;
   }
   return false;
+}
+
+/// What the sweep decided, but for which denials are forgotten.
+void take_back(Context& x) {
+  clear_marks(x);
+  if (x.pushed_count != 0) mark_pushers(x);
+  for (const Index g : opened(x)) {
+    x.s.group_marks[g] &= mark::forgotten | mark::listed;
+    clear(x, g);
+  }
+  const Index* const order = x.s.order + x.row.order;
+  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
+    x.s.place[order[i]] = i;
+    x.s.next_order[x.row.order + i] = order[i];
+  }
 }
 
 } // namespace director::arbitration

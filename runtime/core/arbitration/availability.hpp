@@ -12,6 +12,7 @@ DIRECTOR_PART bool kept_by_equal(Context& x, Index group, Index edge, bool recor
 DIRECTOR_PART bool may_be_denied(Context& x, Index member);
 DIRECTOR_PART bool is_disputed(const Context& x, Index member);
 DIRECTOR_PART bool denied_in_vain(Context& x);
+DIRECTOR_PART void take_back(Context& x);
 
 /// One member alone. Whether it is disputed is asked once for all that is tried with it.
 inline void take_in_hand(Context& x, Index member) {

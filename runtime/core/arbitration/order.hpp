@@ -89,6 +89,8 @@ DIRECTOR_PART int compare_relatives(const Context& x, Index a, Index b, bool in_
 DIRECTOR_PART int compare_chains(const Context& x, Place a, Place b, bool in_order);
 bool never_equal(const Context& x, Place a, Place b);
 DIRECTOR_PART void sort_by_holders(const Context& x, std::span<Index> groups, Chains along);
+DIRECTOR_PART void sort_by_place(const Context& x, std::span<Index> groups, Chains along);
+DIRECTOR_PART void sort_roots(Context& x);
 
 inline bool is_limbo(const Context& x, Index edge) { return edge >= x.t.edges.size(); }
 

@@ -35,22 +35,6 @@ void open_all(Context& x) {
   if (x.pushed_count != 0) mark_pushers(x);
 }
 
-/// From the beginning, but for which denials are forgotten.
-void sweep_again(Context& x) {
-  clear_marks(x);
-  if (x.pushed_count != 0) mark_pushers(x);
-  for (const Index g : opened(x)) {
-    x.s.group_marks[g] &= mark::forgotten | mark::listed;
-    clear(x, g);
-  }
-  const Index* const order = x.s.order + x.row.order;
-  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
-    x.s.place[order[i]] = i;
-    x.s.next_order[x.row.order + i] = order[i];
-  }
-  begin_sweep(x);
-}
-
 /// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
 void finish(Context& x) {
   if (is_followed(x)) leave_to(x, nil);
@@ -66,22 +50,6 @@ void finish(Context& x) {
 
 } // namespace
 
-/// On edges, and where the walk passed.
-void clear_marks(Context& x) {
-  const auto clear_edge = [&](Index e) {
-    x.s.edge_marks[e] = 0;
-    x.s.group_trail[x.t.edges[e].target] &= static_cast<std::uint8_t>(~trail::passed);
-  };
-  for (const Index e : x.t.list(x.row.edges)) {
-    if (x.t.edges[e].requester != nil) break; // those of root come first
-    clear_edge(e);
-  }
-  for (const Index g : opened(x)) {
-    const Range edges = x.t.groups[g].edges;
-    for (Index e = edges.begin; e != edges.end; ++e) clear_edge(e);
-  }
-}
-
 void decide(Context& x, Index component) {
   x.row = x.t.components[component];
   x.component = component;
@@ -94,10 +62,15 @@ void decide(Context& x, Index component) {
   x.had_pushes = x.pushed_count != 0;
   x.depends_on_stale = false;
   x.depends_on_last = x.had_pushes || x.s.on_last[component] != 0;
-  sort_roots(x);
-  for (begin_sweep(x);; sweep_again(x)) {
+  if ((x.s.component[component] & work::reordered) != 0) {
+    x.s.component[component] &= static_cast<std::uint8_t>(~work::reordered);
+    const Index first = x.s.first_root[component];
+    if (first != nil && x.s.next_root[first] != nil) sort_roots(x);
+  }
+  for (begin_sweep(x);; begin_sweep(x)) {
     sweep(x);
     if (x.denied_count == 0 || !denied_in_vain(x)) break;
+    take_back(x);
   }
   x.walking = false;
   x.limbo_begin = x.placed;

@@ -246,23 +246,25 @@ void keep_last_pushes(Context& x, Index count) {
 /// Pushes made before stay; new ones are made only if every condition is served.
 void push_for(Context& x, Index count, Index unmet) {
   const auto theirs = [&](Index g) -> const Push& { return x.s.now[g].push; }; // made by units before this one
-  const auto begin = [&](Index g) {
+  const Index* const pushed = x.s.pushed + x.row.order;
+  const auto begin = [&](Index at) {
+    const Index g = pushed[at];
     const Push& push = x.s.last[g].push;
     const bool ours = push.edge != nil && in_unit(x, push.edge, count) &&
                       (theirs(g).edge == nil || theirs(g).provider == push.provider);
-    x.s.own[g] = ours ? push : Push{};
-    x.s.first[g] = Push{};
+    x.s.own[at] = ours ? push : Push{};
+    x.s.first[at] = Push{};
     x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
   };
   // It looks at the requests, claims and pushes of many.
   for (Index at = 0; at < count; ++at) x.s.edge_trail[x.s.member[at]] |= trail::waits;
-  for (const Index g : pushed_groups(x)) begin(g);
+  for (Index at = 0; at < x.pushed_count; ++at) begin(at);
   bool all_served = true;
   for (Index i = 0; i < unmet; ++i) {
     bool served = false;
-    for (const Index g : pushed_groups(x)) {
-      if (x.s.own[g].edge == nil || !satisfies(x, x.s.own[g].provider, x.s.unmet[i])) continue;
-      x.s.group_marks[g] |= mark::busy;
+    for (Index at = 0; at < x.pushed_count; ++at) {
+      if (x.s.own[at].edge == nil || !satisfies(x, x.s.own[at].provider, x.s.unmet[i])) continue;
+      x.s.group_marks[pushed[at]] |= mark::busy;
       served = true;
     }
     Push push;
@@ -272,15 +274,17 @@ void push_for(Context& x, Index count, Index unmet) {
       continue;
     }
     const Index group = x.t.providers[push.provider].group;
-    if ((x.s.group_marks[group] & mark::listed) == 0) list_push(x, group), begin(group);
-    Push& first = x.s.first[group];
-    if (first.edge == nil) first = push; // one group serves one condition after the other
+    if ((x.s.group_marks[group] & mark::listed) == 0) list_push(x, group), begin(static_cast<Index>(x.pushed_count - 1));
+    Index at = 0;
+    while (pushed[at] != group) ++at;
+    if (x.s.first[at].edge == nil) x.s.first[at] = push; // one group serves one condition after the other
   }
-  for (const Index g : pushed_groups(x)) {
+  for (Index at = 0; at < x.pushed_count; ++at) {
+    const Index g = pushed[at];
+    Push &own = x.s.own[at], &first = x.s.first[at];
     const bool free = (x.s.group_marks[g] & mark::busy) == 0 && theirs(g).edge == nil;
-    if (all_served && x.s.first[g].edge != nil && free && x.s.own[g].provider != x.s.first[g].provider)
-      x.s.own[g] = x.s.first[g];
-    if (x.s.own[g].edge != nil && theirs(g).edge == nil) set_push(x, g, x.s.own[g]);
+    if (all_served && first.edge != nil && free && own.provider != first.provider) own = first;
+    if (own.edge != nil && theirs(g).edge == nil) set_push(x, g, own);
   }
 }
 

@@ -24,7 +24,6 @@ DIRECTOR_PART void move(Context& x, Index group);
 void disturb(Context& x);
 void take_up(Context& x, Index edge, bool with_siblings);
 void take_up_last(Context& x, Index group);
-void clear_marks(Context& x);
 
 /// This pass looks at the group, and so at all above it.
 inline void open(Context& x, Index group) {
@@ -100,6 +99,22 @@ inline void begin_decision(Context& x, Index count) {
 
 inline void end_decision(Context& x, Index count) {
   if (is_followed(x)) compare_with_last(x, count);
+}
+
+/// On edges, and where the walk passed.
+inline void clear_marks(Context& x) {
+  const auto clear_edge = [&](Index e) {
+    x.s.edge_marks[e] = 0;
+    x.s.group_trail[x.t.edges[e].target] &= static_cast<std::uint8_t>(~trail::passed);
+  };
+  for (const Index e : x.t.list(x.row.edges)) {
+    if (x.t.edges[e].requester != nil) break; // those of root come first
+    clear_edge(e);
+  }
+  for (const Index g : opened(x)) {
+    const Range edges = x.t.groups[g].edges;
+    for (Index e = edges.begin; e != edges.end; ++e) clear_edge(e);
+  }
 }
 
 } // namespace director::arbitration

@@ -8,7 +8,6 @@
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/heap_sort.hpp"
 
 namespace director::arbitration {
 
@@ -87,38 +86,6 @@ void walk_on(Context& x) {
 
 void visit_root(Context& x, Index edge) {
   visit(x, edge, static_cast<std::uint8_t>(x.s.edge_marks[edge] | mark::alone));
-}
-
-/// Edges of root stay linked in order from pass to pass: few are in another place than before, and mostly none is.
-void sort_roots(Context& x) {
-  if ((x.s.component[x.component] & work::reordered) == 0) return;
-  x.s.component[x.component] &= static_cast<std::uint8_t>(~work::reordered);
-  const auto comes_first = [&](Index a, Index b) {
-    return compare_siblings(x, a, b) < 0;
-  };
-  Index* link = &x.s.first_root[x.component];
-  Index last = nil, moved = 0;
-  for (Index e = *link; e != nil;) {
-    const Index following = x.s.next_root[e];
-    if (last != nil && comes_first(e, last)) {
-      x.s.candidate[moved++] = e;
-    } else {
-      *link = e;
-      link = &x.s.next_root[e];
-      last = e;
-    }
-    e = following;
-  }
-  *link = nil;
-  heap_sort({x.s.candidate, moved}, comes_first);
-  link = &x.s.first_root[x.component];
-  for (Index i = 0; i < moved; ++i) {
-    const Index e = x.s.candidate[i];
-    while (*link != nil && comes_first(*link, e)) link = &x.s.next_root[*link];
-    x.s.next_root[e] = *link;
-    *link = e;
-    link = &x.s.next_root[e];
-  }
 }
 
 /// Tries candidates, the first in order first, until none is left, and puts down who is claimed in the order in which

@@ -7,7 +7,6 @@
 
 namespace director::arbitration {
 
-void sort_roots(Context& x);
 void sweep(Context& x);
 void sweep_below(Context& x, Index group);
 void visit(Context& x, Index edge, std::uint8_t marks);

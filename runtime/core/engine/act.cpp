@@ -5,7 +5,6 @@
 // reasons to run.
 
 #include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/engine/notes.hpp"
 
 namespace director {
@@ -50,16 +49,8 @@ void Engine::act_on_all_touched() {
     last = component;
     x_.s.touched[count++] = group;
   }
-  if (!sorted) sort_by_place({x_.s.touched, count}, arbitration::Chains::previous);
+  if (!sorted) arbitration::sort_by_place(x_, {x_.s.touched, count}, arbitration::Chains::previous);
   for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.request[x_.s.last[x_.s.touched[i]].holder].anew != 0);
-}
-
-/// In the order of all: the groups of one component know their places.
-void Engine::sort_by_place(std::span<Index> groups, arbitration::Chains along) const {
-  heap_sort(groups, [&](Index a, Index b) {
-    if (x_.t.groups[a].component == x_.t.groups[b].component) return x_.s.place[a] < x_.s.place[b];
-    return arbitration::before_in_order(x_, a, b, along);
-  });
 }
 
 /// What was held in the components decided again, in the old order.
@@ -70,10 +61,10 @@ std::span<const Index> Engine::held_before(Index passes) {
   if (passes == 1) return part(x_.s.work[0]);
   Index count = 0;
   for (Index i = 0; i < passes; ++i) {
-    for (const Index group : part(x_.s.work[i])) x_.s.sorted[count++] = group;
+    for (const Index group : part(x_.s.work[i])) x_.s.reach[count++] = group;
   }
-  arbitration::sort_by_holders(x_, {x_.s.sorted, count}, arbitration::Chains::previous);
-  return {x_.s.sorted, count};
+  arbitration::sort_by_holders(x_, {x_.s.reach, count}, arbitration::Chains::previous);
+  return {x_.s.reach, count};
 }
 
 /// What is granted and can have a new reason to run, in the new order: it stands elsewhere than before, or was touched.
@@ -83,7 +74,7 @@ std::span<const Index> Engine::with_reasons() {
   Index count = 0;
   for (Index i = 0; i < differing_; ++i) {
     const Index group = x_.s.differing[i];
-    if (x_.s.now[group].granted()) x_.s.sorted[count++] = group;
+    if (x_.s.now[group].granted()) x_.s.reach[count++] = group;
   }
   for (Index i = 0; i < c.touched_count; ++i) {
     const Index group = x_.s.touched[i];
@@ -93,10 +84,10 @@ std::span<const Index> Engine::with_reasons() {
                injected(Fault::who_stands_as_before_is_overlooked)) {
       continue;
     }
-    x_.s.sorted[count++] = group;
+    x_.s.reach[count++] = group;
   }
-  sort_by_place({x_.s.sorted, count}, arbitration::Chains::current);
-  return {x_.s.sorted, count};
+  if (count > 1) arbitration::sort_by_place(x_, {x_.s.reach, count}, arbitration::Chains::current);
+  return {x_.s.reach, count};
 }
 
 void Engine::stop_group(Index group) {

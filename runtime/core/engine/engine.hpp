@@ -203,7 +203,6 @@ private:
   void act(Index passes, bool stops);
   void act_on_touched();
   void act_on_all_touched();
-  void sort_by_place(std::span<Index> groups, arbitration::Chains along) const;
   std::span<const Index> held_before(Index passes);
   std::span<const Index> with_reasons();
   void stop_group(Index group);
