@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace director::compiler {
 
 namespace {
@@ -242,6 +244,10 @@ Code tables_part(const CppEmission& e) {
   code.close("};");
   code.line("static_assert(director::State::bytes(director::Shape::of(rows)) == "
             "director::State::bytes(detail::Whole::shape));");
+  code.blank();
+  code.line("// What the linker takes from the library for these tables; see runtime/core/base/parts.hpp.");
+  const bool data = std::any_of(m.groups.begin(), m.groups.end(), [](const Group& row) { return !row.data.empty(); });
+  code.line(fmt::format("[[gnu::used]] constexpr director::Parts parts = director::parts_of(rows, {});", data));
   code.blank();
   code.line("} // namespace");
   return code;

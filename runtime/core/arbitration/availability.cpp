@@ -4,7 +4,13 @@
 #include "runtime/core/arbitration/availability.hpp"
 
 #include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char equals = 0;
+}
 
 namespace director::arbitration {
 
@@ -33,8 +39,10 @@ bool may_deny(const Context& x, Index group, Index edge, Index member) {
          !never_equal(x, {member, Chains::current}, {holder, Chains::previous});
 }
 
-/// The same where the member's target is flat: nothing is needed by what it needs.
-bool disputed(const Context& x, Index member) {
+} // namespace
+
+/// May an equal stand in the way of a member whose target is flat? Nothing is needed by what it needs.
+bool is_disputed(const Context& x, Index member) {
   const Index group = x.t.edges[member].target;
   bool yes = may_deny(x, group, member, member);
   const Range providers = x.t.groups[group].providers;
@@ -45,11 +53,8 @@ bool disputed(const Context& x, Index member) {
   return yes;
 }
 
-} // namespace
-
 /// Equals never take from each other. Its last holder is an edge, and another one.
 bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
-  if (!x.row.equals) return false;
   const Index holder = x.s.last[group].holder;
   if (injected(Fault::equals_take) || (x.s.edge_marks[holder] & mark::refused) != 0 ||
       (x.s.group_marks[group] & mark::forgotten) != 0 || !alive(x, holder) ||
@@ -66,7 +71,6 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
 
 /// Can an equal stand in the way of a choice of this member, whatever is chosen?
 bool may_be_denied(Context& x, Index member) {
-  if (!x.row.equals) return false;
   Index found = 0;
   const auto look_at = [&](Index edge) {
     const Index group = x.t.edges[edge].target;
@@ -85,13 +89,6 @@ bool may_be_denied(Context& x, Index member) {
   return yes;
 }
 
-/// One member alone. Whether it is disputed is asked once for all that is tried with it.
-void take_in_hand(Context& x, Index member) {
-  x.s.member[0] = member;
-  x.disputed =
-      x.row.equals && x.t.groups[target(x, member)].flat && !taken(x, member) && disputed(x, member);
-}
-
 /// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.
 bool denied_in_vain(Context& x) {
   for (Index i = 0; i < x.denied_count; ++i) {
@@ -102,6 +99,21 @@ bool denied_in_vain(Context& x) {
     return true;
   }
   return false;
+}
+
+/// What the sweep decided, but for which denials are forgotten.
+void take_back(Context& x) {
+  clear_marks(x);
+  if (x.pushed_count != 0) mark_pushers(x);
+  for (const Index g : opened(x)) {
+    x.s.group_marks[g] &= mark::forgotten | mark::listed;
+    clear(x, g);
+  }
+  const Index* const order = x.s.order + x.row.order;
+  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
+    x.s.place[order[i]] = i;
+    x.s.next_order[x.row.order + i] = order[i];
+  }
 }
 
 } // namespace director::arbitration

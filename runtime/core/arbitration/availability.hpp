@@ -4,19 +4,28 @@
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 
-bool kept_by_equal(Context& x, Index group, Index edge, bool record);
-bool may_be_denied(Context& x, Index member);
-void take_in_hand(Context& x, Index member);
-bool denied_in_vain(Context& x);
+DIRECTOR_PART bool kept_by_equal(Context& x, Index group, Index edge, bool record);
+DIRECTOR_PART bool may_be_denied(Context& x, Index member);
+DIRECTOR_PART bool is_disputed(const Context& x, Index member);
+DIRECTOR_PART bool denied_in_vain(Context& x);
+DIRECTOR_PART void take_back(Context& x);
+
+/// One member alone. Whether it is disputed is asked once for all that is tried with it.
+inline void take_in_hand(Context& x, Index member) {
+  x.s.member[0] = member;
+  x.disputed = x.row.equals && x.t.groups[target(x, member)].flat && !taken(x, member) && is_disputed(x, member);
+}
 
 inline bool available(Context& x, Index group, Index edge, bool record) {
   const Index claimant = holder_now(x, group);
   if (claimant != nil) return claimant == edge;
   const Index before = x.s.last[group].holder;
-  return before == nil || before == edge || is_limbo(x, before) || !kept_by_equal(x, group, edge, record);
+  return before == nil || before == edge || is_limbo(x, before) ||
+         !x.row.equals || !kept_by_equal(x, group, edge, record);
 }
 
 } // namespace director::arbitration

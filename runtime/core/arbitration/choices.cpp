@@ -1,4 +1,4 @@
-// docs/semantics.md, section 4.3: how a group can be granted to an edge: a provider whose conditions hold, and a plan.
+// docs/semantics.md, section 4.3: how groups can be granted to edges: a provider whose conditions hold, and a plan, for each.
 // SPDX-License-Identifier: MIT
 //
 // A plan is searched, not enumerated: it is a stack of entries (group, provider, who needs it), extended depth first;
@@ -10,21 +10,13 @@
 #include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char search = 0;
+}
 
 namespace director::arbitration {
-
-/// Where the plan of `owner` keeps the provider picked for `group`; nil where it has only one.
-Index slot_of(const Context& x, Index owner, Index group) {
-  const Range slots = x.t.groups[owner].slots;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) {
-    if (x.t.plan_groups[slot] == group) return slot;
-  }
-  return nil;
-}
-
-void drop_entries(Context& x, Index begin, Index end) {
-  for (Index i = end; i-- > begin;) x.s.trial[x.s.entry_group[i]] = nil;
-}
 
 /// The first plan (`fresh`) or the next one of a provider whose group is marked in `trial`, as entries [begin, end).
 /// The next plan changes the last entry that has another provider. Then an entry is added for each need that is still
@@ -72,56 +64,6 @@ bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh
   }
 }
 
-/// The plan of `owner` for its provider is entries [begin, end).
-void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
-  const Range slots = x.t.groups[owner].slots;
-  x.s.now[owner].planned = provider;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) x.s.now.plan[slot] = nil;
-  if (slots.empty()) return;
-  for (Index i = begin; i < end; ++i) {
-    const Index slot = slot_of(x, owner, x.s.entry_group[i]);
-    if (slot != nil) x.s.now.plan[slot] = x.s.entry_provider[i];
-  }
-}
-
-/// Every group of a plan is needed from now on; one that is not granted has the part of the plan that it needs.
-void claim_plan(Context& x, Index begin, Index end) {
-  for (Index i = begin; i < end; ++i) {
-    const Index group = x.s.entry_group[i];
-    x.s.now[group].flags |= flag::needed;
-    if ((x.s.now[group].flags & flag::granted) != 0) continue;
-    auto below = static_cast<Index>(i + 1); // depth first: what an entry needs stands right behind it
-    while (below < end && x.s.entry_parent[below] != nil && x.s.entry_parent[below] >= i) ++below;
-    plan_for(x, group, x.s.entry_provider[i], static_cast<Index>(i + 1), below);
-  }
-}
-
-/// Writes the plan that a group has as entries from 0 on; returns how many.
-Index entries_of(Context& x, Index group, const Assignment& of) {
-  const Index planned = of[group].planned;
-  if (planned == nil) return 0;
-  Index end = 0;
-  for (Index parent = nil;;) {
-    Index place = 0;
-    Index owner = parent;
-    Index needer = parent == nil ? planned : x.s.entry_provider[parent];
-    while (place >= x.t.providers[needer].needs.size()) { // the next need, depth first
-      if (owner == nil) return end;
-      place = static_cast<Index>(x.s.entry_place[owner] + 1);
-      owner = x.s.entry_parent[owner];
-      needer = owner == nil ? planned : x.s.entry_provider[owner];
-    }
-    const Index need = x.t.list(x.t.providers[needer].needs)[place], needed = x.t.edges[need].target;
-    const Index slot = slot_of(x, group, needed);
-    x.s.entry_group[end] = needed;
-    x.s.entry_need[end] = need;
-    x.s.entry_provider[end] = slot == nil ? x.t.groups[needed].providers.begin : of.plan[slot];
-    x.s.entry_parent[end] = owner;
-    x.s.entry_place[end] = place;
-    parent = end++;
-  }
-}
-
 namespace {
 
 /// The plan in hand is the one that the member's target has.
@@ -149,54 +91,6 @@ bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& k
     if (first_false(x, x.s.entry_provider[i], x.s.entry_need[i]) != nil) return false;
   }
   return true;
-}
-
-} // namespace
-
-/// The provider at a place in the order of preference that holds for `edge`.
-Index preferred(const Context& x, Index group, Index place, Index edge) {
-  const Index begin = x.t.groups[group].providers.begin;
-  const Index first = pushed_first(x, group, edge);
-  if (first == nil) return static_cast<Index>(begin + place);
-  if (place == 0) return first;
-  const auto usual = static_cast<Index>(begin + place - 1);
-  return usual < first ? usual : static_cast<Index>(usual + 1);
-}
-
-/// It was active for its granted group after the last pass, and all of its `stay` holds: then its `when` does not
-/// count.
-bool stays(const Context& x, Index provider) {
-  const Provider& row = x.t.providers[provider];
-  if (row.stay.empty() || injected(Fault::stay_is_ignored)) return false;
-  x.depends_on_last = true;
-  if (x.s.last[row.group].active != provider || (x.s.last[row.group].flags & flag::granted) == 0) return false;
-  for (const Index condition : x.t.list(row.stay)) {
-    if (!holds(x, condition)) return false;
-  }
-  return true;
-}
-
-/// Held in this provider on purpose: conditions on states that it causes itself do not count.
-bool waived(const Context& x, Index provider, Index condition, Index edge) {
-  const Index group = x.t.providers[provider].group;
-  const Push& push = x.s.now[group].push;
-  if (injected(Fault::nothing_is_waived)) return false;
-  if (push.edge == nil || push.provider != provider || (x.s.last[group].flags & flag::in_force) == 0 ||
-      x.s.last[group].push.provider != provider)
-    return false;
-  for (const Index state : x.t.list(x.t.providers[provider].causing)) {
-    if (state == x.t.conditions[condition].state) return applies(x, push, edge);
-  }
-  return false;
-}
-
-/// The first condition that keeps the provider from running for an edge, or nil.
-Index first_false(const Context& x, Index provider, Index edge) {
-  if (stays(x, provider)) return nil;
-  for (const Index condition : x.t.list(x.t.providers[provider].when)) {
-    if (!holds(x, condition) && !waived(x, provider, condition, edge)) return condition;
-  }
-  return nil;
 }
 
 /// The first (`fresh`) or next choice of a member of the unit: its provider and its plan's entries. False: no more, and
@@ -240,6 +134,74 @@ bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool re
   }
   x.s.trial[group] = nil;
   return false;
+}
+
+/// What can claim the same group stands together, so that its choices are combined with each other and no others. The
+/// first combination is the same: that of one cluster does not depend on another.
+void sort_by_cluster(Context& x, Index count) {
+  for (Index i = 1; i < count; ++i) {
+    const Index edge = x.s.member[i], cluster = x.t.cluster(edge);
+    Index at = i;
+    for (; at > 0 && x.t.cluster(x.s.member[at - 1]) > cluster; --at) x.s.member[at] = x.s.member[at - 1];
+    x.s.member[at] = edge;
+  }
+}
+
+/// Of the members in order, up to the first one that has none. `record`: all choices of each, for whose sake they are
+/// denied.
+bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, bool record) {
+  for (Index at = from; at < count; ++at) {
+    // Alone on the stack: entries_begin(x) of a later member is where the earlier one ends.
+    if (at > 0) x.s.member_entries[at - 1] = 0;
+    bool any = false;
+    for (bool fresh = true; next_choice(x, at, fresh, with_conditions, record); fresh = false) {
+      any = true;
+      if (record) continue;
+      drop_entries(x, 0, x.s.member_entries[at]);
+      x.s.trial[target(x, x.s.member[at])] = nil;
+      break;
+    }
+    if (!any) return false;
+  }
+  return true;
+}
+
+} // namespace
+
+/// Lexicographically over the members. Which holders stood in the way counts over all choices of each member, also those
+/// that are never needed: so, where there can be any, each member's are looked at once, and then combined.
+bool search_combination(Context& x, Index count, bool with_conditions) {
+  if (count == 1 && x.t.groups[target(x, x.s.member[0])].single_choice())
+    return next_choice(x, 0, true, with_conditions, true);
+  bool deniable = false;
+  for (Index at = 0; at < count && !deniable; ++at) deniable = x.row.equals && may_be_denied(x, x.s.member[at]);
+  if (deniable && !each_has_choice(x, 0, count, with_conditions, true)) return false;
+  Index at = 0;
+  bool fresh = true, known = deniable; // that each has a choice for itself
+  bool sorted = false;                 // by cluster
+  for (;;) {
+    if (next_choice(x, at, fresh, with_conditions, false)) {
+      if (at + 1 == count) return true;
+      ++at;
+      fresh = true;
+    } else if (at == 0) {
+      return false;
+    } else if (sorted) {
+      if (x.t.cluster(x.s.member[at - 1]) != x.t.cluster(x.s.member[at])) { // no choice of another cluster helps
+        leave_combination(x, at);
+        return false;
+      }
+      --at;
+      fresh = false;
+    } else { // before all choices of those before it are tried with one that has none: a sum and no product
+      leave_combination(x, at);
+      if (!known && !each_has_choice(x, at, count, with_conditions, false)) return false; // those before it have one
+      sort_by_cluster(x, count);
+      sorted = true;
+      at = 0;
+      fresh = true;
+    }
+  }
 }
 
 } // namespace director::arbitration

@@ -5,6 +5,7 @@
 // 4.4, Grant.
 
 #include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 
@@ -21,13 +22,17 @@ inline Index entries_begin(const Context& x, Index at) { return at == 0 ? Index{
 /// A plan of some group may pick one provider or another.
 inline bool alternatives(const Context& x, Index component) { return x.t.components[component].alternatives; }
 
-Index preferred(const Context& x, Index group, Index place, Index edge);
 bool stays(const Context& x, Index provider);
 bool waived(const Context& x, Index provider, Index condition, Index edge);
-Index first_false(const Context& x, Index provider, Index edge);
-bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool record);
+DIRECTOR_PART Index find_false(const Context& x, Index provider, Index edge);
+
+/// The first condition that keeps the provider from running for an edge, or nil.
+inline Index first_false(const Context& x, Index provider, Index edge) {
+  return x.t.conditions.empty() ? nil : find_false(x, provider, edge);
+}
 
 bool combine(Context& x, Index count, bool with_conditions);
+DIRECTOR_PART bool search_combination(Context& x, Index count, bool with_conditions);
 void leave_combination(Context& x, Index count);
 
 } // namespace director::arbitration

@@ -3,8 +3,8 @@
 
 #include "runtime/core/arbitration/choices.hpp"
 
-#include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 
 namespace director::arbitration {
@@ -55,77 +55,15 @@ bool choose_flat(Context& x, bool with_conditions) {
   return false;
 }
 
-/// What can claim the same group stands together, so that its choices are combined with each other and no others. The
-/// first combination is the same: that of one cluster does not depend on another.
-void sort_by_cluster(Context& x, Index count) {
-  for (Index i = 1; i < count; ++i) {
-    const Index edge = x.s.member[i], cluster = x.t.cluster(edge);
-    Index at = i;
-    for (; at > 0 && x.t.cluster(x.s.member[at - 1]) > cluster; --at) x.s.member[at] = x.s.member[at - 1];
-    x.s.member[at] = edge;
-  }
-}
-
-/// Of the members in order, up to the first one that has none. `record`: all choices of each, for whose sake they are
-/// denied.
-bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, bool record) {
-  for (Index at = from; at < count; ++at) {
-    // Alone on the stack: entries_begin(x) of a later member is where the earlier one ends.
-    if (at > 0) x.s.member_entries[at - 1] = 0;
-    bool any = false;
-    for (bool fresh = true; next_choice(x, at, fresh, with_conditions, record); fresh = false) {
-      any = true;
-      if (record) continue;
-      drop_entries(x, 0, x.s.member_entries[at]);
-      x.s.trial[target(x, x.s.member[at])] = nil;
-      break;
-    }
-    if (!any) return false;
-  }
-  return true;
-}
-
 } // namespace
 
-/// The first combination of choices, lexicographically over the members, in which all claims are compatible. True: it
-/// is in hand (member_*, entry_*, trial) until leave_combination. Which holders stood in the way counts over all
-/// choices of each member, also those that are never needed: so, where there can be any, each member's are looked at
-/// once, and then combined.
+/// The first combination of choices in which all claims are compatible. True: it is in hand (member_*, entry_*, trial)
+/// until leave_combination.
 bool combine(Context& x, Index count, bool with_conditions) {
   for (Index i = 0; count > 1 && i < count; ++i) x.s.member[i] = x.s.unit[i];
   if (count == 1 && x.t.groups[target(x, x.s.member[0])].flat && !x.disputed)
     return choose_flat(x, with_conditions);
-  if (count == 1 && x.t.groups[target(x, x.s.member[0])].single_choice())
-    return next_choice(x, 0, true, with_conditions, true);
-  bool deniable = false;
-  for (Index at = 0; at < count && !deniable; ++at) deniable = may_be_denied(x, x.s.member[at]);
-  if (deniable && !each_has_choice(x, 0, count, with_conditions, true)) return false;
-  Index at = 0;
-  bool fresh = true, known = deniable; // that each has a choice for itself
-  bool sorted = false;                 // by cluster
-  for (;;) {
-    if (next_choice(x, at, fresh, with_conditions, false)) {
-      if (at + 1 == count) return true;
-      ++at;
-      fresh = true;
-    } else if (at == 0) {
-      return false;
-    } else if (sorted) {
-      if (x.t.cluster(x.s.member[at - 1]) != x.t.cluster(x.s.member[at])) { // no choice of another cluster helps
-        leave_combination(x, at);
-        return false;
-      }
-      --at;
-      fresh = false;
-    } else { // before all choices of those before it are tried with one that has none: a sum and no product
-      leave_combination(x, at);
-      if (!known && !each_has_choice(x, at, count, with_conditions, false)) return false; // those before it have one
-      sort_by_cluster(x, count);
-      sorted = true;
-      at = 0;
-      fresh = true;
-    }
-  }
+  return search_combination(x, count, with_conditions);
 }
 
 void leave_combination(Context& x, Index count) {

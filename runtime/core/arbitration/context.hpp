@@ -5,6 +5,7 @@
 // is decided in one never depends on another. Each rule is a few functions over a Context, in a file named for it.
 
 #include "runtime/core/base/marks.hpp"
+#include "runtime/core/base/parts.hpp"
 #include "runtime/core/base/state.hpp"
 
 namespace director::arbitration {
@@ -16,7 +17,7 @@ struct Context {
   State s;
 
   // What is known from pass to pass.
-  Index most_decided_whole = 16; ///< a component of at most so many groups is decided whole
+  Index most_decided_whole = director::most_decided_whole;
   Index flipped_count = 0;       ///< rows of State::flipped in use
   Index rerequested_count = 0;   ///< rows of State::rerequested in use
   std::uint64_t decided = 0;     ///< units so far, again where a pass is repeated

@@ -8,13 +8,15 @@
 
 namespace director::arbitration {
 
-void try_members(Context& x, Index count, bool outdated);
-void grant(Context& x, Index count);
-void repeat(Context& x, Index edge);
 void decide_alone(Context& x, Index edge, bool outdated);
+void grant_plain(Context& x, Index edge, Index provider);
+DIRECTOR_PART void try_unit(Context& x, Index edge, bool outdated);
+DIRECTOR_PART void try_members(Context& x, Index count, bool outdated);
+void grant(Context& x, Index count);
+DIRECTOR_PART void repeat(Context& x, Index edge);
 void block(Context& x, Index count);
 void block_alone(Context& x, Index edge);
-void refuse(Context& x, Index count);
+DIRECTOR_PART void refuse(Context& x, Index count);
 void explain(Context& x, Index count, Why why, Index condition = nil);
 
 /// For this very edge, or for the first time.

@@ -4,6 +4,11 @@
 #include "runtime/core/arbitration/order.hpp"
 
 #include "runtime/core/base/heap_sort.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char order = 0;
+}
 
 namespace director::arbitration {
 
@@ -20,14 +25,6 @@ inline int compare_parted(const Context& x, const Parting& at, Index length_a, I
 }
 
 } // namespace
-
-/// The walk has passed something that it is a part of.
-bool is_passed(const Context& x, Index group) {
-  for (; group != nil && !is_opened(x, group); group = requester_of_holder(x, x.s.last[group])) {
-    if ((x.s.group_trail[group] & trail::passed) != 0) return true;
-  }
-  return false;
-}
 
 Chain chain(const Context& x, Place place) {
   Chain out;
@@ -90,6 +87,44 @@ bool never_equal(const Context& x, Place a, Place b) {
 
 void sort_by_holders(const Context& x, std::span<Index> groups, Chains along) {
   heap_sort(groups, [&](Index a, Index b) { return before_in_order(x, a, b, along); });
+}
+
+/// In the order of all: the groups of one component know their places.
+void sort_by_place(const Context& x, std::span<Index> groups, Chains along) {
+  heap_sort(groups, [&](Index a, Index b) {
+    if (x.s.run_queue[a].component == x.s.run_queue[b].component) return x.s.place[a] < x.s.place[b];
+    return before_in_order(x, a, b, along);
+  });
+}
+
+/// Edges of root stay linked in order from pass to pass: few are in another place than before, and mostly none is.
+void sort_roots(Context& x) {
+  const auto comes_first = [&](Index a, Index b) {
+    return compare_siblings(x, a, b) < 0;
+  };
+  Index* link = &x.s.first_root[x.component];
+  Index last = nil, moved = 0;
+  for (Index e = *link; e != nil;) {
+    const Index following = x.s.next_root[e];
+    if (last != nil && comes_first(e, last)) {
+      x.s.candidate[moved++] = e;
+    } else {
+      *link = e;
+      link = &x.s.next_root[e];
+      last = e;
+    }
+    e = following;
+  }
+  *link = nil;
+  heap_sort({x.s.candidate, moved}, comes_first);
+  link = &x.s.first_root[x.component];
+  for (Index i = 0; i < moved; ++i) {
+    const Index e = x.s.candidate[i];
+    while (*link != nil && comes_first(*link, e)) link = &x.s.next_root[*link];
+    x.s.next_root[e] = *link;
+    *link = e;
+    link = &x.s.next_root[e];
+  }
 }
 
 } // namespace director::arbitration

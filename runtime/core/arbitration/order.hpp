@@ -6,6 +6,7 @@
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 
@@ -81,13 +82,15 @@ inline Index urgency(const Tables& t, Index edge, Index level) {
   return level == nil ? t.edges[edge].need_urgency : t.levels[level].urgency;
 }
 
-bool is_passed(const Context& x, Index group);
+DIRECTOR_PART bool is_passed(const Context& x, Index group);
 Chain chain(const Context& x, Place place);
 bool in_chain(const Context& x, Index edge, Place of);
-int compare_relatives(const Context& x, Index a, Index b, bool in_order);
-int compare_chains(const Context& x, Place a, Place b, bool in_order);
+DIRECTOR_PART int compare_relatives(const Context& x, Index a, Index b, bool in_order);
+DIRECTOR_PART int compare_chains(const Context& x, Place a, Place b, bool in_order);
 bool never_equal(const Context& x, Place a, Place b);
-void sort_by_holders(const Context& x, std::span<Index> groups, Chains along);
+DIRECTOR_PART void sort_by_holders(const Context& x, std::span<Index> groups, Chains along);
+DIRECTOR_PART void sort_by_place(const Context& x, std::span<Index> groups, Chains along);
+DIRECTOR_PART void sort_roots(Context& x);
 
 inline bool is_limbo(const Context& x, Index edge) { return edge >= x.t.edges.size(); }
 

@@ -22,57 +22,22 @@ void begin_sweep(Context& x) {
   x.pushing = false;
 }
 
-/// From the beginning, but for which denials are forgotten.
-void sweep_again(Context& x) {
-  clear_marks(x);
-  mark_pushers(x);
-  for (const Index g : opened(x)) {
-    x.s.group_marks[g] &= mark::forgotten | mark::listed;
+void open_all(Context& x) {
+  x.pushed_count = x.s.on_last[x.component] = 0;
+  for (const Index g : x.t.list(x.row.groups)) {
+    x.s.group_trail[g] = trail::opened;
+    x.s.group_marks[g] = 0;
+    if (x.s.last[g].push.edge != nil) list_push(x, g);
     clear(x, g);
   }
-  const Index* const order = x.s.order + x.row.order;
-  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
-    x.s.place[order[i]] = i;
-    x.s.next_order[x.row.order + i] = order[i];
-  }
-  begin_sweep(x);
-}
-
-void keep_in_limbo(Context& x, Index group) {
-  const Index end = entries_of(x, group, x.s.last);
-  for (Index i = 0; i < end; ++i) {
-    if (x.s.now[x.s.entry_group[i]].holder != nil) return;
-  }
-  x.depends_on_last = x.depends_on_stale = true;
-  x.lineage_is_valid = false;
-  claim(x, group, static_cast<Index>(x.t.edges.size() + group));
-  x.s.now[group].active = x.s.last[group].active;
-  if (x.s.last[group].planned != nil) plan_for(x, group, x.s.last[group].planned, 0, end);
-  for (Index i = 0; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
-  claim_plan(x, 0, end);
-  compare_claim(x, group);
-  for (Index i = 0; i < end; ++i) compare_claim(x, x.s.entry_group[i]);
-  sweep_below(x, group);
-}
-
-/// Hand-over: live groups that nobody claims are kept for an heir that is about to run.
-void keep_for_heirs(Context& x) {
-  if (x.stale_granted == 0 || injected(Fault::nobody_inherits)) return;
-  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
-    const Index group = x.s.order[x.row.order + i];
-    if (x.s.last[group].active == nil || x.s.now[group].holder != nil) continue;
-    x.s.reach[0] = group;
-    if (reached_from_stale(x, 1, nil)) keep_in_limbo(x, group);
-  }
-  const std::span<Index> limbo{x.s.next_order + x.row.order + x.limbo_begin,
-                               static_cast<std::size_t>(x.placed - x.limbo_begin)};
-  sort_by_holders(x, limbo, Chains::current); // by declaration
-  for (Index at = x.limbo_begin; at < x.placed; ++at) put(x, limbo[at - x.limbo_begin], at);
+  for (const Index e : x.t.list(x.row.edges)) x.s.edge_marks[e] = x.s.edge_trail[e] = 0;
+  if (is_followed(x)) drop_noted(x);
+  if (x.pushed_count != 0) mark_pushers(x);
 }
 
 /// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
 void finish(Context& x) {
-  leave_to(x, nil);
+  if (is_followed(x)) leave_to(x, nil);
   for (const Index g : opened(x)) {
     if (x.s.now[g].holder == nil || x.s.now[g].active != nil || x.s.last[g].active == nil) continue;
     x.depends_on_last = x.depends_on_stale = true;
@@ -89,14 +54,23 @@ void decide(Context& x, Index component) {
   x.row = x.t.components[component];
   x.component = component;
   x.had_pushes = x.s.pushed_count[component] != 0;
-  begin_trail(x);
+  x.whole = x.s.news_count[component] == nil;
+  x.walking = !x.whole;
+  x.disturbed = false;
+  x.opened_count = x.reached_count = x.kept_count = x.stale_kept = 0;
+  x.whole ? open_all(x) : begin_trail(x);
   x.had_pushes = x.pushed_count != 0;
   x.depends_on_stale = false;
   x.depends_on_last = x.had_pushes || x.s.on_last[component] != 0;
-  sort_roots(x);
-  for (begin_sweep(x);; sweep_again(x)) {
+  if ((x.s.component[component] & work::reordered) != 0) {
+    x.s.component[component] &= static_cast<std::uint8_t>(~work::reordered);
+    const Index first = x.s.first_root[component];
+    if (first != nil && x.s.next_root[first] != nil) sort_roots(x);
+  }
+  for (begin_sweep(x);; begin_sweep(x)) {
     sweep(x);
     if (x.denied_count == 0 || !denied_in_vain(x)) break;
+    take_back(x);
   }
   x.walking = false;
   x.limbo_begin = x.placed;
@@ -105,10 +79,23 @@ void decide(Context& x, Index component) {
   x.lineage_is_valid = false; // from here on it may be about several components
 }
 
+/// What it did is noted for the next pass.
+void end(Context& x) {
+  for (const Index e : x.whole ? x.t.list(x.row.edges) : std::span<const Index>{}) leave_unvisited(x, e);
+  x.s.news_count[x.component] = nil;
+  if (is_followed(x)) end_trail(x);
+}
+
 /// The next pass over each component begins from nothing: the last assignment is not that of its last pass.
 void forget_trail(Context& x) {
+  x.flipped_count = x.rerequested_count = 0;
   for (Index c = 0; c < x.t.components.size(); ++c) x.s.news_count[c] = nil;
-  for (Index g = 0; g < x.t.groups.size(); ++g) x.s.now[g] = x.s.last[g];
+  for (Index g = 0; g < x.t.groups.size(); ++g) {
+    Bits& flags = x.s.run_queue[g].flags;
+    flags &= static_cast<std::uint8_t>(~group_flag::followed);
+    if (x.t.components[x.t.groups[g].component].groups.size() > x.most_decided_whole) flags |= group_flag::followed;
+    x.s.now[g] = x.s.last[g];
+  }
   for (Index slot = 0; slot < x.t.plan_groups.size(); ++slot) x.s.now.plan[slot] = x.s.last.plan[slot];
 }
 

@@ -13,11 +13,18 @@
 // changes). Where neither is so, nothing has to be decided until an input of the component changes.
 
 #include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 
 /// Reads State's decision part; writes `now`, `next_order`, `next_count` and `queued` of the component.
 void decide(Context& x, Index component);
+
+/// When what it decided was looked at: notes for the next pass what this one did.
+void end(Context& x);
+
+/// Live groups that nobody claims are kept for an heir that is about to run.
+DIRECTOR_PART void keep_for_heirs(Context& x);
 
 /// The next pass over each component begins from nothing: the last assignment is not that of its last pass.
 void forget_trail(Context& x);

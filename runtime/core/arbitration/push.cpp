@@ -10,6 +10,11 @@
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char pushes = 0;
+}
 
 namespace director::arbitration {
 
@@ -204,6 +209,17 @@ bool asked_for(const Context& x, Index group) {
 
 } // namespace
 
+/// There is a push on the group.
+Index preferred_by_push(const Context& x, Index group, Index place, Index edge) {
+  const Index begin = x.t.groups[group].providers.begin;
+  const Index first = pushed_first(x, group, edge);
+  if (first == nil) return static_cast<Index>(begin + place);
+  if (place == 0) return first;
+  const auto usual = static_cast<Index>(begin + place - 1);
+  return usual < first ? usual : static_cast<Index>(usual + 1);
+}
+
+/// The unit is granted.
 void keep_own_pushes(Context& x, Index count) {
   if (!pushes(x, count)) return;
   if (!injected(Fault::served_pushes_end)) keep_serving_pushes(x, count);
@@ -219,8 +235,7 @@ void list_push(Context& x, Index group) {
   x.s.pushed[x.row.order + x.pushed_count++] = group;
 }
 
-/// The pushes that the unit made before stay.
-void keep_pushes(Context& x, Index count) {
+void keep_last_pushes(Context& x, Index count) {
   if (!pushes(x, count)) return;
   for (const Index g : pushed_groups(x)) {
     const Push& push = x.s.last[g].push;
@@ -231,23 +246,25 @@ void keep_pushes(Context& x, Index count) {
 /// Pushes made before stay; new ones are made only if every condition is served.
 void push_for(Context& x, Index count, Index unmet) {
   const auto theirs = [&](Index g) -> const Push& { return x.s.now[g].push; }; // made by units before this one
-  const auto begin = [&](Index g) {
+  const Index* const pushed = x.s.pushed + x.row.order;
+  const auto begin = [&](Index at) {
+    const Index g = pushed[at];
     const Push& push = x.s.last[g].push;
     const bool ours = push.edge != nil && in_unit(x, push.edge, count) &&
                       (theirs(g).edge == nil || theirs(g).provider == push.provider);
-    x.s.own[g] = ours ? push : Push{};
-    x.s.first[g] = Push{};
+    x.s.own[at] = ours ? push : Push{};
+    x.s.first[at] = Push{};
     x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
   };
   // It looks at the requests, claims and pushes of many.
   for (Index at = 0; at < count; ++at) x.s.edge_trail[x.s.member[at]] |= trail::waits;
-  for (const Index g : pushed_groups(x)) begin(g);
+  for (Index at = 0; at < x.pushed_count; ++at) begin(at);
   bool all_served = true;
   for (Index i = 0; i < unmet; ++i) {
     bool served = false;
-    for (const Index g : pushed_groups(x)) {
-      if (x.s.own[g].edge == nil || !satisfies(x, x.s.own[g].provider, x.s.unmet[i])) continue;
-      x.s.group_marks[g] |= mark::busy;
+    for (Index at = 0; at < x.pushed_count; ++at) {
+      if (x.s.own[at].edge == nil || !satisfies(x, x.s.own[at].provider, x.s.unmet[i])) continue;
+      x.s.group_marks[pushed[at]] |= mark::busy;
       served = true;
     }
     Push push;
@@ -257,15 +274,17 @@ void push_for(Context& x, Index count, Index unmet) {
       continue;
     }
     const Index group = x.t.providers[push.provider].group;
-    if ((x.s.group_marks[group] & mark::listed) == 0) list_push(x, group), begin(group);
-    Push& first = x.s.first[group];
-    if (first.edge == nil) first = push; // one group serves one condition after the other
+    if ((x.s.group_marks[group] & mark::listed) == 0) list_push(x, group), begin(static_cast<Index>(x.pushed_count - 1));
+    Index at = 0;
+    while (pushed[at] != group) ++at;
+    if (x.s.first[at].edge == nil) x.s.first[at] = push; // one group serves one condition after the other
   }
-  for (const Index g : pushed_groups(x)) {
+  for (Index at = 0; at < x.pushed_count; ++at) {
+    const Index g = pushed[at];
+    Push &own = x.s.own[at], &first = x.s.first[at];
     const bool free = (x.s.group_marks[g] & mark::busy) == 0 && theirs(g).edge == nil;
-    if (all_served && x.s.first[g].edge != nil && free && x.s.own[g].provider != x.s.first[g].provider)
-      x.s.own[g] = x.s.first[g];
-    if (x.s.own[g].edge != nil && theirs(g).edge == nil) set_push(x, g, x.s.own[g]);
+    if (all_served && first.edge != nil && free && own.provider != first.provider) own = first;
+    if (own.edge != nil && theirs(g).edge == nil) set_push(x, g, own);
   }
 }
 
@@ -299,8 +318,7 @@ void mark_pushers(Context& x) {
   }
 }
 
-void reach_pushes_of(Context& x, Index edge) {
-  if ((x.s.edge_marks[edge] & mark::pushes) == 0) return;
+void reach_pushes(Context& x, Index edge) {
   for (const Index g : pushed_groups(x)) {
     if (x.s.last[g].push.edge == edge) reach(x, g);
   }

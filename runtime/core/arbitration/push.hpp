@@ -5,17 +5,35 @@
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 
-void keep_own_pushes(Context& x, Index count);
-void list_push(Context& x, Index group);
-void keep_pushes(Context& x, Index count);
-void push_for(Context& x, Index count, Index unmet);
-void finish_pushes(Context& x);
-void mark_pushers(Context& x);
-void reach_pushes_of(Context& x, Index edge);
-void keep_pushes_of_plain(Context& x, Index edge, Index provider);
+DIRECTOR_PART void keep_own_pushes(Context& x, Index count);
+DIRECTOR_PART void keep_last_pushes(Context& x, Index count);
+DIRECTOR_PART void keep_pushes_of_plain(Context& x, Index edge, Index provider);
+DIRECTOR_PART void list_push(Context& x, Index group);
+DIRECTOR_PART void push_for(Context& x, Index count, Index unmet);
+DIRECTOR_PART void finish_pushes(Context& x);
+DIRECTOR_PART void mark_pushers(Context& x);
+DIRECTOR_PART void reach_pushes(Context& x, Index edge);
+DIRECTOR_PART Index preferred_by_push(const Context& x, Index group, Index place, Index edge);
+
+/// The pushes that the unit made before stay.
+inline void keep_pushes(Context& x, Index count) {
+  if (x.had_pushes) keep_last_pushes(x, count);
+}
+
+/// Of this edge.
+inline void reach_pushes_of(Context& x, Index edge) {
+  if ((x.s.edge_marks[edge] & mark::pushes) != 0) reach_pushes(x, edge);
+}
+
+/// The provider at a place in the order of preference that holds for `edge`.
+inline Index preferred(const Context& x, Index group, Index place, Index edge) {
+  return x.s.now[group].push.edge == nil ? static_cast<Index>(x.t.groups[group].providers.begin + place)
+                                         : preferred_by_push(x, group, place, edge);
+}
 
 inline std::span<const Index> pushed_groups(const Context& x) { return {x.s.pushed + x.row.order, x.pushed_count}; }
 

@@ -110,10 +110,6 @@ void compare_with_last(Context& x, Index count) {
   for (Index at = 0; lost && at < count; ++at) x.s.edge_trail[x.s.unit[at]] |= trail::on_stale;
 }
 
-void compare_claim(Context& x, Index group) {
-  if (!x.whole && x.s.now[group].holder != x.s.last[group].holder) move(x, group);
-}
-
 /// Its unit is decided again.
 void reach_edge(Context& x, Index edge) {
   if (x.whole || (x.s.edge_trail[edge] & trail::reached) != 0) return;
@@ -142,9 +138,8 @@ void take_up_last(Context& x, Index group) {
   });
 }
 
-/// Who may look at the group is decided again.
-void reach(Context& x, Index group) {
-  if (x.whole || (x.s.group_trail[group] & trail::disturbed) != 0) return;
+void reach_users(Context& x, Index group) {
+  if ((x.s.group_trail[group] & trail::disturbed) != 0) return;
   x.s.group_trail[group] |= trail::disturbed;
   disturb(x);
   open(x, group);

@@ -8,6 +8,11 @@
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char conditions = 0;
+}
 
 namespace director::arbitration {
 
@@ -42,20 +47,6 @@ bool somebody_satisfies(const Context& x, Index condition) {
 
 } // namespace
 
-/// Whatever is chosen, something of it is not available.
-void block(Context& x, Index count) {
-  for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at]] |= mark::refused;
-  if (injected(Fault::blocked_units_push_on)) keep_pushes(x, count);
-  explain(x, count, Why::blocked);
-}
-
-/// An edge before it has its target, and what it had before is nothing: nothing else counts, and nothing differs.
-void block_alone(Context& x, Index edge) {
-  x.s.edge_marks[edge] |= mark::visited | mark::refused;
-  x.s.queued[edge] = {Why::blocked, nil};
-  if (is_followed(x)) rest_on(x, edge, 0);
-}
-
 /// No combination is available with its conditions true.
 void refuse(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at]] |= mark::refused;
@@ -72,10 +63,6 @@ void refuse(Context& x, Index count) {
     return; // it waits for the outside, and holds nobody back
   }
   push_for(x, count, unmet);
-}
-
-void explain(Context& x, Index count, Why why, Index condition) {
-  for (Index at = 0; at < count; ++at) x.s.queued[x.s.member[at]] = {why, condition};
 }
 
 } // namespace director::arbitration

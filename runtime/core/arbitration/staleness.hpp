@@ -3,12 +3,13 @@
 // Whose orders are outdated, and who has to wait for them. docs/semantics.md, section 4.4, Stale and Defer.
 
 #include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 
 inline constexpr Index up_to_date = static_cast<Index>(nil - 1); ///< instead of a group: nobody's orders are outdated
 
-Index stale_source(const Context& x, Index group);
+DIRECTOR_PART Index stale_source(const Context& x, Index group);
 bool stale_requester(const Context& x, Index edge);
 bool any_new(const Context& x, Index count);
 void defer(Context& x, Index count);

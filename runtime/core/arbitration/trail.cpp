@@ -11,9 +11,16 @@
 
 #include "runtime/core/arbitration/trail.hpp"
 
+#include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
+#include "runtime/core/arbitration/walk.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char trail = 0;
+}
 
 namespace director::arbitration {
 
@@ -34,6 +41,18 @@ void take_own(Context& x, Index* list, Index& count, ComponentOf&& component_of,
     }
   }
   count = left;
+}
+
+template <class Take>
+void take_flipped(Context& x, Take&& take) {
+  take_own(x, x.s.flipped, x.flipped_count, [&](Index g) { return x.s.run_queue[g].component; }, take);
+}
+
+template <class Take>
+void take_rerequested(Context& x, Take&& take) {
+  take_own(
+      x, x.s.rerequested, x.rerequested_count,
+      [&](Index e) { return x.s.run_queue[x.s.request[e].target].component; }, take);
 }
 
 /// What has to be looked at if something differs from the last pass, or when it has run, is left alone until then.
@@ -63,17 +82,6 @@ void open_waiting(Context& x) {
   }
 }
 
-void open_all(Context& x) {
-  x.pushed_count = x.s.on_last[x.component] = 0;
-  for (const Index g : x.t.list(x.row.groups)) {
-    x.s.group_trail[g] = trail::opened;
-    x.s.group_marks[g] = 0;
-    if (x.s.last[g].push.edge != nil) list_push(x, g);
-    clear(x, g);
-  }
-  for (const Index e : x.t.list(x.row.edges)) x.s.edge_marks[e] = x.s.edge_trail[e] = 0;
-}
-
 /// By the next pass: something of it is decided again whatever happens, or what is below it stands apart from it.
 bool has_to_be_looked_at(const Context& x, Index group) {
   if (injected(Fault::what_is_always_decided_is_overlooked)) return false;
@@ -91,24 +99,12 @@ bool has_to_be_looked_at(const Context& x, Index group) {
 /// From what changed since the last pass to the units that it reaches.
 void begin_trail(Context& x) {
   const Index news = x.s.news_count[x.component];
-  x.whole = news == nil;
-  x.disturbed = false;
-  x.walking = !x.whole;
-  x.opened_count = x.reached_count = x.kept_count = x.stale_kept = 0;
-  const auto of_group = [&](Index g) { return x.s.run_queue[g].component; };
-  const auto of_edge = [&](Index e) { return x.s.run_queue[x.s.request[e].target].component; };
-  if (x.whole) {
-    open_all(x);
-    take_own(x, x.s.flipped, x.flipped_count, of_group, [](Index) {});
-    take_own(x, x.s.rerequested, x.rerequested_count, of_edge, [](Index) {});
-    return mark_pushers(x);
-  }
   x.pushed_count = x.s.pushed_count[x.component];
   for (const Index g : pushed_groups(x)) {
     open(x, g);
     x.s.group_marks[g] |= mark::listed;
   }
-  mark_pushers(x);
+  if (x.pushed_count != 0) mark_pushers(x);
   // The last result first: what is reached now belongs to the next one.
   Index* const rows = x.s.news + x.row.order;
   Index kept = 0;
@@ -125,12 +121,12 @@ void begin_trail(Context& x) {
       open(x, g);
     }
   }
-  take_own(x, x.s.flipped, x.flipped_count, of_group, [&](Index g) {
+  take_flipped(x, [&](Index g) {
     remove(x.s.group_trail[g], trail::touched);
     reach(x, g);
   });
   Index from = nil;
-  take_own(x, x.s.rerequested, x.rerequested_count, of_edge, [&](Index e) {
+  take_rerequested(x, [&](Index e) {
     remove(x.s.edge_trail[e], trail::changed);
     take_up(x, e, requester(x, e) != from);
     from = requester(x, e);
@@ -138,12 +134,20 @@ void begin_trail(Context& x) {
   // Whose orders may be outdated: who is to run, and who was asked just now.
   const Counters& c = *x.s.counters;
   const auto look = [&](Index g) {
-    if (of_group(g) == x.component && !is_outdated(x, g) && outdates(x, g)) open(x, g);
+    if (x.s.run_queue[g].component == x.component && !is_outdated(x, g) && outdates(x, g)) open(x, g);
   };
   for (Index g = c.queue_first; g != nil; g = x.s.run_queue[g].runs_before) look(g);
   for (Index i = 0; i < c.touched_count; ++i) look(x.s.touched[i]);
   x.kept_count = kept;
   if (x.disturbed) open_waiting(x);
+}
+
+/// The walk has passed something that it is a part of.
+bool is_passed(const Context& x, Index group) {
+  for (; group != nil && !is_opened(x, group); group = requester_of_holder(x, x.s.last[group])) {
+    if ((x.s.group_trail[group] & trail::passed) != 0) return true;
+  }
+  return false;
 }
 
 /// Something is, or may be, another than in the last pass.
@@ -153,9 +157,8 @@ void disturb(Context& x) {
   open_waiting(x);
 }
 
-/// This pass looks at the group, and so at all above it.
-void open(Context& x, Index group) {
-  if (is_opened(x, group) || (x.s.last[group].holder != nil && is_passed(x, group))) return;
+void open_with_above(Context& x, Index group) {
+  if (x.s.last[group].holder != nil && is_passed(x, group)) return;
   for (;;) {
     x.s.group_trail[group] |= trail::opened;
     remove(x.s.group_marks[group], mark::outdated);
@@ -166,27 +169,21 @@ void open(Context& x, Index group) {
   }
 }
 
-/// A condition of one of its providers flipped, or it is to be looked at as if one had.
-void touch_group(Context& x, Index group) {
-  if ((x.s.group_trail[group] & trail::touched) != 0) return;
-  x.s.group_trail[group] |= trail::touched;
-  x.s.flipped[x.flipped_count++] = group;
+/// All of the component is decided: what was noted does not matter.
+void drop_noted(Context& x) {
+  take_flipped(x, [](Index) {});
+  take_rerequested(x, [](Index) {});
 }
 
-/// What nobody visited is not queued. What the pass did is noted for the next one, and its marks are removed.
+/// What the pass did is noted for the next one, and its marks are removed.
 void end_trail(Context& x) {
-  const auto leave = [&](Index edge) {
-    if ((x.s.edge_marks[edge] & mark::visited) == 0) x.s.queued[edge] = Queued{};
-  };
-  for (const Index e : x.whole ? x.t.list(x.row.edges) : std::span<const Index>{}) leave(e);
-  Index& news = x.s.news_count[x.component] = nil;
-  if (!is_followed(x)) return;
+  Index& news = x.s.news_count[x.component];
   for (Index i = 0; i < x.denied_count; ++i) { // what was forgotten counts again in the next pass
     if ((x.s.group_marks[x.s.denied[i]] & mark::forgotten) != 0) touch_group(x, x.s.denied[i]);
   }
   for (Index i = 0; i < x.reached_count; ++i) {
     const Index e = x.s.reached[i], from = requester(x, e);
-    if (!x.whole && (from == nil || is_opened(x, from))) leave(e); // otherwise it stands as it stood
+    if (!x.whole && (from == nil || is_opened(x, from))) leave_unvisited(x, e); // otherwise it stands as it stood
     x.s.edge_trail[e] &= trail::kept;
   }
   news = 0;
@@ -216,20 +213,55 @@ void end_trail(Context& x) {
   }
 }
 
-/// On edges, and where the walk passed.
-void clear_marks(Context& x) {
-  const auto clear_edge = [&](Index e) {
-    x.s.edge_marks[e] = 0;
-    remove(x.s.group_trail[x.t.edges[e].target], trail::passed);
-  };
-  for (const Index e : x.t.list(x.row.edges)) {
-    if (x.t.edges[e].requester != nil) break; // those of root come first
-    clear_edge(e);
+/// The group, and all below it, stand as they stood.
+void pass_by(Context& x, Index group) {
+  leave_to(x, requester_of_holder(x, x.s.last[group]));
+  x.s.group_trail[group] |= trail::passed;
+  const Index from = x.s.place[group], count = x.s.extent[group];
+  if (from != x.placed) {
+    for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
   }
-  for (const Index g : opened(x)) {
-    const Range edges = x.t.groups[g].edges;
-    for (Index e = edges.begin; e != edges.end; ++e) clear_edge(e);
+  x.placed = static_cast<Index>(x.placed + count);
+  x.inherited = static_cast<Index>(x.inherited + count);
+}
+
+/// What is placed next is below this group, nil being root: of what was placed and does not lie above, all is placed.
+void leave_to(Context& x, Index group) {
+  while (x.top != group && x.top != nil) {
+    x.s.extent[x.top] = static_cast<Index>(x.placed - x.s.place[x.top]);
+    x.top = requester_of_holder(x, x.s.now[x.top]);
   }
+}
+
+namespace {
+
+void repeat_grant(Context& x, Index edge) {
+  const Index group = target(x, edge), provider = x.s.last[group].active;
+  if (!x.t.groups[group].flat) {
+    const Index end = entries_of(x, group, x.s.last);
+    claim(x, group, edge);
+    now_granted(x, edge, provider);
+    plan_for(x, group, provider, 0, end);
+    for (Index i = 0; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
+    claim_plan(x, 0, end);
+  } else {
+    grant_plain(x, edge, provider);
+  }
+}
+
+} // namespace
+
+/// A unit of this one edge stands as it stood.
+void repeat(Context& x, Index edge) {
+  x.s.edge_marks[edge] |= mark::visited;
+  if (runs_for_now(x, edge)) {
+    repeat_grant(x, edge);
+  } else {
+    x.s.edge_marks[edge] |= mark::refused;
+  }
+  if ((x.s.edge_marks[edge] & mark::pushes) == 0) return;
+  x.s.member[0] = edge;
+  keep_pushes(x, 1);
 }
 
 } // namespace director::arbitration

@@ -5,25 +5,39 @@
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 
-void begin_trail(Context& x);
+DIRECTOR_PART void begin_trail(Context& x);
+DIRECTOR_PART void end_trail(Context& x);
+DIRECTOR_PART void drop_noted(Context& x);
+DIRECTOR_PART void open_with_above(Context& x, Index group);
+DIRECTOR_PART void rest_on(Context& x, Index edge, std::uint8_t bits);
+DIRECTOR_PART void begin_followed(Context& x, Index count);
+DIRECTOR_PART void compare_with_last(Context& x, Index count);
+DIRECTOR_PART void reach_users(Context& x, Index group);
+DIRECTOR_PART void reach_edge(Context& x, Index edge);
+DIRECTOR_PART void move(Context& x, Index group);
 void disturb(Context& x);
-void open(Context& x, Index group);
-void touch_group(Context& x, Index group);
-void end_trail(Context& x);
-void clear_marks(Context& x);
-void rest_on(Context& x, Index edge, std::uint8_t bits);
-void begin_followed(Context& x, Index count);
-void compare_with_last(Context& x, Index count);
-void compare_claim(Context& x, Index group);
-void reach_edge(Context& x, Index edge);
 void take_up(Context& x, Index edge, bool with_siblings);
 void take_up_last(Context& x, Index group);
-void reach(Context& x, Index group);
-void move(Context& x, Index group);
+
+/// This pass looks at the group, and so at all above it.
+inline void open(Context& x, Index group) {
+  if (!is_opened(x, group)) open_with_above(x, group);
+}
+
+/// Who may look at the group is decided again.
+inline void reach(Context& x, Index group) {
+  if (!x.whole) reach_users(x, group);
+}
+
+inline void compare_claim(Context& x, Index group) {
+  if (!x.whole && x.s.now[group].holder != x.s.last[group].holder) move(x, group);
+}
 
 /// What is decided about the group in this pass: nothing yet.
 inline void clear(Context& x, Index group) {
@@ -49,11 +63,28 @@ inline std::span<const Index> opened(const Context& x) {
   return x.whole ? x.t.list(x.row.groups) : std::span<const Index>{x.s.opened + x.row.order, x.opened_count};
 }
 
+/// What changes about the group is noted for the next pass.
+inline bool is_noted(const Context& x, Index group) {
+  return (x.s.run_queue[group].flags & group_flag::followed) != 0;
+}
+
+/// A condition of one of its providers flipped, or it is to be looked at as if one had.
+inline void touch_group(Context& x, Index group) {
+  if (!is_noted(x, group) || (x.s.group_trail[group] & trail::touched) != 0) return;
+  x.s.group_trail[group] |= trail::touched;
+  x.s.flipped[x.flipped_count++] = group;
+}
+
 /// The request of the edge is another one since the last pass.
 inline void note_rerequest(Context& x, Index edge) {
-  if ((x.s.edge_trail[edge] & trail::changed) != 0) return;
+  if (!is_noted(x, x.s.request[edge].target) || (x.s.edge_trail[edge] & trail::changed) != 0) return;
   x.s.edge_trail[edge] |= trail::changed;
   x.s.rerequested[x.rerequested_count++] = edge;
+}
+
+/// What nobody visited is not queued.
+inline void leave_unvisited(Context& x, Index edge) {
+  if ((x.s.edge_marks[edge] & mark::visited) == 0) x.s.queued[edge] = Queued{};
 }
 
 inline void begin_decision(Context& x, Index count) {
@@ -68,6 +99,22 @@ inline void begin_decision(Context& x, Index count) {
 
 inline void end_decision(Context& x, Index count) {
   if (is_followed(x)) compare_with_last(x, count);
+}
+
+/// On edges, and where the walk passed.
+inline void clear_marks(Context& x) {
+  const auto clear_edge = [&](Index e) {
+    x.s.edge_marks[e] = 0;
+    x.s.group_trail[x.t.edges[e].target] &= static_cast<std::uint8_t>(~trail::passed);
+  };
+  for (const Index e : x.t.list(x.row.edges)) {
+    if (x.t.edges[e].requester != nil) break; // those of root come first
+    clear_edge(e);
+  }
+  for (const Index g : opened(x)) {
+    const Range edges = x.t.groups[g].edges;
+    for (Index e = edges.begin; e != edges.end; ++e) clear_edge(e);
+  }
 }
 
 } // namespace director::arbitration

@@ -3,13 +3,20 @@
 // Candidates in order. docs/semantics.md, section 4.4.
 
 #include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 
-void sort_roots(Context& x);
 void sweep(Context& x);
 void sweep_below(Context& x, Index group);
-void leave_to(Context& x, Index group);
+void visit(Context& x, Index edge, std::uint8_t marks);
+void visit_root(Context& x, Index edge);
+void walk_on(Context& x);
+DIRECTOR_PART void look_ahead(Context& x, Index group);
+DIRECTOR_PART void postpone(Context& x, Index edge);
+DIRECTOR_PART void sweep_optional(Context& x, Index root);
+DIRECTOR_PART void pass_by(Context& x, Index group);
+DIRECTOR_PART void leave_to(Context& x, Index group);
 
 /// In the new order.
 inline void put(Context& x, Index group, Index at) {

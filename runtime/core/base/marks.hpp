@@ -57,7 +57,8 @@ inline constexpr std::uint8_t queue = 1;   ///< it is to run
 inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched
 inline constexpr std::uint8_t waits = 4;   ///< its wait may be on
 inline constexpr std::uint8_t listens = 8; ///< to some trigger
-inline constexpr std::uint8_t ends = 16;   ///< something of it ends when it stops: states, a handler, a period
+inline constexpr std::uint8_t followed = 32; ///< its component is not decided whole (arbitration/trail.hpp)
+inline constexpr std::uint8_t ends = 16;   ///< it has what begins or ends with it: states, a handler, a period
 } // namespace group_flag
 
 } // namespace director

@@ -1,11 +1,63 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a behaviour may do without. A part of the engine is in sources of its own, which the rest calls by weak references: the linker takes them
-// from the library only where something else names the part. Generated code names those that its tables use; where a part is missing
-// nothing gets as far as a call of it. Only ELF has such references: elsewhere all parts are linked.
+// What a behaviour may do without. A part of the engine is a source of its own, which the rest calls by weak references:
+// the linker takes it from the library only where something else names it. Generated code names the parts that its
+// tables use; where a part is missing nothing gets as far as a call of it. Only ELF has such references: elsewhere all
+// parts are linked.
+
+#include "runtime/core/base/tables.hpp"
+
+#include <array>
 
 #ifdef __ELF__
 #define DIRECTOR_PART [[gnu::weak]]
 #else
 #define DIRECTOR_PART
 #endif
+
+namespace director {
+
+/// A name for each part, in its source.
+namespace part {
+extern const char units, limbo, order, conditions, pushes, equals, search, optional, trail; // arbitration
+extern const char states, handlers, promises, data;                                         // engine
+} // namespace part
+
+/// A component of at most so many groups is decided whole: to find out what a change reaches costs more there.
+inline constexpr Index most_decided_whole = 16;
+
+using Parts = std::array<const char*, 13>;
+
+/// What these tables use. `data`: some task has data.
+constexpr Parts parts_of(const Tables& t, bool data) {
+  const auto any = [](const auto& rows, auto has) {
+    for (const auto& row : rows) {
+      if (has(row)) return true;
+    }
+    return false;
+  };
+  const bool requests = t.edges.size() > t.root_edges;
+  const bool pushes = any(t.conditions, [](const Condition& row) { return !row.causers.empty(); });
+  const bool equals = any(t.components, [](const Component& row) { return row.equals; });
+  const bool search = t.most_edges > 1 || equals || any(t.groups, [](const Group& row) { return !row.flat; });
+  const bool optional = any(t.levels, [](const Level& row) { return row.optional; });
+  const bool trail = any(t.components, [](const Component& row) { return row.groups.size() > most_decided_whole; });
+  const bool handlers = any(t.groups, [](const Group& row) { return row.start || row.stop || !row.owned.empty(); }) ||
+                        any(t.providers, [](const Provider& row) { return row.every != 0; });
+  const auto use = [](bool used, const char& name) { return used ? &name : nullptr; };
+  return {use(requests, part::units),
+          use(requests, part::limbo),
+          use(requests || t.components.size() > 1, part::order),
+          use(!t.conditions.empty(), part::conditions),
+          use(pushes, part::pushes),
+          use(equals, part::equals),
+          use(search, part::search),
+          use(optional, part::optional),
+          use(trail, part::trail),
+          use(!t.states.empty(), part::states),
+          use(handlers, part::handlers),
+          use(!t.promises.empty() || !t.triggers.empty(), part::promises),
+          use(data, part::data)};
+}
+
+} // namespace director

@@ -17,7 +17,8 @@ namespace director {
 struct Shape {
   std::size_t groups = 0, providers = 0, edges = 0, conditions = 0, states = 0, promises = 0;
   std::size_t plan_slots = 0, listen_slots = 0, most_edges = 0, components = 0;
-  std::size_t lacking = 0; ///< the most conditions that one combination of choices can lack
+  std::size_t lacking = 0;  ///< the most conditions that one combination of choices can lack
+  std::size_t pushable = 0; ///< groups that have a provider which causes something
 
   constexpr std::size_t timers() const { return states + 2 * groups + promises; }
 
@@ -26,10 +27,13 @@ struct Shape {
             t.promises.size(), t.plan_groups.size(), t.listened.size(), t.most_edges,        t.components.size()};
     for (const Group& group : t.groups) {
       Index most = 0;
+      bool causes = false;
       for (Index p = group.providers.begin; p != group.providers.end; ++p) {
         if (t.providers[p].when.size() > most) most = t.providers[p].when.size();
+        causes = causes || !t.providers[p].causing.empty();
       }
       n.lacking += most;
+      n.pushable += causes ? 1 : 0;
     }
     return n;
   }
@@ -230,8 +234,8 @@ struct State {
   Index* cost_plan = nullptr;       ///< condition: number of its plan
   Index* cost_next = nullptr;       ///< condition: the first condition that it lacks; nil: nothing
   Assignment now;                   ///< what this pass decides
-  Push* own = nullptr;              ///< group: the pushes of the unit in hand
-  Push* first = nullptr;            ///< group: new pushes of the unit in hand
+  Push* own = nullptr;              ///< row of State::pushed of the component: the pushes of the unit in hand
+  Push* first = nullptr;            ///< likewise: new pushes of the unit in hand
   Index* touched = nullptr;         ///< groups that gained a reason to run since the last act
   Index* staged = nullptr;          ///< states that the running body set
   Index* asked = nullptr;           ///< edges that are marked as requested anew
@@ -239,11 +243,10 @@ struct State {
   Index* next_count = nullptr;      ///< as `order_count`
   Index* first_moved = nullptr;     ///< component: where that order begins to be another one
   Index* extent = nullptr;          ///< group that is claimed: how many it and all below it are, which stand together
-  Index* sorted = nullptr;          ///< groups of several components, brought in order
   Index* differing = nullptr;       ///< groups that stand elsewhere than before
   Lineage* lineage = nullptr;       ///< group that is claimed
   Index* trial = nullptr;           ///< group: edge that would claim it in the combination in hand
-  Index* entry_group = nullptr;     ///< 2 * groups: plans of the members in hand, as stacks of entries
+  Index* entry_group = nullptr;     ///< group by group: plans of the members in hand, as stacks of entries
   Index* entry_need = nullptr;      ///< the edge by which an entry is needed
   Index* entry_choice = nullptr;    ///< its provider, as a place in the order of preference
   Index* entry_provider = nullptr;  ///< its provider
@@ -255,7 +258,7 @@ struct State {
   Index* member_provider = nullptr; ///< that provider
   Index* member_entries = nullptr;  ///< one past the last entry of the member's plan
   Index* candidate = nullptr;       ///< edges that are candidates: a heap, the first in order on top
-  Index* reach = nullptr;           ///< groups: work list of a search
+  Index* reach = nullptr;           ///< groups: work list of a search, or those that the act goes through
   Index* denied = nullptr;          ///< groups in the order in which they were denied for their holder's sake
   Staged* staged_request = nullptr; ///< place among the running group's edges
   Index* unmet_member = nullptr;    ///< false conditions of the combination in hand: the member,
@@ -300,15 +303,15 @@ struct State {
     visit(s.cost, n.conditions), visit(s.cost_at, n.conditions), visit(s.cost_plan, n.conditions);
     visit(s.cost_next, n.conditions);
     each_of(s.now, n, visit);
-    visit(s.own, n.groups), visit(s.first, n.groups), visit(s.touched, n.groups), visit(s.staged, n.states);
+    visit(s.own, n.pushable), visit(s.first, n.pushable), visit(s.touched, n.groups), visit(s.staged, n.states);
     visit(s.asked, n.edges);
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.first_moved, n.components);
-    visit(s.extent, n.groups), visit(s.sorted, n.groups);
+    visit(s.extent, n.groups);
     visit(s.differing, n.groups);
     visit(s.lineage, n.groups);
     visit(s.trial, n.groups);
-    visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
-    visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
+    visit(s.entry_group, n.groups), visit(s.entry_need, n.groups), visit(s.entry_choice, n.groups);
+    visit(s.entry_provider, n.groups), visit(s.entry_parent, n.groups), visit(s.entry_place, n.groups);
     visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
     visit(s.member_provider, n.most_edges + 1), visit(s.member_entries, n.most_edges + 1);
     visit(s.candidate, n.edges), visit(s.reach, n.groups), visit(s.denied, n.groups);
@@ -322,7 +325,7 @@ struct State {
     visit(s.provider_marks, n.providers);
   }
 
-  static constexpr std::size_t arrays = 77;
+  static constexpr std::size_t arrays = 76;
 
   /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.
   static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : 64;

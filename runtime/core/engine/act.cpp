@@ -5,7 +5,6 @@
 // reasons to run.
 
 #include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/engine/notes.hpp"
 
 namespace director {
@@ -50,16 +49,8 @@ void Engine::act_on_all_touched() {
     last = component;
     x_.s.touched[count++] = group;
   }
-  if (!sorted) sort_by_place({x_.s.touched, count}, arbitration::Chains::previous);
+  if (!sorted) arbitration::sort_by_place(x_, {x_.s.touched, count}, arbitration::Chains::previous);
   for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.request[x_.s.last[x_.s.touched[i]].holder].anew != 0);
-}
-
-/// In the order of all: the groups of one component know their places.
-void Engine::sort_by_place(std::span<Index> groups, arbitration::Chains along) const {
-  heap_sort(groups, [&](Index a, Index b) {
-    if (x_.t.groups[a].component == x_.t.groups[b].component) return x_.s.place[a] < x_.s.place[b];
-    return arbitration::before_in_order(x_, a, b, along);
-  });
 }
 
 /// What was held in the components decided again, in the old order.
@@ -70,10 +61,10 @@ std::span<const Index> Engine::held_before(Index passes) {
   if (passes == 1) return part(x_.s.work[0]);
   Index count = 0;
   for (Index i = 0; i < passes; ++i) {
-    for (const Index group : part(x_.s.work[i])) x_.s.sorted[count++] = group;
+    for (const Index group : part(x_.s.work[i])) x_.s.reach[count++] = group;
   }
-  arbitration::sort_by_holders(x_, {x_.s.sorted, count}, arbitration::Chains::previous);
-  return {x_.s.sorted, count};
+  arbitration::sort_by_holders(x_, {x_.s.reach, count}, arbitration::Chains::previous);
+  return {x_.s.reach, count};
 }
 
 /// What is granted and can have a new reason to run, in the new order: it stands elsewhere than before, or was touched.
@@ -83,7 +74,7 @@ std::span<const Index> Engine::with_reasons() {
   Index count = 0;
   for (Index i = 0; i < differing_; ++i) {
     const Index group = x_.s.differing[i];
-    if (x_.s.now[group].granted()) x_.s.sorted[count++] = group;
+    if (x_.s.now[group].granted()) x_.s.reach[count++] = group;
   }
   for (Index i = 0; i < c.touched_count; ++i) {
     const Index group = x_.s.touched[i];
@@ -93,19 +84,10 @@ std::span<const Index> Engine::with_reasons() {
                injected(Fault::who_stands_as_before_is_overlooked)) {
       continue;
     }
-    x_.s.sorted[count++] = group;
+    x_.s.reach[count++] = group;
   }
-  sort_by_place({x_.s.sorted, count}, arbitration::Chains::current);
-  return {x_.s.sorted, count};
-}
-
-/// What few groups have: states of their own, a handler, a period.
-void Engine::end_what_it_has(Index group) {
-  for (const Index state : x_.t.list(x_.t.groups[group].owned)) {
-    if (!injected(Fault::owned_states_stay)) set_by_handler(state, x_.t.states[state].initial);
-  }
-  handle(group, Reason::stopped);
-  timers_.disarm({Timers::Kind::every, group});
+  if (count > 1) arbitration::sort_by_place(x_, {x_.s.reach, count}, arbitration::Chains::current);
+  return {x_.s.reach, count};
 }
 
 void Engine::stop_group(Index group) {
@@ -123,20 +105,6 @@ void Engine::stop_group(Index group) {
   }
 }
 
-/// Calls the start or stop handler.
-void Engine::handle(Index group, Reason reason) {
-  const bool starts = reason == Reason::started;
-  if (starts ? !x_.t.groups[group].start : !x_.t.groups[group].stop) return;
-  report(starts ? Event::Kind::start : Event::Kind::stop, group);
-  Handling handling(*this, group, Reasons{static_cast<std::uint8_t>(reason)});
-  inside_ = true;
-  (starts ? bodies_.start : bodies_.stop)(bodies_.self, handling);
-  inside_ = false;
-  if (!handling.faulted_) return;
-  report(Event::Kind::fault, group);
-  end_with_fault();
-}
-
 /// Why a group that is granted is to run, but for what is asked for anew.
 std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment& now) {
   std::uint8_t bits = 0;
@@ -150,57 +118,12 @@ std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment&
   return bits;
 }
 
-/// What follows besides: a start handler is called, or a period ends or begins.
-bool Engine::takes_more(Index group, const GroupAssignment& last, const GroupAssignment& now) const {
-  if (last.active == nil && x_.t.groups[group].start) return true;
-  const auto every = [&](Index provider) { return provider != nil && x_.t.providers[provider].every != 0; };
-  return last.active != now.active && (every(last.active) || every(now.active));
-}
-
-/// The start handler is called where the group becomes live, and a period ends or begins.
-void Engine::begin(Index group, const GroupAssignment& now) {
-  if (x_.s.last[group].active == nil) {
-    live_on(group, now.holder);
-    starting_ = group;
-    handle(group, Reason::started);
-    starting_ = nil;
-  }
-  const Time every = x_.t.providers[now.active].every; // the period begins when the provider becomes active
-  timers_.disarm({Timers::Kind::every, group});
-  if (every != 0) timers_.arm({Timers::Kind::every, group}, later(x_.s.counters->now, every));
-}
-
 /// To a group that is granted and stands elsewhere than before, or was touched.
 void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
-  if (takes_more(group, last, now) && !injected(Fault::handlers_are_overlooked)) begin(group, now);
+  if ((x_.s.run_queue[group].flags & group_flag::ends) != 0) begin_what_it_has(group);
   note_given(group, now.holder, reasons(last, now));
   queue().enter(group);
-}
-
-/// Section 7: a promise ends with its push, and when its condition has come true.
-void Engine::keep_promises(Index group) {
-  Promised& promised = x_.s.promised[group];
-  const Index provider = promised.provider;
-  if (provider == nil) return;
-  const Push& push = x_.s.last[group].push;
-  const bool stands = in_force(group) && push.edge == promised.edge && push.provider == provider;
-  const Range promises = x_.t.providers[provider].promises;
-  for (Index i = promises.begin; i != promises.end; ++i) {
-    if (!stands || arbitration::holds(x_, x_.t.promises[i].condition)) timers_.disarm({Timers::Kind::promise, i});
-  }
-  if (!stands) promised = {};
-}
-
-/// The data of a new request take their slot. What was there is kept for a group that still lives on it.
-void Engine::settle_data(Index edge) {
-  const Index group = x_.t.edges[edge].target;
-  const bool given = granted(group) && x_.s.last[group].holder == edge;
-  if (!given && x_.s.last[group].active != nil && x_.s.data_from[group] == edge) {
-    bodies_.data(bodies_.self, Bodies::Data::retain, edge, nil);
-    live_on(group, nil);
-  }
-  bodies_.data(bodies_.self, Bodies::Data::settle, edge, nil);
 }
 
 /// The new assignment becomes the last one. Runs of groups that are not granted leave the queue; what is pending stays.

@@ -44,8 +44,6 @@ void Engine::reset() {
   for (Index e = 0; e < x_.t.edges.size(); ++e) x_.s.request[e].target = x_.t.edges[e].target;
   for (Index slot = 0; slot < x_.t.plan_groups.size(); ++slot) x_.s.last.plan[slot] = nil;
   for (Index g = 0; g < x_.t.groups.size(); ++g) x_.s.trial[g] = x_.s.data_from[g] = nil;
-  x_.flipped_count = x_.rerequested_count = 0;
-  arbitration::forget_trail(x_);
   for (Index c = 0; c < x_.t.components.size(); ++c) {
     Index* link = &x_.s.first_root[c];
     for (const Index e : x_.t.list(x_.t.components[c].edges)) {
@@ -61,6 +59,7 @@ void Engine::reset() {
       entry.flags = flags_of(g);
     }
   }
+  arbitration::forget_trail(x_);
   starting_ = nil;
   inside_ = faulted_ = false;
 }
@@ -68,14 +67,9 @@ void Engine::reset() {
 /// The bits that follow from the tables.
 std::uint8_t Engine::flags_of(Index group) const {
   const Group& row = x_.t.groups[group];
-  bool ends = row.stop || !row.owned.empty();
+  bool ends = row.start || row.stop || !row.owned.empty();
   for (Index p = row.providers.begin; p != row.providers.end; ++p) ends = ends || x_.t.providers[p].every != 0;
   return static_cast<std::uint8_t>((row.listens.empty() ? 0 : group_flag::listens) | (ends ? group_flag::ends : 0));
-}
-
-void Engine::preset(Index state, std::int32_t value) {
-  x_.s.values[state].value = value;
-  look_at_conditions(state);
 }
 
 RunState Engine::state(Index edge) const {
@@ -126,18 +120,6 @@ bool Run::triggered(Index trigger) const {
 
 void Run::refuse(Index state, std::int32_t value) {
   if (engine_.observed()) engine_.report_value(Event::Kind::refused, group_, provider_, state, value);
-}
-
-Time Handling::now() const { return engine_.now(); }
-DataPlace Handling::data() const { return engine_.data_of(group_); }
-
-void Handling::set(Index state, std::int32_t value) {
-  if (engine_.observed()) engine_.report_value(Event::Kind::assign, group_, nil, state, value);
-  engine_.set_by_handler(state, value);
-}
-
-void Handling::refuse(Index state, std::int32_t value) {
-  if (engine_.observed()) engine_.report_value(Event::Kind::refused, group_, nil, state, value);
 }
 
 } // namespace director

@@ -140,25 +140,36 @@ private:
   Taken take_rarer(Input& record);
   bool take_more(Input& record);
   Taken take_request(Input& record);
-  Taken take_request_with_data(Input& record);
+  DIRECTOR_PART Taken take_request_with_data(Input& record); // data.cpp
   Taken take_requests(Input& record);
-  Taken take_states(Input& record);
   Taken take_cancel(Index edge);
   Taken take_cancel_of_all();
   Taken take_enabled(Index provider, std::uint8_t wanted);
-  Taken take_handlers_input();
   Taken take_timer();
   bool serve(Timers::Timer timer, Time when);
-  bool expire(Index state);
-  bool break_promise(Index promise);
   void end_wait(Index group);
-  bool fire(Index trigger);
+
+  // states.cpp
+  DIRECTOR_PART Taken take_states(Input& record);
+  DIRECTOR_PART bool expire(Index state);
+  DIRECTOR_PART void look_at_conditions(Index state);
+  DIRECTOR_PART void commit_states(bool fault);
+
+  // promises.cpp: section 7
+  DIRECTOR_PART bool fire(Index trigger);
+  DIRECTOR_PART bool break_promise(Index promise);
+  DIRECTOR_PART void keep_promises(Index group);
+
+  // handlers.cpp
+  DIRECTOR_PART void begin_what_it_has(Index group);
+  DIRECTOR_PART void end_what_it_has(Index group);
+  DIRECTOR_PART void end_period(Index group, Time when);
+  DIRECTOR_PART Taken take_handlers_input();
   void set_by_handler(Index state, std::int32_t value);
-  void look_at_conditions(Index state);
+  void handle(Index group, Reason reason);
 
   Index run_next();
   void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
-  void commit_states(bool fault);
   void commit_pack(Range edges);
   void answer(Index group, bool failed);
 
@@ -194,21 +205,15 @@ private:
   void act(Index passes, bool stops);
   void act_on_touched();
   void act_on_all_touched();
-  void sort_by_place(std::span<Index> groups, arbitration::Chains along) const;
   std::span<const Index> held_before(Index passes);
   std::span<const Index> with_reasons();
-  void end_what_it_has(Index group);
   void stop_group(Index group);
   static std::uint8_t reasons(const GroupAssignment& last, const GroupAssignment& now);
-  bool takes_more(Index group, const GroupAssignment& last, const GroupAssignment& now) const;
-  void begin(Index group, const GroupAssignment& now);
   void give_reasons(Index group);
-  void keep_promises(Index group);
-  void settle_data(Index edge);
+  DIRECTOR_PART void settle_data(Index edge); // data.cpp
   void adopt(Index group);
   void adopt_differing();
   void adopt_order(Index component);
-  void handle(Index group, Reason reason);
 
   RunQueue queue() const { return RunQueue(x_.s); }
   std::uint8_t flags_of(Index group) const;

@@ -44,27 +44,12 @@ Engine::Taken Engine::take_request(Input& record) {
   return Taken::no_change;
 }
 
-[[gnu::noinline]] Engine::Taken Engine::take_request_with_data(Input& record) {
-  if (record.more || !asks_again(record.thing, record.level)) return take_requests(record);
-  bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
-  give_what_is_asked_again(record.thing);
-  settle_data(record.thing);
-  return Taken::no_change;
-}
-
 [[gnu::noinline]] Engine::Taken Engine::take_requests(Input& record) {
   do {
     if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
     request(record.thing, record.level);
   } while (take_more(record));
   return Taken::change;
-}
-
-[[gnu::noinline]] Engine::Taken Engine::take_states(Input& record) {
-  bool changes = false;
-  do changes = set_value(record.thing, record.value) || changes;
-  while (take_more(record));
-  return changes ? Taken::change : Taken::no_change;
 }
 
 [[gnu::noinline]] Engine::Taken Engine::take_cancel(Index edge) {
@@ -91,49 +76,6 @@ Engine::Taken Engine::take_request(Input& record) {
   return Taken::change;
 }
 
-/// What start and stop handlers set during one act, merged into one input.
-Engine::Taken Engine::take_handlers_input() {
-  Counters& c = *x_.s.counters;
-  ++c.micro_step;
-  c.handlers_set = false;
-  bool changes = false;
-  const std::span<Index> states{x_.s.handled, c.handled_count};
-  c.handled_count = 0;
-  heap_sort(states, [](Index a, Index b) { return a < b; });
-  for (const Index state : states) {
-    const std::int32_t value = x_.s.handler_values[state];
-    x_.s.handler_values[state] = unset;
-    if (value == unset || !set_value(state, value)) continue;
-    changes = true;
-    if (observed()) report_set(state);
-  }
-  return changes ? Taken::change : Taken::no_change;
-}
-
-void Engine::set_by_handler(Index state, std::int32_t value) {
-  Counters& c = *x_.s.counters;
-  c.handlers_set = true;
-  std::int32_t& merged = x_.s.handler_values[state];
-  if (merged == unset && value != unset) x_.s.handled[c.handled_count++] = state;
-  merged = value;
-}
-
-/// True if somebody listens.
-bool Engine::fire(Index trigger) {
-  bool heard = false;
-  for (const Index provider : x_.t.list(x_.t.triggers[trigger].listeners)) {
-    const Index group = x_.t.providers[provider].group;
-    if (x_.s.last[group].active != provider) continue;
-    add_reason(group, Reason::trigger);
-    const Range listens = x_.t.groups[group].listens;
-    for (Index slot = listens.begin; slot != listens.end; ++slot) {
-      if (x_.t.listened[slot] == trigger) x_.s.fired[slot] = 1;
-    }
-    heard = true;
-  }
-  return heard;
-}
-
 /// What is due at the time being served, which began with the earliest: states that expire, waits, promises, `every`,
 /// each in order of declaration. Each is an input of its own. What one of them cancels is not due any more when its
 /// turn comes.
@@ -152,78 +94,14 @@ Engine::Taken Engine::take_timer() {
 
 /// True if that is an input with an effect.
 bool Engine::serve(Timers::Timer timer, Time when) {
-  const Counters& c = *x_.s.counters;
   const Index row = timer.row;
   switch (timer.kind) {
   case Timers::Kind::expiry: return expire(row);
   case Timers::Kind::promise: return break_promise(row);
   case Timers::Kind::wait: add_reason(row, Reason::wait); break;
-  case Timers::Kind::every: {
-    const Time period = x_.t.providers[x_.s.last[row].active].every;
-    // One that is late runs once, and is due again at the first multiple after it. Two times may be further apart than
-    // a Time can say.
-    const auto late = static_cast<std::uint64_t>(c.until) - static_cast<std::uint64_t>(when);
-    const auto each = static_cast<std::uint64_t>(period);
-    timers_.arm({Timers::Kind::every, row}, later(late < each ? when : c.until - static_cast<Time>(late % each), period));
-    add_reason(row, Reason::trigger);
-    break;
-  }
+  case Timers::Kind::every: end_period(row, when); break;
   }
   return true;
-}
-
-bool Engine::expire(Index state) {
-  if (!assign(state, x_.t.states[state].expires_to)) return false;
-  if (observed()) report_set(state);
-  return true;
-}
-
-/// Once for a push: the other promises of this run of it are over too. True if somebody listens.
-bool Engine::break_promise(Index promise) {
-  const Index provider = x_.t.promises[promise].provider;
-  const Range all = x_.t.providers[provider].promises;
-  for (Index i = all.begin; i != all.end; ++i) timers_.disarm({Timers::Kind::promise, i});
-  report(Event::Kind::broken, x_.t.providers[provider].group, provider);
-  const Index trigger = x_.t.promises[promise].trigger;
-  return trigger != nil && fire(trigger);
-}
-
-namespace {
-/// Whether the condition holds at the value; the interval around the value becomes smaller, so that none of the
-/// condition's bounds cuts it.
-inline bool narrow(UnchangedInterval& unchanged, std::span<const Interval> accepted, std::int32_t value) {
-  bool holds = false;
-  for (const Interval& row : accepted) {
-    if (row.low > value) {
-      if (row.low - 1 < unchanged.high) unchanged.high = row.low - 1;
-    } else if (row.high < value) {
-      if (row.high + 1 > unchanged.low) unchanged.low = row.high + 1;
-    } else {
-      holds = true;
-      if (row.low > unchanged.low) unchanged.low = row.low;
-      if (row.high < unchanged.high) unchanged.high = row.high;
-    }
-  }
-  return holds;
-}
-} // namespace
-
-/// The state has another value. Components in which a condition flips have to decide again, unless nothing has begun.
-/// Without a value nothing is true, and nothing stays unchanged but at that number, which no value has.
-void Engine::look_at_conditions(Index state) {
-  const std::int32_t value = x_.s.values[state].value;
-  UnchangedInterval unchanged{unset + 1, 2147483647};
-  if (value == unset) unchanged = {unset, unset};
-  for (const Index condition : x_.t.list(x_.t.states[state].conditions)) {
-    const Condition& row = x_.t.conditions[condition];
-    const bool now = value != unset && narrow(unchanged, x_.t.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
-    if (now == arbitration::holds(x_, condition)) continue;
-    x_.s.truth[condition] = now ? 1 : 0;
-    if (!x_.s.counters->begun || injected(Fault::conditions_are_overlooked)) continue;
-    for (const Index component : x_.t.list(row.components)) mark(component, work::changed);
-    for (const Index group : x_.t.list(row.groups)) arbitration::touch_group(x_, group);
-  }
-  x_.s.values[state].unchanged = unchanged;
 }
 
 } // namespace director

@@ -8,7 +8,11 @@
 #include "runtime/core/engine/engine.hpp"
 
 /// For what is called once, or from within a loop: a call would cost more than what it does.
+#ifdef __OPTIMIZE_SIZE__
+#define DIRECTOR_INLINE inline
+#else
 #define DIRECTOR_INLINE [[gnu::always_inline]] inline
+#endif
 
 namespace director {
 

@@ -23,7 +23,7 @@ void Engine::arbitrate() {
     ++passes_;
     arbitration::decide(x_, component);
     const bool other = changed(component, stops);
-    arbitration::end_trail(x_);
+    arbitration::end(x_);
     std::uint8_t left = x_.depends_on_stale ? work::stale_counts : 0;
     if (other && (x_.depends_on_last || x_.depends_on_stale)) left |= work::unsettled;
     x_.s.component[component] = left | work::listed | work::passed;

@@ -193,17 +193,6 @@ bool Engine::work_left() const {
   return c.handlers_set || !queue().empty() || c.unsettled || inbox_.due() || next_due() <= c.until;
 }
 
-void Engine::commit_states(bool fault) {
-  Counters& c = *x_.s.counters;
-  for (Index i = 0; i < c.staged_count; ++i) {
-    const Index state = x_.s.staged[i];
-    const std::int32_t value = x_.s.values[state].staged;
-    x_.s.values[state].staged = unset;
-    if (!fault && set_value(state, value) && observed()) report_set(state);
-  }
-  c.staged_count = 0;
-}
-
 void Engine::answer(Index group, bool failed) {
   x_.s.run_queue[group].done = failed ? result::done | result::failed : result::done;
   report(failed ? Event::Kind::failed : Event::Kind::done, group);

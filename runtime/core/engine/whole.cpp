@@ -5,6 +5,14 @@
 
 namespace director {
 
+namespace {
+
+[[gnu::used]] const Parts all{&part::units,    &part::limbo,  &part::order,    &part::conditions, &part::pushes,
+                              &part::equals,   &part::search, &part::optional, &part::trail,      &part::states,
+                              &part::handlers, &part::promises, &part::data};
+
+} // namespace
+
 Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
     : Engine(tables, State::in(memory, State::layout(Shape::of(tables))), bodies, inbox) {
   observe(observer);

@@ -1,0 +1,55 @@
+// docs/semantics.md, section 4.4, Hand-over: what nobody claims any more is kept for an heir that is about to run.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/arbitration/availability.hpp"
+#include "runtime/core/arbitration/choices.hpp"
+#include "runtime/core/arbitration/grant.hpp"
+#include "runtime/core/arbitration/pass.hpp"
+#include "runtime/core/arbitration/staleness.hpp"
+#include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/arbitration/walk.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char limbo = 0;
+}
+
+namespace director::arbitration {
+
+namespace {
+
+void keep_in_limbo(Context& x, Index group) {
+  const Index end = entries_of(x, group, x.s.last);
+  for (Index i = 0; i < end; ++i) {
+    if (x.s.now[x.s.entry_group[i]].holder != nil) return;
+  }
+  x.depends_on_last = x.depends_on_stale = true;
+  x.lineage_is_valid = false;
+  claim(x, group, static_cast<Index>(x.t.edges.size() + group));
+  x.s.now[group].active = x.s.last[group].active;
+  if (x.s.last[group].planned != nil) plan_for(x, group, x.s.last[group].planned, 0, end);
+  for (Index i = 0; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
+  claim_plan(x, 0, end);
+  compare_claim(x, group);
+  for (Index i = 0; i < end; ++i) compare_claim(x, x.s.entry_group[i]);
+  sweep_below(x, group);
+}
+
+} // namespace
+
+/// Hand-over: live groups that nobody claims are kept for an heir that is about to run.
+void keep_for_heirs(Context& x) {
+  if (injected(Fault::nobody_inherits)) return;
+  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
+    const Index group = x.s.order[x.row.order + i];
+    if (x.s.last[group].active == nil || x.s.now[group].holder != nil) continue;
+    x.s.reach[0] = group;
+    if (reached_from_stale(x, 1, nil)) keep_in_limbo(x, group);
+  }
+  const std::span<Index> limbo{x.s.next_order + x.row.order + x.limbo_begin,
+                               static_cast<std::size_t>(x.placed - x.limbo_begin)};
+  sort_by_holders(x, limbo, Chains::current); // by declaration
+  for (Index at = x.limbo_begin; at < x.placed; ++at) put(x, limbo[at - x.limbo_begin], at);
+}
+
+} // namespace director::arbitration

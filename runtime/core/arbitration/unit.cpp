@@ -1,0 +1,146 @@
+// docs/semantics.md, section 4.4: units. What a group that is claimed asks for and needs stands ahead in the walk; the members of a unit get what
+// they ask for together or not at all.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/arbitration/availability.hpp"
+#include "runtime/core/arbitration/choices.hpp"
+#include "runtime/core/arbitration/grant.hpp"
+#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/arbitration/staleness.hpp"
+#include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/arbitration/walk.hpp"
+#include "runtime/core/base/heap_sort.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char units = 0;
+}
+
+namespace director::arbitration {
+
+namespace {
+
+/// It comes before what stands ahead of its siblings?
+bool look_ahead_to(Context& x, Index edge, Index base) {
+  const bool in_order =
+      x.ahead == base || compare_siblings(x, {edge, false}, {x.s.candidate[x.ahead - 1], false}, true) < 0;
+  x.s.candidate[x.ahead++] = edge;
+  return in_order;
+}
+
+} // namespace
+
+/// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
+void look_ahead(Context& x, Index group) {
+  const Index source = stale_source(x, group);
+  const bool is_stale = source != up_to_date, asks = is_stale || x.s.now[group].granted();
+  std::uint8_t marks = asks ? std::uint8_t{0} : mark::tried;
+  if (is_stale) marks |= mark::below_stale;
+  const auto known = static_cast<std::uint8_t>((is_stale ? trail::stale : 0) | (asks ? trail::asks : 0));
+  const bool other = (x.s.group_trail[group] & (trail::stale | trail::asks)) != known;
+  x.s.group_trail[group] &= static_cast<std::uint8_t>(~(trail::stale | trail::asks));
+  x.s.group_trail[group] |= known;
+  const Index base = x.ahead;
+  Index together = 0, member = nil;
+  bool in_order = true, asked = false;
+  const Range edges = x.t.groups[group].edges;
+  for (Index e = edges.end; e != edges.begin;) {
+    --e;
+    const Index level = x.s.request[e].level;
+    if (other && !x.whole && level != nil && !injected(Fault::outdated_orders_are_overlooked)) {
+      reach_edge(x, e);
+      if (!asks) reach_pushes_of(x, e);
+    }
+    if (level == nil || !asks) {
+      if (holder_now(x, x.t.edges[e].target) != e) {
+        if (other && !x.whole && x.s.last[x.t.edges[e].target].holder == e &&
+            !injected(Fault::lost_needs_are_overlooked))
+          move(x, x.t.edges[e].target);
+        continue;
+      }
+      if (level == nil) {
+        in_order = look_ahead_to(x, e, base) && in_order;
+        continue;
+      }
+    }
+    asked = true;
+    const Level& row = x.t.levels[level];
+    std::uint8_t all = marks;
+    if (row.optional || row.apart || injected(Fault::members_for_themselves)) {
+      all |= mark::alone;
+    } else {
+      ++together;
+      member = e;
+    }
+    x.s.edge_marks[e] |= all;
+    if (row.optional) {
+      postpone(x, e);
+    } else {
+      in_order = look_ahead_to(x, e, base) && in_order;
+    }
+  }
+  if (together == 1) x.s.edge_marks[member] |= mark::alone;
+  if (is_stale && source != nil && asked) x.s.run_queue[source].counts = 1;
+  if (in_order) return;
+  heap_sort({x.s.candidate + base, static_cast<std::size_t>(x.ahead - base)}, [&](Index a, Index b) {
+    return compare_siblings(x, {b, false}, {a, false}, true) < 0;
+  });
+}
+
+/// The members of a unit, in order, the first of which is this one; the others stand ahead. Below a stale group each is
+/// tried for itself.
+void try_unit(Context& x, Index edge, bool outdated) {
+  Index count = 0;
+  x.s.unit[count++] = edge;
+  const Index from = requester(x, edge);
+  for (Index i = x.ahead; i > 0; --i) {
+    const Index e = x.s.candidate[i - 1];
+    if (requester(x, e) != from) break;
+    if (x.s.request[e].level == nil || (x.s.edge_marks[e] & mark::alone) != 0) continue;
+    x.s.edge_marks[e] |= mark::tried;
+    x.s.unit[count++] = e;
+  }
+  bool as_before = true;
+  for (Index i = 0; i < count; ++i) as_before = as_before && stands(x, x.s.unit[i]);
+  for (Index i = 0; as_before && i < count; ++i) repeat(x, x.s.unit[i]);
+  if (as_before) return;
+  begin_decision(x, count);
+  if (outdated || count == 1) {
+    for (Index i = 0; i < count; ++i) decide_alone(x, x.s.unit[i], outdated);
+  } else {
+    for (Index i = 0; i < count; ++i) x.s.member[i] = x.s.unit[i];
+    try_members(x, count, false);
+  }
+  end_decision(x, count);
+}
+
+void try_members(Context& x, Index count, bool outdated) {
+  if (outdated && any_new(x, count) && !injected(Fault::outdated_orders_acquire)) {
+    for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at]] |= mark::refused;
+    keep_pushes(x, count); // it is not even tried
+    return explain(x, count, Why::outdated);
+  }
+  if (count == 1 && taken(x, x.s.member[0])) return block(x, 1);
+  if (!combine(x, count, true)) return refuse(x, count);
+  if (!premature(x, count)) return grant(x, count);
+  x.depends_on_stale = true;
+  leave_combination(x, count);
+  defer(x, count); // of a stale requester nothing gets here: the members in hand are those of the unit
+}
+
+void grant(Context& x, Index count) {
+  for (Index at = 0; at < count; ++at) {
+    const Index edge = x.s.member[at], group = x.t.edges[edge].target, begin = entries_begin(x, at),
+                end = x.s.member_entries[at];
+    claim(x, group, edge);
+    now_granted(x, edge, x.s.member_provider[at]);
+    plan_for(x, group, x.s.member_provider[at], begin, end);
+    for (Index i = begin; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
+    claim_plan(x, begin, end);
+  }
+  if (x.had_pushes) keep_own_pushes(x, count);
+  leave_combination(x, count);
+}
+
+} // namespace director::arbitration

@@ -1,0 +1,31 @@
+// docs/bounds.md: what becomes of the data of tasks when they are requested.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/engine/notes.hpp"
+
+namespace director {
+
+namespace part {
+const char data = 0;
+}
+
+Engine::Taken Engine::take_request_with_data(Input& record) {
+  if (record.more || !asks_again(record.thing, record.level)) return take_requests(record);
+  bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
+  give_what_is_asked_again(record.thing);
+  settle_data(record.thing);
+  return Taken::no_change;
+}
+
+/// The data of a new request take their slot. What was there is kept for a group that still lives on it.
+void Engine::settle_data(Index edge) {
+  const Index group = x_.t.edges[edge].target;
+  const bool given = granted(group) && x_.s.last[group].holder == edge;
+  if (!given && x_.s.last[group].active != nil && x_.s.data_from[group] == edge) {
+    bodies_.data(bodies_.self, Bodies::Data::retain, edge, nil);
+    live_on(group, nil);
+  }
+  bodies_.data(bodies_.self, Bodies::Data::settle, edge, nil);
+}
+
+} // namespace director

@@ -1,0 +1,103 @@
+// docs/semantics.md, section 5: what begins and ends with a group or a provider: handlers are called, states of the group's own go back to their
+// initial values, periods run.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/base/heap_sort.hpp"
+#include "runtime/core/engine/notes.hpp"
+
+namespace director {
+
+namespace part {
+const char handlers = 0;
+}
+
+/// What few groups have: states of their own, handlers, periods.
+void Engine::end_what_it_has(Index group) {
+  for (const Index state : x_.t.list(x_.t.groups[group].owned)) {
+    if (!injected(Fault::owned_states_stay)) set_by_handler(state, x_.t.states[state].initial);
+  }
+  handle(group, Reason::stopped);
+  timers_.disarm({Timers::Kind::every, group});
+}
+
+/// Calls the start or stop handler.
+void Engine::handle(Index group, Reason reason) {
+  const bool starts = reason == Reason::started;
+  if (starts ? !x_.t.groups[group].start : !x_.t.groups[group].stop) return;
+  report(starts ? Event::Kind::start : Event::Kind::stop, group);
+  Handling handling(*this, group, Reasons{static_cast<std::uint8_t>(reason)});
+  inside_ = true;
+  (starts ? bodies_.start : bodies_.stop)(bodies_.self, handling);
+  inside_ = false;
+  if (!handling.faulted_) return;
+  report(Event::Kind::fault, group);
+  end_with_fault();
+}
+
+/// The start handler is called where the group becomes live, and the period begins when its provider becomes active.
+void Engine::begin_what_it_has(Index group) {
+  const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
+  if (last.active == now.active || injected(Fault::handlers_are_overlooked)) return;
+  if (last.active == nil) {
+    live_on(group, now.holder);
+    starting_ = group;
+    handle(group, Reason::started);
+    starting_ = nil;
+  }
+  const Time every = x_.t.providers[now.active].every;
+  timers_.disarm({Timers::Kind::every, group});
+  if (every != 0) timers_.arm({Timers::Kind::every, group}, later(x_.s.counters->now, every));
+}
+
+/// One that is late runs once, and is due again at the first multiple after it. Two times may be further apart than a Time can say.
+void Engine::end_period(Index group, Time when) {
+  const Time period = x_.t.providers[x_.s.last[group].active].every, until = x_.s.counters->until;
+  const auto late = static_cast<std::uint64_t>(until) - static_cast<std::uint64_t>(when);
+  const auto each = static_cast<std::uint64_t>(period);
+  timers_.arm({Timers::Kind::every, group}, later(late < each ? when : until - static_cast<Time>(late % each), period));
+  add_reason(group, Reason::trigger);
+}
+
+/// What start and stop handlers set during one act, merged into one input.
+Engine::Taken Engine::take_handlers_input() {
+  Counters& c = *x_.s.counters;
+  ++c.micro_step;
+  c.handlers_set = false;
+  bool changes = false;
+  const std::span<Index> states{x_.s.handled, c.handled_count};
+  c.handled_count = 0;
+  heap_sort(states, [](Index a, Index b) { return a < b; });
+  for (const Index state : states) {
+    const std::int32_t value = x_.s.handler_values[state];
+    x_.s.handler_values[state] = unset;
+    if (value == unset || !set_value(state, value)) continue;
+    changes = true;
+    if (observed()) report_set(state);
+  }
+  return changes ? Taken::change : Taken::no_change;
+}
+
+void Engine::set_by_handler(Index state, std::int32_t value) {
+  Counters& c = *x_.s.counters;
+  c.handlers_set = true;
+  std::int32_t& merged = x_.s.handler_values[state];
+  if (merged == unset && value != unset) x_.s.handled[c.handled_count++] = state;
+  merged = value;
+}
+
+// What a handler sees and asks for.
+
+Time Handling::now() const { return engine_.now(); }
+
+DataPlace Handling::data() const { return engine_.data_of(group_); }
+
+void Handling::set(Index state, std::int32_t value) {
+  if (engine_.observed()) engine_.report_value(Event::Kind::assign, group_, nil, state, value);
+  engine_.set_by_handler(state, value);
+}
+
+void Handling::refuse(Index state, std::int32_t value) {
+  if (engine_.observed()) engine_.report_value(Event::Kind::refused, group_, nil, state, value);
+}
+
+} // namespace director

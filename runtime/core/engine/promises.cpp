@@ -1,0 +1,52 @@
+// docs/semantics.md, section 7: promises, and the triggers that they fire when they are broken.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/engine/notes.hpp"
+
+namespace director {
+
+namespace part {
+const char promises = 0;
+}
+
+/// Section 7: a promise ends with its push, and when its condition has come true.
+void Engine::keep_promises(Index group) {
+  Promised& promised = x_.s.promised[group];
+  const Index provider = promised.provider;
+  if (provider == nil) return;
+  const Push& push = x_.s.last[group].push;
+  const bool stands = in_force(group) && push.edge == promised.edge && push.provider == provider;
+  const Range promises = x_.t.providers[provider].promises;
+  for (Index i = promises.begin; i != promises.end; ++i) {
+    if (!stands || arbitration::holds(x_, x_.t.promises[i].condition)) timers_.disarm({Timers::Kind::promise, i});
+  }
+  if (!stands) promised = {};
+}
+
+/// True if somebody listens.
+bool Engine::fire(Index trigger) {
+  bool heard = false;
+  for (const Index provider : x_.t.list(x_.t.triggers[trigger].listeners)) {
+    const Index group = x_.t.providers[provider].group;
+    if (x_.s.last[group].active != provider) continue;
+    add_reason(group, Reason::trigger);
+    const Range listens = x_.t.groups[group].listens;
+    for (Index slot = listens.begin; slot != listens.end; ++slot) {
+      if (x_.t.listened[slot] == trigger) x_.s.fired[slot] = 1;
+    }
+    heard = true;
+  }
+  return heard;
+}
+
+/// Once for a push: the other promises of this run of it are over too. True if somebody listens.
+bool Engine::break_promise(Index promise) {
+  const Index provider = x_.t.promises[promise].provider;
+  const Range all = x_.t.providers[provider].promises;
+  for (Index i = all.begin; i != all.end; ++i) timers_.disarm({Timers::Kind::promise, i});
+  report(Event::Kind::broken, x_.t.providers[provider].group, provider);
+  const Index trigger = x_.t.promises[promise].trigger;
+  return trigger != nil && fire(trigger);
+}
+
+} // namespace director

@@ -1,0 +1,81 @@
+// docs/semantics.md, section 3: values of states, and the conditions that flip with them.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/engine/notes.hpp"
+
+namespace director {
+
+namespace part {
+const char states = 0;
+}
+
+void Engine::preset(Index state, std::int32_t value) {
+  x_.s.values[state].value = value;
+  look_at_conditions(state);
+}
+
+Engine::Taken Engine::take_states(Input& record) {
+  bool changes = false;
+  do changes = set_value(record.thing, record.value) || changes;
+  while (take_more(record));
+  return changes ? Taken::change : Taken::no_change;
+}
+
+bool Engine::expire(Index state) {
+  if (!assign(state, x_.t.states[state].expires_to)) return false;
+  if (observed()) report_set(state);
+  return true;
+}
+
+namespace {
+
+/// Whether the condition holds at the value; the interval around the value becomes smaller, so that none of the
+/// condition's bounds cuts it.
+bool narrow(UnchangedInterval& unchanged, std::span<const Interval> accepted, std::int32_t value) {
+  bool holds = false;
+  for (const Interval& row : accepted) {
+    if (row.low > value) {
+      if (row.low - 1 < unchanged.high) unchanged.high = row.low - 1;
+    } else if (row.high < value) {
+      if (row.high + 1 > unchanged.low) unchanged.low = row.high + 1;
+    } else {
+      holds = true;
+      if (row.low > unchanged.low) unchanged.low = row.low;
+      if (row.high < unchanged.high) unchanged.high = row.high;
+    }
+  }
+  return holds;
+}
+
+} // namespace
+
+/// The state has another value. Components in which a condition flips have to decide again, unless nothing has begun.
+/// Without a value nothing is true, and nothing stays unchanged but at that number, which no value has.
+void Engine::look_at_conditions(Index state) {
+  const std::int32_t value = x_.s.values[state].value;
+  UnchangedInterval unchanged{unset + 1, 2147483647};
+  if (value == unset) unchanged = {unset, unset};
+  for (const Index condition : x_.t.list(x_.t.states[state].conditions)) {
+    const Condition& row = x_.t.conditions[condition];
+    const bool now = value != unset && narrow(unchanged, x_.t.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
+    if (now == arbitration::holds(x_, condition)) continue;
+    x_.s.truth[condition] = now ? 1 : 0;
+    if (!x_.s.counters->begun || injected(Fault::conditions_are_overlooked)) continue;
+    for (const Index component : x_.t.list(row.components)) mark(component, work::changed);
+    for (const Index group : x_.t.list(row.groups)) arbitration::touch_group(x_, group);
+  }
+  x_.s.values[state].unchanged = unchanged;
+}
+
+void Engine::commit_states(bool fault) {
+  Counters& c = *x_.s.counters;
+  for (Index i = 0; i < c.staged_count; ++i) {
+    const Index state = x_.s.staged[i];
+    const std::int32_t value = x_.s.values[state].staged;
+    x_.s.values[state].staged = unset;
+    if (!fault && set_value(state, value) && observed()) report_set(state);
+  }
+  c.staged_count = 0;
+}
+
+} // namespace director
