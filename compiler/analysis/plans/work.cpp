@@ -1,0 +1,165 @@
+// Door: compiler/analysis/plans/work.hpp. Test: tests/compiler/analysis/plans/work_test.cpp, tests/property/property_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/plans/work.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace director::analysis {
+
+namespace {
+
+constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+
+constexpr std::int64_t sum(std::int64_t a, std::int64_t b) { return a > most - b ? most : a + b; }
+constexpr std::int64_t product(std::int64_t a, std::int64_t b) { return b != 0 && a > most / b ? most : a * b; }
+
+/// What one unit may be tried for: with its conditions and without.
+constexpr std::int64_t attempts = 2;
+
+class Working {
+public:
+  Working(const Model& model, const Tables& tables, Trials& trials, WorkBound& out)
+      : model_(model),
+        t_(tables),
+        trials_(trials),
+        out_(out),
+        conditions_(model.groups.size(), -1),
+        searches_(tables.conditions.size(), -1) {}
+
+  /// Of a sweep over each component: what its root tasks and its groups ask for.
+  std::vector<std::int64_t> sweeps() {
+    std::vector<std::int64_t> out(t_.components.size());
+    const auto add = [&](Index group, std::int64_t work) {
+      std::int64_t& to = out[t_.groups[group].component];
+      to = sum(to, work);
+    };
+    for (std::size_t c = 0; c < out.size(); ++c) // each group is placed, and each edge decided, once
+      out[c] = static_cast<std::int64_t>(t_.components[c].groups.size() + t_.components[c].edges.size());
+    for (const Task& root : model_.roots) add(static_cast<Index>(root.target.value), alone(root));
+    for (const GroupId group : model_.groups.ids()) add(static_cast<Index>(group.value), largest_pack(group));
+    return out;
+  }
+
+private:
+  std::int64_t ways(GroupId group) {
+    const TrialCount& count = trials_.ways(group);
+    out_.counted = out_.counted && count.complete;
+    return count.count;
+  }
+
+  /// All choices of a member, once: a provider that is looked at, a plan that is found, and one that is left for the next.
+  std::int64_t choices(GroupId group) {
+    return sum(static_cast<std::int64_t>(model_.groups[group].providers.size()), product(2, ways(group)));
+  }
+
+  /// Decided for itself: all choices for what denies them, and then up to the first; with its conditions, without them, and,
+  /// as what is new is deferred, once more. Then it searches for somebody to push.
+  std::int64_t alone(const Task& task) {
+    return sum(product(2 * (attempts + 1), choices(task.target)), pushes(task.target));
+  }
+
+  /// Decided whole or not at all: each member for itself, twice, one after the other, and what can claim the same group in all
+  /// combinations.
+  std::int64_t together(const CountedUnit& unit) {
+    std::int64_t work = 0;
+    for (const Task* member : unit.members) work = sum(work, product(3, choices(member->target)));
+    for (const std::vector<const Task*>& members : unit.colliding) {
+      std::int64_t before = 1;
+      for (const Task* member : members) {
+        work = sum(work, product(before, choices(member->target)));
+        before = product(before, std::max<std::int64_t>(1, ways(member->target)));
+      }
+    }
+    return product(attempts, work);
+  }
+
+  /// A group asks for one pack at a time; the unit is decided whole, and then or instead each of it alone.
+  std::int64_t largest_pack(GroupId group) {
+    std::int64_t largest = 0;
+    for (const ProviderId provider : model_.groups[group].providers) {
+      for (const Pack& pack : model_.providers[provider].packs) {
+        std::int64_t work = 0;
+        for (const Task& task : pack.tasks) work = sum(work, alone(task));
+        if (const CountedUnit unit = trials_.together(pack); unit.members.size() > 1) work = sum(work, together(unit));
+        largest = std::max(largest, work);
+      }
+    }
+    return largest;
+  }
+
+  /// The most conditions that a choice of the group can lack.
+  std::int64_t conditions(GroupId group) {
+    if (conditions_[group.value] >= 0) return conditions_[group.value];
+    conditions_[group.value] = 0; // of a group that needs itself no plan is made
+    std::int64_t largest = 0;
+    for (const ProviderId id : model_.groups[group].providers) {
+      const director::Provider& row = t_.providers[id.value];
+      auto count = static_cast<std::int64_t>(row.when.size());
+      for (const Index need : t_.list(row.needs)) count = sum(count, conditions(GroupId{t_.edges[need].target}));
+      largest = std::max(largest, count);
+    }
+    return conditions_[group.value] = largest;
+  }
+
+  /// For each condition that it lacks, a search.
+  std::int64_t pushes(GroupId group) {
+    std::int64_t dearest = 0;
+    for (const Index condition : t_.list(t_.components[t_.groups[group.value].component].conditions))
+      dearest = std::max(dearest, search(condition));
+    return product(conditions(group), dearest);
+  }
+
+  /// Of a chain that makes the condition true: all plans of each provider that may stand in it, again until nothing gets shorter.
+  std::int64_t search(Index condition) {
+    std::int64_t& out = searches_[condition];
+    if (out >= 0) return out;
+    std::vector<Index> lacking{condition};
+    std::vector<bool> lacks(t_.conditions.size()), looked_at(t_.providers.size());
+    lacks[condition] = true;
+    std::int64_t plans = 0;
+    for (std::size_t i = 0; i < lacking.size(); ++i) {
+      for (const Index provider : t_.list(t_.conditions[lacking[i]].causers)) {
+        if (looked_at[provider]) continue;
+        looked_at[provider] = true;
+        const PlanCount found = trials_.plans(ProviderId{provider});
+        out_.counted = out_.counted && found.complete;
+        plans = sum(plans, found.plans);
+        for (const Index aim : t_.list(t_.providers[provider].aims)) {
+          if (lacks[aim]) continue;
+          lacks[aim] = true;
+          lacking.push_back(aim);
+        }
+      }
+    }
+    // After as many rounds as there are conditions no length changes any more; then who is declared earlier counts, and then nothing.
+    const auto rounds = static_cast<std::int64_t>(lacking.size()) + 2;
+    return out = product(rounds, plans);
+  }
+
+  const Model& model_;
+  const Tables& t_;
+  Trials& trials_;
+  WorkBound& out_;
+  std::vector<std::int64_t> conditions_, searches_; ///< below 0: not known yet
+};
+
+} // namespace
+
+WorkBound bound_work(const Model& model, const Tables& tables, Trials& trials) {
+  WorkBound out;
+  std::vector<std::int64_t> repetitions(tables.components.size());
+  for (const director::Group& group : tables.groups) {
+    if (group.requesters.size() > 1) ++repetitions[group.component];
+  }
+  const std::vector<std::int64_t> sweeps = Working(model, tables, trials, out).sweeps();
+  for (std::size_t c = 0; c < sweeps.size(); ++c) {
+    const std::int64_t pass = product(1 + repetitions[c], sweeps[c]);
+    out.pass = std::max(out.pass, pass);
+    out.micro_step = sum(out.micro_step, pass);
+  }
+  return out;
+}
+
+} // namespace director::analysis
