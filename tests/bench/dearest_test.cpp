@@ -48,7 +48,9 @@ TEST_CASE("what exceeds its bound is a fault, and the table has the shares") {
   CHECK(faults_of(std::vector{row}) == "dearest/a: a micro-step took 4801 units of work, more than 4800: that is no bound\n");
 }
 
-TEST_CASE("observing has a row for each observer") {
-  CHECK(table(std::vector{Observed{"a recorder", 123'456, 27.55, 0}}) ==
-        "| observing soccer | events | ns an event | dropped |\n| --- | ---: | ---: | ---: |\n| a recorder | 123,456 | 27.6 | 0 |\n");
+TEST_CASE("observing has a row for each observer, and events that were dropped are a fault") {
+  const Observed all{"a recorder", 123'456, 27.56, 0}, few{"a recorder", 123'456, 2, 5};
+  CHECK(table(std::vector{all}) == "| observing soccer | events | ns an event |\n| --- | ---: | ---: |\n| a recorder | 123,456 | 27.6 |\n");
+  CHECK(faults_of(std::vector{all}).empty());
+  CHECK(faults_of(std::vector{few}) == "a recorder: 5 events were dropped, which costs less than to record them\n");
 }

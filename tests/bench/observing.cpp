@@ -11,21 +11,25 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <thread>
 
 namespace bench {
 
 namespace {
 
 constexpr int replays = 7;
-constexpr std::size_t steps = 60'000; ///< ten minutes of the game
+constexpr std::size_t steps = 12'000;  ///< two minutes of the game
+constexpr std::size_t drained = 3'000; ///< after so many steps the recorder, whose queue would be full, has time to write
 
 using Clock = std::chrono::steady_clock;
 
-/// Of a game with this observer, how long each step took; the least of it and of what was there.
-void play(const director::Observer& observer, std::vector<double>& least) {
+/// Of a game with this observer, how long each step took; the least of it and of what was there. `pause`: between steps.
+void play(const director::Observer& observer, std::vector<double>& least, std::chrono::milliseconds pause = {}) {
   const Workload& soccer = workloads().front();
   const std::unique_ptr<Playing> playing = soccer.make(soccer.size, 1, observer);
+  std::size_t step = 0;
   for (double& each : least) {
+    if (++step % drained == 0) std::this_thread::sleep_for(pause);
     playing->prepare();
     const Clock::time_point begin = Clock::now();
     playing->take();
@@ -47,7 +51,7 @@ std::vector<Observed> observe() {
     events = 0;
     play(counting, counted);
     director::Recorder recorder{soccer::names::all(), "/dev/null"}; // its thread writes JSON lines, and no disk is slow
-    play(recorder.observer(), recorded);
+    play(recorder.observer(), recorded, std::chrono::milliseconds(200));
     dropped = recorder.dropped();
   }
   const auto each = [&](const std::vector<double>& times) { return (total(times) - total(alone)) / static_cast<double>(events); };

@@ -47,6 +47,7 @@ std::string table(const std::vector<WorkloadRow>& rows);
 std::string faults_of(const std::vector<Row>& rows);
 std::string faults_of(const std::vector<WorkloadRow>& rows);
 std::string faults_of(const std::vector<DearestRow>& rows);
+std::string faults_of(const std::vector<Observed>& rows);
 
 /// Lines of a name and a number.
 std::map<std::string, double> read_counts(const std::string& file);

@@ -158,8 +158,9 @@ int main(int count, char** arguments) {
   if (!rows.empty()) std::cout << table(rows);
   const std::vector<DearestRow> dearest = search_dearest(instructions);
   if (!dearest.empty()) std::cout << "\n" << table(dearest);
-  if (is_wanted("observing")) std::cout << "\n" << table(observe());
-  const std::string faults = faults_of(played) + faults_of(rows) + faults_of(dearest);
+  const std::vector<Observed> observed = is_wanted("observing") ? observe() : std::vector<Observed>{};
+  if (!observed.empty()) std::cout << "\n" << table(observed);
+  const std::string faults = faults_of(played) + faults_of(rows) + faults_of(dearest) + faults_of(observed);
   std::cerr << "\n" << faults;
   return faults.empty() ? 0 : 1;
 }

@@ -1,6 +1,9 @@
-// Door: compiler/analysis/plans/work.hpp. Test: tests/compiler/analysis/plans/work_test.cpp, tests/property/property_test.cpp.
+// Door: compiler/analysis/plans/work.hpp. Test: tests/compiler/analysis/plans/bounds_test.cpp, tests/property/property_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/work.hpp"
+
+#include "runtime/core/engine/engine.hpp"
+#include "runtime/hosted/engine_memory.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -18,14 +21,28 @@ constexpr std::int64_t product(std::int64_t a, std::int64_t b) { return b != 0 &
 /// What one unit may be tried for: with its conditions and without.
 constexpr std::int64_t attempts = 2;
 
+/// By component: two edges in it may be equal, so that a holder may stand in the way of its equal. The engine works that out of its
+/// tables.
+std::vector<bool> with_equals(const Tables& tables) {
+  EngineMemory memory(tables);
+  std::vector<Inbox::Cell> cells(2);
+  Inbox inbox(cells);
+  const Engine engine(tables, memory.state().data(), Bodies{}, inbox);
+  std::vector<bool> out;
+  for (std::size_t c = 0; c < tables.components.size(); ++c)
+    out.push_back((engine.memory().component_traits[c] & trait::equals) != 0);
+  return out;
+}
+
 class Working {
 public:
-  Working(const Model& model, const Tables& tables, Trials& trials, WorkBound& out)
+  Working(const Model& model, const Tables& tables, const std::vector<bool>& equals, Trials& trials, WorkBound& out)
       : model_(model),
         t_(tables),
+        equals_(equals),
         trials_(trials),
         out_(out),
-        conditions_(model.groups.size(), -1),
+        pushes_(model.groups.size(), -1),
         searches_(tables.conditions.size(), -1) {}
 
   /// Of a sweep over each component: what its root tasks and its groups ask for.
@@ -54,17 +71,18 @@ private:
     return sum(static_cast<std::int64_t>(model_.groups[group].providers.size()), product(2, ways(group)));
   }
 
-  /// Decided for itself: all choices for what denies them, and then up to the first; with its conditions, without them, and,
-  /// as what is new is deferred, once more. Then it searches for somebody to push.
+  /// Decided for itself: where an equal may deny it something all choices, and then up to the first; with its conditions, without
+  /// them, and, as what is new is deferred, once more. Then it searches for somebody to push.
   std::int64_t alone(const Task& task) {
-    return sum(product(2 * (attempts + 1), choices(task.target)), pushes(task.target));
+    const std::int64_t scans = equals_[t_.groups[task.target.value].component] ? 2 : 1;
+    return sum(product(scans * (attempts + 1), choices(task.target)), pushes(task.target));
   }
 
-  /// Decided whole or not at all: each member for itself, twice, one after the other, and what can claim the same group in all
+  /// Decided whole or not at all: each member for itself, one after the other, and what can claim the same group in all
   /// combinations.
   std::int64_t together(const CountedUnit& unit) {
     std::int64_t work = 0;
-    for (const Task* member : unit.members) work = sum(work, product(3, choices(member->target)));
+    for (const Task* member : unit.members) work = sum(work, product(2, choices(member->target)));
     for (const std::vector<const Task*>& members : unit.colliding) {
       std::int64_t before = 1;
       for (const Task* member : members) {
@@ -89,26 +107,20 @@ private:
     return largest;
   }
 
-  /// The most conditions that a choice of the group can lack.
-  std::int64_t conditions(GroupId group) {
-    if (conditions_[group.value] >= 0) return conditions_[group.value];
-    conditions_[group.value] = 0; // of a group that needs itself no plan is made
-    std::int64_t largest = 0;
+  /// For each condition that a choice of the group can lack, a search; of the choice that costs the most.
+  std::int64_t pushes(GroupId group) {
+    std::int64_t& known = pushes_[group.value];
+    if (known >= 0) return known;
+    known = 0; // of a group that needs itself no plan is made
+    std::int64_t dearest = 0;
     for (const ProviderId id : model_.groups[group].providers) {
       const director::Provider& row = t_.providers[id.value];
-      auto count = static_cast<std::int64_t>(row.when.size());
-      for (const Index need : t_.list(row.needs)) count = sum(count, conditions(GroupId{t_.edges[need].target}));
-      largest = std::max(largest, count);
+      std::int64_t work = 0;
+      for (const Index condition : t_.list(row.when)) work = sum(work, search(condition));
+      for (const Index need : t_.list(row.needs)) work = sum(work, pushes(GroupId{t_.edges[need].target}));
+      dearest = std::max(dearest, work);
     }
-    return conditions_[group.value] = largest;
-  }
-
-  /// For each condition that it lacks, a search.
-  std::int64_t pushes(GroupId group) {
-    std::int64_t dearest = 0;
-    for (const Index condition : t_.list(t_.components[t_.groups[group.value].component].conditions))
-      dearest = std::max(dearest, search(condition));
-    return product(conditions(group), dearest);
+    return known = dearest;
   }
 
   /// Of a chain that makes the condition true: all plans of each provider that may stand in it, again until nothing gets shorter.
@@ -140,20 +152,22 @@ private:
 
   const Model& model_;
   const Tables& t_;
+  const std::vector<bool>& equals_;
   Trials& trials_;
   WorkBound& out_;
-  std::vector<std::int64_t> conditions_, searches_; ///< below 0: not known yet
+  std::vector<std::int64_t> pushes_, searches_; ///< below 0: not known yet
 };
 
 } // namespace
 
 WorkBound bound_work(const Model& model, const Tables& tables, Trials& trials) {
   WorkBound out;
+  const std::vector<bool> equals = with_equals(tables);
   std::vector<std::int64_t> repetitions(tables.components.size());
   for (const director::Group& group : tables.groups) {
-    if (group.requesters.size() > 1) ++repetitions[group.component];
+    if (group.requesters.size() > 1 && equals[group.component]) ++repetitions[group.component];
   }
-  const std::vector<std::int64_t> sweeps = Working(model, tables, trials, out).sweeps();
+  const std::vector<std::int64_t> sweeps = Working(model, tables, equals, trials, out).sweeps();
   for (std::size_t c = 0; c < sweeps.size(); ++c) {
     const std::int64_t pass = product(1 + repetitions[c], sweeps[c]);
     out.pass = std::max(out.pass, pass);

@@ -8,8 +8,9 @@
 
 namespace director::analysis {
 
-/// What a unit of work is taken to cost where nobody says what it costs on his machine.
-inline constexpr double nanoseconds_of_work = 50;
+/// What a unit of work is taken to cost where nobody says what it costs on his machine: the dearest of the behaviours for which ./bench
+/// measures it, rounded up. docs/performance.md, "dearest micro-step", has the machine and the numbers.
+inline constexpr double nanoseconds_of_work = 150;
 
 struct WorkBound {
   std::int64_t pass = 0;       ///< of one pass, with its repetitions, over the component that takes the most
