@@ -127,7 +127,7 @@ private:
     case Format::json: {
       Json out = findings_json(checked.findings, sources_);
       if (explained_) out.add("reachable", to_json(*explained_, sources_));
-      if (bounds_) out.add("bounds", bounds_json(*bounds_));
+      if (bounds_) out.add("bounds", bounds_json(*bounds_, request_.work_ns));
       console_.out << to_lines(out);
       return;
     }
@@ -143,7 +143,7 @@ private:
     if (console_.out_width != 0 && !checked.findings.empty())
       console_.out << fmt::format("`directorc explain {}` says more\n", checked.findings.front().id);
     if (explained_) console_.out << to_text(*explained_, sources_);
-    if (bounds_) console_.out << bounds_text(*bounds_, checked.model, shown_path(request_.file));
+    if (bounds_) console_.out << bounds_text(*bounds_, checked.model, shown_path(request_.file), request_.work_ns);
   }
 
   const Check& request_;

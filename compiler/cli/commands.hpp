@@ -5,6 +5,7 @@
 // too little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written; 3
 // an assertion was not decided, or not everything was explored.
 
+#include "compiler/analysis/plans/work.hpp"
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/cli/console.hpp"
 #include "compiler/diff/diff.hpp"
@@ -26,6 +27,7 @@ struct Check {
   checks::Selection selection;
   std::string reachable;   ///< empty: nothing is asked; else `Kick`, `Walk.halting`, `Pose == standing`
   bool verbose = false;    ///< also memory and bounds
+  double work_ns = analysis::nanoseconds_of_work; ///< what a unit of work costs
   std::string build;       ///< folder with compile_commands.json, for the types that it names; empty: looked for
   std::size_t explore = 0; ///< states to explore for what never runs; 0: none
   bool watch = false;      ///< again whenever a file that was read changes

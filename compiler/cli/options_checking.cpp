@@ -23,7 +23,14 @@ Make check_options(CLI::App& app) {
                  "also tell how a group, Walk.halting or 'Pose == standing' may be reached")
       ->type_name("X");
   add_build(app, request->build);
-  app.add_flag("--verbose", request->verbose, "also print how much memory and work the engine may need");
+  CLI::Option* verbose =
+      app.add_flag("--verbose", request->verbose, "also print how much memory, work and time the engine may need");
+  app.add_option("--work-ns", request->work_ns,
+                 "with --verbose: what a unit of work costs on your machine, in nanoseconds, as ./bench measures it")
+      ->type_name("N")
+      ->check(CLI::Range(0.01, 1e9))
+      ->capture_default_str()
+      ->needs(verbose);
   auto explore = std::make_shared<bool>(false);
   auto bound = std::make_shared<std::size_t>(Explore{}.bound);
   CLI::Option* exploring =

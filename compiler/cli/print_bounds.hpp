@@ -10,7 +10,8 @@
 
 namespace director::compiler::cli {
 
-std::string bounds_text(const analysis::Bounds& bounds, const Model& model, const std::string& file);
-Json bounds_json(const analysis::Bounds& bounds);
+/// `work_ns`: what a unit of work costs.
+std::string bounds_text(const analysis::Bounds& bounds, const Model& model, const std::string& file, double work_ns);
+Json bounds_json(const analysis::Bounds& bounds, double work_ns);
 
 } // namespace director::compiler::cli

@@ -4,6 +4,7 @@
 // Under callgrind: does each workload and each case some times, and lets callgrind write what that took to a file of
 // its own. Prints what was done, in the order of these files: the name and how often.
 #include "tests/bench/case.hpp"
+#include "tests/bench/dearest.hpp"
 #include "tests/bench/workload.hpp"
 
 #include <valgrind/callgrind.h>
@@ -28,6 +29,26 @@ void count(const std::string& name, bench::Case& it, std::size_t times) {
   count(name, times, [&] { it.run(times); });
 }
 
+/// For each unit of work: what a micro-step takes that decides nothing is spread over those that do.
+void count(const bench::Search& search) {
+  constexpr std::size_t inputs = 300;
+  bench::Wanderer wanderer(search.compile(1), 1);
+  std::uint64_t work = 0;
+  CALLGRIND_START_INSTRUMENTATION;
+  CALLGRIND_ZERO_STATS;
+  for (std::size_t i = 0; i < inputs; ++i) {
+    CALLGRIND_TOGGLE_COLLECT;
+    wanderer.post();
+    const std::uint64_t before = wanderer.work();
+    CALLGRIND_TOGGLE_COLLECT;
+    while (wanderer.micro_step()) {}
+    work += wanderer.work() - before;
+  }
+  CALLGRIND_DUMP_STATS_AT(search.name.c_str());
+  CALLGRIND_STOP_INSTRUMENTATION;
+  std::cout << search.name << " " << work << std::endl;
+}
+
 void count(const bench::Workload& workload) {
   if (workload.counted == 0) return;
   const std::unique_ptr<bench::Playing> playing = workload.make(workload.size, 1, {});
@@ -50,5 +71,6 @@ int main() {
     count(entry.name, *entry.director(entry.size), entry.counted);
     if (entry.by_hand != nullptr) count(entry.name + ":by_hand", *entry.by_hand(entry.size), entry.counted);
   }
+  for (const bench::Search& each : bench::searches()) count(each);
   return 0;
 }

@@ -56,6 +56,44 @@ std::string table(const std::vector<WorkloadRow>& rows) {
   return out;
 }
 
+std::string table(const std::vector<DearestRow>& rows) {
+  std::string out = "| dearest micro-step at random | of | work | bound | share | ns | bound | ns a unit | instructions a unit |\n"
+                    "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+  for (const auto& [search, found, instructions] : rows) {
+    out += fmt::format("| {} | {} | {} | {} | {:.2g} % | {} | {} | {} | {} |\n", search.title,
+                       whole(static_cast<double>(found.micro_steps)), whole(static_cast<double>(found.work)),
+                       whole(static_cast<double>(found.work_bound)), 100 * found.share, whole(found.nanoseconds),
+                       whole(found.nanoseconds_bound), number(found.nanoseconds_of_work),
+                       or_nothing(instructions, whole(instructions)));
+  }
+  return out;
+}
+
+std::string table(const std::vector<Observed>& rows) {
+  std::string out = "| observing soccer | events | ns an event |\n| --- | ---: | ---: |\n";
+  for (const Observed& row : rows)
+    out += fmt::format("| {} | {} | {} |\n", row.title, whole(static_cast<double>(row.events)), number(row.nanoseconds));
+  return out;
+}
+
+std::string faults_of(const std::vector<DearestRow>& rows) {
+  std::string out;
+  for (const DearestRow& row : rows) {
+    if (row.found.work > row.found.work_bound)
+      out += fmt::format("{}: a micro-step took {} units of work, more than {}: that is no bound\n", row.search.name,
+                         row.found.work, row.found.work_bound);
+  }
+  return out;
+}
+
+std::string faults_of(const std::vector<Observed>& rows) {
+  std::string out;
+  for (const Observed& row : rows) {
+    if (row.dropped > 0) out += fmt::format("{}: {} events were dropped, which costs less than to record them\n", row.title, row.dropped);
+  }
+  return out;
+}
+
 std::string faults_of(const std::vector<WorkloadRow>& rows) {
   std::string out;
   for (const WorkloadRow& row : rows) {

@@ -3,6 +3,8 @@
 // What was measured, as a table for people; and whether it can be believed.
 
 #include "tests/bench/case.hpp"
+#include "tests/bench/dearest.hpp"
+#include "tests/bench/observing.hpp"
 #include "tests/bench/times.hpp"
 
 #include <map>
@@ -29,13 +31,23 @@ struct WorkloadRow {
   double instructions = 0; ///< 0: not counted
 };
 
+struct DearestRow {
+  const Search& search;
+  Dearest found;
+  double instructions = 0; ///< of a unit of work; 0: not counted
+};
+
 /// In Markdown.
 std::string table(const std::vector<Row>& rows);
+std::string table(const std::vector<DearestRow>& rows);
+std::string table(const std::vector<Observed>& rows);
 std::string table(const std::vector<WorkloadRow>& rows);
 
 /// A line each; empty if there is none.
 std::string faults_of(const std::vector<Row>& rows);
 std::string faults_of(const std::vector<WorkloadRow>& rows);
+std::string faults_of(const std::vector<DearestRow>& rows);
+std::string faults_of(const std::vector<Observed>& rows);
 
 /// Lines of a name and a number.
 std::map<std::string, double> read_counts(const std::string& file);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // speed [--instructions=FILE] [OPTION OF GOOGLE BENCHMARK...]: takes the times of each workload, and of each small case
-// and its floor, and prints two tables. Fails where the floor of a case is none (more than 5 ns a provider call), where
-// the two do not call as many providers, and where anything is allocated.
+// and its floor; looks for the dearest micro-steps; takes the time of observing; and prints a table of each. Fails where the floor of a case is none (more than 5 ns a provider call), where
+// the two do not call as many providers, where a micro-step exceeds its bound, and where anything is allocated.
 #include "tests/bench/case.hpp"
 #include "tests/bench/report.hpp"
 #include "tests/system/no_heap/heap_trap.hpp"
@@ -84,6 +84,16 @@ std::vector<WorkloadRow> play_workloads(const Counts& instructions) {
   return rows;
 }
 
+std::vector<DearestRow> search_dearest(const Counts& instructions) {
+  std::vector<DearestRow> rows;
+  for (const Search& each : searches()) {
+    if (!is_wanted(each.name)) continue;
+    rows.push_back({each, find_dearest(each), value(instructions, each.name)});
+    std::cerr << "." << std::flush;
+  }
+  return rows;
+}
+
 std::vector<Row> measure_cases(const Counts& instructions) {
   std::map<std::string, Measured> measured;
   const auto add = [&](const std::string& name, const Entry& entry, std::unique_ptr<Case> (*make)(std::size_t)) {
@@ -146,7 +156,11 @@ int main(int count, char** arguments) {
   if (!played.empty()) std::cout << table(played) << "\n";
   const std::vector<Row> rows = measure_cases(instructions);
   if (!rows.empty()) std::cout << table(rows);
-  const std::string faults = faults_of(played) + faults_of(rows);
+  const std::vector<DearestRow> dearest = search_dearest(instructions);
+  if (!dearest.empty()) std::cout << "\n" << table(dearest);
+  const std::vector<Observed> observed = is_wanted("observing") ? observe() : std::vector<Observed>{};
+  if (!observed.empty()) std::cout << "\n" << table(observed);
+  const std::string faults = faults_of(played) + faults_of(rows) + faults_of(dearest) + faults_of(observed);
   std::cerr << "\n" << faults;
   return faults.empty() ? 0 : 1;
 }

@@ -128,6 +128,11 @@ void TableRobot::step(Time now) {
   if (engine_.step(now) != StepResult::quiescent) throw std::logic_error("it does not come to rest");
 }
 
+bool TableRobot::micro_step(Time now) {
+  engine_.set_budget(1);
+  return engine_.step(now) != StepResult::quiescent;
+}
+
 Bodies TableRobot::functions() {
   Bodies out;
   out.self = this;

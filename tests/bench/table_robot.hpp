@@ -61,6 +61,7 @@ public:
   void post(std::span<const director::Input> records);
   void post(const director::Input& record) { post({&record, 1}); }
   void step(director::Time now = 0);
+  bool micro_step(director::Time now); ///< from then on one in each step; false: it rests
 
   std::uint64_t calls() const { return calls_; }
   const director::Engine& engine() const { return engine_; }

@@ -73,8 +73,14 @@ private:
     if (oracle_.exhausted()) return fail("the oracle does not come to rest");
     engine_.begin_step(c_.scenario.steps[index]);
     std::size_t count = 0;
+    std::uint64_t work = engine_.engine().work();
     while (engine_.micro_step()) {
       if (++count > most_micro_steps) return fail("the engine does not come to rest");
+      const std::uint64_t before = std::exchange(work, engine_.engine().work());
+      if (work - before > static_cast<std::uint64_t>(bounds_.work_in_a_micro_step))
+        return fail("a micro-step takes " + std::to_string(work - before) + " units of work, and its bound is " +
+                    std::to_string(bounds_.work_in_a_micro_step));
+      out_.dearest = std::max(out_.dearest, static_cast<double>(work - before) / static_cast<double>(bounds_.work_in_a_micro_step));
       add(course, engine_.snapshot());
       if (!obeys(course.back(), false)) return;
       const std::size_t at = course.size() - 1;

@@ -42,6 +42,7 @@ struct Verdict {
   std::array<bool, static_cast<std::size_t>(Show::count)> shown{};
   std::array<bool, kinds_of_claims> claimed{}; ///< what `why` answered
   std::size_t micro_steps = 0;
+  double dearest = 0;       ///< the most work of a micro-step, as a share of its bound
   std::size_t settling = 0; ///< the most micro-steps in a row that only arbitrated once more
 };
 

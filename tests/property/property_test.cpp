@@ -65,11 +65,13 @@ struct Shares {
   std::array<std::uint64_t, kinds_of_claims> claimed{};
   std::uint64_t cases = 0, micro_steps = 0;
   std::size_t settling = 0;
+  double dearest = 0;
 
   void add(const Verdict& verdict) {
     ++cases;
     micro_steps += verdict.micro_steps;
     settling = std::max(settling, verdict.settling);
+    dearest = std::max(dearest, verdict.dearest);
     for (std::size_t i = 0; i < shown.size(); ++i) shown[i] += verdict.shown[i] ? 1 : 0;
     for (std::size_t i = 0; i < claimed.size(); ++i) claimed[i] += verdict.claimed[i] ? 1 : 0;
   }
@@ -78,7 +80,7 @@ struct Shares {
   }
   void print(std::uint64_t first) const {
     std::cout << cases << " cases from seed " << first << ", " << micro_steps << " micro-steps, at most " << settling
-              << " in a row that only settle. Scenarios with\n"
+              << " in a row that only settle, at most " << 100 * dearest << " % of the work that is their bound. Scenarios with\n"
               << std::fixed << std::setprecision(1);
     for (std::size_t i = 0; i < shown.size(); ++i)
       std::cout << std::setw(7) << percent(static_cast<Show>(i)) << " %  " << show_names[i] << "\n";

@@ -3,6 +3,7 @@
 #include "compiler/analysis/plans/bounds.hpp"
 
 #include "compiler/analysis/plans/trials.hpp"
+#include "compiler/analysis/plans/work.hpp"
 #include "runtime/core/base/state.hpp"
 
 #include <algorithm>
@@ -38,6 +39,10 @@ public:
       add(root.target, trials_.pass(root).count);
     }
     for (const GroupId group : model_.groups.ids()) add(group, trials_.pass(group).count.count);
+    const WorkBound work = bound_work(model_, tables, trials_);
+    out_.work_in_a_pass = work.pass;
+    out_.work_in_a_micro_step = work.micro_step;
+    out_.counted = out_.counted && work.counted;
   }
 
 private:

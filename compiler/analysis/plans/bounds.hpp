@@ -16,6 +16,8 @@ struct Bounds {
   std::int64_t runs_waiting = 0;     ///< entries of the run queue
   std::int64_t trials = 0;           ///< combinations of providers and plans that one decision tries
   std::int64_t trials_in_a_pass = 0; ///< the same, for all that one pass over one component decides
+  std::int64_t work_in_a_pass = 0;   ///< units of Engine::work, repetitions of the pass among them
+  std::int64_t work_in_a_micro_step = 0; ///< the same, for all that one micro-step decides
   std::int64_t repetitions = 0;      ///< how often a pass is done again after one micro-step
   std::int64_t to_first_run = 0;     ///< micro-steps from a root request that is granted at once to its run
   std::int64_t calm_input = 0; ///< micro-steps for an input that changes no decision, where bodies keep what there is

@@ -20,7 +20,7 @@ void tell(const char* what, std::size_t number) {
 
 int main() {
   target::Used most;
-  std::size_t played = 0;
+  std::size_t played = 0, saved = 0;
   for (const target::Plan& plan : target::plans) {
     const target::Used used = target::play(plan, memory);
     if (used.memory > sizeof memory) {
@@ -28,10 +28,12 @@ int main() {
       continue;
     }
     ++played;
+    saved += used.saved ? 1 : 0;
     most.state = std::max(most.state, used.state);
     most.memory = std::max(most.memory, used.memory);
   }
   tell("scenarios played", played);
+  tell("of them saved and loaded between steps", saved);
   tell("bytes of the engine's memory, at most", most.state);
   tell("bytes with inbox and script, at most", most.memory);
   tell("bytes of stack, at most", target::deepest_stack());

@@ -5,6 +5,7 @@
 #include "tests/system/arm/target/player.hpp"
 
 #include "runtime/core/engine/engine.hpp"
+#include "runtime/core/engine/saved_state.hpp"
 #include "tests/system/arm/target/text.hpp"
 
 #include <new>
@@ -67,10 +68,12 @@ struct Memory {
 
 class Player {
 public:
-  Player(const Plan& plan, const Memory& memory)
+  /// `room`: for what is saved of the engine between two steps.
+  Player(const Plan& plan, const Memory& memory, std::span<std::byte> room)
       : plan_(plan),
         t_(plan.tables),
         m_(memory),
+        room_(room),
         inbox_({memory.cells, plan.inbox_cells}),
         engine_(t_, memory.state, bodies(), inbox_, {tell, this}) {
     engine_.set_budget(budget);
@@ -83,6 +86,7 @@ public:
     for (const Step& step : plan_.steps) {
       for (Index i = step.shown.begin; i != step.shown.end; ++i) line_.add("> ").add(plan_.shown[i]).end();
       if (!(step.advance > 0 ? advance(step.advance) : take(step.inputs))) break;
+      if (room_.size() >= director::saved_bytes(director::Shape::of(t_))) begin_again();
     }
     if (refused_) line_.add("refused").end();
   }
@@ -106,6 +110,17 @@ private:
       static_cast<Player*>(self)->move_data(what, edge, handle);
     };
     return out;
+  }
+
+  /// The engine forgets everything, and goes on from what was saved of it: no line of the trace is another.
+  void begin_again() {
+    constexpr std::uint64_t fingerprint = 1;
+    const Time until = engine_.memory().counters->until;
+    const director::SaveResult saved = director::save(engine_, room_, fingerprint);
+    engine_.reset();
+    const director::LoadResult loaded = director::load(engine_, room_, until, fingerprint);
+    if (saved != director::SaveResult::saved) line_.add(director::to_text(saved)).end();
+    if (loaded != director::LoadResult::loaded) line_.add(director::to_text(loaded)).end();
   }
 
   bool run_engine() {
@@ -324,6 +339,7 @@ private:
   const Plan& plan_;
   const director::Tables& t_;
   const Memory& m_;
+  const std::span<std::byte> room_;
   director::Inbox inbox_;
   director::Engine engine_;
   Line line_;
@@ -335,10 +351,13 @@ private:
 
 Used play(const Plan& plan, std::span<std::byte> memory) {
   const Memory needed(plan, nullptr);
-  const Used used{needed.state_bytes, needed.bytes};
+  const std::size_t state = director::saved_bytes(director::Shape::of(plan.tables));
+  Used used{needed.state_bytes, needed.bytes, false};
   if (used.memory > memory.size()) return used;
+  const std::span<std::byte> rest = memory.subspan(used.memory);
+  used.saved = state <= rest.size();
   const Memory taken(plan, memory.data());
-  Player(plan, taken).play();
+  Player(plan, taken, rest).play();
   return used;
 }
 

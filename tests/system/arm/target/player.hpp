@@ -12,6 +12,7 @@ namespace target {
 struct Used {
   std::size_t state = 0;  ///< bytes of the engine's memory
   std::size_t memory = 0; ///< with the inbox and what the script needs; more than there is: it was not played
+  bool saved = false;     ///< there was room to save the engine between steps, and to go on from that
 };
 
 /// `memory` is aligned to 8.

@@ -1,0 +1,179 @@
+// Door: compiler/analysis/plans/work.hpp. Test: tests/compiler/analysis/plans/bounds_test.cpp, tests/property/property_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/plans/work.hpp"
+
+#include "runtime/core/engine/engine.hpp"
+#include "runtime/hosted/engine_memory.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace director::analysis {
+
+namespace {
+
+constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+
+constexpr std::int64_t sum(std::int64_t a, std::int64_t b) { return a > most - b ? most : a + b; }
+constexpr std::int64_t product(std::int64_t a, std::int64_t b) { return b != 0 && a > most / b ? most : a * b; }
+
+/// What one unit may be tried for: with its conditions and without.
+constexpr std::int64_t attempts = 2;
+
+/// By component: two edges in it may be equal, so that a holder may stand in the way of its equal. The engine works that out of its
+/// tables.
+std::vector<bool> with_equals(const Tables& tables) {
+  EngineMemory memory(tables);
+  std::vector<Inbox::Cell> cells(2);
+  Inbox inbox(cells);
+  const Engine engine(tables, memory.state().data(), Bodies{}, inbox);
+  std::vector<bool> out;
+  for (std::size_t c = 0; c < tables.components.size(); ++c)
+    out.push_back((engine.memory().component_traits[c] & trait::equals) != 0);
+  return out;
+}
+
+class Working {
+public:
+  Working(const Model& model, const Tables& tables, const std::vector<bool>& equals, Trials& trials, WorkBound& out)
+      : model_(model),
+        t_(tables),
+        equals_(equals),
+        trials_(trials),
+        out_(out),
+        pushes_(model.groups.size(), -1),
+        searches_(tables.conditions.size(), -1) {}
+
+  /// Of a sweep over each component: what its root tasks and its groups ask for.
+  std::vector<std::int64_t> sweeps() {
+    std::vector<std::int64_t> out(t_.components.size());
+    const auto add = [&](Index group, std::int64_t work) {
+      std::int64_t& to = out[t_.groups[group].component];
+      to = sum(to, work);
+    };
+    for (std::size_t c = 0; c < out.size(); ++c) // each group is placed, and each edge decided, once
+      out[c] = static_cast<std::int64_t>(t_.components[c].groups.size() + t_.components[c].edges.size());
+    for (const Task& root : model_.roots) add(static_cast<Index>(root.target.value), alone(root));
+    for (const GroupId group : model_.groups.ids()) add(static_cast<Index>(group.value), largest_pack(group));
+    return out;
+  }
+
+private:
+  std::int64_t ways(GroupId group) {
+    const TrialCount& count = trials_.ways(group);
+    out_.counted = out_.counted && count.complete;
+    return count.count;
+  }
+
+  /// All choices of a member, once: a provider that is looked at, a plan that is found, and one that is left for the next.
+  std::int64_t choices(GroupId group) {
+    return sum(static_cast<std::int64_t>(model_.groups[group].providers.size()), product(2, ways(group)));
+  }
+
+  /// Decided for itself: where an equal may deny it something all choices, and then up to the first; with its conditions, without
+  /// them, and, as what is new is deferred, once more. Then it searches for somebody to push.
+  std::int64_t alone(const Task& task) {
+    const std::int64_t scans = equals_[t_.groups[task.target.value].component] ? 2 : 1;
+    return sum(product(scans * (attempts + 1), choices(task.target)), pushes(task.target));
+  }
+
+  /// Decided whole or not at all: each member for itself, one after the other, and what can claim the same group in all
+  /// combinations.
+  std::int64_t together(const CountedUnit& unit) {
+    std::int64_t work = 0;
+    for (const Task* member : unit.members) work = sum(work, product(2, choices(member->target)));
+    for (const std::vector<const Task*>& members : unit.colliding) {
+      std::int64_t before = 1;
+      for (const Task* member : members) {
+        work = sum(work, product(before, choices(member->target)));
+        before = product(before, std::max<std::int64_t>(1, ways(member->target)));
+      }
+    }
+    return product(attempts, work);
+  }
+
+  /// A group asks for one pack at a time; the unit is decided whole, and then or instead each of it alone.
+  std::int64_t largest_pack(GroupId group) {
+    std::int64_t largest = 0;
+    for (const ProviderId provider : model_.groups[group].providers) {
+      for (const Pack& pack : model_.providers[provider].packs) {
+        std::int64_t work = 0;
+        for (const Task& task : pack.tasks) work = sum(work, alone(task));
+        if (const CountedUnit unit = trials_.together(pack); unit.members.size() > 1) work = sum(work, together(unit));
+        largest = std::max(largest, work);
+      }
+    }
+    return largest;
+  }
+
+  /// For each condition that a choice of the group can lack, a search; of the choice that costs the most.
+  std::int64_t pushes(GroupId group) {
+    std::int64_t& known = pushes_[group.value];
+    if (known >= 0) return known;
+    known = 0; // of a group that needs itself no plan is made
+    std::int64_t dearest = 0;
+    for (const ProviderId id : model_.groups[group].providers) {
+      const director::Provider& row = t_.providers[id.value];
+      std::int64_t work = 0;
+      for (const Index condition : t_.list(row.when)) work = sum(work, search(condition));
+      for (const Index need : t_.list(row.needs)) work = sum(work, pushes(GroupId{t_.edges[need].target}));
+      dearest = std::max(dearest, work);
+    }
+    return known = dearest;
+  }
+
+  /// Of a chain that makes the condition true: all plans of each provider that may stand in it, again until nothing gets shorter.
+  std::int64_t search(Index condition) {
+    std::int64_t& out = searches_[condition];
+    if (out >= 0) return out;
+    std::vector<Index> lacking{condition};
+    std::vector<bool> lacks(t_.conditions.size()), looked_at(t_.providers.size());
+    lacks[condition] = true;
+    std::int64_t plans = 0;
+    for (std::size_t i = 0; i < lacking.size(); ++i) {
+      for (const Index provider : t_.list(t_.conditions[lacking[i]].causers)) {
+        if (looked_at[provider]) continue;
+        looked_at[provider] = true;
+        const PlanCount found = trials_.plans(ProviderId{provider});
+        out_.counted = out_.counted && found.complete;
+        plans = sum(plans, found.plans);
+        for (const Index aim : t_.list(t_.providers[provider].aims)) {
+          if (lacks[aim]) continue;
+          lacks[aim] = true;
+          lacking.push_back(aim);
+        }
+      }
+    }
+    // After as many rounds as there are conditions no length changes any more; then who is declared earlier counts, and then nothing.
+    const auto rounds = static_cast<std::int64_t>(lacking.size()) + 2;
+    return out = product(rounds, plans);
+  }
+
+  const Model& model_;
+  const Tables& t_;
+  const std::vector<bool>& equals_;
+  Trials& trials_;
+  WorkBound& out_;
+  std::vector<std::int64_t> pushes_, searches_; ///< below 0: not known yet
+};
+
+} // namespace
+
+WorkBound bound_work(const Model& model, const Tables& tables, Trials& trials) {
+  WorkBound out;
+  const std::vector<bool> equals = with_equals(tables);
+  std::vector<std::int64_t> repetitions(tables.components.size());
+  for (const director::Group& group : tables.groups) {
+    if (group.requesters.size() > 1 && equals[group.component]) ++repetitions[group.component];
+  }
+  const std::vector<std::int64_t> sweeps = Working(model, tables, equals, trials, out).sweeps();
+  for (std::size_t c = 0; c < sweeps.size(); ++c) {
+    const std::int64_t pass = product(1 + repetitions[c], sweeps[c]);
+    out.pass = std::max(out.pass, pass);
+    out.micro_step = sum(out.micro_step, pass);
+  }
+  return out;
+}
+
+} // namespace director::analysis
