@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/trace/waits.hpp"
 
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "compiler/play/why.hpp"
 
 #include <unordered_map>

@@ -4,7 +4,7 @@
 #include "compiler/base/json.hpp"
 #include "compiler/play/moment.hpp"
 #include "compiler/play/play.hpp"
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "compiler/trace/waits.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "tests/property/compiled.hpp"
