@@ -2,7 +2,7 @@
 # cmake -D NODE=<program> -D NPM=<program> -D MOMENTS=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P moments.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 set(web ${ROOT}/compiler/page/web)
-set(into ${WORK}/moments)
+set(into ${WORK}/engine_moments)
 file(MAKE_DIRECTORY ${into})
 install_packages(${web} ${into})
 if(NOT installed)

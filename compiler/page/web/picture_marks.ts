@@ -39,15 +39,15 @@ export class PictureMarks {
 
   constructor(private readonly picture: Picture, private readonly recording: Recording, data: Data) {
     this.names = recording.names;
-    const parts = new Map<string, number[]>(); // modules and layers
-    for (const { name, module, layer } of data.groups) for (const part of [module, layer]) if (part !== undefined) parts.set(part, [...(parts.get(part) ?? []), this.names.group(name)]);
+    const parts = new Map<string, number[]>(); // modules and layers; the names of bands are called so too, and have no frame
+    for (const { name, module, layer } of data.groups) for (const part of [`module ${module}`, `layer ${layer}`]) parts.set(part, [...(parts.get(part) ?? []), this.names.group(name)]);
     const groupsOf = (title: string): number[] => {
       const groups = title.split(', ').map((name) => this.names.group(name));
       return groups.every((group) => group !== nobody) ? groups : (parts.get(title) ?? []);
     };
     for (const [title, node] of picture.nodes) {
       const groups = groupsOf(title);
-      if (groups.length > 0) this.boxes.push(this.box(node, groups));
+      if (groups.length > 0 && node.querySelector('path')) this.boxes.push(this.box(node, groups));
     }
     for (const { from, to, element } of picture.arrows) {
       const [asker, row] = from.split('.');
@@ -123,7 +123,7 @@ export class PictureMarks {
       each.setAttribute('x', String(x + 4));
       each.setAttribute('y', String(y + size + 1 + i * size * 1.2));
       each.setAttribute('font-size', String(size));
-      each.textContent = line;
+      each.textContent = i + 1 < lines.length ? `${line} ` : line;
       out.append(each);
     });
     node.parentNode?.append(out);

@@ -8,7 +8,7 @@ namespace {
 
 using director::tests::World;
 
-const std::string lamp = R"(behaviour: lamp
+const std::string recorded_lamp = R"(behaviour: lamp
 language: 1
 states:
   Power: {values: [off, on], initial: off, external: true}
@@ -21,7 +21,7 @@ groups:
 /// Where `runs/run.jsonl` has been recorded of `lamp.yaml`.
 World with_recording() {
   World world;
-  world.files.add("lamp.yaml", lamp);
+  world.files.add("lamp.yaml", recorded_lamp);
   world.files.add("s.yaml", R"(scenario: a lamp
 behaviour: lamp.yaml
 steps:
@@ -34,7 +34,7 @@ steps:
   return world;
 }
 
-std::string recorded(World& world) { return world.outputs.files.at("run.jsonl"); }
+std::string trace_of(World& world) { return world.outputs.files.at("run.jsonl"); }
 
 /// What stands in the section before its data.
 std::string section(const std::string& page) {
@@ -78,13 +78,13 @@ TEST_CASE("a page that somebody else has written is not overwritten") {
 
 TEST_CASE("of another version of the behaviour there is no page") {
   World world = with_recording();
-  world.files.add("other.yaml", lamp + "  Ring: {}\n");
+  world.files.add("other.yaml", recorded_lamp + "  Ring: {}\n");
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=html", "--behaviour=other.yaml", "-o", "run.html"}) == 1);
   CHECK(world.err == "runs/run.jsonl:1: error: this is a trace of another version of `other.yaml`\n"
                      "  help: --behaviour names the version that was recorded; `directorc replay` says what this one decides otherwise\n");
   CHECK(world.outputs.files.count("run.html") == 0);
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=html", "--behaviour=none.yaml"}) == 2);
-  CHECK(world.err == "directorc: `none.yaml` cannot be read: no such file\n");
+  CHECK(world.err == "directorc: cannot read `none.yaml`: No such file or directory\n");
   world.files.add("wrong.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Nobody]\ngroups: {Shine: {}}\n");
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=html", "--behaviour=wrong.yaml"}) == 1);
   CHECK(world.err.find("[undefined_name]") != std::string::npos);
@@ -92,7 +92,7 @@ TEST_CASE("of another version of the behaviour there is no page") {
 
 TEST_CASE("of a trace with events missing, cut off or with a wrong line, the page shows what is there") {
   World world = with_recording();
-  const std::string whole = recorded(world);
+  const std::string whole = trace_of(world);
   const std::size_t third = whole.find('\n', whole.find('\n') + 1) + 1;
   world.files.add("runs/some.jsonl", whole.substr(0, third) + "{\"event\":\"dropped\",\"count\":1}\n" +
                                          whole.substr(whole.find("{\"t\":1000000")));
@@ -115,7 +115,7 @@ TEST_CASE("of a trace with events missing, cut off or with a wrong line, the pag
 
 TEST_CASE("where a replay goes another way the page says so, and is written") {
   World world = with_recording();
-  std::string other = recorded(world);
+  std::string other = trace_of(world);
   const std::string set = "\"state\":\"Power\",\"value\":\"on\"}";
   other.replace(other.find(set), set.size(), "\"state\":\"Power\",\"value\":\"off\"}");
   world.files.add("runs/other.jsonl", other);
