@@ -103,11 +103,11 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   replayed.next();
   const Waits waits = find_waits(replayed, of.checked.model, lowered, sources);
   const std::string why_ends = end_of(waits);
-  if (waits.replayed.difference)
-    console.err << fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line, why_ends);
   Recording recording(rows.names(), waits, why_ends);
   PageRecording page;
   const bool whole = Reading(rows.names(), recording, page).read(lines, request.file, console);
+  if (whole && waits.replayed.difference) // else it is the line that is wrong
+    console.err << fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line, why_ends);
   page.about = fmt::format("{} in {}, from {}{}.", counted(recording.events(), "event"),
                            seconds(recording.ends() - recording.begins()) + " s", shown_path(request.file),
                            lines.cut_off() ? ", whose last line is cut off" : "");

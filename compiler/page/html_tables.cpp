@@ -12,10 +12,23 @@ namespace {
 
 constexpr std::size_t nowhere = std::string::npos;
 
-/// What Graphviz wrote, without what a page has once: the heads of files, and numbers of nodes as ids.
+void erase_all(std::string& text, std::string_view what) {
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t at = text.find(what); at != nowhere; at = text.find(what, from)) {
+    out.append(text, from, at - from);
+    from = at + what.size();
+  }
+  text = out.append(text, from);
+}
+
+/// What Graphviz wrote, without what a page has once: the heads of files, numbers of nodes as ids, and the font, which is
+/// in page.css; and without what is so anyway.
 std::string svg_part(std::string svg) {
   const std::size_t begin = svg.find("<svg");
   if (begin != nowhere) svg.erase(0, begin);
+  erase_all(svg, " font-family=\"Helvetica,sans-Serif\"");
+  erase_all(svg, " text-anchor=\"start\"");
   for (std::size_t at = svg.find(" id=\""); at != nowhere; at = svg.find(" id=\"", at))
     svg.erase(at, svg.find('"', at + 5) + 1 - at);
   for (std::size_t at = svg.find("<!--"); at != nowhere; at = svg.find("<!--", at))
@@ -48,7 +61,7 @@ std::string matrix_html(const Json& rows) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const CellKind& kind = cell_kind(cells[i]);
       const Json* column = is_telling(cells[i]) ? &rows.items()[i] : nullptr;
-      out += fmt::format("<td data-kind=\"{}\"><a href=\"#{}\" title=\"{}\">{}</a></td>", kind.kind,
+      out += fmt::format("<td data-kind=\"{}\"><a href=\"#{}\" title=\"{}\">{}</a>", kind.kind, // </td> may be left out
                          anchor_of(row, column), kind.kind, kind.sign);
     }
     out += "</tr>\n";

@@ -63,6 +63,7 @@ const std::vector<Library>& libraries() {
       {"benchmark/", {"tests/bench/"}},
       {"dds/", {"runtime/dds/", "tests/runtime/dds/"}},
       {"httplib.h", {"runtime/live/http.cpp"}},
+      {"zlib.h", {"compiler/base/packed.cpp", "tests/compiler/base/packed_test.cpp"}},
   };
   return all;
 }

@@ -39,15 +39,15 @@ export class PictureMarks {
 
   constructor(private readonly picture: Picture, private readonly recording: Recording, data: Data) {
     this.names = recording.names;
-    const parts = new Map<string, number[]>(); // modules and layers
-    for (const { name, module, layer } of data.groups) for (const part of [module, layer]) if (part !== undefined) parts.set(part, [...(parts.get(part) ?? []), this.names.group(name)]);
+    const parts = new Map<string, number[]>(); // modules and layers; the names of bands are called so too, and have no frame
+    for (const { name, module, layer } of data.groups) for (const part of [`module ${module}`, `layer ${layer}`]) parts.set(part, [...(parts.get(part) ?? []), this.names.group(name)]);
     const groupsOf = (title: string): number[] => {
       const groups = title.split(', ').map((name) => this.names.group(name));
       return groups.every((group) => group !== nobody) ? groups : (parts.get(title) ?? []);
     };
     for (const [title, node] of picture.nodes) {
       const groups = groupsOf(title);
-      if (groups.length > 0) this.boxes.push(this.box(node, groups));
+      if (groups.length > 0 && node.querySelector('path')) this.boxes.push(this.box(node, groups));
     }
     for (const { from, to, element } of picture.arrows) {
       const [asker, row] = from.split('.');
@@ -56,6 +56,11 @@ export class PictureMarks {
       const provider = groups.length === 1 && this.names.provider(groups[0], row) !== nobody ? row : undefined;
       this.arrows.push({ element, from: groups, provider, to: groupsOf(asked), pushedTo, shown: '' });
     }
+  }
+
+  /** Else its boxes have no size. */
+  get isVisible(): boolean {
+    return this.picture.svg.getClientRects().length > 0;
   }
 
   /** Without an event the picture is as it was. */
@@ -82,7 +87,7 @@ export class PictureMarks {
     const standings = event === undefined ? [] : box.groups.map((group) => ({ group, standing: this.recording.standingAt(group, event) }));
     const most = standings.reduce<{ group: number; standing: Standing } | undefined>((a, b) => (a && order.indexOf(a.standing.mark) >= order.indexOf(b.standing.mark) ? a : b), undefined);
     const mark = most?.standing.mark ?? '';
-    const note = most && (mark === 'queued' || mark === 'pushed' || mark === 'held') ? words(this.names, most.group, most.standing) : '';
+    const note = most && (mark === 'queued' || mark === 'pushed') ? words(this.names, most.group, most.standing) : '';
     const provider = most && most.standing.provider !== nobody ? this.names.header.groups[most.group].providers[most.standing.provider] : '';
     const running = new Set(standings.filter(({ standing }) => standing.mark === 'running' || standing.mark === 'pushed').map(({ group }) => group));
     const shown = `${mark} ${provider} ${note} ${[...running].join()}`;
@@ -118,7 +123,7 @@ export class PictureMarks {
       each.setAttribute('x', String(x + 4));
       each.setAttribute('y', String(y + size + 1 + i * size * 1.2));
       each.setAttribute('font-size', String(size));
-      each.textContent = line;
+      each.textContent = i + 1 < lines.length ? `${line} ` : line;
       out.append(each);
     });
     node.parentNode?.append(out);

@@ -97,6 +97,7 @@ export class Timeline {
 
   private listen(): void {
     this.inPicture.addEventListener('change', () => this.moved());
+    byId('picture')?.addEventListener('change', () => this.moved()); // another view of it
     this.follow.addEventListener('change', () => this.grown());
     this.area.addEventListener('keydown', (event) => this.key(event));
     this.area.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
@@ -181,7 +182,7 @@ export class Timeline {
     if (hit.row.group !== undefined) {
       const standing = recording.standingAt(hit.row.group, hit.event);
       const text = words(recording.names, hit.row.group, standing);
-      this.tip.textContent = `${recording.names.header.groups[hit.row.group].name}: ${standing.mark}${text === '' || text.startsWith(standing.mark) ? '' : ','} ${text.startsWith(standing.mark) ? text.slice(standing.mark.length) : text}\n${time}`;
+      this.tip.textContent = `${recording.names.header.groups[hit.row.group].name}: ${text === '' ? standing.mark : text.startsWith(standing.mark) ? text : `${standing.mark}, ${text}`}\n${time}`;
     } else if (hit.row.state !== undefined) {
       const value = recording.valueAt(hit.row.state, hit.event);
       this.tip.textContent = `${recording.names.header.states[hit.row.state].name}: ${value === undefined ? 'not known' : (value ?? 'unset')}\n${time}`;
@@ -236,7 +237,7 @@ export class Timeline {
     this.moment.show();
     this.list.show();
     this.overview.showCursor();
-    for (const marks of this.marks) marks.show(this.inPicture.checked ? event : undefined);
+    for (const marks of this.marks) if (marks.isVisible) marks.show(this.inPicture.checked ? event : undefined);
   }
 
   private draw(): void {

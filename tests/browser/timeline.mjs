@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// node timeline.mjs CHROMIUM FOLDER: what people do with pages that have a recording. Leaves pictures of what they see there.
+import { strict as assert } from 'node:assert';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { check, Situations } from './situations.mjs';
+
+const [program, folder] = process.argv.slice(2);
+const all = await Situations.open(program, folder);
+const laptop = { viewport: { width: 1366, height: 768 } };
+
+/** Once the recording is decoded. */
+const situation = (title, name, options, act) =>
+  all.run(title, name, { ...laptop, ...options }, async (page, said) => {
+    await page.waitForSelector('#scrub[aria-valuetext]');
+    await page.locator('#timeline').evaluate((section) => section.scrollIntoView());
+    await act(page, said);
+  });
+
+/** What is planned for the next frame is shown. */
+const frame = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const press = async (page, ...keys) => {
+  await page.locator('#scrub').focus();
+  for (const key of keys) await page.keyboard.press(key);
+  await frame(page);
+};
+const where = (page) => page.locator('.where').textContent();
+const marked = (page, mark) => page.locator(`.holder:not([hidden]) g.node.is-${mark} > title`).allTextContents().then((names) => names.sort());
+const lines = (page, part) => page.locator(`#moment h4:text-is("${part}") + ul > li`).allTextContents();
+const box = (page) => page.locator('#scrub').boundingBox();
+
+/** The policy forbids Playwright's own waiting for what a function says. */
+async function until(page, holds) {
+  for (let i = 0; i < 300 && !(await holds()); ++i) await page.waitForTimeout(50);
+  assert.ok(await holds());
+}
+
+/** To this part of the whole recording. */
+async function scrubTo(page, part) {
+  const { x, y, width } = await box(page);
+  await page.mouse.move(x + width * part, y + 60);
+  await page.mouse.down();
+  await page.mouse.up();
+  await frame(page);
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  for (const name of ['minute', 'gap', 'rover']) {
+    await situation(`axe finds nothing, ${colorScheme}`, name, { colorScheme, bypassCSP: true }, async (page) => {
+      await press(page, 'PageUp', 'PageUp', 'ArrowRight', 'ArrowRight', 'ArrowRight');
+      await all.shot(page, `${name}_${colorScheme}`);
+      await page.locator('.filter summary').click();
+      await check(page);
+      await all.shot(page, `${name}_${colorScheme}_filter`);
+    });
+  }
+}
+
+await situation('steps go from decision to decision, and picture, words and list show each', 'rover', {}, async (page) => {
+  assert.match(await where(page), /^0\.000 s, after event \d+ of 42: run Wheels new_task$/);
+  await press(page, 'Home');
+  for (let i = 0; i < 3; ++i) await page.getByRole('button', { name: 'Previous event' }).click();
+  await frame(page);
+  const texts = [];
+  for (let i = 0; i < 12; ++i) {
+    texts.push((await where(page)).split(': ').slice(1).join(': '));
+    await page.getByRole('button', { name: 'Next event' }).click();
+    await frame(page);
+  }
+  assert.deepEqual(texts.slice(0, 6), ['> request Photograph', 'push Drive.braking for root>Photograph', 'queue root>Photograph: waiting for Motion == still', 'set Motion still', 'queue Explore>Drive: blocked', 'take over Wheels: Photograph>Wheels from Drive>Wheels'].slice(0, 6));
+});
+
+await situation('a push is shown: who waits and why, who is pushed for it, in words and in the picture', 'rover', {}, async (page) => {
+  assert.deepEqual(await lines(page, 'Waits'), [
+    'Photograph waits (root>Photograph): until Motion == still, which Drive.braking could cause' +
+      'Motion is rolling (tests/docs/rover/rover.yaml:21)' + 'Drive.braking is to cause it: pushed for root>Photograph (tests/docs/rover/rover.yaml:36)',
+  ]);
+  assert.deepEqual(await lines(page, 'Pushed'), ['Drive: pushed to braking for Photograph, which waits for Motion == still']);
+  assert.deepEqual(await lines(page, 'States'), ['Motion == rolling']);
+  assert.deepEqual([await marked(page, 'running'), await marked(page, 'pushed'), await marked(page, 'queued'), await marked(page, 'inactive')], [['Explore', 'Wheels'], ['Drive'], ['Photograph'], ['Camera']]);
+  assert.deepEqual(await page.locator('.holder:not([hidden]) g.edge.is-pushed > title').allTextContents(), ['Photograph → Drive.braking']);
+  assert.deepEqual((await page.locator('.holder:not([hidden]) .note').allTextContents()).sort(), ['pushed to braking for Photograph', 'queued: until Motion == still']);
+  assert.equal(await page.locator('.holder:not([hidden]) text', { hasText: '▶ braking' }).count(), 1);
+  await all.shot(page, 'rover_push');
+  await page.getByLabel('Moment in the picture').uncheck();
+  await frame(page);
+  assert.deepEqual([await marked(page, 'running'), await page.locator('.note').count(), await page.locator('svg.moment').count()], [[], 0, 0]);
+});
+
+await situation('the mouse scrubs, and drags', 'minute', {}, async (page) => {
+  await scrubTo(page, 0.5);
+  assert.match(await where(page), /^(29\.9|30\.0)\d+ s, after event [\d,]+ of [\d,]+: /);
+  const { x, y, width } = await box(page);
+  await page.mouse.move(x + width / 2, y + 60);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 4, y + 60, { steps: 5 });
+  await page.mouse.up();
+  await frame(page);
+  assert.match(await where(page), /^1[45]\.\d+ s, /);
+  const value = Number(await page.locator('#scrub').getAttribute('aria-valuenow'));
+  assert.ok(value > 14 && value < 16);
+});
+
+await situation('the keyboard goes to events, further, to both ends, and zooms around the moment', 'minute', {}, async (page) => {
+  await press(page, 'End');
+  assert.match(await where(page), /^60\.000 s, /);
+  await press(page, 'Home');
+  assert.match(await where(page), /^0\.010 s, /);
+  await press(page, 'PageUp');
+  assert.match(await where(page), /^6\.009 s, /);
+  const from = await where(page);
+  await press(page, 'ArrowRight', 'ArrowLeft');
+  const before = await where(page);
+  assert.ok(parseFloat(before) <= parseFloat(from), `${before}, ${from}`);
+  const place = () => page.locator('.overview .window').evaluate((window) => window.style.width);
+  const whole = await place();
+  await press(page, '+', '+');
+  assert.ok(parseFloat(await place()) < parseFloat(whole) / 3);
+  await press(page, '0');
+  assert.equal(await place(), whole);
+  const { x, y } = await box(page);
+  await page.mouse.move(x + 100, y + 100);
+  await page.keyboard.down('Control');
+  await page.mouse.wheel(0, -400);
+  await page.keyboard.up('Control');
+  await frame(page);
+  assert.ok(parseFloat(await place()) < parseFloat(whole));
+});
+
+await situation('playing moves the moment, at the speed that is chosen, until it is paused or at the end', 'minute', {}, async (page) => {
+  const time = async () => parseFloat(await where(page));
+  await page.getByLabel('Speed').selectOption('10');
+  await page.getByRole('button', { name: 'Play' }).click();
+  await until(page, async () => (await time()) > 2);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await frame(page);
+  const paused = await time();
+  await page.waitForTimeout(100);
+  assert.equal(await time(), paused);
+  await press(page, 'End', ' ');
+  await until(page, async () => (await time()) < 30); // from the beginning again
+  await press(page, ' ');
+  assert.equal(await page.getByRole('button', { name: 'Play' }).count(), 1);
+});
+
+await situation('the filter says which events are stepped to and listed, and which groups have a track', 'minute', {}, async (page) => {
+  await page.locator('.filter summary').click();
+  for (const box of await page.locator('.filter fieldset:first-of-type input').all()) await box.uncheck();
+  assert.deepEqual(await page.locator('#events li').allTextContents(), ['None that the filter lets through.']);
+  await page.getByLabel('pushes', { exact: true }).check();
+  await page.locator('.filter summary').click();
+  await press(page, 'ArrowRight');
+  assert.match(await where(page), /: push Walk\.halting for KickTo>Kick$/);
+  const listed = await page.locator('#events li button').evaluateAll((all) => all.map((each) => each.lastChild.textContent));
+  assert.deepEqual([...new Set(listed)].sort(), ['push Walk.halting for KickTo>Kick', 'release Walk']);
+  const before = await page.locator('.labels a').count();
+  await page.locator('.filter summary').click();
+  await page.getByRole('button', { name: 'No group' }).click();
+  await page.getByLabel('Kick', { exact: true }).check();
+  await frame(page);
+  assert.deepEqual(await page.locator('.labels a').allTextContents(), ['Kick', 'Phase', 'Stability', 'Ball', 'RisingStep']);
+  await page.getByRole('button', { name: 'Those to which something happens' }).click();
+  await frame(page);
+  assert.equal(await page.locator('.labels a').count(), before);
+});
+
+await situation('a slice says under the pointer what it is', 'rover', {}, async (page) => {
+  const { x, y, width } = await box(page);
+  await page.mouse.move(x + width / 2, y + 34 + 2 * 20 + 10);
+  assert.equal(await page.locator('.tip').textContent(), 'Drive: pushed to braking for Photograph\n0.000 s to 1.000 s');
+  await page.mouse.move(x + width / 2, y + 34 + 5 * 20 + 10);
+  assert.equal(await page.locator('.tip').textContent(), 'Motion: rolling\n0.000 s to 1.000 s');
+  await page.mouse.move(x + width / 2, y + 10);
+  assert.equal(await page.locator('.tip').isVisible(), false);
+});
+
+await situation('behind a gap nothing is known until it is told, and why not', 'gap', {}, async (page) => {
+  await page.locator('.filter summary').click();
+  for (const box of await page.locator('.filter fieldset:first-of-type input').all()) await box.uncheck();
+  await page.getByLabel('faults and losses', { exact: true }).check();
+  await page.locator('.filter summary').click();
+  await press(page, 'ArrowRight');
+  assert.match(await where(page), /: 2000 events are missing$/);
+  assert.equal((await lines(page, 'Not known, as events are missing')).length, 24);
+  assert.deepEqual(await lines(page, 'Runs'), []);
+  assert.deepEqual(await lines(page, 'States'), ['Phase is not known', 'Stability is not known', 'Ball is not known', 'RisingStep is not known']);
+  await page.locator('.filter summary').click();
+  await page.getByLabel('queued', { exact: true }).check();
+  await page.getByLabel('faults and losses', { exact: true }).uncheck();
+  await page.locator('.filter summary').click();
+  for (let i = 0; i < 40 && !/: queue KickTo>Kick/.test(await where(page)); ++i) await press(page, 'ArrowRight');
+  assert.deepEqual((await lines(page, 'Waits')).filter((line) => line.startsWith('Kick')), ['Kick queued: until Stability == standingNot more is known: 2000 events are missing before: why something waits is not known from there on.']);
+});
+
+await situation('one picture of modules or layers shows the moment too', 'minute', {}, async (page) => {
+  await scrubTo(page, 0.5);
+  await page.getByLabel('By layer', { exact: true }).check();
+  await frame(page);
+  assert.deepEqual(await marked(page, 'running'), ['layer actuation', 'layer planning', 'layer purpose', 'layer skill', 'layer strategy']);
+});
+
+await situation('at 200 % nothing is cut off at the side', 'minute', { viewport: { width: 683, height: 384 }, deviceScaleFactor: 2 }, async (page) => {
+  const [inner, whole] = await page.evaluate(() => [document.documentElement.clientWidth, document.documentElement.scrollWidth]);
+  assert.ok(whole <= inner, `${whole} points in ${inner}`);
+  await all.shot(page, 'minute_200');
+});
+
+await all.run('without JavaScript the beginning is a table', 'minute', { javaScriptEnabled: false }, async (page) => {
+  assert.match(await page.locator('#no-timeline').textContent(), /The timeline itself needs JavaScript\. These are the first events:/);
+  assert.equal(await page.locator('#no-timeline tbody tr').count(), 40);
+  assert.equal(await page.locator('#no-timeline td').nth(1).textContent(), '> request FallRecovery');
+});
+
+const whole = readFileSync(join(folder, 'minute.html'), 'utf8');
+writeFileSync(join(folder, 'damaged.html'), whole.replace(/(id="recording">.{2000}).{40}/, `$1${'A'.repeat(40)}`));
+await all.run('a recording that is damaged is told, and the rest of the page is there', 'damaged', {}, async (page) => {
+  await until(page, async () => (await page.locator('#no-timeline').textContent()).startsWith('The timeline cannot be shown: '));
+  assert.equal(await page.locator('#no-timeline tbody tr').count(), 40);
+  assert.equal(await page.locator('#finder').isVisible(), true);
+});
+
+await all.end();

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Tests compiler/trace/waits.cpp. That an answer is the one of `directorc why` follows from where it comes from; when it becomes another is told here.
+#include "compiler/trace/waits.hpp"
+
+#include "compiler/lower/lower.hpp"
+#include "tests/compiler/cli/world.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director::compiler;
+using director::tests::World;
+
+const std::string kicker_yaml = R"(behaviour: kicker
+language: 1
+states:
+  Pose: {values: [moving, still], initial: moving}
+roots:
+  Walk: {priority: 10}
+  Kick: {priority: 20}
+groups:
+  Kick: {when: [Pose == still], needs: [Legs], tasks: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, sets: [Pose == moving], needs: [Legs], tasks: [Legs]}
+      - {name: halting, causing: [Pose == still], needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
+
+struct Told {
+  std::string text; ///< of the event in its line
+  std::string group, answer;
+  bool operator==(const Told&) const = default;
+};
+
+std::ostream& operator<<(std::ostream& out, const Told& told) {
+  return out << "[" << told.text << "] " << told.group << ": " << told.answer;
+}
+
+} // namespace
+
+TEST_CASE("the answers of a recording change where what keeps a group does, and end where it runs or nothing is known") {
+  World world;
+  world.files.add("kicker.yaml", kicker_yaml);
+  world.files.add("s.yaml", R"(scenario: a kick
+behaviour: kicker.yaml
+script:
+  Walk.halting:
+    - {reason: wait, set: {Pose: still}, continue: true}
+    - {wait: 1 s, tasks: [Legs]}
+  Kick.default: {tasks: [Legs]}
+steps:
+  - request: Walk
+  - request: Kick
+  - advance: 1 s
+)");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  const std::string trace = world.outputs.files.at("run.jsonl");
+  director::dsl::Sources sources;
+  const Checked checked = check("kicker.yaml", world.files, sources);
+  REQUIRE(checked.lowerable);
+  const Lowered lowered = lower(checked.model);
+
+  const auto told = [&](const std::string& text) {
+    TraceLines lines(text);
+    lines.next();
+    const Waits waits = find_waits(lines, checked.model, lowered, sources);
+    std::vector<Told> out;
+    for (const Waits::Change& change : waits.changes) {
+      std::size_t at = 0;
+      for (std::size_t line = 1; line < change.line; ++line) at = text.find('\n', at) + 1;
+      const Json event = parse_json(text.substr(at, text.find('\n', at) - at)).value();
+      out.push_back({event["event"].as_text() + " " + event["edge"].as_text(),
+                     checked.model.groups[GroupId{change.group}].name.value,
+                     change.text == 0 ? "" : waits.texts.at(change.text - 1)});
+    }
+    return std::pair{out, waits};
+  };
+
+  const auto [whole, waits] = told(trace);
+  CHECK(whole == std::vector<Told>{
+                     {"push root>Kick", "Kick",
+                      "Kick waits (root>Kick): until Pose == still, which Walk.halting could cause\n"
+                      "  Pose is moving (kicker.yaml:9)\n"
+                      "  Walk.halting is to cause it: pushed for root>Kick (kicker.yaml:13)\n"},
+                     {"queue root>Walk", "Kick", ""},
+                     {"queue root>Walk", "Walk",
+                      "Walk waits (root>Walk): Legs, which it needs, is held by Kick>Legs, and root>Kick (priority 20) goes "
+                      "before root>Walk (priority 10)\n  it is held for Kick, priority 0, that for the program, priority 20 "
+                      "(kicker.yaml:9)\n"}});
+  CHECK_FALSE(waits.replayed.difference);
+  CHECK(waits.held.empty());
+  CHECK(waits.last_line == static_cast<std::size_t>(std::count(trace.begin(), trace.end(), '\n')));
+
+  const std::size_t push = trace.find("{\"t\":0,\"n\":", trace.find("\"edge\":\"root>Kick\""));
+  const auto [some, cut] = told(trace.substr(0, push) + "{\"event\":\"dropped\",\"count\":2}\n" + trace.substr(push));
+  CHECK(some.empty());
+  CHECK(cut.replayed.dropped == 2);
+
+}
