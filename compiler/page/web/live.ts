@@ -47,7 +47,7 @@ export class Live implements Source {
     });
     events.addEventListener('alive', (message: MessageEvent<string>) => {
       this.heard = performance.now();
-      this.time = (JSON.parse(message.data) as { t: number }).t;
+      this.time = Number(message.data);
     });
     for (const kind of ['pointerdown', 'pointerup', 'pointercancel']) addEventListener(kind, () => (this.held = kind === 'pointerdown'), true);
     setInterval(() => this.look(), pause);
