@@ -78,9 +78,14 @@ Make test_options(CLI::App& app) {
       ->type_name("PERCENT")
       ->check(CLI::Range(0, 100))
       ->needs(coverage);
-  app.add_flag("--update", request->update,
-               "write what happens into the files: where it is not as expected, and in scenarios that expect nothing");
-  return [=]() -> Request { return *request; };
+  CLI::Option* update = app.add_flag(
+      "--update", request->update,
+      "write what happens into the files: where it is not as expected, and in scenarios that expect nothing");
+  add_watch(app, request->watch)->excludes(update);
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = wrong_watch(request->watch, request->format)) return *wrong;
+    return *request;
+  };
 }
 
 Make explore_options(CLI::App& app) {

@@ -5,7 +5,7 @@
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/load_trace.hpp"
 #include "compiler/lower/lower.hpp"
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/make_page.hpp"
 #include "compiler/lower/lower.hpp"
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recording.hpp"
 #include "runtime/hosted/decision_printer.hpp"

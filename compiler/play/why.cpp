@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "dsl/colours.hpp"
 #include "runtime/hosted/why_notes.hpp"
 

@@ -14,8 +14,6 @@ using Kind = Event::Kind;
 
 bool is_left_out(const Event& event) {
   switch (event.kind) {
-  case Kind::ask:
-  case Kind::keep:
   case Kind::wait:
   case Kind::answer:
   case Kind::assign: return true;
@@ -52,6 +50,7 @@ void Recording::event(const Event& event, std::string&) {
     shape.erase(1, times.size());
     add(event.time, std::move(shape));
   }
+  add_held();
   add_changes();
 }
 
@@ -72,6 +71,13 @@ void Recording::add(Time time, std::string shape) {
   if (is_new) shapes_.push_back(std::move(shape));
   put(at->second, places_);
   ++events_;
+}
+
+void Recording::add_held() {
+  for (; held_ < waits_.held.size() && waits_.held[held_].line == line_; ++held_) {
+    const char* const group = names_.group(names_.self, waits_.held[held_].group);
+    add(now_, to_line(Json::object({{"event", Json::text("held")}, {"group", Json::text(group)}})));
+  }
 }
 
 /// From the event that stands in their line, or the one before it.

@@ -19,7 +19,8 @@
 //   answers       of each change: place among the texts, plus 1; 0: it does not wait any more
 //
 // Numbers behind the head have seven bits a byte, the lowest first, each byte but the last with its highest bit set.
-// Events that only a replay needs are left out: what bodies ask for and answer, and which timer was due.
+// Events that nothing on the page needs are left out: what bodies answered and set, and which timer was due. One is
+// added, {"event":"held","group":…}, for Waits::held.
 
 #include "compiler/base/json.hpp"
 #include "compiler/trace/waits.hpp"
@@ -51,6 +52,7 @@ public:
 
 private:
   void add(Time time, std::string shape);
+  void add_held();
   void add_changes();
 
   const director::Names names_;
@@ -59,7 +61,7 @@ private:
   std::unordered_map<std::string, std::size_t> shape_of_;
   std::vector<std::string> shapes_;
   std::string times_, places_, change_events_, change_groups_, change_answers_;
-  std::size_t line_ = 1, events_ = 0, changes_ = 0, change_event_ = 0, why_until_ = 0;
+  std::size_t line_ = 1, events_ = 0, held_ = 0, changes_ = 0, change_event_ = 0, why_until_ = 0;
   Time begins_ = 0, now_ = 0;
 };
 

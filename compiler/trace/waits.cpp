@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/trace/waits.hpp"
 
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "compiler/play/why.hpp"
 
 #include <unordered_map>
@@ -27,10 +27,14 @@ public:
     const bool decides = is_decision(event.kind);
     if (decides && decision_line_ == 0) decision_line_ = line;
     anew_ = anew_ || decides || may_change_notes(event);
+    if (event.group != nil && ends_run(event, groups_[event.group].holder)) groups_[event.group].is_told = true;
   }
 
   void stepped(const View& view) override {
-    for (Index group = 0; group < groups_.size(); ++group) look(view, group);
+    for (Index group = 0; group < groups_.size(); ++group) {
+      note_held(view, group);
+      look(view, group);
+    }
     anew_ = false;
     decision_line_ = 0;
   }
@@ -46,6 +50,8 @@ private:
   struct Standing {
     Because because{};
     std::uint32_t text = 0; ///< as in Change
+    Index holder = nil;
+    bool is_live = false, is_told = false; ///< as it was; and that this micro-step told of its end
   };
 
   static bool is_decision(Kind kind) {
@@ -64,6 +70,26 @@ private:
              event.input == Event::Input::disable || event.input == Event::Input::expire;
     default: return false;
     }
+  }
+
+  static bool ends_run(const Event& event, Index holder) {
+    switch (event.kind) {
+    case Kind::grant:
+    case Kind::lose:
+    case Kind::stop: return true;
+    case Kind::queue:
+    case Kind::withdraw: return event.edge == holder;
+    default: return event.input == Event::Input::cancel && event.edge == holder;
+    }
+  }
+
+  void note_held(const View& view, Index group) {
+    Standing& standing = groups_[group];
+    const bool is_live = view.assignment[group].active != nil;
+    if (standing.is_live && !is_live && !standing.is_told) out_.held.push_back({last_line_, group});
+    standing.is_live = is_live;
+    standing.holder = view.holder(group);
+    standing.is_told = false;
   }
 
   static bool waits(const View& view, Index group) {

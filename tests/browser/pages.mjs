@@ -1,46 +1,14 @@
 // SPDX-License-Identifier: MIT
 // node pages.mjs CHROMIUM FOLDER: what people do with the pages in FOLDER. Leaves pictures of what they see there.
 import { strict as assert } from 'node:assert';
-import { readFileSync, statSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { statSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
+import { check, Situations } from './situations.mjs';
 
 const [program, folder] = process.argv.slice(2);
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
-let failed = 0;
-
-/** A page of its own for each situation; it may say nothing, and ask for nothing but itself. Axe is put in with `bypassCSP`. */
-async function situation(title, name, options, act) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
-  const page = await context.newPage();
-  const said = [];
-  const address = pathToFileURL(join(folder, `${name}.html`)).href;
-  page.on('console', (message) => said.push(`console: ${message.text()}`));
-  page.on('pageerror', (error) => said.push(`error: ${error.message}`));
-  page.on('request', (request) => request.url().split('#')[0] === address || said.push(`request: ${request.url()}`));
-  try {
-    await page.goto(address);
-    await act(page, said);
-    assert.deepEqual(said, []);
-    console.log(`ok ${title} (${name})`);
-  } catch (error) {
-    ++failed;
-    console.log(`not ok ${title} (${name}): ${error.message}`);
-    await page.screenshot({ path: join(folder, `failed_${failed}.png`) });
-  }
-  await context.close();
-}
-
-async function check(page) {
-  await page.evaluate(axe);
-  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
-  assert.deepEqual(violations.map((each) => `${each.id}: ${each.nodes.slice(0, 3).map((node) => node.html.slice(0, 160)).join(' | ')}`), []);
-}
-
-const shot = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
+const all = await Situations.open(program, folder);
+const situation = (...words) => all.run(...words);
+const shot = (page, name) => all.shot(page, name);
 const near = (page) => page.locator('.holder:not([hidden]) g.node.near title').allTextContents();
 const focused = (page) => page.evaluate(() => document.activeElement?.id || document.activeElement?.textContent);
 
@@ -183,5 +151,4 @@ await situation('the policy refuses a script that is not its own', 'photo', {}, 
   assert.match(said.splice(0).join(), /violates the following Content Security Policy/);
 });
 
-await browser.close();
-process.exit(failed === 0 ? 0 : 1);
+await all.end();

@@ -19,11 +19,13 @@ export class EventList {
 
   show(): void {
     const { event } = this.cursor;
-    const events: number[] = [];
-    for (let at: number | undefined = event + 1; events.length < before && (at = this.filter.from(at, -1)) !== undefined; ) events.unshift(at);
-    for (let at: number | undefined = event; events.length < rows && (at = this.filter.from(at, 1)) !== undefined; ) events.push(at);
+    const all = this.filter.events();
+    const first = Math.max(0, Math.min(all.upTo(event) - before, all.length - rows), all.upTo(this.recording.first - 1));
+    const events = [...all.at.subarray(first, Math.min(all.length, first + rows))];
     const shown = events.filter((each) => each <= event).length - 1; // the last one that has happened
     this.list.replaceChildren(...events.map((each, i) => this.row(each, i === shown, each > event)));
+    const current = this.list.children[shown] as HTMLElement | undefined;
+    if (current) this.element.scrollTop = Math.max(0, current.offsetTop - this.element.offsetTop - this.element.clientHeight / 2);
     if (events.length === 0) this.list.append(make('li', {}, 'None that the filter lets through.'));
   }
 

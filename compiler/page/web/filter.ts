@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which groups have a track, and which events are stepped to and listed.
 
+import { type Column, counts } from './columns';
 import { button, make } from './elements';
 import type { Recording } from './recording';
 import { type Sort, sorts } from './shape';
 
 const words: Record<Sort, string> = {
-  request: 'requests of the program', input: 'other inputs', run: 'runs', 'take-over': 'take-overs', control: 'granted, lost and withdrawn', push: 'pushes', queue: 'queued',
+  request: 'requests of the program', input: 'other inputs', run: 'runs', ask: 'what bodies ask for', 'take-over': 'take-overs', control: 'granted, lost and withdrawn', push: 'pushes', queue: 'queued',
   state: 'states set', handler: 'start and stop', result: 'done and failed', fault: 'faults and losses',
 };
 /** What comes again and again is there for who asks. */
@@ -16,6 +17,9 @@ export class Filter {
   readonly element = make('details', { class: 'filter' }, make('summary', {}, 'Filter'));
   private readonly chosenSorts = new Set<Sort>(usual);
   private chosenGroups: Set<number> | undefined; // nothing: those to which something happens
+  private shown = counts();
+  private looked = 0; // the first event that is not among `shown` yet, if it is one of them
+  private let: boolean[] = []; // by the place of a shape
   private readonly boxes: HTMLInputElement[] = [];
   private readonly note = make('p', { class: 'hint', role: 'status' });
 
@@ -32,7 +36,7 @@ export class Filter {
     const all = (on: (group: number) => boolean) => (): void => {
       this.boxes.forEach((box, i) => (box.checked = on(order[i])));
       this.take();
-      this.changed();
+      this.anew();
     };
     groups.append(make('span', { class: 'row' }, button('All groups', all(() => true)), button('No group', all(() => false)), button('Those to which something happens', all((group) => this.happens(group)))));
     this.element.append(make('div', {}, events, groups, this.note));
@@ -44,16 +48,37 @@ export class Filter {
     return this.order.filter((group) => (event === undefined ? this.shows(group) : !['inactive', 'unknown'].includes(this.recording.standingAt(group, event).mark)));
   }
 
-  isShown(event: number): boolean {
-    const shape = this.recording.shapeAt(event);
-    if (!this.chosenSorts.has(shape.sort)) return false;
-    return this.chosenGroups === undefined || shape.groups.length === 0 || shape.groups.some((group) => this.chosenGroups?.has(group));
+  /** Those that are shown, in order. */
+  events(): Column<Uint32Array> {
+    const { recording } = this;
+    for (; this.looked < recording.end; ++this.looked) if (this.looked >= recording.first && this.lets(recording.shape.at[this.looked - recording.first])) this.shown.push(this.looked);
+    return this.shown;
   }
 
   /** The next or previous one that is shown; nothing: there is none. */
   from(event: number, step: 1 | -1): number | undefined {
-    for (let at = event + step; at >= this.recording.first && at < this.recording.end; at += step) if (this.isShown(at)) return at;
-    return undefined;
+    const shown = this.events();
+    const place = step === 1 ? shown.upTo(event) : shown.upTo(event - 1) - 1;
+    return place >= 0 && place < shown.length && shown.at[place] >= this.recording.first ? shown.at[place] : undefined;
+  }
+
+  /** By the place of its shape. */
+  private lets(place: number): boolean {
+    let known = this.let[place];
+    if (known === undefined) {
+      const shape = this.recording.shapes[place];
+      const { chosenGroups } = this;
+      known = this.chosenSorts.has(shape.sort) && (chosenGroups === undefined || shape.groups.length === 0 || shape.groups.some((group) => chosenGroups.has(group)));
+      this.let[place] = known;
+    }
+    return known;
+  }
+
+  private anew(): void {
+    this.shown = counts();
+    this.looked = 0;
+    this.let = [];
+    this.changed();
   }
 
   private shows(group: number): boolean {
@@ -79,7 +104,7 @@ export class Filter {
     input.checked = checked;
     input.addEventListener('change', () => {
       act(input.checked);
-      this.changed();
+      this.anew();
     });
     return { label: make('label', {}, input, ` ${text}`), input };
   }

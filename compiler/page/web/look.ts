@@ -35,6 +35,8 @@ export function drawSlice(to: CanvasRenderingContext2D, look: Look, mark: Mark, 
     to.fillRect(x, y, width, height);
     if (mark === 'pushed') hatch(to, look.onFill, x, y, width, height, 0.55);
   } else {
+    to.fillStyle = look.paper;
+    to.fillRect(x, y, width, height);
     to.strokeStyle = mark === 'queued' ? look.queued : look.grey;
     to.setLineDash(mark === 'queued' ? [5, 3] : [1, 2]);
     if (width < 3) {

@@ -14,6 +14,7 @@ export class Overview {
   private readonly canvas = make('canvas');
   private readonly window = make('div', { class: 'window' });
   private readonly line = make('div', { class: 'cursor' });
+  private width = 0;
 
   constructor(private readonly recording: Recording, private readonly view: View, private readonly cursor: Cursor, private readonly changed: () => void) {
     this.element.append(this.canvas, this.window, this.line);
@@ -25,7 +26,7 @@ export class Overview {
   }
 
   draw(look: Look): void {
-    const width = this.element.clientWidth;
+    const width = (this.width = this.element.clientWidth);
     this.canvas.width = width * devicePixelRatio;
     this.canvas.height = height * devicePixelRatio;
     const to = this.canvas.getContext('2d');
@@ -41,7 +42,7 @@ export class Overview {
   }
 
   showCursor(): void {
-    this.line.style.transform = `translateX(${this.xOf(this.cursor.time, this.element.clientWidth)}px)`;
+    this.line.style.transform = `translateX(${this.xOf(this.cursor.time, this.width)}px)`;
   }
 
   /** Pushes above, take-overs below, gaps through both. */

@@ -58,6 +58,11 @@ export class PictureMarks {
     }
   }
 
+  /** Else its boxes have no size. */
+  get isVisible(): boolean {
+    return this.picture.svg.getClientRects().length > 0;
+  }
+
   /** Without an event the picture is as it was. `onlyNow`: what is inactive is hardly there. */
   show(event: number | undefined, onlyNow = false): void {
     this.picture.svg.classList.toggle('moment', event !== undefined);
@@ -83,7 +88,7 @@ export class PictureMarks {
     const standings = event === undefined ? [] : box.groups.map((group) => ({ group, standing: this.recording.standingAt(group, event) }));
     const most = standings.reduce<{ group: number; standing: Standing } | undefined>((a, b) => (a && order.indexOf(a.standing.mark) >= order.indexOf(b.standing.mark) ? a : b), undefined);
     const mark = most?.standing.mark ?? '';
-    const note = most && (mark === 'queued' || mark === 'pushed' || mark === 'held') ? words(this.names, most.group, most.standing) : '';
+    const note = most && (mark === 'queued' || mark === 'pushed') ? words(this.names, most.group, most.standing) : '';
     const provider = most && most.standing.provider !== nobody ? this.names.header.groups[most.group].providers[most.standing.provider] : '';
     const running = new Set(standings.filter(({ standing }) => standing.mark === 'running' || standing.mark === 'pushed').map(({ group }) => group));
     const shown = `${mark} ${provider} ${note} ${[...running].join()}`;

@@ -22,12 +22,12 @@ export interface EventLine {
 }
 
 /** What people filter by. */
-export const sorts = ['request', 'input', 'run', 'take-over', 'control', 'push', 'queue', 'state', 'handler', 'result', 'fault'] as const;
+export const sorts = ['request', 'input', 'run', 'ask', 'take-over', 'control', 'push', 'queue', 'state', 'handler', 'result', 'fault'] as const;
 export type Sort = (typeof sorts)[number];
 
-/** What a body asked for and answered, which a replay takes, and time that passed: what comes of it is told by other events. */
+/** What a body answered, and time that passed: what comes of it is told by other events. */
 export function isTold(line: EventLine): boolean {
-  if (['answer', 'ask', 'keep', 'wait', 'assign'].includes(line.event)) return false;
+  if (['answer', 'wait', 'assign'].includes(line.event)) return false;
   return line.event !== 'input' || !['wait', 'within', 'every', 'expire'].includes(line.input ?? '');
 }
 
@@ -36,8 +36,9 @@ function sortOf(line: EventLine): Sort {
     case 'input': return line.input === 'set' || line.input === 'trigger' ? 'input' : 'request';
     case 'given': case 'begin': return 'input';
     case 'run': return 'run';
+    case 'ask': case 'keep': return 'ask';
     case 'grant': return line.from === undefined || line.from === 'limbo' || line.edge === 'limbo' ? 'control' : 'take-over';
-    case 'lose': case 'withdraw': return 'control';
+    case 'lose': case 'withdraw': case 'held': return 'control';
     case 'push': case 'release': return 'push';
     case 'queue': return 'queue';
     case 'set': return 'state';
@@ -73,9 +74,9 @@ export class Shape {
     this.sort = sortOf(line);
     this.value = line.value === null || line.value === undefined ? null : String(line.value);
     this.isGap = line.event === 'dropped';
-    this.setsState = line.event === 'set' || line.event === 'given';
+    this.setsState = line.event === 'set' || line.event === 'given' || line.input === 'set';
     this.isFlow = line.event === 'push' || this.sort === 'take-over';
-    this.decides = ['run', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.input === 'cancel';
+    this.decides = ['run', 'stop', 'held', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.input === 'cancel' || line.input === 'request';
     this.text = textOf(this, names);
     this.groups = [this.group, names.requesters[this.edge] ?? nobody, names.requesters[this.from] ?? nobody].filter((group) => group !== nobody);
   }
@@ -103,7 +104,7 @@ function textOf(shape: Shape, names: Names): string {
     case 'dropped': return `${line.count} ${line.count === 1 ? 'event is' : 'events are'} missing`;
     case 'grant': return shape.from === nobody || shape.from === limbo ? `grant ${line.edge}` : `take over ${groupName}: ${line.edge} from ${line.from}`;
     case 'lose': return `lose ${groupName}`;
-    case 'withdraw': return `withdraw ${line.edge}`;
+    case 'withdraw': case 'ask': case 'keep': return `${line.event} ${line.edge}${line.level === undefined ? '' : `, level ${line.level}`}`;
     case 'begin': return 'begin';
     default: return `${line.event} ${groupName}`;
   }

@@ -99,6 +99,7 @@ export class Timeline {
   private listen(): void {
     this.inPicture.addEventListener('change', () => this.moved());
     this.onlyNow.addEventListener('change', () => this.change());
+    byId('picture')?.addEventListener('change', () => this.moved()); // another view of it
     this.follow.addEventListener('change', () => this.grown());
     this.area.addEventListener('keydown', (event) => this.key(event));
     this.area.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
@@ -236,7 +237,7 @@ export class Timeline {
     this.moment.show();
     this.list.show();
     this.overview.showCursor();
-    for (const marks of this.marks) marks.show(this.inPicture.checked ? event : undefined, this.onlyNow.checked);
+    for (const marks of this.marks) if (marks.isVisible) marks.show(this.inPicture.checked ? event : undefined, this.onlyNow.checked);
   }
 
   private draw(): void {

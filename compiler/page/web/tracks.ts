@@ -4,7 +4,7 @@
 
 import { drawSlice, drawText, hatch, type Look } from './look';
 import type { Recording, Track } from './recording';
-import { type Summed, Shares, summed } from './shares';
+import { Shares, summed } from './shares';
 import { words } from './standing_words';
 import type { View } from './view';
 
@@ -87,18 +87,24 @@ export class Tracks {
   }
 
   private drawShares(to: CanvasRenderingContext2D, width: number, look: Look, group: number, y: number, height: number, events: number[]): void {
-    const colours: Record<Summed, string> = { running: look.running, pushed: look.pushed, queued: look.queued, held: look.grey, unknown: look.line };
+    const colours = [look.running, look.pushed, look.queued, look.grey, look.line]; // as `summed`
+    const shares = this.shares[group];
+    shares.prepare();
+    let [before, after]: number[][] = [[], []];
+    shares.until(events[0], this.view.timeAt(0, width), before);
     for (let x = 0; x < width; ++x) {
       const [begin, end] = [this.view.timeAt(x, width), this.view.timeAt(x + 1, width)];
+      shares.until(events[x + 1], end, after);
       let bottom = y + height;
-      for (const mark of summed) {
-        const part = this.shares[group].between(mark, events[x], begin, events[x + 1], end);
-        if (part < 1e-6) continue;
+      summed.forEach((mark, i) => {
+        const part = (after[i] - before[i]) / Math.max(1, end - begin);
+        if (part < 1e-6) return;
         const tall = Math.max(1, Math.round(part * height));
-        to.fillStyle = colours[mark];
+        to.fillStyle = colours[i];
         if (mark !== 'queued' || x % 3 !== 2) to.fillRect(x, Math.max(y, bottom - tall), 1, tall);
         bottom -= tall;
-      }
+      });
+      [before, after] = [after, before];
     }
   }
 
@@ -112,6 +118,8 @@ export class Tracks {
       return drawText(to, 'changes too often to be shown at this zoom', look.ink, 0, y + height / 2 + 1, width);
     }
     this.eachSlice(track, width, events, (value, x, length) => {
+      to.fillStyle = look.paper;
+      to.fillRect(x, y, length, height);
       to.strokeRect(x + 0.5, y + 0.5, Math.max(length - 1, 0), height - 1);
       const text = this.recording.values[value];
       drawText(to, text === undefined ? 'not known' : (text ?? 'unset'), look.ink, x, y + height / 2 + 1, length);

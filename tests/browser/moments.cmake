@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# cmake -D NODE=<program> -D NPM=<program> -D MOMENTS=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P moments.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+set(web ${ROOT}/compiler/page/web)
+set(into ${WORK}/moments)
+file(MAKE_DIRECTORY ${into})
+install_packages(${web} ${into})
+if(NOT installed)
+  return()
+endif()
+file(GLOB sources ${web}/*.ts ${FROM}/moments.mjs)
+file(COPY ${sources} DESTINATION ${into})
+execute_process(COMMAND ${NODE} moments.mjs ${MOMENTS} 1 1000 WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "the page shows some moments otherwise than the engine has them")
+endif()

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// node moments.mjs MOMENTS FIRST COUNT: the marks that the page's script finds from events alone, and the engine's own (moments/moments.cpp), of random
+// behaviours. Only where time goes on do they have to be the same: before it the engine tells of some things one event later.
+import { build } from 'esbuild';
+import { spawn } from 'node:child_process';
+import { createInterface } from 'node:readline';
+
+await build({ entryPoints: ['recording.ts'], bundle: true, format: 'esm', outfile: 'recording.mjs' });
+const { Recording } = await import('./recording.mjs');
+
+const [program, first, count] = process.argv.slice(2);
+const child = spawn(program, [first, count], { stdio: ['ignore', 'pipe', 'inherit'] });
+let recording, about, moment, last;
+let compared = 0;
+let wrong = 0;
+
+function found() {
+  const { header, targets } = recording.names;
+  const at = recording.end - 1;
+  const standings = header.groups.map((_, group) => recording.standingAt(group, at));
+  const edge = (_, i) => {
+    const target = standings[targets[i]];
+    if (target.waits.some((wait) => wait.edge === i)) return 'queued';
+    return target.holder !== i ? 'inactive' : target.mark === 'running' || target.mark === 'pushed' ? 'running' : 'held';
+  };
+  const pushes = standings.flatMap(({ push }, i) => (push ? [[header.groups[targets[push.edge]].name, header.groups[i].name, header.groups[i].providers[push.provider]]] : []));
+  const value = (state, i) => (recording.valueAt(i, at) === null ? `${state.name} is unset` : `${state.name} == ${recording.valueAt(i, at)}`);
+  const groups = standings.map((standing, i) => [standing.mark, header.groups[i].providers[standing.provider] ?? null]);
+  return { groups, edges: header.edges.map(edge), pushes, values: header.states.map(value) };
+}
+
+function compare(line) {
+  if (moment && (line === undefined || line.t > last)) {
+    ++compared;
+    const mine = JSON.stringify(found());
+    if (mine !== JSON.stringify(moment) && ++wrong <= 3) console.log(`seed ${about.seed}, before ${JSON.stringify(line)}\n  found: ${mine}\n  engine: ${JSON.stringify(moment)}`);
+  }
+  moment = undefined;
+  last = line?.t ?? last;
+}
+
+for await (const text of createInterface({ input: child.stdout })) {
+  const line = JSON.parse(text);
+  if (line.seed !== undefined) {
+    if (recording) compare(undefined);
+    about = line;
+    moment = undefined;
+  } else if (line.director_trace !== undefined) {
+    recording = new Recording(line, new Map(Object.entries(about.initial)));
+    last = -Infinity;
+  } else if (line.moment) {
+    moment = line.moment;
+  } else {
+    if (line.event !== 'held') compare(line);
+    recording.append(text);
+  }
+}
+compare(undefined);
+const status = await new Promise((done) => (child.exitCode === null ? child.on('exit', done) : done(child.exitCode)));
+console.log(`${compared} moments, ${wrong} not as the engine has them`);
+process.exit(status === 0 && compared > 1000 && wrong === 0 ? 0 : 1);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What the tests in a browser share: a page of its own for each situation, which may say nothing and ask for nothing but itself.
+import { strict as assert } from 'node:assert';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+export class Situations {
+  failed = 0;
+
+  /** Of pages in `folder`, where pictures of them are left. */
+  static async open(program, folder) {
+    const out = new Situations();
+    out.folder = folder;
+    out.browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
+    return out;
+  }
+
+  /** Axe is put in with `bypassCSP`. */
+  async run(title, name, options, act) {
+    const context = await this.browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+    const page = await context.newPage();
+    const said = [];
+    const address = pathToFileURL(join(this.folder, `${name}.html`)).href;
+    page.on('console', (message) => said.push(`console: ${message.text()}`));
+    page.on('pageerror', (error) => said.push(`error: ${error.message}`));
+    page.on('request', (request) => request.url().split('#')[0] === address || said.push(`request: ${request.url()}`));
+    try {
+      await page.goto(address);
+      await act(page, said);
+      assert.deepEqual(said, []);
+      console.log(`ok ${title} (${name})`);
+    } catch (error) {
+      ++this.failed;
+      console.log(`not ok ${title} (${name}): ${error.message}`);
+      await page.screenshot({ path: join(this.folder, `failed_${this.failed}.png`) });
+    }
+    await context.close();
+  }
+
+  shot(page, name) {
+    return page.screenshot({ path: join(this.folder, `${name}.png`) });
+  }
+
+  async end() {
+    await this.browser.close();
+    process.exit(this.failed === 0 ? 0 : 1);
+  }
+}
+
+export async function check(page) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+  assert.deepEqual(violations.map((each) => `${each.id}: ${each.nodes.slice(0, 3).map((node) => node.html.slice(0, 160)).join(' | ')}`), []);
+}

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
+# Records a minute of soccer, the same with events missing, and the rover, as pages.
+include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+set(into ${WORK}/timeline)
+file(MAKE_DIRECTORY ${into}/out)
+install_packages(${FROM} ${into})
+if(NOT installed)
+  return()
+endif()
+file(GLOB scripts ${FROM}/*.mjs)
+file(COPY ${scripts} DESTINATION ${into})
+execute_process(COMMAND ${SOCCER} --trace ${into}/minute.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${DIRECTORC} simulate tests/docs/rover/rover.scenario.yaml --trace ${into}/rover.jsonl
+                WORKING_DIRECTORY ${ROOT} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
+foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml)
+  string(REPLACE ":" ";" page ${page})
+  list(POP_FRONT page name)
+  execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html
+                  WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+execute_process(COMMAND ${NODE} timeline.mjs ${CHROMIUM} ${into}/out WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "a timeline is not as it should be; pictures of them are in ${into}/out")
+endif()
