@@ -2,14 +2,12 @@
 // node live.mjs CHROMIUM LIVE_PROGRAM SOCCER FOLDER: what people do with the page of a running program. Leaves pictures of what they see in FOLDER.
 import { strict as assert } from 'node:assert';
 import { spawn } from 'node:child_process';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { chromium } from 'playwright-core';
+import { check } from './situations.mjs';
 
 const [program, live, soccer, folder] = process.argv.slice(2);
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
 let failed = 0;
 
@@ -58,12 +56,6 @@ async function sees(page, where, expected) {
   await until(page, ([at, pattern, flags]) => new RegExp(pattern, flags).test(document.querySelector(at)?.innerText ?? ''), [where, expected.source, expected.flags], `${where} shows ${expected}`);
 }
 
-async function check(page) {
-  await page.evaluate(axe);
-  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
-  assert.deepEqual(violations.map((each) => `${each.id}: ${each.nodes.slice(0, 3).map((node) => node.html.slice(0, 160)).join(' | ')}`), []);
-}
-
 const shot = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
 const time = async (page) => Number.parseFloat(await text(page, '.where'));
 const node = (page, group) => page.locator(`.holder:not([hidden]) g.node:has(> title:text-is("${group}"))`).first();
@@ -81,10 +73,11 @@ await situation('a game is followed: the picture, the tracks and the words show 
 });
 
 await situation('who looks back stays there, while more happens, until the end is followed again', game, {}, async ({ page }) => {
-  await until(page, () => Number.parseFloat(document.querySelector('.where').innerText) > 3);
+  const first = await time(page);
+  await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 2, first);
   await page.locator('#scrub').focus();
   await page.keyboard.press('Home');
-  await until(page, () => !document.querySelector('#follow').checked && Number.parseFloat(document.querySelector('.where').innerText) < 3);
+  await until(page, (from) => !document.querySelector('#follow').checked && Number.parseFloat(document.querySelector('.where').innerText) <= from, first);
   const there = await time(page);
   await page.waitForTimeout(700);
   assert.equal(await time(page), there);
