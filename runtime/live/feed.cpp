@@ -116,7 +116,7 @@ std::optional<Place> Feed::resume(const std::string& id) const {
 
 Feed::Text Feed::alive() const {
   std::string out = "event: alive\ndata: ";
-  json::Members(out).number("t", moments_.now()).end();
+  json::append_number(moments_.now(), out);
   out += "\n\n";
   return std::make_shared<const std::string>(std::move(out));
 }

@@ -33,6 +33,6 @@ TEST_CASE("a command that stands between backticks must exist, with its options"
 
 TEST_CASE("a folder to which the page beside it does not link is found") {
   CHECK(folder_faults("runtime/page.md",
-                      read_markdown("[a](core/tables.hpp) [b](./dds/) [c](hosted.md) [d](../hosted)\n")) ==
+                      read_markdown("[a](core/tables.hpp) [b](./dds/) [c](hosted.md) [e](live/) [d](../hosted)\n")) ==
         std::vector<std::string>{"runtime/page.md: no link leads to hosted/"});
 }

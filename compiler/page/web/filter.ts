@@ -43,9 +43,9 @@ export class Filter {
     this.tell();
   }
 
-  /** In the order of the tracks. */
-  groups(): number[] {
-    return this.order.filter((group) => this.shows(group));
+  /** In the order of the tracks. `event`: only those that do something after it, or wait. */
+  groups(event?: number): number[] {
+    return this.order.filter((group) => (event === undefined ? this.shows(group) : !['inactive', 'unknown'].includes(this.recording.standingAt(group, event).mark)));
   }
 
   /** Those that are shown, in order. */

@@ -13,7 +13,8 @@ export class Finder {
   private readonly status = make('p', { id: 'status', role: 'status' });
   private readonly clear = button('Show everything', () => this.focus(undefined), { hidden: '' });
 
-  constructor(private readonly data: Data, private readonly pictures: Picture[]) {
+  /** `chosen`: what a click on a group in the picture does; without it, the focus goes there. */
+  constructor(private readonly data: Data, private readonly pictures: Picture[], chosen?: (group: string) => void) {
     const box = byId('finder');
     if (!box) return;
     box.append(make('label', { for: 'search' }, 'Search groups and states'), this.input, this.clear, this.status, this.list);
@@ -40,7 +41,9 @@ export class Finder {
         if (!this.isGroup(name)) continue;
         node.classList.add('choosable');
         node.addEventListener('click', (event) => {
-          if (!(event.target as Element).closest('a[*|href]')) this.focus(name);
+          if (event.target instanceof Element && event.target.closest('a[*|href]')) return;
+          if (chosen) chosen(name);
+          else this.focus(name);
         });
       }
     }

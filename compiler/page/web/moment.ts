@@ -32,7 +32,20 @@ export class Moment {
     add('Not known, as events are missing', of('unknown').map((each) => make('li', {}, link('group', this.name(each.group)))));
     if (parts.length === 1) parts.push(make('p', {}, 'Nothing runs.'));
     add('States', recording.names.header.states.map((state, i) => make('li', {}, link('state', state.name), ` ${this.value(i, event)}`)));
-    this.element.replaceChildren(...parts);
+    this.put(parts);
+  }
+
+  /** What is as it was stays, and so does where the keyboard is: while a program runs this comes many times a second. */
+  private put(parts: Node[]): void {
+    const old = [...this.element.children];
+    const focus = this.element.contains(document.activeElement) ? document.activeElement?.getAttribute('href') : undefined;
+    for (const part of parts) {
+      const same = old.shift();
+      if (same === undefined) this.element.append(part);
+      else if (!same.isEqualNode(part)) same.replaceWith(part);
+    }
+    for (const each of old) each.remove();
+    if (focus && !this.element.contains(document.activeElement)) this.element.querySelector<HTMLElement>(`a[href="${focus}"]`)?.focus({ preventScroll: true });
   }
 
   private name(group: number): string {

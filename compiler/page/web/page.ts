@@ -6,6 +6,7 @@ import { readData } from './data';
 import { byId } from './elements';
 import { decodeRecording } from './embedded';
 import { Finder } from './finder';
+import { Live, liveAddress } from './live';
 import { Matrix } from './matrix';
 import { Pair } from './pair';
 import { Timeline } from './timeline';
@@ -13,7 +14,9 @@ import { Timeline } from './timeline';
 const data = readData();
 const section = byId('picture');
 const pictures = section ? choosePicture(section) : [];
-new Finder(data, pictures);
+const address = liveAddress();
+const live = address === undefined ? undefined : new Live(address, data, pictures);
+new Finder(data, pictures, live && ((group) => void live.bar.why(group)));
 new Pair(data);
 new Matrix(data);
 

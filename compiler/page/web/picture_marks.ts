@@ -63,9 +63,10 @@ export class PictureMarks {
     return this.picture.svg.getClientRects().length > 0;
   }
 
-  /** Without an event the picture is as it was. */
-  show(event: number | undefined): void {
+  /** Without an event the picture is as it was. `onlyNow`: what is inactive is hardly there. */
+  show(event: number | undefined, onlyNow = false): void {
     this.picture.svg.classList.toggle('moment', event !== undefined);
+    this.picture.svg.classList.toggle('only-now', onlyNow);
     for (const box of this.boxes) this.showBox(box, event);
     for (const arrow of this.arrows) this.showArrow(arrow, event);
   }

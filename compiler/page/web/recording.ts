@@ -100,6 +100,12 @@ export class Recording {
     return this.values[this.at(this.states[state], event)];
   }
 
+  /** The event since which the group stands as it does after this one. */
+  sinceOf(group: number, event: number): number {
+    const { event: begins } = this.groups[group];
+    return begins.at[Math.max(0, begins.upTo(event) - 1)];
+  }
+
   /** Whole lines of a trace, behind its header. Throws at what is none; what stands before it is taken. */
   append(text: string): void {
     try {

@@ -43,6 +43,7 @@ export class Timeline {
   private readonly area = make('div', { class: 'area', id: 'scrub', tabindex: '0', role: 'slider', 'aria-label': 'Time' }, this.canvas, this.line, this.tip);
   private readonly where = make('output', { class: 'where' });
   private readonly inPicture = make('input', { type: 'checkbox', id: 'in-picture', checked: '' });
+  private readonly onlyNow = make('input', { type: 'checkbox', id: 'only-now' });
   private readonly follow = make('input', { type: 'checkbox', id: 'follow', checked: '' });
   private look: Look;
   private width = 0;
@@ -84,7 +85,7 @@ export class Timeline {
     const bar = make(
       'div', { class: 'bar' },
       button('Previous event', () => this.step(-1)), button('Next event', () => this.step(1)), this.player.element, zoom,
-      make('label', {}, this.inPicture, ' Moment in the picture'),
+      make('label', {}, this.inPicture, ' Moment in the picture'), make('label', {}, this.onlyNow, ' Only what runs or waits then'),
     );
     if (this.source.grows) bar.append(make('label', {}, this.follow, ' Follow the end'));
     const legend = make('p', { class: 'looks' }, ...['running', 'pushed', 'queued', 'held', 'inactive'].map((mark) => make('span', {}, make('i', { class: mark }), ` ${mark}`)), make('span', { class: 'push-sign' }, '▲ push'), make('span', { class: 'take-sign' }, '◆ take-over'));
@@ -97,6 +98,7 @@ export class Timeline {
 
   private listen(): void {
     this.inPicture.addEventListener('change', () => this.moved());
+    this.onlyNow.addEventListener('change', () => this.change());
     byId('picture')?.addEventListener('change', () => this.moved()); // another view of it
     this.follow.addEventListener('change', () => this.grown());
     this.area.addEventListener('keydown', (event) => this.key(event));
@@ -195,16 +197,14 @@ export class Timeline {
 
   private grown(): void {
     if (this.follow.checked && this.source.grows) {
-      const length = this.view.length;
-      const atEnd = this.cursor.time;
       this.cursor.goToTime(this.source.recording.ends);
-      if (this.cursor.time > this.view.to || atEnd >= this.view.to) this.view.pan((this.source.recording.ends - this.view.to) / length);
+      this.view.toEnd();
     }
     this.change();
   }
 
   private moved(): void {
-    if (this.view.reveal(this.cursor.time)) this.drawn = false;
+    if (this.view.reveal(this.cursor.time) || this.onlyNow.checked) this.drawn = false;
     this.plan();
   }
 
@@ -237,12 +237,12 @@ export class Timeline {
     this.moment.show();
     this.list.show();
     this.overview.showCursor();
-    for (const marks of this.marks) if (marks.isVisible) marks.show(this.inPicture.checked ? event : undefined);
+    for (const marks of this.marks) if (marks.isVisible) marks.show(this.inPicture.checked ? event : undefined, this.onlyNow.checked);
   }
 
   private draw(): void {
     const { names } = this.source.recording;
-    this.tracks.rows = [...this.filter.groups().map((group) => ({ group })), ...names.header.states.map((_, state) => ({ state }))];
+    this.tracks.rows = [...this.filter.groups(this.onlyNow.checked ? this.cursor.event : undefined).map((group) => ({ group })), ...names.header.states.map((_, state) => ({ state }))];
     this.labels.replaceChildren(
       ...this.tracks.rows.map((row) => ('group' in row ? make('a', { href: `#group-${names.header.groups[row.group as number].name}` }, names.header.groups[row.group as number].name) : make('a', { class: 'state', href: `#state-${names.header.states[row.state as number].name}` }, names.header.states[row.state as number].name))),
     );

@@ -4,10 +4,12 @@
 import type { Recording } from './recording';
 
 const shortest = 200; // microseconds
+const usual = 20e6; // of what grows, so much of the end
 
 export class View {
   from: number;
   to: number;
+  private wanted = usual; // how much is seen while the end is followed
 
   constructor(private readonly recording: Recording) {
     this.from = recording.begins;
@@ -30,6 +32,7 @@ export class View {
   zoom(factor: number, around: number): void {
     const whole = this.last - this.recording.begins;
     const length = Math.min(Math.max(this.length * factor, Math.min(shortest, whole)), whole);
+    this.wanted = length;
     this.put(around - ((around - this.from) / this.length) * length, length);
   }
 
@@ -38,7 +41,13 @@ export class View {
     this.put(this.from + part * this.length, this.length);
   }
 
+  /** To the end, as wide as it was made last. */
+  toEnd(): void {
+    this.put(this.last, Math.min(this.wanted, this.last - this.recording.begins));
+  }
+
   whole(): void {
+    this.wanted = Infinity;
     this.put(this.recording.begins, this.last - this.recording.begins);
   }
 

@@ -8,6 +8,10 @@
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/live/moments.hpp"
 
+#include <chrono>
+#include <string>
+#include <vector>
+
 namespace director::tests {
 
 struct CourierMoments {

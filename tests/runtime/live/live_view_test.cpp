@@ -279,6 +279,21 @@ TEST_CASE("a program commands by HTTP what it allowed") {
   CHECK(call(view.url(), get(view.url(), "cancel_all", "", "POST")).status == 403);
 }
 
+TEST_CASE("at any address of this computer a view is called by the computer's own name, by which it answers") {
+  LiveView view{soccer::names::all(), {.address = "0.0.0.0"}};
+  REQUIRE(view.good());
+  CHECK(view.url().find("0.0.0.0") == std::string::npos);
+  const std::string at = authority_of(view.url()), local = "http://127.0.0.1" + at.substr(at.find(':')) + "/" + token_of(view.url()) + "/";
+  CHECK(call(local, get(view.url(), "why")).status == 503);
+  CHECK(call(local, get(local, "why")).status == 503);
+}
+
+TEST_CASE("an address of IPv6 stands in brackets") {
+  const LiveView view{soccer::names::all(), {.address = "::1"}};
+  if (view.good()) CHECK(view.url().starts_with("http://[::1]:"));
+  else CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // of a system without IPv6
+}
+
 TEST_CASE("what cannot be shown is said in words, and the behaviour runs on") {
   const auto error = [](const LiveView::Options& options) {
     LiveView view{soccer::names::all(), options};

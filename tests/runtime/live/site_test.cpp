@@ -88,8 +88,8 @@ TEST_CASE("why one group waits, or all that do") {
         "\n");
   CHECK(shown.ask("GET", "/token/why") == "200 {\"t\":0,\"n\":1,\"groups\":[]}\n");
   CHECK(shown.ask("GET", "/token/why", {{"group", "Sin\"g"}}) == "404 There is no group \"Sin\"g\".\n");
-  Shown never(false);
-  CHECK(never.ask("GET", "/token/why") == "503 The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.\n");
+  Shown silent(false);
+  CHECK(silent.ask("GET", "/token/why") == "503 The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.\n");
 }
 
 TEST_CASE("without a page there is still what happens") {

@@ -11,8 +11,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <dlfcn.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <pthread.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -21,8 +23,22 @@
 #include <atomic>
 #include <csignal>
 #include <cstddef>
+#include <mutex>
 #include <thread>
 #include <vector>
+
+namespace {
+thread_local int locks = 0; ///< that this thread took so far
+using Lock = int (*)(pthread_mutex_t*);
+const Lock real_lock = reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
+} // namespace
+
+// The program's own comes before that of the C library, which std::mutex calls.
+extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) {
+  ++locks;
+  static const Lock early = reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
+  return (real_lock != nullptr ? real_lock : early)(mutex);
+}
 
 namespace director::tests {
 namespace {
@@ -51,7 +67,7 @@ void count_system_calls() {
   sigaction(SIGSYS, &action, nullptr);
 }
 
-TEST_CASE("to show a game of soccer takes no heap and no system call from the thread that steps") {
+TEST_CASE("to show a game of soccer takes no heap, no lock and no system call from the thread that steps") {
   LiveView view{soccer::names::all(), {.queue = 1 << 20, .connections = 128, .interval = 1ms}};
   REQUIRE(view.good());
   std::vector<Caller> viewers; // who read nothing, which is the worst that they can do
@@ -63,12 +79,13 @@ TEST_CASE("to show a game of soccer takes no heap and no system call from the th
 
   count_system_calls();
   std::size_t used = 0;
-  int called = 0;
+  int called = 0, locked = 0;
   bool forbidden = false;
   std::thread stepping([&] {
     sim::World world{1};
     player::Player<player::Servos> player{world, view.observer()};
     const std::size_t before = heap_uses();
+    const int locked_before = locks;
     forbidden = forbid_system_calls();
     while (world.now() < 20'000) {
       world.step();
@@ -78,12 +95,21 @@ TEST_CASE("to show a game of soccer takes no heap and no system call from the th
     }
     used = heap_uses() - before;
     called = system_calls;
+    locked = locks - locked_before;
   });
   stepping.join();
   CHECK(used == 0);
   CHECK(called == 0);
+  CHECK(locked == 0);
   if (!forbidden) WARN("this system does not let a thread forbid itself system calls: they were not counted");
   CHECK(view.dropped() == 0);
+}
+
+TEST_CASE("a lock that is taken is counted") {
+  std::mutex mutex;
+  const int before = locks;
+  { const std::lock_guard lock(mutex); }
+  CHECK(locks == before + 1);
 }
 
 TEST_CASE("a system call that is forbidden is counted") {

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// The page of a running behaviour (runtime/live): what happens comes as server-sent events whose data are lines of a trace, and fills a recording that the
+// timeline follows. Why something waits is asked of the program, which knows it of the present alone. Only a page that a program sends does this: the tag
+// that says where to ask is the program's.
+
+import type { Data } from './data';
+import { byId, make } from './elements';
+import { LiveBar } from './live_bar';
+import type { Header } from './names';
+import type { Picture } from './picture';
+import { Recording, type Source } from './recording';
+import { Timeline } from './timeline';
+
+const most = 400_000; // events that are kept
+const pause = 100; // milliseconds between two looks at what has come, so that a person can read
+const askAgain = 1000; // milliseconds, of what waits still
+const silence = 5000; // milliseconds without a sign of life, which comes each second
+
+interface Reason {
+  group: string;
+  text: string;
+  notes: string[];
+}
+
+export class Live implements Source {
+  readonly grows = true;
+  private record: Recording | undefined;
+  private fingerprint = '';
+  private readonly waiting: string[] = []; // data of messages that nobody looked at yet
+  private time: number | undefined;
+  private held = false; // a button of the mouse is down: what is under it stays
+  private heard = performance.now();
+  private readonly answers = new Map<string, { text: string; asked: number }>(); // by group and since when it waits
+  private asking = false;
+  private asked = 0;
+  readonly bar: LiveBar;
+
+  /** `address`: of the events, beside the page. */
+  constructor(address: string, private readonly data: Data, private readonly pictures: Picture[]) {
+    this.bar = new LiveBar(data, (group) => this.reasonOf(group));
+    const events = new EventSource(address);
+    events.addEventListener('open', () => this.bar.connected());
+    events.addEventListener('error', () => this.bar.lost(events.readyState === EventSource.CLOSED));
+    events.addEventListener('message', (message: MessageEvent<string>) => {
+      this.heard = performance.now();
+      this.waiting.push(message.data);
+    });
+    events.addEventListener('alive', (message: MessageEvent<string>) => {
+      this.heard = performance.now();
+      this.time = Number(message.data);
+    });
+    for (const kind of ['pointerdown', 'pointerup', 'pointercancel']) addEventListener(kind, () => (this.held = kind === 'pointerdown'), true);
+    setInterval(() => this.look(), pause);
+  }
+
+  get recording(): Recording {
+    if (!this.record) throw new Error('nothing has come yet');
+    return this.record;
+  }
+
+  private look(): void {
+    if (performance.now() - this.heard > silence) this.bar.silent();
+    else this.bar.heard();
+    if (this.held || (this.waiting.length === 0 && this.time === undefined)) return;
+    const lines = this.waiting.splice(0).map((data) => this.withoutHeader(data)).join('\n');
+    const { record, time } = this;
+    this.time = undefined;
+    if (!record) return;
+    if (lines !== '') record.append(lines);
+    if (time !== undefined) record.pass(time);
+  }
+
+  /** The header makes the recording, when it comes first; then it says only that the viewer begins anew. */
+  private withoutHeader(data: string): string {
+    const lines = data.split('\n');
+    if (lines[0].startsWith('{"director_trace":')) this.takeHeader(lines);
+    else this.noticeGap(lines[0]);
+    return lines.join('\n');
+  }
+
+  private takeHeader(lines: string[]): void {
+    const header = JSON.parse(lines.shift() ?? '') as Header;
+    if (this.record) {
+      if (header.fingerprint !== this.fingerprint) location.reload(); // another program at this address
+      else this.noticeGap(lines[0]);
+      return;
+    }
+    this.fingerprint = header.fingerprint;
+    const own = new Set(this.data.groups.map((group) => group.name));
+    if (header.groups.some((group) => !own.has(group.name))) this.bar.warn('This page is of another version of the behaviour than the one that runs.');
+    const initial = new Map(this.data.states.map((state) => [state.name, state.initial ?? null]));
+    this.record = new Recording(header, initial, most);
+    // What happened before is not missing: it is before the beginning.
+    if (lines[0]?.startsWith('{"event":"dropped"')) lines.shift();
+    if (lines.length > 0) this.record.append(lines.splice(0).join('\n'));
+    this.makeTimeline();
+  }
+
+  private noticeGap(line: string | undefined): void {
+    if (line?.startsWith('{"event":"dropped"')) this.bar.missed((JSON.parse(line) as { count: number }).count);
+  }
+
+  private makeTimeline(): void {
+    const section = make('section', { id: 'timeline', 'aria-labelledby': 'timeline-title' }, make('h2', { id: 'timeline-title' }, 'Now, and what led to it'));
+    byId('picture')?.after(section);
+    new Timeline(this, this.pictures, this.data);
+    if (scrollY === 0 && location.hash === '') byId('live')?.scrollIntoView({ block: 'start' });
+  }
+
+  // Why.
+
+  /** Of the present it is asked, and asked again while it lasts; of the past it is known where somebody asked then. */
+  why(group: number, event: number): string | undefined {
+    const key = this.keyOf(group, event);
+    const known = this.answers.get(key);
+    const isNow = event === this.recording.end - 1;
+    if (isNow && (!known || performance.now() - known.asked > askAgain)) void this.askAll();
+    return known?.text;
+  }
+
+  whyUnknown(event: number): string | undefined {
+    return event === this.recording.end - 1 ? undefined : 'the program says why of the present only, and was not asked then';
+  }
+
+  private keyOf(group: number, event: number): string {
+    return `${group} ${this.recording.sinceOf(group, event)}`;
+  }
+
+  private async askAll(): Promise<void> {
+    if (this.asking || performance.now() - this.asked < 2 * pause) return;
+    this.asking = true;
+    this.asked = performance.now();
+    const { recording } = this;
+    const event = recording.end - 1; // what comes meanwhile may be the end of what is answered: it is shown until then
+    try {
+      for (const reason of await this.ask('why')) {
+        const group = recording.names.group(reason.group);
+        this.answers.set(this.keyOf(group, Math.max(event, recording.first)), { text: [reason.text, ...reason.notes].join('\n'), asked: performance.now() });
+      }
+      if (this.answers.size > 2000) this.answers.clear();
+      recording.pass(recording.ends);
+    } catch {
+      // The bar says what is wrong with the connection.
+    } finally {
+      this.asking = false;
+    }
+  }
+
+  private async ask(address: string): Promise<Reason[]> {
+    const answer = await fetch(address);
+    if (!answer.ok) throw new Error(await answer.text());
+    return ((await answer.json()) as { groups: Reason[] }).groups;
+  }
+
+  private async reasonOf(group: string): Promise<Reason> {
+    return (await this.ask(`why?group=${encodeURIComponent(group)}`))[0];
+  }
+}
+
+/** Where to ask; undefined: the page is a file, and asks for nothing. */
+export function liveAddress(): string | undefined {
+  return document.querySelector<HTMLMetaElement>('meta[name="director-live"]')?.content;
+}

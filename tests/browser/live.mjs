@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// node live.mjs CHROMIUM LIVE_PROGRAM SOCCER FOLDER: what people do with the page of a running program. Leaves pictures of what they see in FOLDER.
+import { strict as assert } from 'node:assert';
+import { spawn } from 'node:child_process';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { chromium } from 'playwright-core';
+import { check } from './situations.mjs';
+
+const [program, live, soccer, folder] = process.argv.slice(2);
+const browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
+let failed = 0;
+
+/** A program that runs, and the address that it printed first. */
+async function start(command, ...options) {
+  const child = spawn(command, options, { stdio: ['pipe', 'pipe', 'inherit'] });
+  const lines = createInterface({ input: child.stdout });
+  const [url] = /http:\S+/.exec(await new Promise((resolve) => lines.once('line', resolve)));
+  lines.resume();
+  return { child, url };
+}
+
+/** A program and a page of its own for each situation; it may say nothing, and ask for nothing but what is behind the token. */
+async function situation(title, command, options, act) {
+  const { child, url } = await start(...command);
+  const context = await browser.newContext({ viewport: { width: 1400, height: 950 }, ...options });
+  const page = await context.newPage();
+  const said = [];
+  page.on('console', (message) => said.push(`console: ${message.text()}`));
+  page.on('pageerror', (error) => said.push(`error: ${error.message}`));
+  page.on('request', (request) => request.url().startsWith(url) || said.push(`request: ${request.url()}`));
+  try {
+    await page.goto(url);
+    await sees(page, '.live-state', /^Connected/);
+    await page.waitForSelector('#moment');
+    await act({ page, said, url, child });
+    assert.deepEqual(said, []);
+    console.log(`ok ${title}`);
+  } catch (error) {
+    ++failed;
+    console.log(`not ok ${title}: ${error.message}`);
+    await page.screenshot({ path: join(folder, `failed_${failed}.png`) });
+  }
+  await context.close();
+  child.kill('SIGKILL');
+}
+
+const text = (page, where) => page.locator(where).first().innerText();
+
+/** Until it is so; the policy of the page forbids what playwright would do. */
+async function until(page, is, argument, what = is) {
+  for (const end = Date.now() + 30_000; !(await page.evaluate(is, argument)); await page.waitForTimeout(50)) assert.ok(Date.now() < end, `never: ${what}`);
+}
+
+async function sees(page, where, expected) {
+  await until(page, ([at, pattern, flags]) => new RegExp(pattern, flags).test(document.querySelector(at)?.innerText ?? ''), [where, expected.source, expected.flags], `${where} shows ${expected}`);
+}
+
+const shot = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
+const time = async (page) => Number.parseFloat(await text(page, '.where'));
+const node = (page, group) => page.locator(`.holder:not([hidden]) g.node:has(> title:text-is("${group}"))`).first();
+const tracks = (page) => page.locator('.labels a:not(.state)').allTextContents();
+const game = [soccer, '--live', '0', '--speed', '4'];
+
+await situation('a game is followed: the picture, the tracks and the words show what runs now', game, {}, async ({ page }) => {
+  await sees(page, '#moment', /Runs\n.*FallRecovery/s);
+  const first = await time(page);
+  await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 3, first);
+  assert.match(await node(page, 'FallRecovery').getAttribute('class'), /is-running/);
+  assert.equal(await page.locator('#follow').isChecked(), true);
+  await page.waitForTimeout(1500);
+  await shot(page, 'soccer');
+});
+
+await situation('who looks back stays there, while more happens, until the end is followed again', game, {}, async ({ page }) => {
+  const first = await time(page);
+  await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 2, first);
+  await page.locator('#scrub').focus();
+  await page.keyboard.press('Home');
+  await until(page, (from) => !document.querySelector('#follow').checked && Number.parseFloat(document.querySelector('.where').innerText) <= from, first);
+  const there = await time(page);
+  await page.waitForTimeout(700);
+  assert.equal(await time(page), there);
+  await page.check('#follow');
+  await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 2, there);
+});
+
+await situation('what waits says for which state, what that is worth, and who could cause it', [live], {}, async ({ page }) => {
+  await sees(page, '#moment', /Waits\n(.*\n)*Open waits \(Deliver>Open\): until Door == open/);
+  await sees(page, '#moment', /Door is shut\nOpen\.unlocking could cause it, and is disabled/);
+  await shot(page, 'waits');
+});
+
+await situation('a click on a box says why, and so does a choice by keyboard', [live], {}, async ({ page }) => {
+  await node(page, 'Open').click();
+  await sees(page, '#why-answer', /^Open waits \(Deliver>Open\): until Door == open, .*\(asked at .*\)\n+Door is shut\nOpen\.unlocking could cause it, and is disabled$/s);
+  await page.locator('#why-group').focus();
+  await page.keyboard.type('Sing');
+  await sees(page, '#why-answer', /^Sing runs \(Rest>Sing\) in default/);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  await sees(page, '#why-answer', /^Sing runs/);
+});
+
+await situation('only what runs or waits now has a track, and the rest of the picture is hardly there', [live], {}, async ({ page, url }) => {
+  await page.check('#only-now');
+  await until(page, () => document.querySelectorAll('.labels a:not(.state)').length === 5);
+  assert.equal((await fetch(`${url}cancel?task=Rest`, { method: 'POST' })).status, 202);
+  await until(page, () => document.querySelectorAll('.labels a:not(.state)').length < 5);
+  assert.equal((await tracks(page)).includes('Sing'), false);
+  assert.ok(Number(await node(page, 'Sing').evaluate((each) => getComputedStyle(each).opacity)) < 0.5);
+});
+
+await situation('where the keyboard is, it stays, while more comes', game, {}, async ({ page }) => {
+  const link = page.locator('#moment a', { hasText: /^FallRecovery$/ }).first();
+  await link.focus();
+  await page.waitForTimeout(1000);
+  assert.equal(await page.evaluate(() => document.activeElement?.textContent), 'FallRecovery');
+});
+
+await situation('a program that stands still is called silent, and then connected again', [live], {}, async ({ page, child }) => {
+  child.kill('SIGSTOP');
+  await sees(page, '.live-state', /^Silent since \d\d:\d\d:\d\d: the connection is there, and nothing comes; the program may be stopped$/);
+  await shot(page, 'silent');
+  child.kill('SIGCONT');
+  await sees(page, '.live-state', /^Connected: this is what happens now$/);
+});
+
+await situation('a program that has ended is called lost, and what was seen stays', [live], {}, async ({ page, said, child }) => {
+  child.kill('SIGKILL');
+  await sees(page, '.live-state', /^Lost since \d\d:\d\d:\d\d: the program has ended, or cannot be reached; it is tried again$/);
+  await node(page, 'Walk').click();
+  await sees(page, '#why-answer', /^Not answered: /);
+  assert.match(await text(page, '#moment'), /Rest/);
+  await shot(page, 'lost');
+  for (const each of said.splice(0)) assert.match(each, /^console: Failed to load resource: net::ERR_(CONNECTION_REFUSED|INCOMPLETE_CHUNKED_ENCODING|EMPTY_RESPONSE|CONNECTION_RESET)/);
+});
+
+await situation('events that are missing are counted, and then it is the present again', [live, 'flood'], {}, async ({ page }) => {
+  await sees(page, '.live-state', /^Behind: [\d,]+ events came faster than they could be shown, and are missing; from here on it is the present again$/);
+  await sees(page, '#moment', /Rest/);
+  await sees(page, '.live-state', /^(Connected|Behind)/);
+});
+
+for (const colorScheme of ['light', 'dark']) {
+  await situation(`axe finds nothing, ${colorScheme}`, [live], { colorScheme, bypassCSP: true }, async ({ page }) => {
+    await sees(page, '#moment', /Door is shut/);
+    await node(page, 'Open').click();
+    await sees(page, '#why-answer', /^Open waits/);
+    await page.locator('#follow').uncheck();
+    await check(page);
+    await shot(page, `live_${colorScheme}`);
+  });
+}
+
+await situation('at 200 % nothing is cut off at the side', [live], { viewport: { width: 640, height: 450 }, deviceScaleFactor: 2 }, async ({ page }) => {
+  await sees(page, '#moment', /Door is shut/);
+  const [inner, whole] = await page.evaluate(() => [document.documentElement.clientWidth, document.documentElement.scrollWidth]);
+  assert.ok(whole <= inner, `${whole} points in ${inner}`);
+  await shot(page, 'live_200');
+});
+
+await situation('the policy lets the page ask its own server, and nobody else', [live], {}, async ({ page, said }) => {
+  const blocked = page.evaluate(() => new Promise((resolve) => document.addEventListener('securitypolicyviolation', (event) => resolve(event.effectiveDirective), { once: true })));
+  await page.evaluate(() => fetch('http://127.0.0.1:9/').catch(() => undefined));
+  assert.equal(await blocked, 'connect-src');
+  assert.match(said.splice(0).join(), /violates the following Content Security Policy directive: "connect-src 'self'"/);
+});
+
+await situation('a page of another address can neither read nor show it', [live], {}, async ({ page, said, url }) => {
+  const other = await page.context().newPage();
+  await other.goto('data:text/html,<p>other</p>');
+  const read = await other.evaluate((address) => fetch(`${address}why`).then(() => 'read', () => 'refused'), url);
+  assert.equal(read, 'refused');
+  // Sent, and refused there, as it says from where it comes.
+  await other.evaluate((address) => fetch(`${address}cancel_all`, { method: 'POST', mode: 'no-cors' }).catch(() => undefined), url);
+  await page.waitForTimeout(500);
+  await sees(page, '#moment', /Rest/);
+  assert.deepEqual(said, []);
+});
+
+await browser.close();
+process.exit(failed === 0 ? 0 : 1);
