@@ -67,8 +67,13 @@ int run(const Diff& request, Console& console) {
       print_findings(errors_of(side->findings), sources, console.err, console.err_colours);
     return found;
   }
-  const std::vector<BehaviourChange> changes = find_changes(*before, *after);
+  TransitionsPlayed transitions;
+  const std::vector<BehaviourChange> changes = find_changes(*before, *after, &transitions);
   print(changes, request, sources, console);
+  if (transitions.played < transitions.wanted)
+    console.err << fmt::format("directorc: not compared: {} of {} transitions between groups that may have changed; "
+                               "the behaviour is too large to play them all\n",
+                               transitions.wanted - transitions.played, transitions.wanted);
   const bool breaks = std::any_of(changes.begin(), changes.end(), [&](const BehaviourChange& change) {
     return request.breaking.has(change) || change.kind == ChangeKind::refused;
   });
