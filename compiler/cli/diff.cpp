@@ -64,7 +64,7 @@ int run(const Diff& request, Console& console) {
   if (!before->resolved && !after->resolved) {
     console.err << "directorc: neither of the two can be compared: both have errors in their text or their names\n";
     for (const Checked* side : {&*before, &*after})
-      print_findings(errors_of(side->findings), sources, console.err, console.err_colours);
+      print_findings(errors_of(side->findings), sources, console.err, console.err_colours, console.err_width);
     return found;
   }
   TransitionsPlayed transitions;

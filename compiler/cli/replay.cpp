@@ -74,7 +74,7 @@ int run(const Replay& request, Console& console) {
   if (!checked) return misused;
   if (!checked->lowerable) {
     const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
-    print_findings(errors, sources, console.err, console.err_colours);
+    print_findings(errors, sources, console.err, console.err_colours, console.err_width);
     if (errors.empty())
       console.err << fmt::format("directorc: `{}` has no `roots`: a module alone cannot be played\n", behaviour);
     return errors.empty() ? misused : found;
