@@ -94,8 +94,10 @@ struct Simulate {
 /// What a robot or a scenario recorded, in another form.
 struct Trace {
   std::string file;
-  std::string to = "text"; ///< text, json, perfetto
+  std::string to = "text"; ///< text, json, perfetto, html
   std::string output;      ///< empty: to the terminal
+  std::string behaviour;   ///< for html: its file; empty: the one that the trace names
+  std::string link;        ///< for html: address of a line, with {file} and {line}; empty: nothing is a link
 };
 
 /// What was recorded, on the engine again.

@@ -96,4 +96,14 @@ std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_
   return {};
 }
 
+void add_link(CLI::App& app, std::string& link) {
+  app.add_option("--link", link, "address behind each box, arrow and place, with {file} and {line} in it")
+      ->type_name("ADDRESS");
+}
+
+std::optional<Say> wrong_link(const std::string& link) {
+  if (link.empty() || link.find("{file}") != std::string::npos) return {};
+  return Say{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n", true};
+}
+
 } // namespace director::compiler::cli
