@@ -139,7 +139,7 @@ private:
     }
     default: break;
     }
-    print_findings(checked.findings, sources_, console_.out, console_.out_colours);
+    print_findings(checked.findings, sources_, console_.out, console_.out_colours, console_.out_width);
     if (console_.out_width != 0 && !checked.findings.empty())
       console_.out << fmt::format("`directorc explain {}` says more\n", checked.findings.front().id);
     if (explained_) console_.out << to_text(*explained_, sources_);

@@ -26,7 +26,8 @@ int run(const ListChecks&, Console& console) {
     if (console.out_width == 0) {
       console.out << head << "  " << summary << "\n";
     } else if (console.out_width < head.size() + least_beside) {
-      console.out << head.substr(0, head.find_last_not_of(' ') + 1) << "\n    "
+      const std::string words = head.substr(0, head.find_last_not_of(' ') + 1);
+      console.out << (words.size() <= console.out_width ? words : in_lines(words, console.out_width, 0, 4)) << "\n    "
                   << in_lines(summary, console.out_width, 4, 4) << "\n";
     } else {
       const std::size_t column = head.size() + 2;

@@ -64,11 +64,16 @@ int run(const Diff& request, Console& console) {
   if (!before->resolved && !after->resolved) {
     console.err << "directorc: neither of the two can be compared: both have errors in their text or their names\n";
     for (const Checked* side : {&*before, &*after})
-      print_findings(errors_of(side->findings), sources, console.err, console.err_colours);
+      print_findings(errors_of(side->findings), sources, console.err, console.err_colours, console.err_width);
     return found;
   }
-  const std::vector<BehaviourChange> changes = find_changes(*before, *after);
+  TransitionsPlayed transitions;
+  const std::vector<BehaviourChange> changes = find_changes(*before, *after, &transitions);
   print(changes, request, sources, console);
+  if (transitions.played < transitions.wanted)
+    console.err << fmt::format("directorc: not compared: {} of {} transitions between groups that may have changed; "
+                               "the behaviour is too large to play them all\n",
+                               transitions.wanted - transitions.played, transitions.wanted);
   const bool breaks = std::any_of(changes.begin(), changes.end(), [&](const BehaviourChange& change) {
     return request.breaking.has(change) || change.kind == ChangeKind::refused;
   });

@@ -21,7 +21,7 @@ std::pair<std::optional<std::string>, int> page_of(const std::string& file, cons
   const std::optional<Checked> checked = load(file, {}, sources, console);
   if (!checked) return {{}, misused};
   if (!checked->resolved) {
-    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours);
+    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours, console.err_width);
     return {{}, found};
   }
   PageWish wish;

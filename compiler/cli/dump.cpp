@@ -18,7 +18,7 @@ int run(const Dump& request, Console& console) {
   // The spec is there whatever was wrong in it; what comes later only when it can be made.
   const bool possible = spec || (tables ? checked->lowerable : checked->resolved);
   const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
-  if (spec || !possible) print_findings(errors, sources, console.err, console.err_colours);
+  if (spec || !possible) print_findings(errors, sources, console.err, console.err_colours, console.err_width);
   if (spec) {
     console.out << dsl::print_spec(checked->spec, sources);
   } else if (!possible) {

@@ -52,7 +52,7 @@ int run(const Explore& request, Console& console) {
   const std::optional<Checked> checked = load(request.file, {}, sources, console);
   if (!checked) return misused;
   if (!checked->lowerable) {
-    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours);
+    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours, console.err_width);
     if (dsl::has_errors(checked->findings)) return found;
     console.err << fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can "
                                "be explored in it alone\n",

@@ -20,7 +20,7 @@ int run(const Generate& request, Console& console) {
   options.selection = request.selection;
   const std::optional<Checked> checked = load(request.file, options, sources, console, {request.build, request.flags});
   if (!checked) return misused;
-  print_findings(checked->findings, sources, console.err, console.err_colours);
+  print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
   const bool is_open = print_undecided(checked->undecided, console);
   if (dsl::has_errors(checked->findings)) return found;
   if (is_open) return undecided;

@@ -118,7 +118,7 @@ std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step
   options.end = [&](const Engine& engine) { out = moment_of(view_of(engine), loaded.model, loaded.lowered); };
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
   if (played.refused) {
-    print_findings({*played.refused}, sources, console.err, console.err_colours);
+    print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
     return {};
   }
   if (played.last_step == 0) return out;
@@ -183,7 +183,7 @@ int run(const DrawGraph& request, Console& console) {
   if (!checked) return misused;
   const bool whole = checked->resolved;
   const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
-  if (!whole) print_findings(errors, sources, console.err, console.err_colours);
+  if (!whole) print_findings(errors, sources, console.err, console.err_colours, console.err_width);
   if (!whole && checked->model.groups.empty()) return found;
   const Graph graph = whole ? Graph{} : make_graph(checked->model);
   const Graph& all = whole ? checked->graph : graph;

@@ -120,9 +120,11 @@ std::optional<Checked> load(const std::string& file, const CheckOptions& options
 }
 
 void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, std::ostream& out,
-                    bool colours) {
+                    bool colours, std::size_t width) {
+  constexpr std::size_t before_source = 8, least = 20;
   dsl::RenderOptions options;
   options.colours = colours;
+  if (width != 0) options.width = std::max(width, before_source + least) - before_source;
   out << dsl::render(findings, sources, options);
 }
 

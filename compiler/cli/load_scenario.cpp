@@ -40,7 +40,7 @@ Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console) {
   LoadedScenario out;
   const auto stop = [&](int status, const Findings& findings) {
-    print_findings(findings, sources, console.err, console.err_colours);
+    print_findings(findings, sources, console.err, console.err_colours, console.err_width);
     out.status = status;
     out.findings = findings;
   };
@@ -62,7 +62,7 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   out.graph = std::move(checked.graph);
   ResolvedScenario resolved = resolve_scenario(read.scenario, out.model);
   if (dsl::has_errors(resolved.findings)) return stop(found, resolved.findings), out;
-  print_findings(resolved.findings, sources, console.err, console.err_colours);
+  print_findings(resolved.findings, sources, console.err, console.err_colours, console.err_width);
   out.findings = resolved.findings;
   out.lowered = lower(out.model);
   out.scenario = std::move(resolved.scenario);

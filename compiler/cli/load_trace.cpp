@@ -56,7 +56,7 @@ RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::strin
     out.checked = std::move(*checked);
   } else {
     const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
-    print_findings(errors, sources, console.err, console.err_colours);
+    print_findings(errors, sources, console.err, console.err_colours, console.err_width);
     if (errors.empty())
       console.err << fmt::format("directorc: `{}` has no `roots`: a module alone cannot be played\n", out.file);
     out.status = errors.empty() ? misused : found;

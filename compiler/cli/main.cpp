@@ -1,6 +1,7 @@
 // Door: the command line. Test: tests/compiler/cli/parse_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/parse.hpp"
+#include "compiler/cli/wrapping.hpp"
 #include "compiler/facts/scanner.hpp"
 
 #include <fcntl.h>
@@ -16,6 +17,7 @@
 #include <iostream>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -68,6 +70,32 @@ int act(const Command& command, Console& console) {
   return run(command, console);
 }
 
+/// What it prints are sentences for people, and no file or code.
+template <class Command>
+bool prints_prose(const Command& command) {
+  if constexpr (requires { command.format; }) return command.format == Format::text;
+  return std::is_same_v<Command, Explore>;
+}
+
+/// As long as this lives, long lines are broken between words; `width` 0: they are not.
+class Wrapped {
+public:
+  Wrapped(std::ostream& stream, std::size_t width) : stream_(stream), terminal_(*stream.rdbuf()), buffer_(terminal_, width) {
+    if (width != 0) stream_.rdbuf(&buffer_);
+  }
+  ~Wrapped() {
+    stream_.flush();
+    stream_.rdbuf(&terminal_);
+  }
+  Wrapped(const Wrapped&) = delete;
+  Wrapped& operator=(const Wrapped&) = delete;
+
+private:
+  std::ostream& stream_;
+  std::streambuf& terminal_;
+  WrappingBuffer buffer_;
+};
+
 /// A file that is opened must not become the output of a program that was started without one: what is printed then
 /// cannot be written, as it should be.
 void fill_streams() {
@@ -83,9 +111,14 @@ int main(int count, char** words) {
     dsl::DiskFiles files;
     DiskOutputs outputs;
     ChildPrograms programs;
-    Console console{std::cout, std::cerr, wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO), files, outputs,
-                    programs,  scanner(), find_headers(own_path()),     width_of(STDOUT_FILENO),      is_screen(STDOUT_FILENO)};
     const Request request = parse({words + (count > 0 ? 1 : 0), words + count}, find_schemas(own_path()));
+    const std::size_t out_width = width_of(STDOUT_FILENO), err_width = width_of(STDERR_FILENO);
+    const bool is_prose = std::visit([](const auto& command) { return prints_prose(command); }, request);
+    const Wrapped out(std::cout, is_prose ? out_width : 0), err(std::cerr, err_width);
+    Console console{std::cout,     std::cerr,  wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO),
+                    files,         outputs,    programs,                     scanner(),
+                    find_headers(own_path()),  out_width,                    err_width,
+                    is_screen(STDOUT_FILENO)};
     const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
     std::cout.flush();
     if (!std::cout) std::cerr << "directorc: the output cannot be written\n";

@@ -14,21 +14,6 @@ namespace {
 using dsl::colours::bold, dsl::colours::reset;
 constexpr std::string_view code = dsl::colours::cyan;
 
-/// Columns, not counting what sets colours.
-std::size_t columns(std::string_view word) {
-  std::size_t out = 0;
-  for (std::size_t at = 0; at < word.size();) {
-    if (word[at] == '\033') {
-      at = std::min(word.find('m', at), word.size() - 1) + 1;
-      continue;
-    }
-    const dsl::Glyph glyph = dsl::glyph_at(word, at);
-    out += glyph.columns;
-    at += glyph.bytes;
-  }
-  return out;
-}
-
 /// Without the marks of Markdown; each word has its own colours, so that lines can be broken between any two.
 class Inline {
 public:
@@ -121,7 +106,7 @@ private:
       in_code_ = !in_code_;
       return;
     } else if (in_code_) {
-      out_ += text.empty() ? "\n" : "    " + std::string(text) + "\n";
+      out_ += text.empty() ? "\n" : code_lines("    " + std::string(text)) + "\n";
     } else if (text.empty()) {
       finish();
       if (!out_.empty() && !out_.ends_with("\n\n")) out_ += '\n';
@@ -157,6 +142,25 @@ private:
     indent_ = 0;
   }
 
+  /// One that is too wide has its comment below it, a little further right. Without one it is broken between words.
+  std::string code_lines(std::string line) const {
+    if (columns_of(line) <= width_) return line;
+    const std::size_t begin = line.find_first_not_of(' '), mark = line.find("# "), from = begin + 2;
+    const auto comment = [&](std::size_t at) {
+      // Each of its lines is a comment.
+      const std::size_t room = width_ > from + 2 ? width_ - from - 2 : 1;
+      std::string out = in_lines(std::string_view(line).substr(mark + 2), room, 0, 0);
+      const std::string next = "\n" + std::string(at, ' ') + "# ";
+      for (std::size_t end = out.find('\n'); end != std::string::npos; end = out.find('\n', end + next.size()))
+        out.replace(end, 1, next);
+      return std::string(at, ' ') + "# " + out;
+    };
+    if (mark == begin) return comment(begin);
+    const std::string_view before = std::string_view(line).substr(0, mark);
+    std::string out = std::string(begin, ' ') + in_lines(before.substr(begin), width_, begin, from + 2);
+    return mark == std::string::npos ? out : out + "\n" + comment(from);
+  }
+
   std::size_t width_;
   bool colours_;
   std::string out_, paragraph_;
@@ -168,6 +172,20 @@ private:
 
 } // namespace
 
+std::size_t columns_of(std::string_view word) {
+  std::size_t out = 0;
+  for (std::size_t at = 0; at < word.size();) {
+    if (word[at] == '\033') {
+      at = std::min(word.find('m', at), word.size() - 1) + 1;
+      continue;
+    }
+    const dsl::Glyph glyph = dsl::glyph_at(word, at);
+    out += glyph.columns;
+    at += glyph.bytes;
+  }
+  return out;
+}
+
 std::string in_lines(std::string_view text, std::size_t width, std::size_t begin, std::size_t indent) {
   std::string out;
   std::size_t column = begin;
@@ -177,7 +195,7 @@ std::string in_lines(std::string_view text, std::size_t width, std::size_t begin
     const std::string_view word = text.substr(0, std::min(text.find(' '), text.size()));
     text.remove_prefix(word.size());
     if (word.empty()) break;
-    const std::size_t wide = columns(word);
+    const std::size_t wide = columns_of(word);
     if (!at_begin && column + 1 + wide > width) {
       out += '\n' + std::string(indent, ' ');
       column = indent;

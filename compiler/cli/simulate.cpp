@@ -56,7 +56,7 @@ int run(const Simulate& request, Console& console) {
   }
   if (played.refused) {
     console.out.flush();
-    print_findings({*played.refused}, sources, console.err, console.err_colours);
+    print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
   }
   return played.refused || played.budget_exhausted ? found : clean;
 }

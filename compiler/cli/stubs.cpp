@@ -245,7 +245,7 @@ int run(const Stubs& request, Console& console) {
   dsl::Sources sources;
   const std::optional<Checked> checked = load(request.file, {}, sources, console);
   if (!checked) return misused;
-  print_findings(errors_of(checked->findings), sources, console.err, console.err_colours);
+  print_findings(errors_of(checked->findings), sources, console.err, console.err_colours, console.err_width);
   if (dsl::has_errors(checked->findings)) return found;
   if (!checked->model.deployment) {
     console.err << fmt::format("directorc: `{}` has no `roots`: what its modules are called is decided where they are "

@@ -102,7 +102,7 @@ private:
     std::vector<dsl::Diagnostic> findings = loaded.findings;
     if (result.played.refused) {
       console_.out.flush();
-      print_findings({*result.played.refused}, sources, console_.err, console_.err_colours);
+      print_findings({*result.played.refused}, sources, console_.err, console_.err_colours, console_.err_width);
       findings.push_back(*result.played.refused);
     }
     rows_.push_back(with(findings, sources, to_json(result, shown_path(file), title, sources)));

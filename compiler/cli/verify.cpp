@@ -27,7 +27,7 @@ void print(const Verify& request, const Verified& verified, const dsl::Sources& 
   if (request.format == Format::sarif) {
     console.out << to_lines(findings_sarif(verified.findings, {}, sources, sarif_rules()));
   } else {
-    print_findings(verified.findings, sources, console.out, console.out_colours);
+    print_findings(verified.findings, sources, console.out, console.out_colours, console.out_width);
   }
   print_undecided(verified.not_decided, console);
   for (const std::string& each : verified.remarks) console.err << fmt::format("directorc: {}\n", each);
@@ -50,7 +50,7 @@ int run(const Verify& request, Console& console) {
     Verified nothing;
     nothing.findings = errors_of(checked->findings);
     if (request.format == Format::text) {
-      print_findings(nothing.findings, sources, console.err, console.err_colours);
+      print_findings(nothing.findings, sources, console.err, console.err_colours, console.err_width);
     } else {
       print(request, nothing, sources, console);
     }

@@ -35,7 +35,7 @@ int run(const Why& request, Console& console) {
   };
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
   if (played.refused) {
-    print_findings({*played.refused}, sources, console.err, console.err_colours);
+    print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
     return found;
   }
   if (request.format == Format::json) {

@@ -5,6 +5,7 @@
 
 #include "dsl/span.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -79,6 +80,12 @@ struct BehaviourChange {
   bool breaks_code = false;               ///< C++ that was written for the old one does not compile, or not unchanged
   std::string hint;                       ///< what it may be instead; mostly empty
   bool operator==(const BehaviourChange&) const = default;
+};
+
+/// Pairs of groups between which control may pass otherwise than before, and how many of them were played. Of large
+/// behaviours it may be only some.
+struct TransitionsPlayed {
+  std::size_t wanted = 0, played = 0;
 };
 
 } // namespace director::compiler

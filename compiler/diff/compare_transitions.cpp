@@ -1,48 +1,104 @@
 // Door: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// From what to what control can change, as the engine plays it. Only of behaviours that are small enough to play twice
-// while somebody waits; of larger ones take-overs and pushes tell the same, without having been played.
-#include "compiler/diff/side.hpp"
+// From what to what control can change, as the engine plays it, of any two groups of which one is in another situation
+// than before. In large behaviours these may be too many to play while somebody waits: then those come first of which
+// both are, and how many are left is told.
+#include "compiler/diff/situations.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/transitions/matrix.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
+#include <set>
 
 namespace director::compiler::diff {
 
 namespace {
 
 using Kind = Transition::Kind;
+using Names = std::pair<std::string, std::string>; ///< from, to
 
-/// A matrix grows with the square of these.
-constexpr std::size_t most_played = 24;
+/// Of both sides, in what TransitionPlays counts: some three seconds.
+constexpr std::size_t most_work = 10'000'000;
 
-std::size_t rows_of(const Model& model) {
-  return static_cast<std::size_t>(
-      std::count_if(model.groups.begin(), model.groups.end(), [](const Group& group) { return !group.edges.empty(); }));
-}
-
-struct Cell {
-  Transition transition;
-  Span span{}; ///< of the second
+struct Row {
+  std::string name;
+  std::set<std::string> reaches; ///< itself, and what it may ask for or need, however far below
+  bool has_changed = false;
 };
-using Cells = std::map<std::pair<std::string, std::string>, Cell>;
 
-Cells play(const Model& model) {
-  Cells out;
-  const TransitionMatrix matrix = find_transitions(model, lower(model), "behaviour.yaml");
-  for (const TransitionMatrix::Row& row : matrix.rows) {
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const GroupId to = matrix.rows[i].group;
-      out.emplace(std::pair(name_of(model, row.group), name_of(model, to)),
-                  Cell{row.cells[i], model.groups[to].name.span});
+std::set<std::string> reached_from(const Model& model, GroupId group) {
+  std::set<std::string> out{name_of(model, group)};
+  std::vector<GroupId> open{group};
+  while (!open.empty()) {
+    const GroupId id = open.back();
+    open.pop_back();
+    for (const EdgeId edge : model.groups[id].edges) {
+      const GroupId target = model.edges[edge].target;
+      if (out.insert(name_of(model, target)).second) open.push_back(target);
     }
   }
   return out;
 }
+
+/// Those that both sides have and that ask for something or need something.
+std::vector<Row> common_rows(const Pair& pair) {
+  const std::set<std::string> changed = changed_situations(pair);
+  std::set<std::string> old;
+  for (const Group& group : pair.old_model.groups) {
+    if (!group.edges.empty()) old.insert(group.name.value);
+  }
+  std::vector<Row> out;
+  if (changed.empty()) return out;
+  for (const GroupId id : pair.new_model.groups.ids()) {
+    const std::string& name = name_of(pair.new_model, id);
+    if (!pair.new_model.groups[id].edges.empty() && old.contains(name))
+      out.push_back({name, reached_from(pair.new_model, id), changed.contains(name)});
+  }
+  return out;
+}
+
+bool share(const Row& one, const Row& other) {
+  return std::any_of(one.reaches.begin(), one.reaches.end(),
+                     [&](const std::string& name) { return other.reaches.contains(name); });
+}
+
+/// All that may have changed: first the pairs that may want the same group, of these first those of which both have
+/// changed.
+std::vector<Names> choose(const Pair& pair) {
+  const std::vector<Row> rows = common_rows(pair);
+  std::array<std::vector<Names>, 4> by_rank;
+  for (const Row& from : rows) {
+    for (const Row& to : rows) {
+      if (&from == &to || (!from.has_changed && !to.has_changed)) continue;
+      const std::size_t rank = (share(from, to) ? 0U : 2U) + (from.has_changed && to.has_changed ? 0U : 1U);
+      by_rank[rank].emplace_back(from.name, to.name);
+    }
+  }
+  std::vector<Names> out;
+  for (const std::vector<Names>& each : by_rank) out.insert(out.end(), each.begin(), each.end());
+  return out;
+}
+
+/// One of the two behaviours.
+class Played {
+public:
+  explicit Played(const Model& model) : model_(model), lowered_(lower(model)), plays_(model, lowered_) {
+    for (const GroupId id : model.groups.ids()) ids_.emplace(name_of(model, id), id);
+  }
+  Transition between(const Names& ends) { return plays_.between(ids_.at(ends.first), ids_.at(ends.second)); }
+  Span span(const std::string& name) const { return model_.groups[ids_.at(name)].name.span; }
+  std::size_t work() const { return plays_.work(); }
+
+private:
+  const Model& model_;
+  Lowered lowered_;
+  TransitionPlays plays_;
+  std::map<std::string, GroupId> ids_;
+};
 
 std::string bound_text(const std::optional<Microseconds>& bound) {
   return bound ? "at most " + dsl::time_text(*bound) : std::string("any time");
@@ -50,25 +106,20 @@ std::string bound_text(const std::optional<Microseconds>& bound) {
 
 } // namespace
 
-void compare_transitions(const Pair& pair, Changes& changes) {
-  if (!pair.before.lowerable || !pair.after.lowerable) return;
-  if (std::max(rows_of(pair.old_model), rows_of(pair.new_model)) > most_played) return;
-  const Cells was = play(pair.old_model), is = play(pair.new_model);
-  struct Told {
-    std::vector<std::string> to;
-    Span before{}, after{};
-  };
-  std::map<std::tuple<ChangeKind, std::string, std::string>, Told> told; // what, from, sentence
-  for (const auto& each : is) {
-    const auto& ends = each.first; // no binding: clang has none of these in lambdas
-    const Cell& now = each.second;
-    const auto old = was.find(ends);
-    if (old == was.end()) continue;
-    const Transition &before = old->second.transition, &after = now.transition;
+TransitionsPlayed compare_transitions(const Pair& pair, Changes& changes) {
+  TransitionsPlayed count;
+  if (!pair.before.lowerable || !pair.after.lowerable) return count;
+  const std::vector<Names> pairs = choose(pair);
+  count.wanted = pairs.size();
+  if (pairs.empty()) return count;
+  Played was(pair.old_model), is(pair.new_model);
+  std::map<std::tuple<ChangeKind, std::string, std::string>, std::vector<std::string>> told; // what, from, sentence: to
+  for (const Names& ends : pairs) {
+    if (was.work() + is.work() > most_work) break;
+    ++count.played;
+    const Transition before = was.between(ends), after = is.between(ends);
     const auto tell = [&](ChangeKind kind, const std::string& words) {
-      Told& one = told[{kind, ends.first, words}];
-      one.to.push_back(ends.second);
-      if (one.to.size() == 1) one.before = old->second.span, one.after = now.span;
+      told[{kind, ends.first, words}].push_back(ends.second);
     };
     if (before.kind != after.kind) {
       // What can or cannot be brought to run at all is told of the group itself.
@@ -82,11 +133,13 @@ void compare_transitions(const Pair& pair, Changes& changes) {
            fmt::format("soft, and may take {}, before {}", bound_text(after.bound), bound_text(before.bound)));
     }
   }
-  for (const auto& [what, one] : told) {
+  for (auto& [what, to] : told) {
     const auto& [kind, from, words] = what;
-    changes.add(kind, from, fmt::format("from `{}` to {}: {}", from, ticked_list(one.to), words), one.before,
-                one.after);
+    std::sort(to.begin(), to.end());
+    changes.add(kind, from, fmt::format("from `{}` to {}: {}", from, ticked_list(to), words), was.span(to.front()),
+                is.span(to.front()));
   }
+  return count;
 }
 
 } // namespace director::compiler::diff

@@ -43,7 +43,7 @@ void add_errors(const Checked& checked, ChangeKind kind, Changes& changes) {
 
 } // namespace diff
 
-std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& after) {
+std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& after, TransitionsPlayed* played) {
   diff::Changes changes;
   if (!before.resolved || !after.resolved) {
     if (before.resolved) diff::add_errors(after, ChangeKind::refused, changes);
@@ -60,7 +60,8 @@ std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& 
   // taken for a change, nor is anybody kept waiting.
   const bool alike = changes.all().empty();
   if (!alike) diff::compare_reach(pair, changes);
-  if (!alike) diff::compare_transitions(pair, changes);
+  const TransitionsPlayed transitions = alike ? TransitionsPlayed{} : diff::compare_transitions(pair, changes);
+  if (played != nullptr) *played = transitions;
   diff::compare_findings(pair, alike, changes);
   return changes.take();
 }

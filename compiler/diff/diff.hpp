@@ -16,8 +16,9 @@
 
 namespace director::compiler {
 
-/// The places of both are in one set of sources.
-std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& after);
+/// The places of both are in one set of sources. `played`: what was played of transitions, for whoever asks.
+std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& after,
+                                          TransitionsPlayed* played = nullptr);
 
 /// Which kinds are not to be: those that are named; `all` and what breaks C++ are asked for by themselves.
 struct Breaking {

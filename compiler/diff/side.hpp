@@ -82,7 +82,7 @@ void compare_requests(const Pair& pair, Changes& changes);
 void compare_ranks(const Pair& pair, Changes& changes);
 /// What follows from all of the above, as far as it is decided.
 void compare_reach(const Pair& pair, Changes& changes);
-void compare_transitions(const Pair& pair, Changes& changes);
+TransitionsPlayed compare_transitions(const Pair& pair, Changes& changes);
 /// `alike`: nothing else has changed.
 void compare_findings(const Pair& pair, bool alike, Changes& changes);
 

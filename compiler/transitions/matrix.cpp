@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <unordered_map>
 
 namespace director::compiler {
@@ -59,8 +60,26 @@ public:
     return std::move(out_);
   }
 
+  Transition between(GroupId first, GroupId second) {
+    const std::optional<std::size_t> from = row_of(first), to = row_of(second);
+    return from && to ? cell(*from, *to) : Transition{};
+  }
+
+  std::size_t work() const { return player_.work(); }
+
 private:
   using Kind = Transition::Kind;
+
+  /// Nothing where no way leads there.
+  std::optional<std::size_t> row_of(GroupId id) {
+    const auto [at, fresh] = row_of_.try_emplace(id, std::nullopt);
+    if (!fresh) return at->second;
+    const std::vector<Way> ways = find_ways(model_, id);
+    if (ways.empty()) return {};
+    out_.rows.push_back(row(id, ways));
+    at->second = out_.rows.size() - 1;
+    return at->second;
+  }
 
   TransitionMatrix::Row row(GroupId id, const std::vector<Way>& ways) {
     TransitionMatrix::Row out;
@@ -194,7 +213,8 @@ private:
   const Judge judge_;
   std::string behaviour_;
   TransitionMatrix out_;
-  std::vector<Beginning> beginnings_; ///< by row
+  std::vector<Beginning> beginnings_;                         ///< by row
+  std::map<GroupId, std::optional<std::size_t>> row_of_;      ///< where rows are made when somebody asks for them
   std::unordered_map<std::string, std::size_t> numbers_;
 };
 
@@ -204,5 +224,18 @@ TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, co
                                   const std::vector<GroupId>& only) {
   return TransitionFinder(model, lowered, behaviour).find(only);
 }
+
+struct TransitionPlays::Finder : TransitionFinder {
+  using TransitionFinder::TransitionFinder;
+};
+
+TransitionPlays::TransitionPlays(const Model& model, const Lowered& lowered)
+    : finder_(std::make_unique<Finder>(model, lowered, "behaviour.yaml")) {}
+
+TransitionPlays::~TransitionPlays() = default;
+
+Transition TransitionPlays::between(GroupId first, GroupId second) { return finder_->between(first, second); }
+
+std::size_t TransitionPlays::work() const { return finder_->work(); }
 
 } // namespace director::compiler

@@ -8,6 +8,7 @@
 #include "compiler/lower/lowered.hpp"
 #include "compiler/transitions/way.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,6 +65,21 @@ constexpr std::size_t most_rows = 100;
 /// `behaviour`: what its scenarios call the file. `only`: no rows and columns but these; empty: all.
 TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour,
                                   const std::vector<GroupId>& only = {});
+
+/// Cells one by one, of behaviours that are too large for all of them.
+class TransitionPlays {
+public:
+  TransitionPlays(const Model& model, const Lowered& lowered);
+  ~TransitionPlays();
+  /// Unreachable too where nothing that the program requests leads to one of them.
+  Transition between(GroupId first, GroupId second);
+  /// How much was played so far: it grows with the time that it took.
+  std::size_t work() const;
+
+private:
+  struct Finder;
+  std::unique_ptr<Finder> finder_;
+};
 
 /// `soft`, `condition lost`.
 std::string_view name_of(Transition::Kind kind);

@@ -16,6 +16,7 @@ Player::Player(const Model& model, const Lowered& lowered, const std::string& be
 Play Player::play(Script script, std::string steps, std::uint32_t from, const Way& way) const {
   std::string text = head_ + (script.empty() ? "" : "script:\n");
   for (const auto& [id, cases] : script) text += entry_text(model_, id, cases);
+  work_ += text.size() + steps.size() + model_.groups.size();
   Trial trial = play_trial(text + steps, model_, lowered_, from, way);
   return {std::move(script), std::move(steps), std::move(trial)};
 }

@@ -40,10 +40,14 @@ public:
   /// The values alone end the row's task, or take from it all that it lost.
   bool ends_by(const Beginning& row, const Values& change, const std::vector<GroupId>& all) const;
 
+  /// Of all plays: letters that were read, and groups, which each of them sets up.
+  std::size_t work() const { return work_; }
+
 private:
   const Model& model_;
   const Lowered& lowered_;
   std::string head_;
+  mutable std::size_t work_ = 0;
 };
 
 bool runs(const Rest& rest, const Way& way);

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace director::compiler::transitions {
 
@@ -121,11 +122,29 @@ std::string goes_on_with(const Model& model, const Link& row, const Link& column
   return "continue: true";
 }
 
+/// Those that may come to run where the program asks for nothing but these.
+IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> asked) {
+  IdSet<GroupId> out(model.groups.size());
+  std::vector<GroupId> open;
+  const auto reach = [&](GroupId id) {
+    if (out.add(id)) open.push_back(id);
+  };
+  for (const GroupId id : asked) reach(id);
+  while (!open.empty()) {
+    const GroupId id = open.back();
+    open.pop_back();
+    for (const EdgeId edge : model.groups[id].edges) reach(model.edges[edge].target);
+  }
+  return out;
+}
+
 /// The bodies of providers that nobody asks anything special of: those that promise something, or set what is against
-/// a promise. The others do the usual.
-Script usual_script(const Model& model) {
+/// a promise. The others do the usual. Without those that do not come to run: a text is read for each play.
+Script usual_script(const Model& model, std::initializer_list<GroupId> asked) {
   Script out;
+  const IdSet<GroupId> may_run = below(model, asked);
   for (const ProviderId id : model.providers.ids()) {
+    if (!may_run.contains(model.providers[id].group)) continue;
     const Values promise = promised(model, id), against = opposed(model, id);
     if (!promise.empty())
       out[id].push_back(mapping({"reason: pushed", setting_words(model, promise), usual(model, id)}));
@@ -175,15 +194,22 @@ Parting part(const Model& model, const Way& row, const Way& column) {
   return out;
 }
 
-Script script_of(const Model& model, const Way& row) {
-  Script out = usual_script(model);
+namespace {
+
+Script script_from(Script out, const Model& model, const Way& row) {
   for (const Link& link : row.links) add_link(model, link, true, out);
   add_target(model, row.target, out);
   return out;
 }
 
+} // namespace
+
+Script script_of(const Model& model, const Way& row) {
+  return script_from(usual_script(model, {row.root->target}), model, row);
+}
+
 Script script_of(const Model& model, const Way& row, const Way& column, const Runs& runs) {
-  Script out = script_of(model, row);
+  Script out = script_from(usual_script(model, {row.root->target, column.root->target}), model, row);
   const Parting parting = part(model, row, column);
   // Who asks for both goes on when the first one is done.
   if (parting.link) out[row.links[*parting.link].provider].front() = "{reason: subtask_done, continue: true}";

@@ -5,9 +5,13 @@
 //   told;
 //                                    and changes of text that mean nothing, of which nothing may be told.
 //                                    DIRECTOR_LONG in the environment: 16 of each check, and 1,000; else some of both.
+//                                    And of two groups whose situation is as before, nothing may change when played.
 //   defects_meaning --show ID SEED   one of them, and what is told
 //   defects_meaning --silent N       one change without meaning, and what is told
 #include "compiler/diff/diff.hpp"
+#include "compiler/diff/situations.hpp"
+#include "compiler/lower/lower.hpp"
+#include "compiler/transitions/matrix.hpp"
 #include "dsl/file_access.hpp"
 #include "tests/defects/meaning/expected.hpp"
 #include "tests/defects/meaning/vary.hpp"
@@ -142,6 +146,56 @@ std::size_t measure_silence(const std::vector<Planter>& planters, bool whole) {
   return loud;
 }
 
+/// What `directorc diff` does not play, since nothing in it has changed: played here.
+struct Unplayed {
+  std::size_t pairs = 0, wrong = 0, played_by_diff = 0;
+};
+
+void play_what_is_as_before(const Planted& before, const Planted& after, Unplayed& count) {
+  using compiler::Model;
+  dsl::Sources sources;
+  const compiler::Checked was = check(before, sources), is = check(after, sources);
+  if (!was.lowerable || !is.lowerable) return;
+  const std::set<std::string> changed = compiler::diff::changed_situations({was, is});
+  const compiler::Lowered old_tables = compiler::lower(was.model), new_tables = compiler::lower(is.model);
+  compiler::TransitionPlays old_plays(was.model, old_tables), new_plays(is.model, new_tables);
+  const auto asks = [](const Model& model, compiler::GroupId id) { return !model.groups[id].edges.empty(); };
+  for (const compiler::GroupId from : was.model.groups.ids()) {
+    for (const compiler::GroupId to : was.model.groups.ids()) {
+      const std::string &first = was.model.groups[from].name.value, &second = was.model.groups[to].name.value;
+      const auto from_now = is.model.find_group(first), to_now = is.model.find_group(second);
+      if (from == to || !from_now || !to_now) continue;
+      if (!asks(was.model, from) || !asks(was.model, to) || !asks(is.model, *from_now) || !asks(is.model, *to_now))
+        continue;
+      if (changed.contains(first) || changed.contains(second)) {
+        ++count.played_by_diff;
+        continue;
+      }
+      ++count.pairs;
+      const compiler::Transition old = old_plays.between(from, to), now = new_plays.between(*from_now, *to_now);
+      if (old.kind == now.kind && old.bound == now.bound) continue;
+      ++count.wrong;
+      std::cout << "not played, and changed: from " << first << " to " << second << ", before "
+                << compiler::name_of(old.kind) << ", now " << compiler::name_of(now.kind) << "\n";
+      for (const auto& [path, text] : after.texts) std::cout << "-- " << path << "\n" << text;
+    }
+  }
+}
+
+std::size_t measure_unplayed(const std::vector<Planter>& planters, bool whole) {
+  Unplayed count;
+  for (const auto& [id, shapes] : shapes_of(planters)) {
+    const std::size_t seeds = whole ? std::max(long_seeds, shapes.size()) : 1;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      const Case one = case_of(shapes, seed);
+      play_what_is_as_before(make_planted(one, false), make_planted(one, true), count);
+    }
+  }
+  std::cout << "transitions that are not played again: " << count.pairs << ", changed nevertheless: " << count.wrong
+            << "; played again: " << count.played_by_diff << "\n";
+  return count.wrong;
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -168,6 +222,7 @@ int main(int count, char** arguments) {
     return 0;
   }
   const bool whole = std::getenv("DIRECTOR_LONG") != nullptr;
-  const std::size_t missed = measure_defects(planters, whole), loud = measure_silence(planters, whole);
-  return missed == 0 && loud == 0 ? 0 : 1;
+  const std::size_t missed = measure_defects(planters, whole), loud = measure_silence(planters, whole),
+                    unplayed = measure_unplayed(planters, whole);
+  return missed == 0 && loud == 0 && unplayed == 0 ? 0 : 1;
 }
