@@ -5,6 +5,7 @@
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/checks/code_check.hpp"
+#include "compiler/checks/tell_decisions.hpp"
 
 #include <fmt/format.h>
 
@@ -110,6 +111,7 @@ std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const
     check.run(conflicts.input(), findings);
     for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));
   }
+  for (Diagnostic& finding : tell_decisions(conflicts.input(), all)) all.push_back(std::move(finding));
   if (!shared.budget().open().empty()) all.push_back(not_decided(shared.budget()));
   dsl::sort_by_place(all);
   return all;

@@ -105,6 +105,10 @@ private:
 
   void take(const FollowOn& follow) {
     for (const ProviderId id : follow.idle) claimed_[runs(id)] = true;
+    for (const EdgeId id : follow.p_granted) claimed_[granted(id)] = true;
+    for (std::size_t i = 0; i < packs_.size(); ++i)
+      if (std::find(follow.p_whole.begin(), follow.p_whole.end(), std::pair(packs_[i].provider, packs_[i].pack)) != follow.p_whole.end()) claimed_[begin_[3]+i] = true;
+    { Row r = begin_[4]; for (const auto& [push, w] : pushes_) { if (std::find(follow.p_pushed.begin(), follow.p_pushed.end(), push) != follow.p_pushed.end()) claimed_[r] = true; ++r; } }
     Row row = begin_[4];
     for (const auto& [push, waiters] : pushes_) {
       const bool is_unpushed =

@@ -16,6 +16,11 @@ const Promises& Shared::promises() const {
   return *promises_;
 }
 
+const Decisions& Shared::decisions() const {
+  if (!decisions_) decisions_ = find_decisions(model_, facts_, Reported::mended, budget_);
+  return *decisions_;
+}
+
 const Requests& Shared::requests() const {
   if (!requests_) requests_.emplace(model_, graph_, facts_);
   return *requests_;

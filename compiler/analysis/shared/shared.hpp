@@ -7,6 +7,7 @@
 #include "compiler/analysis/causing/wants.hpp"
 #include "compiler/analysis/chains/claims.hpp"
 #include "compiler/analysis/chains/meetings.hpp"
+#include "compiler/analysis/decisions/decisions.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/plans/plans.hpp"
@@ -34,6 +35,8 @@ public:
   /// Over the providers that may be active.
   const Chains& chains() const;
   const Promises& promises() const;
+  /// Where what is reported as impossible is taken for mended.
+  const Decisions& decisions() const;
   const Requests& requests() const;
   const Causers& causers() const;
   const std::vector<Imprecise>& imprecise() const;
@@ -57,6 +60,7 @@ private:
   mutable Budget budget_;
   mutable std::optional<Chains> chains_;
   mutable std::optional<Promises> promises_;
+  mutable std::optional<Decisions> decisions_;
   mutable std::optional<Requests> requests_;
   mutable std::optional<Causers> causers_;
   mutable std::optional<std::vector<Imprecise>> imprecise_;

@@ -1,0 +1,45 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What is known of a component at one time: less than the engine's state. Left out are the order of requests, which runs
+// wait for reasons other than a new task or a push, who has answered done, timers, and the pushes that stand.
+
+#include "compiler/analysis/decisions/component.hpp"
+
+#include <array>
+#include <cstring>
+#include <functional>
+#include <string_view>
+
+namespace director::analysis {
+
+struct Moment {
+  static constexpr Row limbo = 128;    ///< and the group
+  static constexpr Row granted = 1,    ///< a unit got it as its target
+      needed = 2,                      ///< claimed for a plan
+      outdated = 4,                    ///< a new task, or a push, waits for its run
+      in_force = 8;                    ///< its provider runs because of a push
+  std::array<Row, Component::most_groups> by{}, active{}, plan{}, flags{}; ///< by: an edge, limbo, or nothing
+  std::array<Row, Component::most_edges> level{};                          ///< nothing: not requested
+  std::array<Row, Component::most_states> value{}, given{}; ///< given: set by handlers, and taken before all else
+  Row open = 0;                                             ///< further inputs may come before a run
+
+  bool has(std::size_t group, Row flag) const { return (flags[group] & flag) != 0; }
+  bool is_given() const {
+    for (const Row each : given) {
+      if (each != nothing) return true;
+    }
+    return false;
+  }
+  std::string_view bytes() const { return {reinterpret_cast<const char*>(this), sizeof *this}; }
+  bool operator==(const Moment& other) const { return bytes() == other.bytes(); }
+};
+static_assert(std::has_unique_object_representations_v<Moment>, "it is hashed as the bytes that it is");
+
+} // namespace director::analysis
+
+template <>
+struct std::hash<director::analysis::Moment> {
+  std::size_t operator()(const director::analysis::Moment& moment) const noexcept {
+    return std::hash<std::string_view>{}(moment.bytes());
+  }
+};

@@ -1,0 +1,54 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What may happen next (semantics.md, sections 3, 5 and 6): all moments that may follow one.
+
+#include "compiler/analysis/decisions/pass.hpp"
+
+#include <functional>
+#include <unordered_set>
+
+namespace director::analysis {
+
+class Moves {
+public:
+  Moves(const Component& part, Gathered& gathered, std::int64_t& passes_left)
+      : part_(part),
+        gathered_(gathered),
+        left_(passes_left) {}
+
+  Moment first() const;
+  /// All moments that may follow, but for those that another one has led to in the same way. `run`: providers that
+  /// may run then. False: it took more passes than were left.
+  bool from(const Moment& moment, const std::function<void(const Moment& next)>& told);
+
+private:
+  /// What is decided after an input or a run.
+  struct Change {
+    Moment moment; ///< of which nothing is decided yet
+    Rows anew = 0; ///< edges that were requested anew
+    bool operator==(const Change&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Change& change) const noexcept {
+      return std::hash<Moment>{}(change.moment) * 31 + std::hash<Rows>{}(change.anew);
+    }
+  };
+
+  void decide(const Change& change);
+  void act(const Moment& before, Moment& now);
+  void set_some(const std::vector<Component::Setting>& settings, Moment& next);
+  void change_in_all_ways(const std::function<bool(Change&)>& change);
+  bool is_at_rest(const Moment& moment);
+  void run(Change& change, Row group);
+  bool request(Change& change);
+  bool set(Change& change);
+
+  const Component& part_;
+  Gathered& gathered_;
+  std::int64_t& left_;
+  Picks picks_, ways_;
+  std::unordered_set<Change, Hash> decided_;
+  const std::function<void(const Moment&)>* told_ = nullptr;
+};
+
+} // namespace director::analysis

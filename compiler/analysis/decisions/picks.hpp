@@ -1,0 +1,38 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// All ways through something that picks now and then: it is done again and again, each time with other picks.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace director::analysis {
+
+class Picks {
+public:
+  /// One of `count`.
+  std::size_t pick(std::size_t count) {
+    if (count < 2) return 0;
+    if (at_ == picked_.size()) picked_.push_back({0, static_cast<std::uint32_t>(count)});
+    return picked_[at_++].now;
+  }
+  bool any() { return pick(2) == 1; }
+
+  /// From the beginning, with other picks. False: there are none left.
+  bool again() {
+    while (!picked_.empty() && picked_.back().now + 1 == picked_.back().count) picked_.pop_back();
+    at_ = 0;
+    if (picked_.empty()) return false;
+    ++picked_.back().now;
+    return true;
+  }
+
+private:
+  struct Pick {
+    std::uint32_t now, count;
+  };
+  std::vector<Pick> picked_;
+  std::size_t at_ = 0;
+};
+
+} // namespace director::analysis

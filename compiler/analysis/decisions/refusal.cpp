@@ -1,0 +1,142 @@
+// Door: compiler/analysis/decisions/pass.hpp. Test: tests/property/decisions_test.cpp.
+// SPDX-License-Identifier: MIT
+// semantics.md, 4.4: a unit that is refused, and the pushes that it may make. Which pushes of other units stand in the
+// way is not known, so there are two answers to what can be pushed: surely, and maybe. The shortest way is among those
+// that are no longer than the shortest sure one.
+#include "compiler/analysis/decisions/pass.hpp"
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+bool contains(const std::vector<Row>& rows, Row row) { return std::find(rows.begin(), rows.end(), row) != rows.end(); }
+
+} // namespace
+
+void Pass::refuse(const std::vector<Row>& unit) {
+  for (const Row member : unit) refused_ |= bit(member);
+  const std::optional<Combination> combination = first_combination(unit, false);
+  if (!combination) return; // blocked: it loses its pushes
+  const auto keep = [&] {
+    for (const Row member : unit) keeping_ |= bit(member);
+  };
+  if (deferred(*combination)) return keep();
+  Rows causable = 0;
+  for (const Component::ProviderRow& provider : part_.providers) causable |= provider.causes;
+  for (const Choice& choice : *combination) {
+    for (const Row condition : choice.lacking) {
+      if ((causable & bit(condition)) == 0) return; // it waits for the outside
+    }
+  }
+  keep();
+  std::vector<PossiblePush> made;
+  for (const Choice& choice : *combination) {
+    for (const Row condition : choice.lacking) {
+      const std::size_t before = made.size();
+      add_pushes(choice.chain, condition, unit, made);
+      if (made.size() == before && !may_be_kept_for(condition, unit)) return; // not served: no new push is made
+    }
+  }
+  for (const PossiblePush& push : made) {
+    if (std::find(gathered_.found.begin(), gathered_.found.end(), push) == gathered_.found.end())
+      gathered_.found.push_back(push);
+  }
+}
+
+bool Pass::may_be_kept_for(Row condition, const std::vector<Row>& unit) const {
+  return std::any_of(gathered_.pushes.begin(), gathered_.pushes.end(), [&](const PossiblePush& push) {
+    return contains(unit, push.by) && (part_.providers[push.to].causes & bit(condition)) != 0;
+  });
+}
+
+bool Pass::can_be_pushed(Row provider, const Chain& member, const std::vector<Row>& unit, bool surely) const {
+  const Row group = part_.providers[provider].group;
+  if (now_.by[group] != nothing) return false;
+  if (surely && std::any_of(gathered_.pushes.begin(), gathered_.pushes.end(), [&](const PossiblePush& push) {
+        return part_.providers[push.to].group == group && push.to != provider && !contains(unit, push.by);
+      }))
+    return false;
+  return std::any_of(part_.groups[group].requesters.begin(), part_.groups[group].requesters.end(), [&](Row edge) {
+    if (last_.level[edge] == nothing || edge == member.edge()) return false;
+    const Chain asking = before_now(edge);
+    return asking.complete && before(member, asking) && !asking.below(member.edge());
+  });
+}
+
+/// How long the way by this provider is; 0: there is none.
+int Pass::way(Row provider, const Chain& member, const std::vector<Row>& unit, bool surely, const Lengths& known,
+              std::vector<Row>* first_lacking) {
+  if (!can_be_pushed(provider, member, unit, surely)) return 0;
+  int best = 0;
+  for (const Component::Plan& plan : part_.providers[provider].plans) {
+    std::vector<Row> missing;
+    add_lacking(provider, missing);
+    bool is_free = true;
+    for (const Component::Planned& entry : plan) {
+      is_free = is_free && now_.by[entry.group] == nothing;
+      add_lacking(entry.provider, missing);
+    }
+    int length = 1;
+    for (const Row condition : missing) {
+      is_free = is_free && known[condition] != 0;
+      length += known[condition];
+    }
+    if (!is_free) continue;
+    if (first_lacking != nullptr) first_lacking->push_back(missing.empty() ? nothing : missing.front());
+    if (best == 0 || length < best) best = length;
+  }
+  return best;
+}
+
+/// A least fixed point: lengths only ever shrink.
+Pass::Lengths Pass::search(const Chain& member, const std::vector<Row>& unit, bool surely) {
+  Lengths known(part_.conditions.size(), 0);
+  for (bool more = true; more;) {
+    more = false;
+    for (Row provider = 0; provider < part_.providers.size(); ++provider) {
+      const Rows causes = part_.providers[provider].causes;
+      if (causes == 0) continue;
+      const int length = way(provider, member, unit, surely, known, nullptr);
+      if (length == 0) continue;
+      for (Row condition = 0; condition < known.size(); ++condition) {
+        if ((causes & bit(condition)) == 0 || (known[condition] != 0 && known[condition] <= length)) continue;
+        known[condition] = length;
+        more = true;
+      }
+    }
+  }
+  return known;
+}
+
+/// Of the ways that may be the shortest, with the last provider of each.
+void Pass::add_pushes(const Chain& member, Row unmet, const std::vector<Row>& unit, std::vector<PossiblePush>& out) {
+  const Lengths maybe = search(member, unit, false), sure = search(member, unit, true);
+  if (maybe[unmet] == 0) return;
+  Rows seen = bit(unmet);
+  for (std::vector<Row> open{unmet}; !open.empty();) {
+    const Row aim = open.back();
+    open.pop_back();
+    Row best = nothing; // of the sure ones
+    for (Row provider = 0; provider < part_.providers.size(); ++provider) {
+      if ((part_.providers[provider].causes & bit(aim)) == 0) continue;
+      std::vector<Row> lacking;
+      const int length = way(provider, member, unit, false, maybe, &lacking);
+      if (length == 0) continue;
+      const bool is_late = sure[aim] != 0 && (length > sure[aim] || (length == sure[aim] && best != nothing));
+      if (is_late) continue;
+      if (sure[aim] != 0 && way(provider, member, unit, true, sure, nullptr) == sure[aim]) best = provider;
+      for (const Row next : lacking) {
+        if (next == nothing) {
+          out.push_back({member.edge(), provider, aim});
+        } else if ((seen & bit(next)) == 0) {
+          seen |= bit(next);
+          open.push_back(next);
+        }
+      }
+    }
+  }
+}
+
+} // namespace director::analysis

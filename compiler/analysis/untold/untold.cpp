@@ -1,0 +1,178 @@
+// Door: compiler/analysis/untold/untold.hpp. Test: tests/compiler/explore/never_runs_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/untold/untold.hpp"
+
+#include "compiler/analysis/states/sources.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace director::analysis {
+
+namespace {
+
+using dsl::Diagnostic;
+
+/// These say that something never happens, of what they stand at and of what their notes stand at.
+bool says_never(const Diagnostic& finding) {
+  static constexpr std::string_view ids[] = {"causer_not_running",   "contradictory_when", "imprecise_causing",
+                                             "incompatible_pushes",  "needs_conflict",     "needs_cycle",
+                                             "optional_never_runs",  "pack_conflict",      "push_cycle",
+                                             "push_in_vain",         "self_conflict",      "self_defeating_handler",
+                                             "shadowed_provider",    "sibling_starvation", "starved_task",
+                                             "state_without_source", "task_cycle",         "unpushable_causing",
+                                             "unreachable_causing",  "unreachable_when",   "unused_declaration"};
+  return std::find(std::begin(ids), std::end(ids), finding.id) != std::end(ids) ||
+         (finding.id == "possible_pack_conflict" && finding.message.find("can never") != std::string::npos) ||
+         (finding.id == "uncovered_state" && finding.message.find("can ever run") != std::string::npos);
+}
+
+class Search {
+public:
+  Search(const Model& model, const Happening& happening, const std::vector<Diagnostic>& told)
+      : model_(model),
+        happening_(happening),
+        sources_(find_sources(model)) {
+    for (const Diagnostic& finding : told) {
+      if (!says_never(finding)) continue;
+      told_.insert(finding.span);
+      for (const dsl::Note& note : finding.notes) told_.insert(note.span);
+    }
+  }
+
+  Untold run() {
+    if (happening_.whole != nullptr) find_packs();
+    for (const GroupId group : model_.groups.ids()) look_at(group);
+    return std::move(out_);
+  }
+
+private:
+  /// None of their members is told of.
+  void find_packs() {
+    for (const ProviderId id : model_.providers.ids()) {
+      const std::vector<Pack>& packs = model_.providers[id].packs;
+      for (std::size_t i = 0; happening_.runs.contains(id) && i < packs.size(); ++i) {
+        const std::vector<EdgeId> members = members_of(model_, id, i);
+        if (members.empty() || happening_.whole->count({id, i}) != 0) continue;
+        if (std::any_of(packs[i].tasks.begin(), packs[i].tasks.end(),
+                        [&](const Task& task) { return is_told(task.span); }))
+          continue;
+        const auto blamed = happening_.to_blame.find({id, i});
+        if (blamed == happening_.to_blame.end()) out_.packs.emplace_back(id, i);
+        for (const EdgeId member : members) {
+          if (blamed == happening_.to_blame.end() || blamed->second != member) in_packs_.insert(member);
+        }
+      }
+    }
+  }
+
+  void look_at(GroupId id) {
+    const Group& group = model_.groups[id];
+    const std::vector<ProviderId>& all = group.providers;
+    const auto runs = [&](ProviderId each) { return happening_.runs.contains(each); };
+    // What nobody ever asks for hangs on whoever would.
+    std::vector<EdgeId> requested, refused;
+    for (const EdgeId edge : group.requesters) {
+      if (!happening_.requested.contains(edge)) continue;
+      requested.push_back(edge);
+      if (!happening_.granted.contains(edge)) refused.push_back(edge);
+    }
+    if (requested.empty()) return;
+    if (std::none_of(all.begin(), all.end(), runs)) {
+      const bool silent = is_told(group.name.span) || all_refused_are_told(requested) ||
+                          std::all_of(all.begin(), all.end(), [&](ProviderId each) { return is_silent(each); });
+      if (!silent) out_.groups.push_back(id);
+      return;
+    }
+    for (const EdgeId edge : refused) {
+      if (!is_told(edge)) out_.tasks.push_back(edge);
+    }
+    for (const ProviderId each : all) {
+      if (!runs(each) && !is_silent(each)) out_.providers.push_back(each);
+    }
+  }
+
+  bool all_refused_are_told(const std::vector<EdgeId>& requested) const {
+    return std::all_of(requested.begin(), requested.end(), [&](EdgeId edge) { return is_told(edge); });
+  }
+
+  bool is_told(dsl::Span span) const { return told_.count(span) != 0; }
+
+  bool is_told(EdgeId edge) const {
+    const std::vector<const Task*> all = entries_of(model_, edge);
+    return in_packs_.count(edge) != 0 ||
+           std::any_of(all.begin(), all.end(), [&](const Task* task) { return is_told(task->span); });
+  }
+
+  /// Another finding speaks of it, or it waits for what only others that never run could bring about.
+  bool is_silent(ProviderId id) const {
+    const Provider& provider = model_.providers[id];
+    const auto any_told = [&](const std::vector<ConditionUse>& uses) {
+      return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return is_told(use.span); });
+    };
+    return is_told(provider.span) || any_told(provider.when) || any_told(provider.causing) ||
+           std::any_of(provider.needs.begin(), provider.needs.end(),
+                       [&](const auto& need) { return is_told(need.span); }) ||
+           std::any_of(provider.when.begin(), provider.when.end(),
+                       [&](const ConditionUse& use) { return never_came(use.id); });
+  }
+
+  bool never_came(ConditionId id) const {
+    const Condition& condition = model_.conditions[id];
+    const std::vector<Source>& sources = sources_[condition.state];
+    return std::none_of(sources.begin(), sources.end(), [&](const Source& source) {
+      return !source.values.intersected(condition.accepts).empty() && acts(source);
+    });
+  }
+
+  bool acts(const Source& source) const {
+    if (source.provider) return happening_.runs.contains(*source.provider);
+    if (!source.group) return true;
+    const std::vector<ProviderId>& all = model_.groups[*source.group].providers;
+    return std::any_of(all.begin(), all.end(), [&](ProviderId each) { return happening_.runs.contains(each); });
+  }
+
+  const Model& model_;
+  const Happening& happening_;
+  IdTable<StateId, std::vector<Source>> sources_;
+  std::set<dsl::Span> told_;
+  std::set<EdgeId> in_packs_; ///< members of packs that are never granted whole
+  Untold out_;
+};
+
+} // namespace
+
+std::vector<EdgeId> members_of(const Model& model, ProviderId provider, std::size_t pack) {
+  std::vector<EdgeId> out;
+  if (!model.providers[provider].has_packs) return out;
+  for (const Task& task : model.providers[provider].packs[pack].tasks) {
+    const Level& level = model.edges[task.edge].levels[task.levels.front().level];
+    if (!level.optional && !level.apart) out.push_back(task.edge);
+  }
+  if (out.size() < 2) out.clear();
+  return out;
+}
+
+std::vector<const Task*> entries_of(const Model& model, EdgeId edge) {
+  std::vector<const Task*> out;
+  const auto look = [&](const std::vector<Task>& tasks) {
+    for (const Task& task : tasks) {
+      if (task.edge == edge) out.push_back(&task);
+    }
+  };
+  const std::optional<GroupId>& requester = model.edges[edge].requester;
+  if (!requester) {
+    look(model.roots);
+    return out;
+  }
+  for (const ProviderId id : model.groups[*requester].providers) {
+    for (const Pack& pack : model.providers[id].packs) look(pack.tasks);
+  }
+  return out;
+}
+
+Untold find_untold(const Model& model, const Happening& happening, const std::vector<Diagnostic>& told) {
+  return Search(model, happening, told).run();
+}
+
+} // namespace director::analysis

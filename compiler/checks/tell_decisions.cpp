@@ -1,0 +1,235 @@
+// Door: compiler/checks/tell_decisions.hpp. Test: tests/compiler/checks/pages_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/checks/tell_decisions.hpp"
+
+#include "compiler/analysis/decisions/decisions.hpp"
+#include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/untold/untold.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+/// Of many reasons the first ones have a note.
+constexpr std::size_t most_notes = 8;
+
+/// Where nothing was decided all may happen.
+Happening happening_of(const Model& model, const Decisions& decisions) {
+  Happening out{decisions.runs, decisions.requested, decisions.granted, &decisions.whole, {}};
+  for (const ProviderId id : model.providers.ids()) {
+    if (!decisions.decided.contains(model.providers[id].group)) out.runs.add(id);
+  }
+  for (const EdgeId id : model.edges.ids()) {
+    if (decisions.decided.contains(model.edges[id].target)) continue;
+    out.requested.add(id);
+    out.granted.add(id);
+  }
+  for (const ProviderId id : model.providers.ids()) {
+    for (std::size_t i = 0; i < model.providers[id].packs.size(); ++i) {
+      std::set<EdgeId> keep;
+      const std::vector<EdgeId> members = members_of(model, id, i);
+      for (const EdgeId member : members) {
+        for (const EdgeId other : decisions.refused[member].together) {
+          if (std::find(members.begin(), members.end(), other) != members.end()) keep.insert(other);
+        }
+      }
+      if (keep.size() == 1) out.to_blame.emplace(PackOf{id, i}, *keep.begin());
+    }
+  }
+  return out;
+}
+
+class Telling {
+public:
+  Telling(const Input& input, const Decisions& decisions)
+      : input_(input),
+        model_(input.model),
+        decisions_(decisions) {}
+
+  std::vector<dsl::Diagnostic> run(const Untold& untold) {
+    for (const PackOf& pack : untold.packs) tell(pack);
+    for (const GroupId group : untold.groups) {
+      for (const EdgeId edge : model_.groups[group].requesters) {
+        if (decisions_.requested.contains(edge)) tell(edge);
+      }
+    }
+    for (const EdgeId edge : untold.tasks) tell(edge);
+    for (const ProviderId id : untold.providers) tell(id);
+    return std::move(out_);
+  }
+
+private:
+  dsl::Diagnostic& add(std::string_view id, dsl::Span span, std::string message) {
+    const dsl::Level level = level_of(*find_registered(id));
+    out_.push_back({std::string(id), level, span, std::move(message), {}, {}});
+    return out_.back();
+  }
+
+  bool decided(GroupId group) const { return decisions_.decided.contains(group); }
+
+  bool may_run(GroupId group) const {
+    const std::vector<ProviderId>& all = model_.groups[group].providers;
+    return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return input_.facts.active.contains(id); });
+  }
+
+  std::string requester_of(EdgeId edge) const {
+    const auto& requester = model_.edges[edge].requester;
+    return requester ? name_of(model_, *requester) : "the program";
+  }
+
+  void tell(ProviderId id) {
+    const Provider& provider = model_.providers[id];
+    if (!decided(provider.group) || !input_.facts.active.contains(id)) return;
+    const Kept& kept = decisions_.passed_over[id];
+    const std::string name = name_of(model_, id), group = name_of(model_, provider.group);
+    std::vector<std::string> reasons;
+    if (!kept.first.empty()) reasons.push_back("another provider comes first");
+    if (!kept.lacking.empty()) reasons.push_back("a condition does not hold");
+    if (!kept.taken.empty()) reasons.push_back("what it needs is held");
+    dsl::Diagnostic& finding =
+        add("shadowed_provider", provider.span,
+            reasons.empty() ? fmt::format("{} never runs: no decision about {} ever comes to it", name, group)
+                            : fmt::format("{} never runs: whenever {} is requested, {}", name, group,
+                                          list_of(reasons, "or")));
+    for (const ProviderId first : kept.first)
+      finding.notes.push_back({model_.providers[first].span, fmt::format("{} comes first", name_of(model_, first))});
+    add_notes(kept, provider.span, {id}, finding);
+    finding.help = kept.first.empty() ? fmt::format("request {} where it can have what it lacks, or leave {} out", group, name)
+                                      : fmt::format("leave {} something before the others, or leave it out", name);
+  }
+
+  void tell(EdgeId id) {
+    const Edge& edge = model_.edges[id];
+    const std::vector<const Task*> entries = entries_of(model_, id);
+    if (entries.empty() || !decided(edge.target) || !may_run(edge.target)) return;
+    const Kept& kept = decisions_.refused[id];
+    const bool optional = edge.levels[entries.front()->levels.front().level].optional;
+    const std::string name = name_of(model_, edge.target);
+    std::vector<std::string> reasons;
+    if (!kept.taken.empty()) reasons.push_back("what it takes is held");
+    if (!kept.lacking.empty()) reasons.push_back("a condition does not hold");
+    if (!kept.together.empty()) reasons.push_back("what is granted only together with it cannot be");
+    dsl::Diagnostic& finding = add(
+        optional ? "optional_never_runs" : "starved_task", entries.front()->span,
+        reasons.empty() ? fmt::format("{} never runs for {}: no decision ever comes to it", name, requester_of(id))
+                        : fmt::format("{} never runs for {}: whenever it is requested, {}", name, requester_of(id),
+                                      list_of(reasons, "or")));
+    add_together(kept, finding);
+    add_notes(kept, entries.front()->span, model_.groups[edge.target].providers, finding);
+    for (std::size_t i = 1; i < entries.size(); ++i)
+      finding.notes.push_back({entries[i]->span, fmt::format("{} is requested here too", name)});
+    finding.help = fmt::format("ask for {} where it can have that, or leave it out", name);
+  }
+
+  void tell(const PackOf& at) {
+    if (!decided(model_.providers[at.first].group) || !input_.facts.active.contains(at.first)) return;
+    const Pack& pack = model_.providers[at.first].packs[at.second];
+    const std::vector<EdgeId> members = members_of(model_, at.first, at.second);
+    std::vector<std::string> names;
+    std::vector<ProviderId> providers;
+    Kept kept;
+    const auto join = [](auto& all, const auto& more) {
+      for (const auto& each : more) {
+        if (std::find(all.begin(), all.end(), each) == all.end()) all.push_back(each);
+      }
+    };
+    for (const EdgeId member : members) {
+      const GroupId target = model_.edges[member].target;
+      if (!may_run(target)) return;
+      names.push_back(name_of(model_, target));
+      join(providers, model_.groups[target].providers);
+      join(kept.lacking, decisions_.refused[member].lacking);
+      join(kept.taken, decisions_.refused[member].taken);
+      join(kept.holders, decisions_.refused[member].holders);
+    }
+    std::vector<std::string> reasons;
+    if (!kept.taken.empty()) reasons.push_back("what one of them takes is held");
+    if (!kept.lacking.empty()) reasons.push_back("a condition does not hold");
+    const Task* last = nullptr;
+    for (const Task& task : pack.tasks) {
+      if (std::find(members.begin(), members.end(), task.edge) != members.end()) last = &task;
+    }
+    std::string message = fmt::format("{} can never be granted together", list_of(names));
+    if (!reasons.empty()) message += fmt::format(": whenever they are requested, {}", list_of(reasons, "or"));
+    dsl::Diagnostic& finding = add("possible_pack_conflict", last->span, std::move(message));
+    add_notes(kept, last->span, providers, finding);
+    finding.help = "make one of them `apart` or `optional`, or ask for them in different packs";
+  }
+
+  void add_together(const Kept& kept, dsl::Diagnostic& finding) const {
+    for (const EdgeId other : kept.together) {
+      const std::vector<const Task*> entries = entries_of(model_, other);
+      if (!entries.empty())
+        finding.notes.push_back({entries.front()->span, fmt::format("{} is granted only together with it",
+                                                                    name_of(model_, model_.edges[other].target))});
+    }
+  }
+
+  /// What is held, at the need for it; what does not hold, at the condition. `begin`: whose they may be.
+  void add_notes(const Kept& kept, dsl::Span otherwise, const std::vector<ProviderId>& begin,
+                 dsl::Diagnostic& finding) const {
+    const std::vector<ProviderId> all = with_needs(begin);
+    for (const GroupId group : kept.taken) {
+      dsl::Span span = otherwise;
+      for (const ProviderId id : all) {
+        for (const Use<GroupId>& need : model_.providers[id].needs) {
+          if (need.id == group && span == otherwise) span = need.span;
+        }
+      }
+      std::vector<std::string> holders;
+      for (const EdgeId holder : kept.holders) {
+        if (model_.edges[holder].target == group) holders.push_back(requester_of(holder));
+      }
+      finding.notes.push_back(
+          {span, holders.empty() ? fmt::format("{} is held then", name_of(model_, group))
+                                 : fmt::format("{} is held then, for {}", name_of(model_, group), few_of(holders, "or"))});
+    }
+    for (const ConditionId condition : kept.lacking) {
+      for (const ProviderId id : all) {
+        const std::vector<ConditionUse>& when = model_.providers[id].when;
+        const auto use =
+            std::find_if(when.begin(), when.end(), [&](const ConditionUse& each) { return each.id == condition; });
+        if (use == when.end()) continue;
+        finding.notes.push_back({use->span, fmt::format("{} does not hold then", name_of(model_, condition))});
+        break;
+      }
+    }
+    if (finding.notes.size() > most_notes) finding.notes.resize(most_notes);
+  }
+
+  /// And those that their needs may come down to.
+  std::vector<ProviderId> with_needs(std::vector<ProviderId> all) const {
+    std::set<ProviderId> seen(all.begin(), all.end());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::vector<Use<GroupId>> needs = model_.providers[all[i]].needs;
+      for (const Use<GroupId>& need : needs) {
+        for (const ProviderId below : model_.groups[need.id].providers) {
+          if (seen.insert(below).second) all.push_back(below);
+        }
+      }
+    }
+    return all;
+  }
+
+  const Input& input_;
+  const Model& model_;
+  const Decisions& decisions_;
+  std::vector<dsl::Diagnostic> out_;
+};
+
+} // namespace
+
+std::vector<dsl::Diagnostic> tell_decisions(const Input& input, const std::vector<dsl::Diagnostic>& told) {
+  const Decisions& decisions = input.shared.decisions();
+  return Telling(input, decisions)
+      .run(find_untold(input.model, happening_of(input.model, decisions), told));
+}
+
+} // namespace director::checks
