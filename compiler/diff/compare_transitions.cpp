@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <tuple>
 
 namespace director::compiler::diff {
 

@@ -7,6 +7,7 @@
 #include "runtime/hosted/trace/trace_format.hpp"
 
 #include <charconv>
+#include <utility>
 
 namespace director {
 
