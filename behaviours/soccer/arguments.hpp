@@ -12,6 +12,8 @@ struct Arguments {
   std::uint64_t seed = 1;
   int seconds = 60;
   std::string trace; ///< a file to record into; empty: none
+  std::optional<std::uint16_t> live; ///< the port at which a browser may look; 0: any that is free
+  std::optional<double> speed;       ///< times as fast as the world; nothing: as fast as it can
 };
 
 /// What to do: play, or say something and leave.

@@ -3,4 +3,12 @@
 #include "behaviours/soccer/player/servos.hpp"
 #include "behaviours/soccer/program.hpp"
 
-int main(int count, char** values) { return program<player::Servos>(count, values); }
+#ifdef SOCCER_WITH_LIVE_VIEW
+#include "soccer_page.hpp"
+#else
+namespace director::pages {
+constexpr std::string_view soccer() { return {}; }
+} // namespace director::pages
+#endif
+
+int main(int count, char** values) { return program<player::Servos>(count, values, director::pages::soccer()); }

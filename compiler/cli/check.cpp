@@ -7,6 +7,7 @@
 #include "compiler/cli/print_bounds.hpp"
 #include "compiler/cli/progress.hpp"
 #include "compiler/cli/sarif_rules.hpp"
+#include "compiler/cli/watch.hpp"
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/emit/findings_sarif.hpp"
 #include "compiler/lower/lower.hpp"
@@ -154,6 +155,9 @@ private:
 
 } // namespace
 
-int run(const Check& request, Console& console) { return Checking(request, console).run(); }
+int run(const Check& request, Console& console) {
+  if (!request.watch) return Checking(request, console).run();
+  return watch({request.file}, console, [&](Console& watched) { return Checking(request, watched).run(); });
+}
 
 } // namespace director::compiler::cli

@@ -28,6 +28,7 @@ struct Check {
   bool verbose = false;    ///< also memory and bounds
   std::string build;       ///< folder with compile_commands.json, for the types that it names; empty: looked for
   std::size_t explore = 0; ///< states to explore for what never runs; 0: none
+  bool watch = false;      ///< again whenever a file that was read changes
 };
 
 struct Generate {
@@ -76,6 +77,7 @@ struct Diff {
   std::string before; ///< empty with `revision`
   std::string after;
   std::string revision; ///< empty: `before` is a file
+  bool staged = false;  ///< with `revision`: `after` is what git has staged, not what lies on the disk
   Format format = Format::text;
   Breaking breaking;
   std::string build; ///< folder with compile_commands.json, for the types that they name; empty: looked for
@@ -92,8 +94,10 @@ struct Simulate {
 /// What a robot or a scenario recorded, in another form.
 struct Trace {
   std::string file;
-  std::string to = "text"; ///< text, json, perfetto
+  std::string to = "text"; ///< text, json, perfetto, html
   std::string output;      ///< empty: to the terminal
+  std::string behaviour;   ///< for html: its file; empty: the one that the trace names
+  std::string link;        ///< for html: address of a line, with {file} and {line}; empty: nothing is a link
 };
 
 /// What was recorded, on the engine again.
@@ -117,6 +121,7 @@ struct Test {
   bool coverage = false;
   int min = 0;         ///< percent of each behaviour's points; less is a failure
   bool update = false; ///< write what happens into the files
+  bool watch = false;  ///< again whenever a file that was read changes
 };
 
 struct Dump {

@@ -10,26 +10,38 @@ namespace director::compiler::cli {
 
 namespace fs = std::filesystem;
 
+Console with_files(const Console& console, dsl::FileAccess& files, Outputs& outputs) {
+  return {console.out,      console.err,     console.out_colours, console.err_colours, files,
+          outputs,          console.programs, console.scanner,    console.headers,     console.out_width,
+          console.out_clears};
+}
+
 std::optional<std::string> DiskOutputs::write(const std::vector<Output>& outputs) { return write_on_disk(outputs); }
 
 std::optional<std::string> DiskOutputs::change(const std::vector<Change>& changes) { return apply_on_disk(changes); }
 
-std::vector<std::string> DiskOutputs::list(const std::string& folder) {
-  std::vector<std::string> out;
+Below all_below(const std::string& folder) {
+  Below out;
   std::error_code error;
   const auto deny = fs::directory_options::skip_permission_denied;
   for (fs::recursive_directory_iterator at(folder, deny, error), end; !error && at != end; at.increment(error)) {
     const bool hidden = at->path().filename().string().starts_with('.');
     std::error_code unknown;
     if (at->is_directory(unknown)) {
-      if (hidden || fs::exists(at->path() / "CMakeCache.txt", unknown)) at.disable_recursion_pending();
+      if (hidden || fs::exists(at->path() / "CMakeCache.txt", unknown)) {
+        at.disable_recursion_pending();
+      } else {
+        out.folders.push_back(at->path().string());
+      }
     } else if (!hidden && at->is_regular_file(unknown)) {
-      out.push_back(at->path().string());
+      out.files.push_back(at->path().string());
     }
   }
-  std::sort(out.begin(), out.end());
+  std::sort(out.files.begin(), out.files.end());
   return out;
 }
+
+std::vector<std::string> DiskOutputs::list(const std::string& folder) { return all_below(folder).files; }
 
 std::optional<std::string> MemoryOutputs::write(const std::vector<Output>& outputs) {
   for (const Output& each : outputs) {

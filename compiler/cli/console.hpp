@@ -40,7 +40,18 @@ struct Console {
   std::string scanner = "director-clang"; ///< the program that reads C++, or where it should be
   std::string headers = {};               ///< the folder of the runtime's, as they are installed; empty: unknown
   std::size_t out_width = 0;              ///< columns of the terminal; 0: it is none, so text stays as it is written
+  bool out_clears = false;                ///< it is a terminal that can be cleared
 };
+
+/// The same world with other files behind it.
+Console with_files(const Console& console, dsl::FileAccess& files, Outputs& outputs);
+
+/// What lies below a folder of the disk, by whole paths, without hidden ones and what lies in build trees.
+struct Below {
+  std::vector<std::string> files; ///< sorted
+  std::vector<std::string> folders;
+};
+Below all_below(const std::string& folder);
 
 class DiskOutputs final : public Outputs {
 public:

@@ -14,8 +14,7 @@ namespace {
 
 std::optional<Checked> load_from(dsl::FileAccess& files, const std::string& file, const Diff& request,
                                  dsl::Sources& sources, Console& console) {
-  Console other{console.out,     console.err,      console.out_colours, console.err_colours, files,
-                console.outputs, console.programs, console.scanner,     console.headers,     console.out_width};
+  Console other = with_files(console, files, console.outputs);
   return load(file, {}, sources, other, {request.build, {}});
 }
 
@@ -35,6 +34,16 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
   return load_from(files, files.path(), there, sources, console);
 }
 
+std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Console& console) {
+  if (!request.staged) return load(request.after, {}, sources, console, {request.build, {}});
+  StagedFiles files(console.programs, console.files);
+  if (const std::optional<std::string> wrong = files.open(request.after)) {
+    console.err << fmt::format("directorc: {}\n", *wrong);
+    return {};
+  }
+  return load_from(files, request.after, request, sources, console);
+}
+
 void print(const std::vector<BehaviourChange>& changes, const Diff& request, const dsl::Sources& sources,
            Console& console) {
   switch (request.format) {
@@ -50,7 +59,7 @@ int run(const Diff& request, Console& console) {
   dsl::Sources sources;
   const std::optional<Checked> before = load_before(request, sources, console);
   if (!before) return misused;
-  const std::optional<Checked> after = load(request.after, {}, sources, console, {request.build, {}});
+  const std::optional<Checked> after = load_after(request, sources, console);
   if (!after) return misused;
   if (!before->resolved && !after->resolved) {
     console.err << "directorc: neither of the two can be compared: both have errors in their text or their names\n";

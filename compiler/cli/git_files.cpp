@@ -23,44 +23,75 @@ fs::path folder_of(const std::string& file) {
   return folder;
 }
 
-} // namespace
-
-std::optional<std::string> GitFiles::open(const std::string& file) {
-  const fs::path folder = folder_of(file);
-  folder_ = folder.string();
-  const Answer prefix = programs_.run({"git", "-C", folder_, "rev-parse", "--show-prefix"}, "");
-  if (!prefix.started) return "there is no program `git`";
-  if (prefix.status != 0) return fmt::format("`{}` is in no git repository", file);
-  const Answer commit = programs_.run(
-      {"git", "-C", folder_, "rev-parse", "--verify", "--quiet", "--end-of-options", revision_ + "^{commit}"}, "");
-  if (commit.status != 0) return fmt::format("git knows no revision `{}`", revision_);
-  commit_ = first_line(commit.output);
-  std::error_code error;
-  const fs::path inside = fs::absolute(file, error).lexically_normal().lexically_relative(folder);
-  path_ = revision_ + ":/" + (first_line(prefix.output) / inside).lexically_normal().string();
-  return {};
-}
-
-dsl::Result<std::string, dsl::FileError> GitFiles::read(const std::string& path, std::size_t most) {
+/// The text of what git calls so: COMMIT:PATH, or :PATH for what is staged. `where`: words for people.
+dsl::Result<std::string, dsl::FileError> read_object(Programs& programs, const std::string& folder,
+                                                     const std::string& name, const std::string& where,
+                                                     std::size_t most) {
   using Kind = dsl::FileError::Kind;
-  if (path.starts_with('/')) return disk_.read(path, most);
-  const std::string top = revision_ + ":/";
-  if (!path.starts_with(top)) return dsl::FileError{Kind::not_found, "it is outside of the repository"};
-  const std::string name = path.substr(top.size());
   if (name.find('\n') != std::string::npos) return dsl::FileError{Kind::not_readable, "a line break in its name"};
   // One line tells what follows: `OID blob SIZE`, or that there is no such thing.
-  const Answer answer = programs_.run({"git", "-C", folder_, "cat-file", "--batch"}, commit_ + ":" + name + "\n");
+  const Answer answer = programs.run({"git", "-C", folder, "cat-file", "--batch"}, name + "\n");
   if (!answer.started || answer.status != 0) return dsl::FileError{Kind::not_readable, "git cannot read it"};
   const std::string head = first_line(answer.output);
   const std::size_t blob = head.find(" blob ");
-  if (head.ends_with(" missing"))
-    return dsl::FileError{Kind::not_found, fmt::format("no such file in the revision `{}`", revision_)};
+  if (head.ends_with(" missing")) return dsl::FileError{Kind::not_found, "no such file " + where};
   if (blob == std::string::npos) return dsl::FileError{Kind::not_readable, "it is no file there"};
   if (answer.output.size() < head.size() + 2) return dsl::FileError{Kind::not_readable, "git cannot read it"};
   std::string text = answer.output.substr(head.size() + 1);
   text.pop_back(); // the line break that git adds
   if (text.size() > most) return dsl::FileError{Kind::too_large, "it is too large"};
   return text;
+}
+
+/// From the top of the repository; begins with `..` where it lies outside.
+std::string inside(const Repository& repository, const std::string& file) {
+  std::error_code error;
+  const fs::path from_folder = fs::absolute(file, error).lexically_normal().lexically_relative(repository.folder);
+  return (fs::path(repository.prefix) / from_folder).lexically_normal().string();
+}
+
+} // namespace
+
+dsl::Result<Repository, std::string> find_repository(Programs& programs, const std::string& file) {
+  Repository out{folder_of(file).string(), {}};
+  const Answer prefix = programs.run({"git", "-C", out.folder, "rev-parse", "--show-prefix"}, "");
+  if (!prefix.started) return std::string("there is no program `git`");
+  if (prefix.status != 0) return fmt::format("`{}` is in no git repository", file);
+  out.prefix = first_line(prefix.output);
+  return out;
+}
+
+std::optional<std::string> GitFiles::open(const std::string& file) {
+  const auto found = find_repository(programs_, file);
+  if (!found) return found.error();
+  folder_ = found.value().folder;
+  const Answer commit = programs_.run(
+      {"git", "-C", folder_, "rev-parse", "--verify", "--quiet", "--end-of-options", revision_ + "^{commit}"}, "");
+  if (commit.status != 0) return fmt::format("git knows no revision `{}`", revision_);
+  commit_ = first_line(commit.output);
+  path_ = revision_ + ":/" + inside(found.value(), file);
+  return {};
+}
+
+dsl::Result<std::string, dsl::FileError> GitFiles::read(const std::string& path, std::size_t most) {
+  if (path.starts_with('/')) return disk_.read(path, most);
+  const std::string top = revision_ + ":/";
+  if (!path.starts_with(top)) return dsl::FileError{dsl::FileError::Kind::not_found, "it is outside of the repository"};
+  return read_object(programs_, folder_, commit_ + ":" + path.substr(top.size()),
+                     fmt::format("in the revision `{}`", revision_), most);
+}
+
+std::optional<std::string> StagedFiles::open(const std::string& file) {
+  const auto found = find_repository(programs_, file);
+  if (!found) return found.error();
+  repository_ = found.value();
+  return {};
+}
+
+dsl::Result<std::string, dsl::FileError> StagedFiles::read(const std::string& path, std::size_t most) {
+  const std::string name = inside(repository_, path);
+  if (name == ".." || name.starts_with("../")) return disk_.read(path, most);
+  return read_object(programs_, repository_.folder, ":" + name, "is staged", most);
 }
 
 std::string GitFiles::identity(const std::string& path) {

@@ -11,6 +11,14 @@
 
 namespace director::compiler::cli {
 
+/// Where a repository is, as git tells.
+struct Repository {
+  std::string folder; ///< in it, the one of the file that it was asked about
+  std::string prefix; ///< of that folder, from the top: `robot/`, or empty
+};
+/// Of a file that need not exist any more; or what is wrong.
+dsl::Result<Repository, std::string> find_repository(Programs& programs, const std::string& file);
+
 class GitFiles final : public dsl::FileAccess {
 public:
   GitFiles(Programs& programs, dsl::FileAccess& disk, std::string revision)
@@ -34,6 +42,24 @@ private:
   std::string folder_;   ///< in the repository
   std::string commit_;
   std::string path_;
+};
+
+/// Files as they are staged for the next commit. Their paths are those of the disk; what lies outside of the repository
+/// is read from there.
+class StagedFiles final : public dsl::FileAccess {
+public:
+  StagedFiles(Programs& programs, dsl::FileAccess& disk) : programs_(programs), disk_(disk) {}
+
+  /// Looks for the repository around `file`. What is wrong, or nothing.
+  std::optional<std::string> open(const std::string& file);
+
+  dsl::Result<std::string, dsl::FileError> read(const std::string& path, std::size_t most) override;
+  std::string identity(const std::string& path) override { return disk_.identity(path); }
+
+private:
+  Programs& programs_;
+  dsl::FileAccess& disk_;
+  Repository repository_;
 };
 
 /// Files beside one file, or else beside another: git's difftool copies the old one alone into a folder of its own, and

@@ -33,6 +33,37 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   return out;
 }
 
+namespace {
+
+std::string file_of(const RecordedNames& recorded, const std::string& trace, Console& console) {
+  const std::string file = recorded.file.empty() ? recorded.behaviour() + ".yaml" : recorded.file;
+  const std::size_t folder = trace.rfind('/');
+  const std::string beside = folder == std::string::npos ? file : trace.substr(0, folder + 1) + file;
+  constexpr std::size_t any = 1 << 30;
+  return console.files.read(file, any) || !console.files.read(beside, any) ? file : beside;
+}
+
+} // namespace
+
+RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::string& trace, const std::string& named,
+                                 dsl::Sources& sources, Console& console) {
+  RecordedBehaviour out;
+  out.file = shown_path(named.empty() ? file_of(recorded, trace, console) : named);
+  std::optional<Checked> checked = load(out.file, {}, sources, console);
+  if (!checked) {
+    out.status = misused;
+  } else if (checked->lowerable) {
+    out.checked = std::move(*checked);
+  } else {
+    const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
+    print_findings(errors, sources, console.err, console.err_colours);
+    if (errors.empty())
+      console.err << fmt::format("directorc: `{}` has no `roots`: a module alone cannot be played\n", out.file);
+    out.status = errors.empty() ? misused : found;
+  }
+  return out;
+}
+
 bool say_end(const TraceLines& lines, const std::string& file, Console& console) {
   if (lines.cut_off())
     console.err << fmt::format("{}:{}: note: the last line is cut off, and was left out\n", shown_path(file), lines.number());

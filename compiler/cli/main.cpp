@@ -24,11 +24,15 @@ using namespace director;
 using namespace director::compiler;
 using namespace director::compiler::cli;
 
+/// A terminal that understands more than text.
+bool is_screen(int stream) {
+  const char* const terminal = std::getenv("TERM");
+  return ::isatty(stream) == 1 && terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
+}
+
 bool wants_colours(int stream) {
   const char* const no_colour = std::getenv("NO_COLOR");
-  const char* const terminal = std::getenv("TERM");
-  if (no_colour != nullptr && *no_colour != '\0') return false;
-  return ::isatty(stream) == 1 && terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
+  return (no_colour == nullptr || *no_colour == '\0') && is_screen(stream);
 }
 
 /// Columns of a terminal, some at least; 0: it is none.
@@ -80,7 +84,7 @@ int main(int count, char** words) {
     DiskOutputs outputs;
     ChildPrograms programs;
     Console console{std::cout, std::cerr, wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO), files, outputs,
-                    programs,  scanner(), find_headers(own_path()),     width_of(STDOUT_FILENO)};
+                    programs,  scanner(), find_headers(own_path()),     width_of(STDOUT_FILENO),      is_screen(STDOUT_FILENO)};
     const Request request = parse({words + (count > 0 ? 1 : 0), words + count}, find_schemas(own_path()));
     const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
     std::cout.flush();

@@ -29,8 +29,10 @@ Make check_options(CLI::App& app) {
   CLI::Option* exploring =
       app.add_flag("--explore", *explore, "try everything that can happen, and report what never runs");
   add_bound(app, *bound)->needs(exploring);
+  add_watch(app, request->watch);
   return [=]() -> Request {
     if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
+    if (const std::optional<Say> wrong = wrong_watch(request->watch, request->format)) return *wrong;
     request->selection = selection_of(*words);
     if (*explore || request->selection.lints.contains(never_runs)) {
       request->selection.lints.emplace(never_runs);

@@ -78,6 +78,15 @@ CLI::Option* add_bound(CLI::App& app, std::size_t& bound) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
 }
 
+CLI::Option* add_watch(CLI::App& app, bool& watch) {
+  return app.add_flag("--watch", watch, "again whenever a file that was read changes, until Ctrl-C");
+}
+
+std::optional<Say> wrong_watch(bool watch, Format format) {
+  if (!watch || format == Format::text) return {};
+  return Say{"directorc: --watch prints text, run after run: leave out --format\n", true};
+}
+
 std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_t>& time) {
   if (const std::optional<dsl::Duration> most = dsl::most_instead_of(text))
     return Say{fmt::format("directorc: `{}` is too long: at most {}\n", text, dsl::to_text(*most)), true};
@@ -85,6 +94,16 @@ std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_
   if (!given) return Say{fmt::format("directorc: `{}` is no time: a whole number and us, ms, s or min\n", text), true};
   time = given->microseconds();
   return {};
+}
+
+void add_link(CLI::App& app, std::string& link) {
+  app.add_option("--link", link, "address behind each box, arrow and place, with {file} and {line} in it")
+      ->type_name("ADDRESS");
+}
+
+std::optional<Say> wrong_link(const std::string& link) {
+  if (link.empty() || link.find("{file}") != std::string::npos) return {};
+  return Say{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n", true};
 }
 
 } // namespace director::compiler::cli

@@ -53,6 +53,14 @@ std::optional<Say> unknown_id(const SelectionWords& words);
 void add_build(CLI::App& app, std::string& build);
 CLI::Option* add_bound(CLI::App& app, std::size_t& bound);
 
+CLI::Option* add_watch(CLI::App& app, bool& watch);
+/// What programs read is one document, and no run after another.
+std::optional<Say> wrong_watch(bool watch, Format format);
+
+/// `--link`, and what is wrong with it, if something is.
+void add_link(CLI::App& app, std::string& link);
+std::optional<Say> wrong_link(const std::string& link);
+
 /// What is wrong with it, if something is.
 std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_t>& time);
 

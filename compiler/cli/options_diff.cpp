@@ -52,6 +52,8 @@ Make diff_options(CLI::App& app) {
       ->expected(1, 2);
   app.add_option("--git", request->revision, "the old one is FILE, and what it imports, in this revision of git")
       ->type_name("REVISION");
+  app.add_flag("--staged", request->staged,
+               "the new one is FILE, and what it imports, as git has it staged; without --git the old one is in HEAD");
   add_format(app, request->format, {"text", "json", "sarif"});
   app.add_option("--breaking", *kinds,
                  "end with status 1 on changes of these kinds, KIND,KIND; `code`: whatever C++ has to follow; `all`")
@@ -63,9 +65,10 @@ Make diff_options(CLI::App& app) {
   app.footer(footer());
   return [=]() -> Request {
     if (const std::optional<Say> wrong = parse_kinds(*kinds, request->breaking)) return *wrong;
+    if (request->staged && request->revision.empty()) request->revision = "HEAD";
     const bool by_git = !request->revision.empty();
     if (files->size() != (by_git ? 1U : 2U))
-      return Say{by_git ? "directorc: with --git there is one file: directorc diff --git REVISION FILE\n"
+      return Say{by_git ? "directorc: with --git or --staged there is one file: directorc diff --git REVISION FILE\n"
                         : "directorc: diff needs two files, the old one and the new one; or --git REVISION FILE\n",
                  true};
     if (!by_git) request->before = files->front();

@@ -8,11 +8,6 @@ namespace director::compiler::cli {
 
 namespace {
 
-void add_link(CLI::App& app, std::string& link) {
-  app.add_option("--link", link, "address behind each box, arrow and place, with {file} and {line} in it")
-      ->type_name("ADDRESS");
-}
-
 CLI::Option* add_transitions(CLI::App& app, std::vector<std::string>& groups) {
   return app
       .add_option("--transitions", groups,
@@ -21,11 +16,6 @@ CLI::Option* add_transitions(CLI::App& app, std::vector<std::string>& groups) {
       ->delimiter(',')
       ->expected(1)
       ->take_all();
-}
-
-std::optional<Say> wrong_link(const std::string& link) {
-  if (link.empty() || link.find("{file}") != std::string::npos) return {};
-  return Say{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n", true};
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/options_common.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 namespace director::compiler::cli {
@@ -20,12 +22,22 @@ Make trace_options(CLI::App& app) {
   auto request = std::make_shared<Trace>();
   app.add_option("FILE", request->file, "what was recorded, JSON lines")->required();
   app.add_option("--to", request->to,
-                 "text, as `simulate --decisions --times` prints it; json, line by line; perfetto, for ui.perfetto.dev")
+                 "text, as `simulate --decisions --times` prints it; json, line by line; perfetto, for ui.perfetto.dev; "
+                 "html, the page of `directorc docs` with a timeline")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"text", "json", "perfetto"}))
+      ->check(CLI::IsMember({"text", "json", "perfetto", "html"}))
       ->capture_default_str();
   app.add_option("-o,--output", request->output, "the file; without it, to the terminal")->type_name("FILE");
-  return [=]() -> Request { return *request; };
+  app.add_option("--behaviour", request->behaviour,
+                 "for html: the file of the behaviour that was recorded; without it, the one that the trace names")
+      ->type_name("FILE");
+  add_link(app, request->link);
+  return [=]() -> Request {
+    if (request->to != "html" && !(request->behaviour.empty() && request->link.empty()))
+      return Say{fmt::format("directorc: {} is for --to=html\n", request->behaviour.empty() ? "--link" : "--behaviour"), true};
+    if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
+    return *request;
+  };
 }
 
 Make replay_options(CLI::App& app) {
@@ -66,9 +78,14 @@ Make test_options(CLI::App& app) {
       ->type_name("PERCENT")
       ->check(CLI::Range(0, 100))
       ->needs(coverage);
-  app.add_flag("--update", request->update,
-               "write what happens into the files: where it is not as expected, and in scenarios that expect nothing");
-  return [=]() -> Request { return *request; };
+  CLI::Option* update = app.add_flag(
+      "--update", request->update,
+      "write what happens into the files: where it is not as expected, and in scenarios that expect nothing");
+  add_watch(app, request->watch)->excludes(update);
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = wrong_watch(request->watch, request->format)) return *wrong;
+    return *request;
+  };
 }
 
 Make explore_options(CLI::App& app) {

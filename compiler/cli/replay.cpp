@@ -5,7 +5,7 @@
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/load_trace.hpp"
 #include "compiler/lower/lower.hpp"
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <fmt/format.h>
@@ -13,16 +13,6 @@
 namespace director::compiler::cli {
 
 namespace {
-
-/// Where the behaviour is written: as the trace says, else a file of its name; as seen from here, or beside the trace.
-std::string behaviour_of(const Replay& request, const RecordedNames& recorded, Console& console) {
-  if (!request.behaviour.empty()) return request.behaviour;
-  const std::string file = recorded.file.empty() ? recorded.behaviour() + ".yaml" : recorded.file;
-  const std::size_t folder = request.trace.rfind('/');
-  const std::string beside = folder == std::string::npos ? file : request.trace.substr(0, folder + 1) + file;
-  constexpr std::size_t any = 1 << 30;
-  return console.files.read(file, any) || !console.files.read(beside, any) ? file : beside;
-}
 
 std::string seconds(Time time) { return fmt::format("{:.6f} s", static_cast<double>(time) / 1e6); }
 
@@ -68,19 +58,11 @@ Json to_json(const Replayed& replayed, const std::string& trace, const std::stri
 int run(const Replay& request, Console& console) {
   const LoadedTrace trace = load_trace(request.trace, console);
   if (trace.status != clean) return trace.status;
-  const std::string behaviour = shown_path(behaviour_of(request, *trace.recorded, console));
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(behaviour, {}, sources, console);
-  if (!checked) return misused;
-  if (!checked->lowerable) {
-    const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
-    print_findings(errors, sources, console.err, console.err_colours);
-    if (errors.empty())
-      console.err << fmt::format("directorc: `{}` has no `roots`: a module alone cannot be played\n", behaviour);
-    return errors.empty() ? misused : found;
-  }
-  const Lowered lowered = lower(checked->model);
-  const RowNames rows(checked->model, lowered);
+  const RecordedBehaviour of = load_behaviour(*trace.recorded, request.trace, request.behaviour, sources, console);
+  if (of.status != clean) return of.status;
+  const Lowered lowered = lower(of.checked.model);
+  const RowNames rows(of.checked.model, lowered);
   const bool other = fingerprint_text(rows.names()) != trace.recorded->fingerprint;
   TraceLines lines(trace.text);
   lines.next(); // the header
@@ -88,9 +70,9 @@ int run(const Replay& request, Console& console) {
   if (!say_end(lines, request.trace, console)) return found;
   const std::string shown = shown_path(request.trace);
   if (request.format == Format::json)
-    console.out << to_line(to_json(replayed, shown, behaviour, other)) << '\n';
+    console.out << to_line(to_json(replayed, shown, of.file, other)) << '\n';
   else
-    print(replayed, shown, behaviour, other, console);
+    print(replayed, shown, of.file, other, console);
   return replayed.difference ? found : clean;
 }
 

@@ -1,8 +1,8 @@
 // Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load_scenario.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "compiler/play/play.hpp"
-#include "compiler/play/row_names.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
 namespace director::compiler::cli {

@@ -1,6 +1,7 @@
 // Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp, tests/compiler/cli/coverage_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load_scenario.hpp"
+#include "compiler/cli/watch.hpp"
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/play/coverage_watch.hpp"
 #include "compiler/play/print_coverage.hpp"
@@ -178,6 +179,9 @@ private:
 
 } // namespace
 
-int run(const Test& request, Console& console) { return Testing(request, console).run(); }
+int run(const Test& request, Console& console) {
+  if (!request.watch) return Testing(request, console).run();
+  return watch(request.files, console, [&](Console& watched) { return Testing(request, watched).run(); });
+}
 
 } // namespace director::compiler::cli

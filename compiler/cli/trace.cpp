@@ -1,6 +1,8 @@
 // Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/trace_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load_trace.hpp"
+#include "compiler/cli/trace_page.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
@@ -35,11 +37,29 @@ std::unique_ptr<TraceFormat> format_of(const std::string& word, const director::
   return std::make_unique<Text>(names);
 }
 
+/// To the file, or to the terminal.
+int put(const Trace& request, std::string text, int status, Console& console) {
+  if (request.output.empty()) {
+    console.out << text;
+    return status;
+  }
+  const bool has_head = request.to == "html"; // a page says in its first lines who wrote it
+  if (const auto wrong = console.outputs.write({{request.output, std::move(text), has_head ? has_notice : nullptr}})) {
+    console.err << "directorc: " << *wrong << '\n';
+    return misused;
+  }
+  return status;
+}
+
 } // namespace
 
 int run(const Trace& request, Console& console) {
   LoadedTrace trace = load_trace(request.file, console);
   if (trace.status != clean) return trace.status;
+  if (request.to == "html") {
+    auto [page, result] = trace_page(request, trace, console);
+    return page.empty() ? result : put(request, std::move(page), result, console);
+  }
   const director::Names names = trace.recorded->names();
   const Lookup lookup(names);
   const std::unique_ptr<TraceFormat> format = format_of(request.to, names);
@@ -69,13 +89,7 @@ int run(const Trace& request, Console& console) {
   }
   if (!as_it_is) format->end(out);
   if (!say_end(lines, request.file, console)) status = found;
-  if (request.output.empty()) {
-    console.out << out;
-  } else if (const auto wrong = console.outputs.write({{request.output, std::move(out)}})) {
-    console.err << "directorc: " << *wrong << '\n';
-    return misused;
-  }
-  return status;
+  return put(request, std::move(out), status, console);
 }
 
 } // namespace director::compiler::cli

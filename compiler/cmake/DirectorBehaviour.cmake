@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>])
+# director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>] [PAGE [LINK <address>]])
 #
 # Checks the behaviour with directorc, generates its C++ into the build tree and makes it part of <target>: its sources, its include path (so that
 # `#include "<behaviour>.hpp"` finds the header) and the runtime. The headers that the behaviour names are found on the target's include path, and
@@ -13,6 +13,9 @@
 #                   all below them
 #   STUBS <folder>  the target <target>_stubs, to be built when wanted, writes into <folder> what bodies are missing (directorc stubs). A build does
 #                   not: it writes nothing outside of its tree
+#   PAGE            the page about the behaviour (directorc docs) is compiled into <target>: #include "<behaviour>_page.hpp" declares
+#                   std::string_view director::pages::<behaviour>(), for director::LiveView. Needs the program dot of Graphviz
+#   LINK <address>  behind PAGE: each place there becomes a link, with {file} and {line} in it
 #
 # VERIFY and STUBS need director-clang, and a generator that writes compile_commands.json: Ninja or Makefiles.
 #
@@ -23,8 +26,8 @@ cmake_policy(PUSH)
 cmake_policy(VERSION 3.20...3.25)
 
 function(director_add_behaviour)
-  set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>])")
-  cmake_parse_arguments(PARSE_ARGV 0 arg "WERROR;VERIFY" "STUBS" "EXCLUDE")
+  set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>] [PAGE [LINK <address>]])")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "WERROR;VERIFY;PAGE" "STUBS;LINK" "EXCLUDE")
   list(LENGTH arg_UNPARSED_ARGUMENTS count)
   if(count LESS 2)
     message(FATAL_ERROR "director_add_behaviour: the target and the behaviour's file are needed: ${usage}")
@@ -36,6 +39,12 @@ function(director_add_behaviour)
   endif()
   if("STUBS" IN_LIST arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "director_add_behaviour: STUBS needs the folder that the stubs go to: ${usage}")
+  endif()
+  if("LINK" IN_LIST arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "director_add_behaviour: LINK needs the address of a line, with {file} and {line} in it: ${usage}")
+  endif()
+  if(arg_LINK AND NOT arg_PAGE)
+    message(FATAL_ERROR "director_add_behaviour: LINK says what places on the page lead to, and there is no PAGE: ${usage}")
   endif()
   if("EXCLUDE" IN_LIST arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "director_add_behaviour: EXCLUDE needs targets, files or folders: ${usage}")
@@ -73,6 +82,7 @@ function(director_add_behaviour)
     message(FATAL_ERROR "director_add_behaviour: ${file} has no key behaviour at its top level; only a behaviour can be generated, not a module alone")
   endif()
   set(behaviour ${CMAKE_MATCH_1})
+  set(page "")
 
   get_target_property(others ${target} DIRECTOR_BEHAVIOURS)
   if(others AND behaviour IN_LIST others)
@@ -108,12 +118,16 @@ function(director_add_behaviour)
     DEPFILE ${stamp}.d
     COMMENT "Generating the behaviour ${behaviour}"
     VERBATIM)
+  if(arg_PAGE)
+    director_write_page_(${behaviour} ${file} ${folder} ${stamp} "${arg_LINK}" page)
+    list(APPEND outputs ${page})
+  endif()
   get_target_property(home ${target} SOURCE_DIR)
   if(home STREQUAL CMAKE_CURRENT_SOURCE_DIR)
     target_sources(${target} PRIVATE ${outputs} ${stamp})
   else()
     # Only targets of one folder share commands.
-    add_custom_target(${target}_${behaviour}_generated DEPENDS ${stamp})
+    add_custom_target(${target}_${behaviour}_generated DEPENDS ${stamp} ${page})
     add_dependencies(${target} ${target}_${behaviour}_generated)
     target_sources(${target} PRIVATE ${outputs})
     set_source_files_properties(${outputs} TARGET_DIRECTORY ${target} PROPERTIES GENERATED TRUE)
@@ -184,6 +198,37 @@ function(director_write_flags_ target file)
   endforeach()
   # A condition on the language, in an option, makes a file for each.
   file(GENERATE OUTPUT "${file}.$<COMPILE_LANGUAGE>" CONTENT "${content}" TARGET ${target})
+endfunction()
+
+# The page about a behaviour as a source, which is made again where what is generated is.
+function(director_write_page_ behaviour file folder stamp link out)
+  set(page ${folder}/${behaviour}.html)
+  set(source ${folder}/${behaviour}_page.cpp)
+  set(header ${behaviour}_page.hpp)
+  file(CONFIGURE OUTPUT ${folder}/${header} @ONLY CONTENT "#pragma once
+// Written by DirectorBehaviour.cmake: the page about the behaviour, as directorc docs writes it.
+#include <string_view>
+
+namespace director::pages {
+std::string_view @behaviour@();
+}
+")
+  cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${CMAKE_SOURCE_DIR}) # as findings and links name it
+  set(linked "")
+  if(link)
+    set(linked "--link=${link}")
+  endif()
+  add_custom_command(
+    OUTPUT ${source}
+    BYPRODUCTS ${page}
+    COMMAND Director::directorc docs ${file} -o ${folder} ${linked}
+    COMMAND ${CMAKE_COMMAND} -D PAGE=${page} -D HEADER=${header} -D FUNCTION=director::pages::${behaviour} -D OUT=${source}
+            -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed_page.cmake
+    DEPENDS ${stamp} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed_page.cmake
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+    COMMENT "Writing the page about the behaviour ${behaviour}"
+    VERBATIM)
+  set(${out} ${source} PARENT_SCOPE)
 endfunction()
 
 # Where the objects of a target lie, or a file or folder as it is.

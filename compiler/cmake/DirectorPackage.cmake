@@ -18,13 +18,13 @@ endfunction()
 
 director_install(runtime DirectorRuntimeTargets director_core director_hosted)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.hpp
-        PATTERN dds EXCLUDE)
+        PATTERN dds EXCLUDE PATTERN live EXCLUDE)
 # For machines that the library is not made for.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_DATADIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.cpp
-        PATTERN dds EXCLUDE)
+        PATTERN dds EXCLUDE PATTERN live EXCLUDE)
 if(TARGET directorc)
   director_install(compiler DirectorCompilerTargets directorc)
-  foreach(module IN ITEMS DirectorBehaviour.cmake DirectorDocs.cmake)
+  foreach(module IN ITEMS DirectorBehaviour.cmake DirectorDocs.cmake embed_page.cmake)
     install(FILES ${CMAKE_CURRENT_LIST_DIR}/${module} DESTINATION ${package_folder} COMPONENT compiler)
     configure_file(${CMAKE_CURRENT_LIST_DIR}/${module} ${build_folder}/${module} COPYONLY)
   endforeach()

@@ -60,7 +60,7 @@ void lower_components(Lowered& out) {
   }
 
   struct Rows {
-    std::vector<Index> groups, edges, conditions, causing;
+    std::vector<Index> groups, edges;
   };
   std::vector<Rows> rows;
   std::vector<Index> number(out.groups.size(), nil);
@@ -79,23 +79,16 @@ void lower_components(Lowered& out) {
   for (Index p = 0; p < out.providers.size(); ++p) {
     const director::Provider& provider = out.providers[p];
     const Index component = out.groups[provider.group].component;
-    if (!provider.causing.empty()) rows[component].causing.push_back(p);
-    for (const Index condition : wanted(provider)) {
-      rows[component].conditions.push_back(condition);
-      counts_in[condition].push_back(component);
-    }
+    for (const Index condition : wanted(provider)) counts_in[condition].push_back(component);
     for (Index i = provider.promises.begin; i != provider.promises.end; ++i)
       counts_in[out.promises[i].condition].push_back(component);
   }
 
   Index order = 0;
-  for (Rows& row : rows) {
-    sort_once(row.conditions);
+  for (const Rows& row : rows) {
     director::Component component;
     component.groups = add_list(out, row.groups);
     component.edges = add_list(out, row.edges);
-    component.conditions = add_list(out, row.conditions);
-    component.causing = add_list(out, row.causing);
     component.order = order;
     order = static_cast<Index>(order + row.groups.size());
     out.components.push_back(component);

@@ -51,6 +51,7 @@ Lowered lower(const Model& model) {
   lower_aims(model, out);
   lower_components(out);
   lower_users(out);
+  lower_traits(out);
   return out;
 }
 

@@ -31,5 +31,6 @@ void lower_groups(const Model& model, Lowered& out);
 void lower_aims(const Model& model, Lowered& out);
 void lower_components(Lowered& out);
 void lower_users(Lowered& out);
+void lower_traits(Lowered& out);
 
 } // namespace director::compiler

@@ -3,6 +3,7 @@
 //
 // All of the page stands in it as text; the script only moves, hides and marks. Nothing is loaded: the policy allows
 // the one script and the one style whose check sums it names, and nothing else.
+#include "compiler/base/packed.hpp"
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/page/html_parts.hpp"
@@ -22,16 +23,10 @@ int digit(char letter) { return letter <= '9' ? letter - '0' : letter - 'a' + 10
 
 /// As a policy names it.
 std::string check_sum(std::string_view bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   const std::string hex = sha256(bytes);
-  std::string out = "sha256-";
-  for (std::size_t at = 0; at < hex.size(); at += 6) {
-    unsigned bits = 0;
-    const std::size_t count = std::min<std::size_t>(6, hex.size() - at);
-    for (std::size_t i = 0; i < 6; ++i) bits = bits * 16 + (i < count ? static_cast<unsigned>(digit(hex[at + i])) : 0);
-    for (std::size_t i = 0; i < 4; ++i) out += i * 6 < count * 4 ? letters[bits >> (18 - 6 * i) & 63] : '=';
-  }
-  return out;
+  std::string sum;
+  for (std::size_t at = 0; at < hex.size(); at += 2) sum += static_cast<char>(digit(hex[at]) * 16 + digit(hex[at + 1]));
+  return "sha256-" + base64(sum);
 }
 
 /// JSON that may stand in a script's tag.
@@ -48,7 +43,8 @@ struct Section {
   std::string_view id, title;
   std::string (*html)(const HtmlInput& input);
 };
-constexpr std::array<Section, 7> sections{{{"picture", "Picture", pictures_html},
+constexpr std::array<Section, 8> sections{{{"picture", "Picture", pictures_html},
+                                           {"timeline", "Timeline", timeline_html},
                                            {"groups", "Groups", groups_html},
                                            {"states", "States", states_html},
                                            {"takes", "Who goes before whom", takes_html},

@@ -30,6 +30,7 @@ std::string doc_html(const Json& thing);
 std::string group_link(const std::string& name);
 
 std::string pictures_html(const HtmlInput& input);
+std::string timeline_html(const HtmlInput& input);
 std::string groups_html(const HtmlInput& input);
 std::string states_html(const HtmlInput& input);
 std::string takes_html(const HtmlInput& input);

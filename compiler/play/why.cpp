@@ -2,143 +2,51 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "dsl/colours.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/hosted/why_notes.hpp"
 
 #include <fmt/format.h>
-
-#include <array>
 
 namespace director::compiler {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> kinds{"running",   "not_requested", "no_provider", "lost",
-                                                 "need_held", "together",      "condition",   "outdated",
-                                                 "deferred",  "reserved",      "limbo"};
-
-class Reasoner {
+/// Where in the specification a note is about.
+class Places {
 public:
-  Reasoner(const View& view, const Model& model, const Lowered& lowered)
-      : v_(view),
-        t_(*view.tables),
+  Places(const Because& because, const Model& model, const Lowered& lowered, const Tables& tables)
+      : because_(because),
         model_(model),
-        lowered_(lowered) {}
+        lowered_(lowered),
+        tables_(tables) {}
 
-  std::vector<Reasoning::Note> notes(const Because& because) {
-    switch (because.kind) {
-    case Because::Kind::condition: condition(because); break;
-    case Because::Kind::lost:
-    case Because::Kind::need_held: chain(because.holder, "it is held for"); break;
-    case Because::Kind::running: chain(because.edge, "it runs for"); break;
-    case Because::Kind::reserved: chain(because.holder, "it is held for"); break;
-    case Because::Kind::no_provider: disabled(because.group); break;
-    case Because::Kind::not_requested: requesters(because.asked); break;
-    default: break;
+  Span of(const WhyNote& note) const {
+    switch (note.about) {
+    case WhyNote::About::edge: return note.row < tables_.edges.size() ? model_.edges[EdgeId{note.row}].span : Span{};
+    case WhyNote::About::condition: return condition(note.row);
+    case WhyNote::About::state: return model_.states[StateId{note.row}].name.span;
+    case WhyNote::About::provider: return model_.providers[ProviderId{note.row}].span;
     }
-    return std::move(notes_);
+    return {};
   }
 
 private:
-  void say(std::string text, const Span& span) { notes_.push_back({std::move(text), span}); }
-
-  /// Who requested what, up to the program.
-  void chain(Index edge, std::string_view word) {
-    std::string text(word);
-    const Span span = edge < t_.edges.size() ? model_.edges[EdgeId{edge}].span : Span{};
-    for (std::string_view between = " "; edge != nil && !v_.is_limbo(edge); between = ", that for ") {
-      const Index requester = t_.edges[edge].requester;
-      if (requester == nil) {
-        text += fmt::format("{}the program, priority {}", between, priority(edge));
-        break;
-      }
-      text += fmt::format("{}{}, priority {}", between, model_.groups[GroupId{requester}].name.value, priority(edge));
-      edge = v_.holder(requester);
-    }
-    say(std::move(text), span);
-  }
-
-  std::int32_t priority(Index edge) const {
-    if (v_.requested(edge)) return t_.levels[v_.request[edge].level].priority;
-    const Range levels = t_.edges[edge].levels;
-    return levels.empty() ? 0 : t_.levels[levels.begin].priority;
-  }
-
-  void condition(const Because& because) {
-    const ConditionId id = lowered_.condition_ids[because.condition];
-    const Condition& condition = model_.conditions[id];
-    const State& state = model_.states[condition.state];
-    const std::int32_t value = v_.values[condition.state.value].value;
-    Span span = state.name.span;
-    if (because.provider != nil) {
-      const Provider& waiting = model_.providers[ProviderId{because.provider}];
-      for (const ConditionUse& use : waiting.when) {
-        if (use.id == id) span = use.span;
+  /// Where the one who waits names it, else its state.
+  Span condition(Index row) const {
+    const ConditionId id = lowered_.condition_ids[row];
+    if (because_.provider != nil) {
+      for (const ConditionUse& use : model_.providers[ProviderId{because_.provider}].when) {
+        if (use.id == id) return use.span;
       }
     }
-    say(value == unset ? fmt::format("{} is unset", state.name.value)
-                       : fmt::format("{} is {}", state.name.value, state.value_text(value)),
-        span);
-    for (const Index row : causers(t_, because.condition)) causer(ProviderId{row}, because);
-    if (state.external) say(fmt::format("the outside may set {}", state.name.value), state.name.span);
+    return model_.states[model_.conditions[id].state].name.span;
   }
 
-  /// What a provider that promises the condition does about it.
-  void causer(ProviderId id, const Because& because) {
-    const Index group = model_.providers[id].group.value;
-    const GroupAssignment& standing = v_.assignment[group];
-    const std::string name = model_.full_name(id);
-    std::string text;
-    if (v_.enabled[id.value] == 0) {
-      text = fmt::format("{} could cause it, and is disabled", name);
-    } else if (standing.active == id.value && (standing.flags & flag::in_force) != 0) {
-      text = fmt::format("{} is to cause it: pushed for {}", name, model_.edge_name(EdgeId{standing.push.edge}));
-    } else if (standing.active == id.value) {
-      text = fmt::format("{} could cause it, and runs", name);
-    } else if (!is_requested(group)) {
-      text = fmt::format("{} could cause it, but nobody asks for {}", name, model_.groups[GroupId{group}].name.value);
-    } else if (!standing.granted()) {
-      text = fmt::format("{} could cause it, but {} waits itself", name, model_.groups[GroupId{group}].name.value);
-    } else {
-      text = fmt::format("{} could cause it, and is not pushed for {}", name, model_.edge_name(EdgeId{because.edge}));
-    }
-    say(std::move(text), model_.providers[id].span);
-  }
-
-  bool is_requested(Index group) const {
-    for (const Index edge : t_.list(t_.groups[group].requesters)) {
-      if (v_.requested(edge)) return true;
-    }
-    return false;
-  }
-
-  void disabled(Index group) {
-    for (const ProviderId id : model_.groups[GroupId{group}].providers) {
-      if (v_.enabled[id.value] == 0)
-        say(fmt::format("{} is disabled", model_.full_name(id)), model_.providers[id].span);
-    }
-  }
-
-  void requesters(Index group) {
-    for (const Index edge : t_.list(t_.groups[group].requesters)) {
-      const Index requester = t_.edges[edge].requester;
-      const Span span = model_.edges[EdgeId{edge}].span;
-      if (requester == nil) {
-        say("the program may", span);
-      } else {
-        const std::string& name = model_.groups[GroupId{requester}].name.value;
-        const bool lives = v_.assignment[requester].active != nil;
-        say(fmt::format("{} may, {}", name, lives ? "and does not ask now" : "and does not run"), span);
-      }
-    }
-  }
-
-  const View& v_;
-  const Tables& t_;
+  const Because& because_;
   const Model& model_;
   const Lowered& lowered_;
-  std::vector<Reasoning::Note> notes_;
+  const Tables& tables_;
 };
 
 std::string place(const Span& span, const dsl::Sources& sources) {
@@ -149,14 +57,21 @@ std::string place(const Span& span, const dsl::Sources& sources) {
 } // namespace
 
 Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered) {
-  const Because because = why(view, static_cast<Index>(group.value));
-  const RowNames names(model, lowered);
+  return reason_why(view, why(view, static_cast<Index>(group.value)), model, lowered, RowNames(model, lowered).names());
+}
+
+Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,
+                     const director::Names& names) {
   std::string buffer(4096, '\0');
   Reasoning out;
-  out.group = model.groups[group].name.value;
-  out.kind = kinds[static_cast<std::size_t>(because.kind)];
-  out.text = to_text(because, names.names(), buffer);
-  out.notes = Reasoner(view, model, lowered).notes(because);
+  out.group = model.groups[GroupId{because.asked}].name.value;
+  out.kind = name_of(because.kind);
+  out.text = to_text(because, names, buffer);
+  const Places places(because, model, lowered, *view.tables);
+  for (WhyNote& note : why_notes(view, because, names)) {
+    const Span span = places.of(note);
+    out.notes.push_back({std::move(note.text), span});
+  }
   return out;
 }
 

@@ -7,7 +7,7 @@
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/source_file.hpp"
-#include "runtime/core/inspect/why.hpp"
+#include "runtime/core/inspect/why_text.hpp"
 
 #include <string>
 #include <vector>
@@ -26,6 +26,10 @@ struct Reasoning {
 };
 
 Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered);
+
+/// The same for who asks often. `because`: what why() says of the group; `names`: of the rows.
+Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,
+                     const director::Names& names);
 
 /// The text, and below it each note with its place.
 std::string to_text(const Reasoning& reasoning, const dsl::Sources& sources, bool has_colours = false);

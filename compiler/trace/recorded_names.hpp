@@ -4,7 +4,7 @@
 // events, without the behaviour itself.
 
 #include "compiler/base/json.hpp"
-#include "compiler/play/row_texts.hpp"
+#include "compiler/lower/row_texts.hpp"
 
 #include <optional>
 #include <string>

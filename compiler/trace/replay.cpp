@@ -29,8 +29,9 @@ using Kind = Event::Kind;
 
 class Replayer {
 public:
-  Replayer(TraceLines& lines, const director::Names& names)
+  Replayer(TraceLines& lines, const director::Names& names, ReplayWatch* watch)
       : lines_(lines),
+        watch_(watch),
         names_(names),
         tables_(*names.tables),
         lookup_(names),
@@ -53,6 +54,7 @@ public:
       if (over_) break;
       engine_.step(next->event.until);
       if (over_) break;
+      if (watch_ != nullptr) watch_->stepped(view_of(engine_));
       silent = out_.events == events ? silent + 1 : 0;
       if (silent == most_silent_steps || (engine_.micro_steps() == steps && out_.events == events)) differ(nullptr);
     }
@@ -254,6 +256,7 @@ private:
     line_.clear();
     append_event(event, names_, line_);
     if (line_ != recorded->text) return differ(&event);
+    if (watch_ != nullptr) watch_->event(event, recorded->line);
     waiting_.pop_front();
     ++out_.events;
   }
@@ -286,6 +289,7 @@ private:
   }
 
   TraceLines& lines_;
+  ReplayWatch* const watch_;
   const director::Names names_;
   const Tables& tables_;
   Lookup lookup_;
@@ -301,6 +305,8 @@ private:
 
 } // namespace
 
-Replayed replay(TraceLines& lines, const director::Names& names) { return Replayer(lines, names).play(); }
+Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch) {
+  return Replayer(lines, names, watch).play();
+}
 
 } // namespace director::compiler

@@ -5,7 +5,8 @@
 // the behaviour decides otherwise the replay ends, because from there on nobody recorded what bodies would have answered.
 
 #include "compiler/trace/trace_lines.hpp"
-#include "runtime/core/base/tables.hpp"
+#include "runtime/core/base/observer.hpp"
+#include "runtime/core/inspect/view.hpp"
 #include "runtime/core/inspect/why_text.hpp"
 
 #include <cstdint>
@@ -30,7 +31,19 @@ struct Replayed {
   std::string problem;       ///< what is wrong with the line of the trace at which `lines` stands
 };
 
-/// `lines`: behind the header. `names`: of the behaviour that is to play, with tables.
-Replayed replay(TraceLines& lines, const director::Names& names);
+/// Who looks on.
+class ReplayWatch {
+public:
+  /// An event that is the one in this line of the trace.
+  virtual void event(const Event& event, std::size_t line) = 0;
+  /// A micro-step is over; all that it told was the same.
+  virtual void stepped(const View& view) = 0;
+
+protected:
+  ~ReplayWatch() = default;
+};
+
+/// `lines`: behind the header. `names`: of the behaviour that is to play, with tables. `watch`: null: nobody looks on.
+Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch = nullptr);
 
 } // namespace director::compiler

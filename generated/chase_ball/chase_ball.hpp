@@ -78,6 +78,7 @@ struct Whole final {
       .groups = 2, .providers = 3, .edges = 2, .conditions = 1, .states = 1, .promises = 0, .plan_slots = 0,
       .listen_slots = 1, .most_edges = 1, .components = 1, .lacking = 1};
   static const director::Tables& tables();
+  static std::uint64_t fingerprint();
   static void called_from_inside();
   static constexpr std::size_t inbox_cells = 64;
   static constexpr std::array<std::uint16_t, 2> places{0, 0};

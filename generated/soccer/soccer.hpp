@@ -340,6 +340,7 @@ struct Whole final {
       .groups = 24, .providers = 34, .edges = 38, .conditions = 12, .states = 4, .promises = 1, .plan_slots = 0,
       .listen_slots = 3, .most_edges = 4, .components = 1, .lacking = 6};
   static const director::Tables& tables();
+  static std::uint64_t fingerprint();
   static void called_from_inside();
   static constexpr std::size_t inbox_cells = 64;
   static constexpr std::array<std::uint16_t, 38> places{

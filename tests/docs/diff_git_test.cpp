@@ -109,3 +109,85 @@ TEST_CASE("the hook tells, and refuses what it was told to") {
   CHECK(silent.output.empty());
   CHECK(silent.status == 0);
 }
+
+TEST_CASE("what is staged is compared, with what it imports, not what lies there") {
+  const Repository repository;
+  repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
+  CHECK(repository.run("directorc diff --staged robot/walker.yaml").output.empty());
+  CHECK(repository.run("git add . && directorc diff --staged robot/walker.yaml").output == needs_arms);
+  // The file in the folder has gone on since.
+  repository.write("robot/walker.yaml", "no behaviour any more");
+  CHECK(repository.run("directorc diff --staged robot/walker.yaml").output == needs_arms);
+  CHECK(repository.run("cd robot/parts && directorc diff --staged --git HEAD \"$PWD/../walker.yaml\" --breaking=needs_added")
+            .status == 1);
+  // What it imports too: its own change is staged, and then undone in the folder.
+  repository.write("robot/parts/legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {stop: true}, Arms: {}}\n");
+  REQUIRE(repository.run("git add robot/parts && rm robot/parts/legs.yaml").status == 0);
+  CHECK(repository.run("directorc diff --staged robot/walker.yaml").output ==
+        "handler: A start or stop handler is new, is gone, or sets other values.\n"
+        "  `Legs` now has a stop handler (C++ has to follow)\n"
+        "    now    robot/parts/legs.yaml:3:23\n"
+        "    before HEAD:/robot/parts/legs.yaml:3:10\n"
+        "\n" +
+            std::string(needs_arms).replace(std::string(needs_arms).find("1 change"), 8, "2 changes"));
+}
+
+TEST_CASE("a file that is not staged, or lies in no repository, is said") {
+  const Repository repository;
+  const Ran gone = repository.run("git rm --quiet --cached robot/walker.yaml && directorc diff --staged robot/walker.yaml");
+  CHECK(gone.output == "directorc: cannot read `robot/walker.yaml`: no such file is staged\n");
+  CHECK(gone.status == 2);
+  const Ran two = repository.run("directorc diff --staged robot/walker.yaml robot/walker.yaml");
+  CHECK(two.output ==
+        "directorc: with --git or --staged there is one file: directorc diff --git REVISION FILE\n");
+  const TemporaryFolder outside;
+  const Ran none = run_command("directorc diff --staged walker.yaml 2>&1 | tail -n 1", outside.path());
+  CHECK(none.output == "directorc: `walker.yaml` is in no git repository\n");
+}
+
+TEST_CASE("the hook judges what is committed, not what lies beside it") {
+  const Repository repository;
+  REQUIRE(repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit && "
+                         "git config director.breaking needs_added").status == 0);
+  const std::string refused = std::string("robot/walker.yaml:\n") +
+                              "needs_added: A provider needs one more group.\n"
+                              "  breaking: `Walk` now needs `Arms`\n"
+                              "    now    robot/walker.yaml:5:31\n"
+                              "    before HEAD:/robot/walker.yaml:5:10\n"
+                              "\n"
+                              "1 change, 1 of them breaking\n\n";
+  // A change that is not staged is no part of the commit.
+  repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
+  repository.write("other.yaml", "roots: of something else again\n");
+  const Ran beside = repository.run("git add other.yaml && git commit --quiet -m other");
+  CHECK(beside.output.empty());
+  CHECK(beside.status == 0);
+  // One that is staged is, although the file has been put right since.
+  const std::string right = Repository::walker("[Legs]");
+  CHECK(repository.run("git add robot/walker.yaml").status == 0);
+  repository.write("robot/walker.yaml", right);
+  const Ran staged = repository.run("git commit --quiet -m staged");
+  CHECK(staged.output == refused);
+  CHECK(staged.status == 1);
+  CHECK(repository.run("git reset --quiet").status == 0);
+  // `git commit FILE` and `git commit -a` have an index of their own, also from within a folder.
+  repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
+  CHECK(repository.run("git commit --quiet -m one robot/walker.yaml").output == refused);
+  CHECK(repository.run("cd robot && git commit --quiet -m one walker.yaml").output == refused);
+  CHECK(repository.run("cd robot && git commit --quiet -a -m all").output == refused);
+  // A behaviour that the commit removes, and one that is new, have nothing to be compared with.
+  repository.write("robot/walker.yaml", right);
+  repository.write("new.yaml", "behaviour: new\nlanguage: 1\nroots: [Wait]\ngroups: {Wait: {}}\n");
+  const Ran others = repository.run("git rm --quiet -f robot/walker.yaml && git add new.yaml && git commit --quiet -m others");
+  CHECK(others.output.empty());
+  CHECK(others.status == 0);
+}
+
+TEST_CASE("the hook works in a second working tree") {
+  const Repository repository;
+  REQUIRE(repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit && "
+                         "git worktree add --quiet tree -b other").status == 0);
+  repository.write("tree/robot/walker.yaml", Repository::walker("[Legs, Arms]"));
+  const Ran ran = repository.run("cd tree && git commit --quiet -a -m second");
+  CHECK(ran.output == std::string("robot/walker.yaml:\n") + needs_arms + "\n");
+}

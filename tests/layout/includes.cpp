@@ -30,14 +30,15 @@ const std::vector<Component>& components() {
        {"runtime/core/base/", "runtime/core/engine/", "runtime/core/inspect/", "runtime/core/api/"}},
       {"runtime/core/", {"runtime/core/"}}, // headers that forward
       {"runtime/hosted/", {"runtime/core/", "runtime/hosted/"}},
+      {"runtime/live/", {"runtime/core/", "runtime/hosted/", "runtime/live/"}},
       {"runtime/dds/", {"runtime/core/", "runtime/dds/"}},
       {"schemas/", {}},
       {"dsl/", {"dsl/", "schemas/"}},
       {"compiler/", {"compiler/", "dsl/", "runtime/core/", "runtime/hosted/"}},
       {"generated/", {"runtime/core/", "behaviours/"}},
-      {"behaviours/", {"behaviours/", "runtime/core/", "runtime/hosted/", "runtime/dds/"}},
+      {"behaviours/", {"behaviours/", "runtime/core/", "runtime/hosted/", "runtime/live/", "runtime/dds/"}},
       {"tests/oracle/", {"tests/oracle/", "tests/support/", "dsl/", "compiler/model/"}},
-      {"tests/", {"tests/", "compiler/", "dsl/", "runtime/core/", "runtime/hosted/", "runtime/dds/", "behaviours/"}},
+      {"tests/", {"tests/", "compiler/", "dsl/", "runtime/core/", "runtime/hosted/", "runtime/live/", "runtime/dds/", "behaviours/"}},
   };
   return all;
 }
@@ -61,6 +62,7 @@ const std::vector<Library>& libraries() {
       {"rapidcheck", {"tests/"}},
       {"benchmark/", {"tests/bench/"}},
       {"dds/", {"runtime/dds/", "tests/runtime/dds/"}},
+      {"httplib.h", {"runtime/live/http.cpp"}},
   };
   return all;
 }
@@ -92,8 +94,8 @@ std::string angled_fault(std::string_view path, std::string_view name) {
     return header + " may be included only in " + std::string(library.places.front());
   }
   // What remains is the operating system: the terminal and child processes, and what runs on a computer.
-  if (starts_with_one_of(path, {"dsl/file_access.cpp", "compiler/cli/", "runtime/hosted/", "runtime/dds/",
-                                "behaviours/soccer/program.hpp", "tests/"}))
+  if (starts_with_one_of(path, {"dsl/file_access.cpp", "compiler/cli/", "runtime/hosted/", "runtime/live/",
+                                "runtime/dds/", "behaviours/soccer/program.hpp", "tests/"}))
     return {};
   return header + " is of no library among the allowed dependencies of this component";
 }

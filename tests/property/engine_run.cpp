@@ -9,6 +9,7 @@ namespace director::property {
 namespace {
 
 constexpr std::size_t inbox_cells = 64; ///< more than the inputs of any step have records
+constexpr std::uint64_t fingerprint = 1; ///< of all behaviours: each test has one
 
 director::Input record(director::Input::Kind kind, std::uint32_t thing) {
   director::Input out;
@@ -25,17 +26,53 @@ EngineRun::EngineRun(const Compiled& compiled, bool leap)
       sink_([this](const compiler::Happening& each) { trace_.push_back(to_text(each)); }),
       bodies_(compiled.scenario, tables_),
       recorder_(compiled.model, compiled.lowered, false, sink_),
-      cells_(inbox_cells),
-      inbox_(cells_),
-      memory_(tables_),
-      engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, recorder_.observer()),
       leap_(leap) {
+  recorder_.share({[](void* self, const Event& event) {
+                     EngineRun& run = *static_cast<EngineRun*>(self);
+                     run.events_.push_back(tests::numbers_of(event, run.shift_));
+                   },
+                   this});
+  robot_ = robot();
   for (const compiler::Setting& given : compiled.scenario.given) {
-    engine_.preset(static_cast<Index>(given.state.value), static_cast<std::int32_t>(given.value));
+    robot_->engine.preset(static_cast<Index>(given.state.value), static_cast<std::int32_t>(given.value));
   }
-  if (!leap) engine_.set_most_decided_whole(0); // few cases have components as large as these mostly are
-  engine_.step(0);
-  engine_.set_budget(1);
+  robot_->engine.step(0);
+  robot_->engine.set_budget(1);
+}
+
+EngineRun::Robot::Robot(const Tables& tables, const Bodies& bodies, const Observer& observer)
+    : cells(inbox_cells),
+      inbox(cells),
+      memory(tables),
+      engine(tables, memory.state().data(), bodies, inbox, observer) {}
+
+std::unique_ptr<EngineRun::Robot> EngineRun::robot() {
+  auto out = std::make_unique<Robot>(tables_, bodies_.table(), recorder_.observer());
+  if (!leap_) out->engine.set_most_decided_whole(0); // few cases have components as large as these mostly are
+  return out;
+}
+
+SaveResult EngineRun::cut(Time later, std::vector<std::byte>& bytes) {
+  bytes.resize(saved_bytes(Shape::of(tables_)));
+  const SaveResult saved = save(robot_->engine, bytes, fingerprint);
+  if (saved != SaveResult::saved) return saved;
+  std::unique_ptr<Robot> next = robot();
+  const Time until = robot_->engine.memory().counters->until;
+  const LoadResult loaded = director::load(next->engine, bytes, until + later, fingerprint);
+  if (loaded != LoadResult::loaded) throw std::runtime_error(to_text(loaded));
+  next->engine.set_budget(1);
+  robot_ = std::move(next);
+  shift_ += later;
+  return saved;
+}
+
+LoadResult EngineRun::load(std::span<const std::byte> bytes) {
+  std::unique_ptr<Robot> next = robot();
+  const LoadResult loaded = director::load(next->engine, bytes, robot_->engine.memory().counters->until, fingerprint);
+  if (loaded != LoadResult::loaded) return loaded;
+  next->engine.set_budget(1);
+  robot_ = std::move(next);
+  return loaded;
 }
 
 void EngineRun::begin_step(const compiler::ScenarioStep& step) {
@@ -45,16 +82,17 @@ void EngineRun::begin_step(const compiler::ScenarioStep& step) {
 }
 
 bool EngineRun::micro_step() {
-  switch (engine_.step(now_)) {
+  switch (robot_->engine.step(now_ + shift_)) {
   case StepResult::budget_exhausted: return true;
   case StepResult::quiescent: break;
   default: throw std::runtime_error("a step of the engine was refused, or a body failed");
   }
-  if (engine_.next_due() > until_) {
+  const Time due = robot_->engine.next_due();
+  if (due == never || due - shift_ > until_) {
     now_ = until_;
     return false;
   }
-  now_ = engine_.next_due();
+  now_ = due - shift_;
   return true;
 }
 
@@ -83,21 +121,21 @@ void EngineRun::post(const compiler::ScenarioInput& input) {
   case Wanted::disable: records.push_back(record(Record::disable, input.provider.value)); break;
   }
   for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
-  if (!(leap_ ? inbox_.post(records) : engine_.post(records)))
+  if (!(leap_ ? robot_->inbox.post(records) : robot_->engine.post(records)))
     throw std::runtime_error("the inbox of the test is too small");
 }
 
 Snapshot EngineRun::snapshot() const {
-  const director::State& s = engine_.memory();
+  const director::State& s = engine().memory();
   Snapshot out;
   out.lines = trace_.size();
   for (Index g = 0; g < tables_.groups.size(); ++g) {
     Snapshot::Group& group = out.groups.emplace_back();
-    if (engine_.holder(g) != nil) group.holder = oracle::EdgeId{engine_.holder(g)};
-    if (engine_.active(g) != nil) group.active = oracle::ProviderId{engine_.active(g)};
-    group.granted = engine_.granted(g);
+    if (engine().holder(g) != nil) group.holder = oracle::EdgeId{engine().holder(g)};
+    if (engine().active(g) != nil) group.active = oracle::ProviderId{engine().active(g)};
+    group.granted = engine().granted(g);
     group.needed = (s.last[g].flags & flag::needed) != 0;
-    group.in_force = engine_.in_force(g);
+    group.in_force = engine().in_force(g);
     if (const director::Push& push = s.last[g].push; push.edge != nil) {
       group.push = oracle::Push{oracle::EdgeId{push.edge}, oracle::ProviderId{push.provider},
                                 compiled_.lowered.condition_ids[push.condition]};
@@ -117,7 +155,7 @@ Snapshot EngineRun::snapshot() const {
                                         : std::optional<std::uint32_t>(level - tables_.edges[e].levels.begin));
   }
   for (Index v = 0; v < tables_.states.size(); ++v) {
-    const std::int32_t value = engine_.value(v);
+    const std::int32_t value = engine().value(v);
     out.values.push_back(value == unset ? std::nullopt : std::optional<std::int64_t>(value));
   }
   for (Index g = s.counters->queue_first; g != nil; g = s.run_queue[g].runs_before) out.queue.push_back(oracle::GroupId{g});

@@ -3,8 +3,8 @@
 // otherwise just where the scenario played on that one goes another way for the first time.
 //
 //   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
+#include "compiler/lower/row_names.hpp"
 #include "compiler/play/play.hpp"
-#include "compiler/play/row_names.hpp"
 #include "compiler/trace/replay.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "tests/property/compiled.hpp"

@@ -55,13 +55,22 @@ Code behaviour_part(const CppEmission& e) {
       "without.");
   code.open("class Behaviour final : public director::Program<detail::Whole> {");
   code.outdented("public:");
-  std::vector<std::string> parameters, modules;
+  std::vector<std::string> parameters, arguments, modules;
   for (const ModuleId id : e.model.modules.ids()) {
     modules.push_back(module_in(e.model, id));
-    parameters.push_back(modules.back() + "&");
+    arguments.push_back(fmt::format("module_{}", id.value));
+    parameters.push_back(fmt::format("{}& {}", modules.back(), arguments.back()));
   }
-  parameters.push_back("director::Observer observer = {}");
-  code.list(parameters.size() <= 2 ? "explicit Behaviour(" : "Behaviour(", parameters, ");");
+  const auto constructor = [&](std::string_view behind) {
+    code.list(parameters.size() == 1 ? "explicit Behaviour(" : "Behaviour(", parameters, behind);
+  };
+  constructor(");");
+  code.comment("With one that is told of every decision: without it, what tells is not linked.");
+  parameters.push_back("director::Observer observer");
+  constructor(")");
+  code.list("    : Behaviour(", arguments, ") {");
+  code.line("  observe(observer);");
+  code.line("}");
   code.blank();
   define_steps(code, e);
   code.blank();
@@ -72,9 +81,17 @@ Code behaviour_part(const CppEmission& e) {
   code.line("return result;");
   code.close("}");
   code.line("void throw_on();");
+  code.open("void observe(director::Observer observer) {");
+  code.line("#ifdef __cpp_exceptions");
+  code.line("observer_ = observer;");
+  code.line("if (observer.tell != nullptr) observer = {&tell, this};");
+  code.line("#endif");
+  code.line("Program::observe(observer);");
+  code.close("}");
   code.blank();
   code.list("director::Modules<", modules, "> modules_;");
   code.line("#ifdef __cpp_exceptions");
+  code.line("static void tell(void* self, const director::Event& event);");
   code.line("std::exception_ptr thrown_; ///< the first that was thrown since the last step");
   code.line("director::Observer observer_;");
   code.line("#endif");

@@ -3,6 +3,8 @@
 //
 // What the engine calls: functions without a type that find the module and the context, and keep what is thrown.
 #include "compiler/emit/cpp/parts.hpp"
+#include "compiler/lower/row_names.hpp"
+#include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <fmt/format.h>
 
@@ -39,27 +41,6 @@ template <class Context>
 }
 )";
 
-/// Likewise the same in every behaviour. Without exceptions the engine calls the observer itself.
-constexpr std::string_view observer = R"(
-#ifdef __cpp_exceptions
-/// What an observer throws waits as well, and ends the step.
-static void tell(void* self, const director::Event& event) {
-  Behaviour& behaviour = *static_cast<Behaviour*>(self);
-  const director::Observer to = behaviour.observer_;
-  guarded(
-      behaviour, [&] { to.tell(to.self, event); }, [&] { behaviour.observer_threw(); });
-}
-#endif
-
-/// What the engine tells.
-static director::Observer observer([[maybe_unused]] Behaviour& behaviour, director::Observer given) {
-#ifdef __cpp_exceptions
-  if (given.tell != nullptr) return {&tell, &behaviour};
-#endif
-  return given;
-}
-)";
-
 constexpr std::string_view handler = R"(
 template <class Context>
 [[gnu::always_inline]] static void {0}(Behaviour& behaviour, director::Handling& handling) {{
@@ -70,11 +51,21 @@ template <class Context>
 }}
 )";
 
-constexpr std::string_view throw_on = R"(void Behaviour::throw_on() {
+constexpr std::string_view throwing = R"(void Behaviour::throw_on() {
 #ifdef __cpp_exceptions
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 #endif
 }
+
+#ifdef __cpp_exceptions
+/// What an observer throws waits as well, and ends the step.
+void Behaviour::tell(void* self, const director::Event& event) {
+  Behaviour& behaviour = *static_cast<Behaviour*>(self);
+  const director::Observer to = behaviour.observer_;
+  detail::Bodies::guarded(
+      behaviour, [&] { to.tell(to.self, event); }, [&] { behaviour.observer_threw(); });
+}
+#endif
 )";
 
 constexpr std::string_view called_from_inside = R"(void Whole::called_from_inside() {
@@ -189,13 +180,14 @@ Code bodies_part(const CppEmission& e) {
   code.line("namespace detail {");
   code.blank();
   code.line("const director::Tables& Whole::tables() { return rows; }");
+  code.line(fmt::format("std::uint64_t Whole::fingerprint() {{ return 0x{:016x}; }}",
+                        director::fingerprint(RowNames(e.model, e.from.lowered).names())));
   code.blank();
   code.block(called_from_inside);
   code.blank();
   code.comment("What the engine calls.");
   code.open("struct Bodies {");
   code.block(common);
-  code.block(observer);
   call_bodies(code, e);
   call_handlers(code, e, "start", &Group::start);
   call_handlers(code, e, "stop", &Group::stop);
@@ -214,16 +206,10 @@ Code bodies_part(const CppEmission& e) {
     modules.push_back(fmt::format("module_{}", id.value));
     parameters.push_back(fmt::format("{}& {}", module_in(e.model, id), modules.back()));
   }
-  parameters.push_back("director::Observer observer");
   code.list("Behaviour::Behaviour(", parameters, ")");
-  code.list("    : Program(detail::Bodies::of(*this), detail::Bodies::observer(*this, observer)), modules_(", modules,
-            ") {");
-  code.line("#ifdef __cpp_exceptions");
-  code.line("  observer_ = observer;");
-  code.line("#endif");
-  code.line("}");
+  code.list("    : Program(detail::Bodies::of(*this)), modules_(", modules, ") {}");
   code.blank();
-  code.block(throw_on);
+  code.block(throwing);
   return code;
 }
 

@@ -114,6 +114,7 @@ void whole_facts(Code& code, const CppEmission& e) {
              fmt::format(".lacking = {}", lacking)},
             "};");
   code.line("static const director::Tables& tables();");
+  code.line("static std::uint64_t fingerprint();");
   code.line("static void called_from_inside();");
   code.line(fmt::format("static constexpr std::size_t inbox_cells = {};",
                         std::max(std::size_t{64}, std::bit_ceil(2 * widest_input))));

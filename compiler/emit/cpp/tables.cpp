@@ -71,7 +71,8 @@ std::vector<std::uint32_t> owners_of(const Owners& owners, Range range, std::siz
 // Each takes its row apart, so that a column which is new there is an error here until it is written too.
 
 Row group_row(const director::Group& all) {
-  const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop, component] = all;
+  const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop,
+              simple, flat, conditional, component] = all;
   Row row;
   row.range("providers", providers);
   row.range("edges", edges);
@@ -82,18 +83,22 @@ Row group_row(const director::Group& all) {
   row.range("users", users);
   row.flag("start", start);
   row.flag("stop", stop);
+  row.flag("simple", simple);
+  row.flag("flat", flat);
+  row.flag("conditional", conditional);
   row.index("component", component, 0);
   return row;
 }
 
 Row component_row(const director::Component& all) {
-  const auto& [groups, edges, conditions, causing, order] = all;
+  const auto& [groups, edges, order, equals, alternatives, compared] = all;
   Row row;
   row.range("groups", groups);
   row.range("edges", edges);
-  row.range("conditions", conditions);
-  row.range("causing", causing);
   row.index("order", order, 0);
+  row.flag("equals", equals);
+  row.flag("alternatives", alternatives);
+  row.flag("compared", compared);
   return row;
 }
 

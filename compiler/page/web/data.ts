@@ -28,8 +28,9 @@ export interface Answer {
 
 export interface Data {
   behaviour: string;
-  groups: { name: string; doc?: string }[];
-  states: { name: string; doc?: string }[];
+  layers?: string[];
+  groups: { name: string; doc?: string; layer?: string; module?: string }[];
+  states: { name: string; doc?: string; initial?: string }[];
   ranks?: { decisions: Decision[]; answers: Answer[]; pairs: number[][] };
   transitions?: { rows: Row[]; pieces: string[] };
 }

@@ -20,8 +20,8 @@ const groupOf = (end: string): string => end.split('.')[0];
 
 export class Picture {
   readonly nodes = new Map<string, SVGGElement>();
-  private readonly svg: SVGSVGElement;
-  private readonly edges: { from: string; to: string; element: SVGGElement }[] = [];
+  readonly svg: SVGSVGElement;
+  readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // each end with its row behind a dot
   private readonly motion = zoom<SVGSVGElement, unknown>();
 
   constructor(readonly frame: HTMLElement) {
@@ -32,7 +32,7 @@ export class Picture {
     }
     for (const element of layer.querySelectorAll<SVGGElement>('g.edge')) {
       const ends = endsOf(element.querySelector('title')?.textContent ?? '');
-      if (ends) this.edges.push({ from: groupOf(ends[0]), to: groupOf(ends[1]), element });
+      if (ends) this.arrows.push({ from: ends[0], to: ends[1], element });
     }
     this.makeMovable(layer);
     frame.before(this.tools());
@@ -46,10 +46,11 @@ export class Picture {
   focus(group?: string): void {
     const near = new Set<string>();
     if (group !== undefined) near.add(group);
-    for (const edge of this.edges) {
-      const touches = edge.from === group || edge.to === group;
-      if (touches) near.add(edge.from).add(edge.to);
-      edge.element.classList.toggle(inFront, touches);
+    for (const arrow of this.arrows) {
+      const [from, to] = [groupOf(arrow.from), groupOf(arrow.to)];
+      const touches = from === group || to === group;
+      if (touches) near.add(from).add(to);
+      arrow.element.classList.toggle(inFront, touches);
     }
     for (const [name, node] of this.nodes) {
       node.classList.toggle(inFront, near.has(name));
@@ -97,7 +98,8 @@ export class Picture {
     select(this.svg).call(this.motion.scaleBy, by);
   }
 
-  private whole(): void {
+  /** All of it is seen. */
+  whole(): void {
     select(this.svg).call(this.motion.transform, zoomIdentity);
   }
 

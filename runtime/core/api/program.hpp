@@ -11,12 +11,14 @@
 //   Triggers          Table of the declared triggers
 //   Providers         Table of the contexts of all providers
 //   Groups            Table of the task types of all groups
+//   fingerprint()     a number that tells the behaviour from others; only who saves it asks
 //   called_from_inside()  fails an assertion, where assertions count: a body, handler or observer called what only
 //                     `post` may do
 
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/core/api/post.hpp"
 #include "runtime/core/api/behaviour_view.hpp"
+#include "runtime/core/api/saved_data.hpp"
 
 #include <array>
 #include <utility>
@@ -108,6 +110,26 @@ public:
   /// last, and there is room for two.
   bool show(Snapshot& snapshot) const { return snapshot.show(view_of(engine_)); }
 
+  // The state of the behaviour as bytes: all that it decides by, and the data of its tasks. For simulators, debuggers, and programs
+  // whose bodies keep nothing of their own: members of modules and what hardware does are not saved. The data of every task must be
+  // trivially copyable, else save and load do not compile. For the thread that calls step(), between steps.
+
+  /// Bytes that save() writes.
+  static constexpr std::size_t saved_bytes() { return saved::bytes_of_behaviour<Facts>; }
+
+  /// Writes the state into the first saved_bytes() of these bytes. Not if anything waits in the inbox: to_text(result) says what to do.
+  [[nodiscard]] SaveResult save(std::span<std::byte> to) {
+    return outside() ? saved::save<Facts>(engine_, data_, to) : SaveResult::refused;
+  }
+
+  /// Goes on from a state that was saved by the same behaviour, in this program or another. All timers are moved, so that what was due
+  /// in 3 s is due 3 s after `now`, the time (as step() has it) that the state is to stand at. Nobody is called: no start handler of what is live then, no stop handler of
+  /// what was live before. What waits in the inbox stays there for the next step. Unless the result is `loaded`, nothing has changed.
+  template <Duration Now>
+  [[nodiscard]] LoadResult load(std::span<const std::byte> from, Now now) {
+    return outside() ? saved::load<Facts>(engine_, data_, from, microseconds_begun(now)) : LoadResult::refused;
+  }
+
   /// Micro-steps that one step() may take before it answers budget_exhausted.
   void set_budget(std::uint32_t micro_steps) { engine_.set_budget(micro_steps); }
 
@@ -121,9 +143,8 @@ public:
 
 protected:
   /// By generated code.
-  Program(const Bodies& bodies, Observer observer)
-      : inbox_(cells_, words_),
-        engine_(Facts::tables(), memory_.data(), bodies, inbox_, observer) {}
+  explicit Program(const Bodies& bodies)
+      : inbox_(cells_, words_), engine_(Facts::tables(), State::in(memory_.data(), layout), bodies, inbox_) {}
   ~Program() = default;
 
   /// A step to this time; generated code has the typed one.
@@ -132,6 +153,8 @@ protected:
   StepResult step_on() { return checked(engine_.step()); }
   /// The slots of all tasks' data.
   typename Facts::Data& data() { return data_; }
+  /// Who is told from now on. Defined where it is called: without an observer nothing that tells is linked.
+  void observe(Observer observer) { engine_.observe(observer); }
   /// What an observer threw was kept: the step ends.
   void observer_threw() { engine_.end_with_fault(); }
 
@@ -150,7 +173,8 @@ private:
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
   std::array<OverflowSlots::Slot, OverflowSlotOf<Facts>::count> words_;
-  alignas(State::alignment) std::array<std::byte, State::bytes(Facts::shape)> memory_;
+  static constexpr State::Layout layout = State::layout(Facts::shape);
+  alignas(State::alignment) std::array<std::byte, layout.bytes()> memory_;
   Inbox inbox_;
   Engine engine_;
 };

@@ -42,6 +42,19 @@ public:
     full_ = false;
   }
   bool full() const { return full_; }
+
+  static constexpr std::size_t size = sizeof(T);
+  /// The bytes of the value; zero where there is none. Of types that are trivially copyable.
+  void copy_to(std::byte* to) const {
+    static_assert(std::is_trivially_copyable_v<T>);
+    for (std::size_t i = 0; i < size; ++i) to[i] = full_ ? room_[i] : std::byte{0};
+  }
+  void copy_from(const std::byte* from, bool full) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    for (std::size_t i = 0; i < size; ++i) room_[i] = from[i]; // which makes a value of them
+    full_ = full;
+  }
+
   T& value() { return *std::launder(reinterpret_cast<T*>(room_)); }
   const T& value() const { return *std::launder(reinterpret_cast<const T*>(room_)); }
 
@@ -60,6 +73,14 @@ public:
   void stage(Index place, Data&& data) noexcept { staged_[place].put(std::move(data)); }
   void settle(Index place) noexcept { settled_[place].take_from(staged_[place]); }
   void retain(Index place) noexcept { retained_.take_from(settled_[place]); }
+
+  static constexpr std::size_t lasting = places + 1;
+  /// Calls visit(slot) for those that hold data between steps: of each place, then of the group.
+  template <class Visit>
+  void each_lasting(Visit&& visit) {
+    for (auto& slot : settled_) visit(slot);
+    visit(retained_);
+  }
 
   const Data& at(DataPlace::Slot slot, Index place) const {
     switch (slot) {

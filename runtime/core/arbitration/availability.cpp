@@ -49,7 +49,7 @@ bool disputed(const Context& x, Index member) {
 
 /// Equals never take from each other. Its last holder is an edge, and another one.
 bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
-  if (!x.equals) return false;
+  if (!x.row.equals) return false;
   const Index holder = x.s.last[group].holder;
   if (injected(Fault::equals_take) || (x.s.edge_marks[holder] & mark::refused) != 0 ||
       (x.s.group_marks[group] & mark::forgotten) != 0 || !alive(x, holder) ||
@@ -66,7 +66,7 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
 
 /// Can an equal stand in the way of a choice of this member, whatever is chosen?
 bool may_be_denied(Context& x, Index member) {
-  if (!x.equals) return false;
+  if (!x.row.equals) return false;
   Index found = 0;
   const auto look_at = [&](Index edge) {
     const Index group = x.t.edges[edge].target;
@@ -89,7 +89,7 @@ bool may_be_denied(Context& x, Index member) {
 void take_in_hand(Context& x, Index member) {
   x.s.member[0] = member;
   x.disputed =
-      x.equals && (x.s.traits[target(x, member)] & trait::flat) != 0 && !taken(x, member) && disputed(x, member);
+      x.row.equals && x.t.groups[target(x, member)].flat && !taken(x, member) && disputed(x, member);
 }
 
 /// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.

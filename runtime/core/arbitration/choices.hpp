@@ -19,9 +19,7 @@ Index entries_of(Context& x, Index group, const Assignment& of);
 inline Index entries_begin(const Context& x, Index at) { return at == 0 ? Index{0} : x.s.member_entries[at - 1]; }
 
 /// A plan of some group may pick one provider or another.
-inline bool alternatives(const Context& x, Index component) {
-  return (x.s.component_traits[component] & trait::alternatives) != 0;
-}
+inline bool alternatives(const Context& x, Index component) { return x.t.components[component].alternatives; }
 
 Index preferred(const Context& x, Index group, Index place, Index edge);
 bool stays(const Context& x, Index provider);

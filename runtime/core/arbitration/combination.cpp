@@ -93,7 +93,7 @@ bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, 
 /// once, and then combined.
 bool combine(Context& x, Index count, bool with_conditions) {
   for (Index i = 0; count > 1 && i < count; ++i) x.s.member[i] = x.s.unit[i];
-  if (count == 1 && (x.s.traits[target(x, x.s.member[0])] & trait::flat) != 0 && !x.disputed)
+  if (count == 1 && x.t.groups[target(x, x.s.member[0])].flat && !x.disputed)
     return choose_flat(x, with_conditions);
   if (count == 1 && x.t.groups[target(x, x.s.member[0])].single_choice())
     return next_choice(x, 0, true, with_conditions, true);

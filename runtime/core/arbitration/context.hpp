@@ -27,7 +27,6 @@ struct Context {
   Component row;                 ///< of the component
   Index component = 0;           ///< which one that is
   bool whole = false;            ///< all of it is decided
-  bool equals = false;           ///< edges may be equal
   bool walking = false;          ///< the pass is on its way along the order
   bool lineage_is_valid = false; ///< State::lineage holds for what is claimed now, and nothing of it is in limbo
   bool disturbed = false;        ///< something is, or may be, another than in the last pass

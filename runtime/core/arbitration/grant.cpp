@@ -28,15 +28,14 @@ void grant_plain(Context& x, Index edge, Index provider) {
 
 void repeat_grant(Context& x, Index edge) {
   const Index group = target(x, edge), provider = x.s.last[group].active;
-  const std::uint8_t traits = x.s.traits[group];
-  if ((traits & trait::flat) == 0) {
+  if (!x.t.groups[group].flat) {
     const Index end = entries_of(x, group, x.s.last);
     claim(x, group, edge);
     now_granted(x, edge, provider);
     plan_for(x, group, provider, 0, end);
     for (Index i = 0; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
     claim_plan(x, 0, end);
-  } else if ((traits & trait::simple) == 0) {
+  } else if (!x.t.groups[group].simple) {
     grant_plain(x, edge, provider);
   } else {
     claim(x, group, edge);
@@ -49,7 +48,7 @@ bool needs_are_free(const Context& x, Index edge, Range needs) {
   const auto is_free = [&](Index need) {
     const Index group = x.t.edges[need].target, provider = x.t.groups[group].providers.begin;
     return !taken(x, need) && x.s.enabled[provider] != 0 &&
-           ((x.s.traits[group] & trait::conditional) == 0 || first_false(x, provider, need) == nil);
+           (!x.t.groups[group].conditional || first_false(x, provider, need) == nil);
   };
   bool all = true;
   Index& above = x.s.trial[x.t.edges[edge].target]; // the chains of what it needs go through it
@@ -64,17 +63,17 @@ bool needs_are_free(const Context& x, Index edge, Range needs) {
   const Index group = x.t.edges[edge].target;
   const GroupAssignment& last = x.s.last[group];
   const bool as_before = last.holder == edge && last.granted();
-  const std::uint8_t traits = x.s.traits[group];
-  if ((traits & trait::flat) == 0 || taken(x, edge)) return Tried::unclear;
+  const Group& row = x.t.groups[group];
+  if (!row.flat || taken(x, edge)) return Tried::unclear;
   if (!as_before && (outdated || x.stale_granted != 0)) return Tried::unclear;
   if (x.disputed) return Tried::unclear;
-  const Range providers = x.t.groups[group].providers;
+  const Range providers = row.providers;
   for (Index place = 0; place != providers.size(); ++place) {
     const Index p = x.s.now[group].push.edge == nil ? static_cast<Index>(providers.begin + place)
                                                     : preferred(x, group, place, edge);
     if (x.s.enabled[p] == 0 || (outdated && p != last.active)) continue;
-    if ((traits & trait::conditional) != 0 && first_false(x, p, edge) != nil) continue;
-    if ((traits & trait::simple) == 0) {
+    if (row.conditional && first_false(x, p, edge) != nil) continue;
+    if (!row.simple) {
       if (!needs_are_free(x, edge, x.t.providers[p].needs)) continue;
       grant_plain(x, edge, p);
     } else {

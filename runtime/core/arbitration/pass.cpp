@@ -18,7 +18,7 @@ void begin_sweep(Context& x) {
   x.ahead = x.postponed = x.placed = x.inherited = x.denied_count = 0;
   x.stale_granted = x.stale_kept;
   x.first_moved = x.top = nil;
-  x.lineage_is_valid = is_followed(x) || x.had_pushes || (x.s.component_traits[x.component] & trait::compared) != 0;
+  x.lineage_is_valid = is_followed(x) || x.had_pushes || x.row.compared;
   x.pushing = false;
 }
 
@@ -88,7 +88,6 @@ void finish(Context& x) {
 void decide(Context& x, Index component) {
   x.row = x.t.components[component];
   x.component = component;
-  x.equals = (x.s.component_traits[component] & trait::equals) != 0;
   x.had_pushes = x.s.pushed_count[component] != 0;
   begin_trail(x);
   x.had_pushes = x.pushed_count != 0;

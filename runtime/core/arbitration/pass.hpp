@@ -19,9 +19,6 @@ namespace director::arbitration {
 /// Reads State's decision part; writes `now`, `next_order`, `next_count` and `queued` of the component.
 void decide(Context& x, Index component);
 
-/// What follows from the tables alone: once, before the first pass.
-void find_traits(Context& x);
-
 /// The next pass over each component begins from nothing: the last assignment is not that of its last pass.
 void forget_trail(Context& x);
 

@@ -25,7 +25,7 @@ void compare_member(Context& x, Index edge) {
   const Range slots = x.t.groups[group].slots;
   for (Index slot = slots.begin; slot != slots.end; ++slot) other = other || x.s.now.plan[slot] != x.s.last.plan[slot];
   if (other) reach(x, group);
-  if ((x.s.traits[group] & trait::simple) != 0) return;
+  if (x.t.groups[group].simple) return;
   const auto compare_plan = [&](const Assignment& of) {
     const Index end = entries_of(x, group, of);
     for (Index i = 0; i < end; ++i) {
@@ -72,7 +72,7 @@ void begin_followed(Context& x, Index count) {
     rest_on(x, edge, 0);
     if (x.s.last[group].holder != edge) continue;
     open(x, group);
-    if (!runs_for_now(x, edge) || (x.s.traits[group] & trait::simple) != 0) continue;
+    if (!runs_for_now(x, edge) || x.t.groups[group].simple) continue;
     const Index end = entries_of(x, group, x.s.last);
     for (Index i = 0; i < end; ++i) open(x, x.s.entry_group[i]);
   }

@@ -17,7 +17,7 @@ namespace {
 /// It was granted, there is one way to grant it, which has no conditions and needs nothing, and nothing is in its way.
 inline bool runs_on(const Context& x, Index edge) {
   const Index group = x.t.edges[edge].target;
-  return is_opened(x, group) && x.s.traits[group] == (trait::flat | trait::simple) && runs_for_now(x, edge) &&
+  return is_opened(x, group) && x.t.groups[group].simple && runs_for_now(x, edge) &&
          !taken(x, edge) && (x.s.edge_marks[edge] & mark::pushes) == 0 &&
          x.s.enabled[x.t.groups[group].providers.begin] != 0;
 }

@@ -60,15 +60,4 @@ inline constexpr std::uint8_t listens = 8; ///< to some trigger
 inline constexpr std::uint8_t ends = 16;   ///< something of it ends when it stops: states, a handler, a period
 } // namespace group_flag
 
-namespace trait {
-// Bits of State::traits.
-inline constexpr std::uint8_t simple = 1;      ///< it has one provider, which needs nothing
-inline constexpr std::uint8_t flat = 2;        ///< whatever its providers need is simple
-inline constexpr std::uint8_t conditional = 4; ///< a provider has `when` or `stay`
-// Bits of State::component_traits.
-inline constexpr std::uint8_t equals = 1;       ///< two edges in it may be equal
-inline constexpr std::uint8_t alternatives = 2; ///< a group has slots
-inline constexpr std::uint8_t compared = 4;     ///< edges below different ones of root are often compared
-} // namespace trait
-
 } // namespace director

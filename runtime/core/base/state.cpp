@@ -3,20 +3,16 @@
 
 #include "runtime/core/base/state.hpp"
 
+#include <bit>
+
 namespace director {
 
-State State::in(std::byte* memory, const Shape& shape) {
-  State state;
-  std::size_t at = 0;
-  each(
-      state, shape,
-      [&]<class T>(T*& array, std::size_t count) {
-        at = begin_of<T>(at);
-        array = reinterpret_cast<T*>(memory + at); // the block's bytes become these arrays; Engine::reset fills them
-        at += count * sizeof(T);
-      },
-      [&] { at = aligned(at, 8); });
-  return state;
+/// A State is nothing but pointers, in the order of the layout.
+State State::in(std::byte* memory, const Layout& layout) {
+  std::array<std::byte*, arrays + 1> begin;
+  static_assert(sizeof(State) == sizeof(begin));
+  for (std::size_t i = 0; i < begin.size(); ++i) begin[i] = memory + layout.begin[i];
+  return std::bit_cast<State>(begin);
 }
 
 } // namespace director

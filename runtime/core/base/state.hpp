@@ -7,6 +7,7 @@
 #include "runtime/core/base/tables.hpp"
 #include "runtime/core/base/words.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -206,7 +207,6 @@ struct State {
   Time* due = nullptr;                    ///< timer (Timers): when; never
   Index* soonest = nullptr;               ///< a tree over them: which one is due first
   StateValue* values = nullptr;           ///< state
-  Bits* truth = nullptr;                  ///< condition: it holds
   std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
   Index* handled = nullptr;               ///< states with such a value
   Assignment last;                        ///< what the last pass decided
@@ -221,6 +221,7 @@ struct State {
   Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
   Bits* component = nullptr;              ///< component: bits of `work`
   Bits* enabled = nullptr;                ///< provider
+  Bits* truth = nullptr;                  ///< condition: it holds
   Bits* fired = nullptr;                  ///< listening slot (Group::listens): the trigger fired since the last run
 
   // What one pass, commit or act needs and forgets.
@@ -238,11 +239,9 @@ struct State {
   Index* next_count = nullptr;      ///< as `order_count`
   Index* first_moved = nullptr;     ///< component: where that order begins to be another one
   Index* extent = nullptr;          ///< group that is claimed: how many it and all below it are, which stand together
-  Index* differing = nullptr;       ///< groups that stand elsewhere than before
   Index* sorted = nullptr;          ///< groups of several components, brought in order
+  Index* differing = nullptr;       ///< groups that stand elsewhere than before
   Lineage* lineage = nullptr;       ///< group that is claimed
-  Bits* traits = nullptr;           ///< group: bits of `trait`, which follow from the tables
-  Bits* component_traits = nullptr; ///< component: likewise
   Index* trial = nullptr;           ///< group: edge that would claim it in the combination in hand
   Index* entry_group = nullptr;     ///< 2 * groups: plans of the members in hand, as stacks of entries
   Index* entry_need = nullptr;      ///< the edge by which an entry is needed
@@ -280,8 +279,10 @@ struct State {
   Index* lacked = nullptr;          ///< conditions that the chain in search may have to make true
   Index* causers = nullptr;         ///< providers that cause one of them
   Bits* provider_marks = nullptr;   ///< provider: bits of `mark`
+  std::byte* end = nullptr;         ///< of the block
 
-  /// Calls visit(pointer to member, count) for every array; `scratch()` between the decision state and the rest.
+  /// Calls visit(pointer to member, count) for every array, in the order in which they are declared above; `scratch()`
+  /// between the decision state and the rest.
   template <class Self, class Visit, class Scratch>
   static constexpr void each(Self& s, const Shape& n, Visit&& visit, Scratch&& scratch) {
     visit(s.counters, 1);
@@ -304,7 +305,7 @@ struct State {
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.first_moved, n.components);
     visit(s.extent, n.groups), visit(s.sorted, n.groups);
     visit(s.differing, n.groups);
-    visit(s.lineage, n.groups), visit(s.traits, n.groups), visit(s.component_traits, n.components);
+    visit(s.lineage, n.groups);
     visit(s.trial, n.groups);
     visit(s.entry_group, 2 * n.groups), visit(s.entry_need, 2 * n.groups), visit(s.entry_choice, 2 * n.groups);
     visit(s.entry_provider, 2 * n.groups), visit(s.entry_parent, 2 * n.groups), visit(s.entry_place, 2 * n.groups);
@@ -321,20 +322,25 @@ struct State {
     visit(s.provider_marks, n.providers);
   }
 
+  static constexpr std::size_t arrays = 77;
+
   /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.
   static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : 64;
 
-  /// Bytes of the decision state, and of the whole block.
-  static constexpr std::size_t decision_bytes(const Shape& shape) { return measure(shape).decision; }
-  static constexpr std::size_t bytes(const Shape& shape) { return measure(shape).all; }
+  /// Where each array begins, and at last where the block ends.
+  struct Layout {
+    std::array<std::uint32_t, arrays + 1> begin{};
+    std::size_t decision = 0; ///< bytes of the decision state
+    constexpr std::size_t bytes() const { return begin[arrays]; }
+  };
+  static constexpr Layout layout(const Shape& shape);
+  static constexpr std::size_t decision_bytes(const Shape& shape) { return layout(shape).decision; }
+  static constexpr std::size_t bytes(const Shape& shape) { return layout(shape).bytes(); }
 
-  /// The arrays of a block of bytes(shape) bytes. Nothing is written.
-  static State in(std::byte* memory, const Shape& shape);
+  /// The arrays of a block of so many bytes. Nothing is written.
+  static State in(std::byte* memory, const Layout& layout);
 
 private:
-  struct Size {
-    std::size_t decision = 0, all = 0;
-  };
   static constexpr std::size_t aligned(std::size_t at, std::size_t to) { return (at + to - 1) / to * to; }
 
   /// Where an array may begin.
@@ -348,15 +354,22 @@ private:
   static constexpr void each_of(auto& a, const Shape& n, Visit&& visit) {
     visit(a.group, n.groups), visit(a.plan, n.plan_slots);
   }
-  static constexpr Size measure(const Shape& shape) {
-    Size size;
-    State empty;
-    each(
-        empty, shape, [&]<class T>(T*&, std::size_t count) { size.all = begin_of<T>(size.all) + count * sizeof(T); },
-        [&] { size.decision = size.all = aligned(size.all, 8); });
-    size.all = aligned(size.all, 8);
-    return size;
-  }
 };
+
+constexpr State::Layout State::layout(const Shape& shape) {
+  Layout out;
+  State none;
+  std::size_t at = 0, row = 0;
+  each(
+      none, shape,
+      [&]<class T>(T*&, std::size_t count) {
+        at = begin_of<T>(at);
+        out.begin[row++] = static_cast<std::uint32_t>(at);
+        at += count * sizeof(T);
+      },
+      [&] { out.decision = at = aligned(at, 8); });
+  out.begin[row] = static_cast<std::uint32_t>(aligned(at, 8));
+  return out;
+}
 
 } // namespace director

@@ -79,6 +79,9 @@ struct Group {
   Range users{};   ///< lists: it and all groups one of whose plans may contain it, ascending
   bool start = false; ///< has such a handler
   bool stop = false;
+  bool simple = false;      ///< it has one provider, which needs nothing
+  bool flat = false;        ///< whatever its providers need is simple
+  bool conditional = false; ///< a provider has `when` or `stay`
   Index component = 0; ///< of Tables::components
 
   /// It and all that it needs, transitively, have one provider each.
@@ -91,9 +94,10 @@ struct Group {
 struct Component {
   Range groups{};     ///< lists: ascending
   Range edges{};      ///< lists: that lead to its groups, ascending; those of root come first
-  Range conditions{}; ///< lists: in `when` and `stay` of its providers, ascending
-  Range causing{};    ///< lists: its providers with `causing`, ascending
   Index order = 0;    ///< where its rows of State::order begin; there are as many as it has groups
+  bool equals = false;       ///< two edges in it may be equal
+  bool alternatives = false; ///< a group has slots
+  bool compared = false;     ///< edges below different ones of root are often compared
 };
 
 /// Values that satisfy: any of these closed intervals.
@@ -151,7 +155,7 @@ struct Tables {
   /// The first edge of its requester that may claim a group that this one may claim, directly or by way of others.
   constexpr Index cluster(Index edge) const { return static_cast<Index>(edge - edges[edge].cluster_offset); }
 
-  constexpr std::span<const Index> list(Range range) const { return lists.subspan(range.begin, range.size()); }
+  constexpr std::span<const Index> list(Range range) const { return {lists.data() + range.begin, range.size()}; }
 };
 
 } // namespace director

@@ -228,44 +228,4 @@ void Engine::adopt_order(Index component) {
   for (Index i = x_.s.first_moved[component]; i < count; ++i) order[i] = next[i];
 }
 
-void Engine::report_decisions(Index component) const {
-  if (!observed()) return;
-  const Component& row = x_.t.components[component];
-  for (const Index g : x_.t.list(row.groups)) {
-    if (x_.s.last[g].push.edge != nil && x_.s.now[g].push.edge == nil) tell(event(Event::Kind::release, g));
-  }
-  for (const Index g : x_.t.list(row.groups)) {
-    const Push &now = x_.s.now[g].push, &last = x_.s.last[g].push;
-    if (now.edge == nil || (now.edge == last.edge && now.provider == last.provider)) continue;
-    Event push = event(Event::Kind::push, g);
-    push.provider = now.provider;
-    push.edge = now.edge;
-    push.condition = now.condition;
-    tell(push);
-  }
-  report_queued(component);
-  for (const Index g : x_.t.list(row.groups)) {
-    const Index now = x_.s.now[g].holder, last = x_.s.last[g].holder;
-    if (now == last) continue;
-    Event control = event(now == nil ? Event::Kind::lose : Event::Kind::grant, g);
-    control.edge = now;
-    control.other = last;
-    control.provider = x_.s.now[g].active;
-    tell(control);
-  }
-}
-
-void Engine::report_queued(Index component) const {
-  if (!observed()) return;
-  for (const Index e : x_.t.list(x_.t.components[component].edges)) {
-    const Queued &now = x_.s.queued[e], &last = x_.s.last_queued[e];
-    if (now.why == Why::none || now == last) continue;
-    Event queue = event(Event::Kind::queue, x_.t.edges[e].target);
-    queue.edge = e;
-    queue.why = now.why;
-    queue.condition = now.condition;
-    tell(queue);
-  }
-}
-
 } // namespace director

@@ -8,22 +8,30 @@
 
 namespace director {
 
-Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
-    : x_{tables, State::in(memory, Shape::of(tables))},
+namespace {
+
+template <class T>
+[[gnu::noinline]] void fill(T* array, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) array[i] = T{};
+}
+
+} // namespace
+
+Engine::Engine(const Tables& tables, const State& memory, const Bodies& bodies, Inbox& inbox)
+    : x_{tables, memory},
       timers_(x_.t, x_.s),
       bodies_(bodies),
-      inbox_(inbox),
-      observer_(observer) {
+      inbox_(inbox) {
   reset();
 }
 
 void Engine::reset() {
   passes_ = 0;
-  const Shape shape = Shape::of(x_.t);
+  for (auto* at = reinterpret_cast<std::byte*>(x_.s.counters); at != x_.s.end; ++at) *at = {};
   State::each(
-      x_.s, shape,
+      x_.s, Shape::of(x_.t),
       []<class T>(T*& array, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) array[i] = T{};
+        if constexpr (std::is_class_v<T>) fill(array, count); // what else there is begins with 0
       },
       [] {});
   timers_.clear();
@@ -36,7 +44,6 @@ void Engine::reset() {
   for (Index e = 0; e < x_.t.edges.size(); ++e) x_.s.request[e].target = x_.t.edges[e].target;
   for (Index slot = 0; slot < x_.t.plan_groups.size(); ++slot) x_.s.last.plan[slot] = nil;
   for (Index g = 0; g < x_.t.groups.size(); ++g) x_.s.trial[g] = x_.s.data_from[g] = nil;
-  arbitration::find_traits(x_);
   x_.flipped_count = x_.rerequested_count = 0;
   arbitration::forget_trail(x_);
   for (Index c = 0; c < x_.t.components.size(); ++c) {
@@ -94,23 +101,6 @@ DataPlace Engine::data_of(Index group) const {
   return {DataPlace::Slot::edge, edge};
 }
 
-void Engine::tell(const Event& event) const {
-  const bool inside = inside_;
-  inside_ = true;
-  observer_.tell(observer_.self, event);
-  inside_ = inside;
-}
-
-Event Engine::event(Event::Kind kind, Index group) const {
-  Event out;
-  out.kind = kind;
-  out.group = group;
-  out.time = x_.s.counters->now;
-  out.until = x_.s.counters->until;
-  out.micro_step = x_.s.counters->micro_step;
-  return out;
-}
-
 // What a body sees and asks for.
 
 Time Run::now() const { return engine_.now(); }
@@ -135,28 +125,19 @@ bool Run::triggered(Index trigger) const {
 }
 
 void Run::refuse(Index state, std::int32_t value) {
-  if (!engine_.observed()) return;
-  Event event = engine_.event(Event::Kind::refused, group_);
-  event.provider = provider_;
-  event.state = state;
-  event.value = value;
-  engine_.tell(event);
+  if (engine_.observed()) engine_.report_value(Event::Kind::refused, group_, provider_, state, value);
 }
 
 Time Handling::now() const { return engine_.now(); }
 DataPlace Handling::data() const { return engine_.data_of(group_); }
 
 void Handling::set(Index state, std::int32_t value) {
-  engine_.report_assign(group_, nil, state, value);
+  if (engine_.observed()) engine_.report_value(Event::Kind::assign, group_, nil, state, value);
   engine_.set_by_handler(state, value);
 }
 
 void Handling::refuse(Index state, std::int32_t value) {
-  if (!engine_.observed()) return;
-  Event event = engine_.event(Event::Kind::refused, group_);
-  event.state = state;
-  event.value = value;
-  engine_.tell(event);
+  if (engine_.observed()) engine_.report_value(Event::Kind::refused, group_, nil, state, value);
 }
 
 } // namespace director

@@ -8,6 +8,7 @@
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/duration.hpp"
 #include "runtime/core/base/observer.hpp"
+#include "runtime/core/base/parts.hpp"
 #include "runtime/core/base/state.hpp"
 #include "runtime/core/engine/inbox.hpp"
 #include "runtime/core/engine/run.hpp"
@@ -21,7 +22,10 @@ public:
   static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
 
   /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8, better to State::alignment. Begins as after reset().
+  /// Whatever the tables are: all parts (base/parts.hpp) are linked.
   Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {});
+  /// The same for generated code, which names the parts that its tables use.
+  Engine(const Tables& tables, const State& memory, const Bodies& bodies, Inbox& inbox);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -30,6 +34,9 @@ public:
 
   /// Sets a state before the first step; not an input, and nobody is told.
   void preset(Index state, std::int32_t value);
+
+  /// From now on it is told. Where nobody calls this, what tells is not linked.
+  void observe(Observer observer);
 
   void set_budget(std::uint32_t micro_steps) { budget_ = micro_steps; }
   /// So much of work() may be done in one step; looked at between micro-steps, so the last one may go beyond. 0: any.
@@ -96,6 +103,7 @@ public:
   std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< so far
   std::uint64_t passes() const { return passes_; } ///< of arbitration over a component, so far
   bool inside() const { return inside_; }          ///< a body, handler or observer is running; for the thread that calls step()
+  bool inputs_wait() const { return inbox_.waits(); } ///< something was posted that no step has taken yet; for that thread too
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs so far; from any thread
   std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
   /// So far: groups placed, units decided, and choices and plans tried, those of searches for pushes among them.
@@ -113,6 +121,7 @@ public:
 private:
   friend class Run;
   friend class Handling;
+  friend class LoadedState; // saved_state.cpp
 
   /// What a micro-step found to do.
   enum class Taken : std::uint8_t { nothing, no_change, change };
@@ -128,7 +137,6 @@ private:
   // inputs.cpp
   Taken take_posted();
   Taken take_input(Input& record);
-  Taken take_observed(Input& record);
   Taken take_rarer(Input& record);
   bool take_more(Input& record);
   Taken take_request(Input& record);
@@ -147,22 +155,12 @@ private:
   bool fire(Index trigger);
   void set_by_handler(Index state, std::int32_t value);
   void look_at_conditions(Index state);
-  void report_input(const Input& record) const;
-  void report_cancel(Index edge) const;
-  void report_lost();
-  void report_set(Index state) const;
-  void report_timer(Timers::Timer timer) const;
 
   Index run_next();
   void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
   void commit_states(bool fault);
   void commit_pack(Range edges);
   void answer(Index group, bool failed);
-  void report_request(Event::Kind kind, Index edge, Index level = nil) const;
-  void report_wait(Index group, Time due) const;
-  void report_begin() const;
-  void report_answer(Index group, Index provider, Outcome::Kind outcome, std::uint16_t pack) const;
-  void report_assign(Index group, Index provider, Index state, std::int32_t value) const;
 
   // notes.hpp
   void mark(Index component, std::uint8_t bits);
@@ -191,7 +189,6 @@ private:
   void arbitrate();
   bool changed(Index component, bool& stops);
   bool other_plan(Index group) const;
-  void remember_queued(Index component);
 
   // act.cpp: section 5
   void act(Index passes, bool stops);
@@ -211,17 +208,31 @@ private:
   void adopt(Index group);
   void adopt_differing();
   void adopt_order(Index component);
-  void report_decisions(Index component) const;
-  void report_queued(Index component) const;
   void handle(Index group, Reason reason);
 
   RunQueue queue() const { return RunQueue(x_.s); }
   std::uint8_t flags_of(Index group) const;
-  Event event(Event::Kind kind, Index group = nil) const;
-  void report(Event::Kind kind, Index group = nil) const {
-    if (observed()) tell(event(kind, group));
+
+  // reports.cpp: section 6. All but the first only if observed().
+  void report(Event::Kind kind, Index group = nil, Index provider = nil, Reasons reasons = {}) const {
+    if (observed()) report_run(kind, group, provider, reasons);
   }
-  void tell(const Event& event) const; ///< only if observed()
+  DIRECTOR_PART void report_run(Event::Kind kind, Index group, Index provider, Reasons reasons) const;
+  DIRECTOR_PART void report_begin() const;
+  DIRECTOR_PART void report_input(const Input& record) const;
+  DIRECTOR_PART void report_timer(Timers::Timer timer) const;
+  DIRECTOR_PART void report_lost();
+  DIRECTOR_PART void report_set(Index state) const;
+  DIRECTOR_PART void report_request(Event::Kind kind, Index edge, Index level = nil) const;
+  DIRECTOR_PART void report_wait(Index group, Time due) const;
+  DIRECTOR_PART void report_answer(Index group, Index provider, Outcome::Kind outcome, std::uint16_t pack) const;
+  DIRECTOR_PART void report_value(Event::Kind kind, Index group, Index provider, Index state, std::int32_t value) const;
+  DIRECTOR_PART void remember_queued(Index component);
+  DIRECTOR_PART void report_decisions(Index component) const;
+  void report_cancel(Index edge) const;
+  void report_queued(Index component) const;
+  Event event(Event::Kind kind, Index group = nil) const;
+  void tell(const Event& event) const;
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 

@@ -88,6 +88,8 @@ public:
   /// But for what was put first, and for overflow slots in hand: these stay there behind a record that is claimed and was
   /// not taken, or where a step ended before they were taken, and then the next one looks for them anyway.
   bool empty() const { return waiting() == 0 && words_.none_spoken(); }
+  /// Something is in it, wherever.
+  bool waits() const { return !empty() || due(); }
 
 private:
   bool claim(std::span<const Input> records);

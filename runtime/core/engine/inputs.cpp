@@ -14,13 +14,7 @@ Engine::Taken Engine::take_posted() {
 /// What is long stands apart, and the call of it is the last thing that is done: so the way to it is short.
 Engine::Taken Engine::take_input(Input& record) {
   ++x_.s.counters->micro_step;
-  if (observed()) return take_observed(record);
-  if (record.kind == Input::Kind::request) return take_request(record);
-  return take_rarer(record);
-}
-
-[[gnu::noinline]] Engine::Taken Engine::take_observed(Input& record) {
-  report_input(record);
+  if (observed()) report_input(record);
   return record.kind == Input::Kind::request ? take_request(record) : take_rarer(record);
 }
 
@@ -111,7 +105,7 @@ Engine::Taken Engine::take_handlers_input() {
     x_.s.handler_values[state] = unset;
     if (value == unset || !set_value(state, value)) continue;
     changes = true;
-    report_set(state);
+    if (observed()) report_set(state);
   }
   return changes ? Taken::change : Taken::no_change;
 }
@@ -180,7 +174,7 @@ bool Engine::serve(Timers::Timer timer, Time when) {
 
 bool Engine::expire(Index state) {
   if (!assign(state, x_.t.states[state].expires_to)) return false;
-  report_set(state);
+  if (observed()) report_set(state);
   return true;
 }
 
@@ -189,39 +183,9 @@ bool Engine::break_promise(Index promise) {
   const Index provider = x_.t.promises[promise].provider;
   const Range all = x_.t.providers[provider].promises;
   for (Index i = all.begin; i != all.end; ++i) timers_.disarm({Timers::Kind::promise, i});
-  if (observed()) {
-    Event broken = event(Event::Kind::broken, x_.t.providers[provider].group);
-    broken.provider = provider;
-    tell(broken);
-  }
+  report(Event::Kind::broken, x_.t.providers[provider].group, provider);
   const Index trigger = x_.t.promises[promise].trigger;
   return trigger != nil && fire(trigger);
-}
-
-void Engine::report_timer(Timers::Timer timer) const {
-  if (!observed()) return;
-  Event input = event(Event::Kind::input);
-  const Index row = timer.row;
-  switch (timer.kind) {
-  case Timers::Kind::expiry:
-    input.input = Event::Input::expire;
-    input.state = row;
-    break;
-  case Timers::Kind::wait:
-    input.input = Event::Input::wait;
-    input.group = row;
-    break;
-  case Timers::Kind::promise:
-    input.input = Event::Input::within;
-    input.provider = x_.t.promises[row].provider;
-    input.group = x_.t.providers[input.provider].group;
-    break;
-  case Timers::Kind::every:
-    input.input = Event::Input::every;
-    input.group = row;
-    break;
-  }
-  tell(input);
 }
 
 namespace {
@@ -260,66 +224,6 @@ void Engine::look_at_conditions(Index state) {
     for (const Index group : x_.t.list(row.groups)) arbitration::touch_group(x_, group);
   }
   x_.s.values[state].unchanged = unchanged;
-}
-
-void Engine::report_set(Index state) const {
-  if (!observed()) return;
-  Event set = event(Event::Kind::set);
-  set.state = state;
-  set.value = x_.s.values[state].value;
-  tell(set);
-}
-
-/// Since the step before.
-void Engine::report_lost() {
-  if (!observed()) return;
-  Event lost = event(Event::Kind::lost);
-  const std::uint32_t so_far = inbox_.lost();
-  lost.count = so_far - told_lost_;
-  told_lost_ = so_far;
-  tell(lost);
-}
-
-void Engine::report_cancel(Index edge) const {
-  if (!observed()) return;
-  Event cancel = event(Event::Kind::input, edge == nil ? nil : x_.t.edges[edge].target);
-  cancel.input = Event::Input::cancel;
-  cancel.edge = edge;
-  tell(cancel);
-}
-
-void Engine::report_input(const Input& record) const {
-  if (!observed()) return;
-  if (record.kind == Input::Kind::cancel && record.thing == nil) { // first of all, and then of each
-    report_cancel(nil);
-    for (Index edge = 0; edge < x_.t.root_edges; ++edge) {
-      if (x_.s.request[edge].level != nil) report_cancel(edge);
-    }
-    return;
-  }
-  Event input = event(Event::Kind::input);
-  constexpr Event::Input kinds[] = {Event::Input::request, Event::Input::cancel, Event::Input::set,
-                                    Event::Input::fire,    Event::Input::enable, Event::Input::disable};
-  input.input = kinds[static_cast<std::size_t>(record.kind)];
-  switch (record.kind) {
-  case Input::Kind::cancel: return report_cancel(record.thing);
-  case Input::Kind::request:
-    input.edge = record.thing;
-    input.group = x_.t.edges[record.thing].target;
-    input.level = record.level;
-    break;
-  case Input::Kind::set:
-    input.state = record.thing;
-    input.value = record.value;
-    break;
-  case Input::Kind::fire: input.trigger = record.thing; break;
-  case Input::Kind::enable:
-  case Input::Kind::disable:
-    input.provider = record.thing;
-    input.group = x_.t.providers[record.thing].group;
-    break;
-  }
-  tell(input);
 }
 
 } // namespace director

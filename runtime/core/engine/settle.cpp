@@ -58,9 +58,4 @@ bool Engine::other_plan(Index group) const {
   return other;
 }
 
-/// What only an observer wants to know: why everything was queued before.
-void Engine::remember_queued(Index component) {
-  for (const Index e : x_.t.list(x_.t.components[component].edges)) x_.s.last_queued[e] = x_.s.queued[e];
-}
-
 } // namespace director

@@ -13,7 +13,7 @@ namespace director {
 void Engine::take_first_step(Time now) {
   x_.s.counters->begun = true;
   x_.s.counters->until = x_.s.counters->now = now;
-  report_begin();
+  if (observed()) report_begin();
   for (Index i = 0; i < x_.t.states.size(); ++i) {
     if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset) timers_.arm({Timers::Kind::expiry, i}, later(now, x_.t.states[i].expires));
   }
@@ -56,11 +56,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
     if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && entry.done == 0)
       answer(group, kind == Outcome::Kind::failed);
     if (kind == Outcome::Kind::fault) {
-      if (observed()) {
-        Event fault = event(Event::Kind::fault, group);
-        fault.provider = provider;
-        tell(fault);
-      }
+      report(Event::Kind::fault, group, provider);
       end_with_fault();
       return;
     }
@@ -92,12 +88,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
     for (Index i = own.begin; i != own.end; ++i) timers_.arm({Timers::Kind::promise, i}, later(c.now, x_.t.promises[i].within));
   }
   Run run(*this, x_.s, x_.s.run_queue[group].edges.begin, group, provider, Reasons{reasons});
-  if (observed()) {
-    Event running = event(Event::Kind::run, group);
-    running.provider = provider;
-    running.reasons = run.reasons();
-    tell(running);
-  }
+  report(Event::Kind::run, group, provider, run.reasons());
   inside_ = true;
   const Outcome outcome = bodies_.run(bodies_.self, run);
   inside_ = false;
@@ -208,7 +199,7 @@ void Engine::commit_states(bool fault) {
     const Index state = x_.s.staged[i];
     const std::int32_t value = x_.s.values[state].staged;
     x_.s.values[state].staged = unset;
-    if (!fault && set_value(state, value)) report_set(state);
+    if (!fault && set_value(state, value) && observed()) report_set(state);
   }
   c.staged_count = 0;
 }
@@ -222,54 +213,6 @@ void Engine::answer(Index group, bool failed) {
   } else {
     add_reason(x_.t.edges[holder].requester, Reason::subtask_done);
   }
-}
-
-void Engine::report_request(Event::Kind kind, Index edge, Index level) const {
-  if (!observed()) return;
-  Event request = event(kind, x_.t.edges[edge].target);
-  request.edge = edge;
-  request.level = level;
-  tell(request);
-}
-
-void Engine::report_begin() const {
-  if (!observed()) return;
-  tell(event(Event::Kind::begin));
-  for (Index i = 0; i < x_.t.states.size(); ++i) {
-    if (x_.s.values[i].value == x_.t.states[i].initial) continue;
-    Event given = event(Event::Kind::given);
-    given.state = i;
-    given.value = x_.s.values[i].value;
-    tell(given);
-  }
-}
-
-/// And which states the run sets, those among them that have the value already.
-[[gnu::noinline]] void Engine::report_answer(Index group, Index provider, Outcome::Kind outcome, std::uint16_t pack) const {
-  if (!observed()) return;
-  Event answer = event(Event::Kind::answer, group);
-  answer.provider = provider;
-  answer.outcome = outcome;
-  if (outcome == Outcome::Kind::pack) answer.pack = pack;
-  tell(answer);
-  for (Index i = 0; i < x_.s.counters->staged_count && outcome != Outcome::Kind::fault; ++i)
-    report_assign(group, provider, x_.s.staged[i], x_.s.values[x_.s.staged[i]].staged);
-}
-
-void Engine::report_assign(Index group, Index provider, Index state, std::int32_t value) const {
-  if (!observed()) return;
-  Event assign = event(Event::Kind::assign, group);
-  assign.provider = provider;
-  assign.state = state;
-  assign.value = value;
-  tell(assign);
-}
-
-void Engine::report_wait(Index group, Time due) const {
-  if (!observed()) return;
-  Event wait = event(Event::Kind::wait, group);
-  wait.due = due;
-  tell(wait);
 }
 
 } // namespace director

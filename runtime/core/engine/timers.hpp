@@ -25,6 +25,7 @@ public:
   void disarm(Timer timer) {
     if (due_[number(timer)] != never) set(number(timer), never);
   }
+  Time due(Timer timer) const { return due_[number(timer)]; } ///< never: it is not armed
   /// Takes away the one that is due first; there is one.
   Timer take_first();
 

@@ -45,6 +45,11 @@ public:
   /// An event is given up.
   void drop() { dropped_.store(dropped_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
+  /// How many events were put or dropped so far.
+  std::uint64_t told() const {
+    return end_.load(std::memory_order_relaxed) + dropped_.load(std::memory_order_relaxed);
+  }
+
   /// For the thread that writes: calls `use(entry)` for each entry that waits, and gives their places back at the end.
   template <class Use>
   std::size_t take(Use use) {

@@ -43,7 +43,7 @@ public:
   void operator()(const StateVariable& s) { all(s.initial, s.expires, s.expires_to, s.owner, s.external, s.conditions); }
   void operator()(const Trigger& t) { all(t.listeners); }
   void operator()(const Promise& p) { all(p.provider, p.condition, p.within, p.trigger); }
-  void operator()(const Component& c) { all(c.groups, c.edges, c.conditions, c.causing, c.order); }
+  void operator()(const Component& c) { all(c.groups, c.edges, c.order); }
 
   template <class Row>
   void operator()(std::span<const Row> rows) {

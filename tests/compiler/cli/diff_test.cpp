@@ -67,7 +67,7 @@ TEST_CASE("diff: wrong words") {
   CHECK(w.directorc({"diff", "old.yaml"}) == 2);
   CHECK(w.err == "directorc: diff needs two files, the old one and the new one; or --git REVISION FILE\n");
   CHECK(w.directorc({"diff", "--git", "HEAD", "old.yaml", "new.yaml"}) == 2);
-  CHECK(w.err == "directorc: with --git there is one file: directorc diff --git REVISION FILE\n");
+  CHECK(w.err == "directorc: with --git or --staged there is one file: directorc diff --git REVISION FILE\n");
   CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--breaking=takeover_gaind"}) == 2);
   CHECK(w.err == "directorc: there is no kind of change `takeover_gaind`; did you mean `takeover_gained`?\n");
   CHECK(w.directorc({"diff", "gone.yaml", "new.yaml"}) == 2);

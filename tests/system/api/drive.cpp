@@ -72,7 +72,9 @@ struct Drive::Parts {
   }
   void call_from_inside(watch::Behaviour& behaviour) {
     const bool refused = random.chance(0.5) ? behaviour.step(microseconds(0)) == StepResult::refused
-                                            : !behaviour.set(watch::Noise::loud) && !behaviour.cancel<watch::Lamp>();
+                                            : !behaviour.set(watch::Noise::loud) && !behaviour.cancel<watch::Lamp>() &&
+                                                  behaviour.save(saved) == SaveResult::refused &&
+                                                  behaviour.load(saved, microseconds(0)) == LoadResult::refused;
     if (!refused) complain("a call from inside was not refused");
     std::ignore = behaviour.state<watch::Lamp>();
   }
@@ -283,8 +285,18 @@ struct Drive::Parts {
     office.request(courier::Deliver{{std::make_unique<int>(42)}});
   }
 
+  /// It goes on from what it is, at another time.
+  void save_and_load() {
+    const SaveResult result = night.save(saved);
+    if (result == SaveResult::inputs_wait) return;
+    if (result != SaveResult::saved) complain("what is between steps could not be saved");
+    if (night.load(saved, microseconds(any_time(random, night.engine().now(), far))) != LoadResult::loaded)
+      complain("what was saved could not be loaded");
+    last_rest[1] = least;
+  }
+
   void turn() {
-    switch (random.below(12)) {
+    switch (random.below(13)) {
     case 0: return flood();
     case 1: return look();
     case 2: return set_several();
@@ -296,6 +308,7 @@ struct Drive::Parts {
     case 5:
     case 6: return post_something(random);
     case 7: return step(night);
+    case 8: return save_and_load();
     default: return step(office);
     }
   }
@@ -332,6 +345,7 @@ struct Drive::Parts {
   courier::Behaviour office{plans, skills, {&hear_office, this}};
   watch::Behaviour night{guard, {&hear_night, this}};
   courier::Behaviour::Snapshot snapshot;
+  std::array<std::byte, watch::Behaviour::saved_bytes()> saved;
 };
 
 Drive::Drive(std::uint64_t seed, bool alone) : parts_(std::make_unique<Parts>(seed, alone)) {}

@@ -24,6 +24,8 @@ struct Cargo {
 #endif
 #ifdef THROWING_DESTRUCTOR
   ~Cargo() noexcept(false) {}
+#elif defined(OWNING)
+  ~Cargo() {}
 #else
   ~Cargo() = default;
 #endif

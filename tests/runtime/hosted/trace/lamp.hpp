@@ -3,7 +3,7 @@
 // A small behaviour as tables with names, and events of it, for tests of what records them.
 
 #include "compiler/lower/lower.hpp"
-#include "compiler/play/row_names.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
 namespace director::tests {

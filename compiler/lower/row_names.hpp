@@ -4,8 +4,8 @@
 // its generated `names`.
 
 #include "compiler/lower/lowered.hpp"
+#include "compiler/lower/row_texts.hpp"
 #include "compiler/model/model.hpp"
-#include "compiler/play/row_texts.hpp"
 
 namespace director::compiler {
 

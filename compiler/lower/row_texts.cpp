@@ -1,6 +1,6 @@
-// Door: compiler/play/row_texts.hpp. Test: tests/compiler/cli/trace_test.cpp.
+// Door: compiler/lower/row_texts.hpp. Test: tests/compiler/cli/trace_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/play/row_texts.hpp"
+#include "compiler/lower/row_texts.hpp"
 
 namespace director::compiler {
 

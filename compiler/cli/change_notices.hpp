@@ -1,0 +1,39 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Sleeps until the system tells that something may have changed near some files. The only user of inotify.
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace director::compiler::cli {
+
+class ChangeNotices {
+public:
+  enum class By { system, looking };
+  /// `looking`: as where the system tells nothing.
+  explicit ChangeNotices(By by = By::system);
+  ~ChangeNotices();
+  ChangeNotices(const ChangeNotices&) = delete;
+  ChangeNotices& operator=(const ChangeNotices&) = delete;
+
+  /// From now on. What does not exist is waited for in the nearest folder above it that does.
+  void expect(const std::vector<std::string>& files, const std::vector<std::string>& folders);
+
+  enum class Woken { by_change, by_time, by_end };
+  /// By `end` when something can be read there.
+  Woken sleep(std::chrono::milliseconds most, int end);
+
+  /// The system does not tell of all of it, so that somebody has to look.
+  bool must_look() const { return must_look_; }
+
+private:
+  void add(const std::string& folder, std::map<int, std::string>& wanted);
+
+  int queue_ = -1; ///< of inotify
+  bool must_look_ = false;
+  std::map<int, std::string> watches_; ///< by number, the folder
+};
+
+} // namespace director::compiler::cli

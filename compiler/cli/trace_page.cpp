@@ -1,0 +1,125 @@
+// Door: compiler/cli/trace_page.hpp. Test: tests/compiler/cli/trace_page_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/cli/trace_page.hpp"
+
+#include "compiler/base/packed.hpp"
+#include "compiler/cli/load.hpp"
+#include "compiler/cli/make_page.hpp"
+#include "compiler/lower/lower.hpp"
+#include "compiler/lower/row_names.hpp"
+#include "compiler/trace/lookup.hpp"
+#include "compiler/trace/recording.hpp"
+#include "runtime/hosted/decision_printer.hpp"
+#include "runtime/hosted/trace/fingerprint.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace director::compiler::cli {
+
+namespace {
+
+constexpr std::size_t first_events = 40; ///< that stand in the page as text
+
+std::string counted(std::uint64_t count, std::string_view one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+std::string seconds(Time time) { return fmt::format("{:.6f}", static_cast<double>(time) / 1e6); }
+
+/// Why the answers of `why` end somewhere; empty: they do not.
+std::string end_of(const Waits& waits) {
+  const Replayed& replayed = waits.replayed;
+  if (replayed.dropped != 0)
+    return fmt::format("{} missing before: why something waits is not known from there on",
+                       counted(replayed.dropped, "event") + (replayed.dropped == 1 ? " is" : " are"));
+  if (replayed.difference)
+    return fmt::format("from {} s on it is decided otherwise when it is played again, so why something waits is not known",
+                       seconds(replayed.difference->time));
+  return {};
+}
+
+/// The lines behind the header, as far as they are good.
+class Reading {
+public:
+  Reading(const director::Names& names, Recording& recording, PageRecording& page)
+      : names_(names),
+        lookup_(names),
+        recording_(recording),
+        page_(page) {}
+
+  /// False: it has been said what is wrong with a line.
+  bool read(TraceLines& lines, const std::string& file, Console& console) {
+    std::string unused;
+    while (const std::optional<TraceLine> line = lines.next()) {
+      if (line->dropped != 0) {
+        recording_.dropped(line->dropped, unused);
+        tell(recording_.ends(), counted(line->dropped, "event") + (line->dropped == 1 ? " is missing" : " are missing"));
+        continue;
+      }
+      const Lookup::Found event = lookup_.event(line->json);
+      if (!event.problem.empty()) {
+        say_problem(file, line->number, event.problem, console);
+        return false;
+      }
+      recording_.event(event.event, unused);
+      std::array<char, 1000> words{};
+      if (*to_text(event.event, names_, words) != '\0') tell(event.event.time, words.data());
+    }
+    return say_end(lines, file, console);
+  }
+
+private:
+  void tell(Time time, std::string words) {
+    if (page_.first.size() == first_events)
+      ++page_.more;
+    else
+      page_.first.push_back({seconds(time), std::move(words)});
+  }
+
+  const director::Names names_;
+  const Lookup lookup_;
+  Recording& recording_;
+  PageRecording& page_;
+};
+
+} // namespace
+
+std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& trace, Console& console) {
+  dsl::Sources sources;
+  const RecordedBehaviour of = load_behaviour(*trace.recorded, request.file, request.behaviour, sources, console);
+  if (of.status != clean) return {{}, of.status};
+  const Lowered lowered = lower(of.checked.model);
+  const RowNames rows(of.checked.model, lowered);
+  if (fingerprint_text(rows.names()) != trace.recorded->fingerprint) {
+    console.err << fmt::format("{}:1: error: this is a trace of another version of `{}`\n  help: --behaviour names the version "
+                               "that was recorded; `directorc replay` says what this one decides otherwise\n",
+                               shown_path(request.file), of.file);
+    return {{}, found};
+  }
+  TraceLines replayed(trace.text), lines(trace.text);
+  const std::optional<TraceLine> header = lines.next();
+  replayed.next();
+  const Waits waits = find_waits(replayed, of.checked.model, lowered, sources);
+  const std::string why_ends = end_of(waits);
+  if (waits.replayed.difference)
+    console.err << fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line, why_ends);
+  Recording recording(rows.names(), waits, why_ends);
+  PageRecording page;
+  const bool whole = Reading(rows.names(), recording, page).read(lines, request.file, console);
+  page.about = fmt::format("{} in {}, from {}{}.", counted(recording.events(), "event"),
+                           seconds(recording.ends() - recording.begins()) + " s", shown_path(request.file),
+                           lines.cut_off() ? ", whose last line is cut off" : "");
+  page.data = base64(packed(recording.bytes(header->json)));
+  PageWish wish;
+  wish.link = request.link;
+  wish.asked = "--to=html";
+  wish.instead = "--to=text";
+  wish.recording = &page;
+  const std::optional<std::string> text = make_page(of.file, of.checked, sources, wish, console);
+  if (!text) return {{}, misused};
+  return {*text, whole ? clean : found};
+}
+
+} // namespace director::compiler::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Numbers, one after another, in memory that grows by doubling: millions of events have no object of their own.
+
+type Numbers = Float64Array | Uint32Array;
+
+export class Column<T extends Numbers> {
+  length = 0;
+
+  /** `at` is read directly, as far as `length`. */
+  constructor(public at: T) {}
+
+  push(value: number): void {
+    if (this.length === this.at.length) this.reserve(Math.max(64, 2 * this.length));
+    this.at[this.length++] = value;
+  }
+
+  /** Room for so many, for who knows how many will come. */
+  reserve(count: number): void {
+    if (count <= this.at.length) return;
+    const more = new (this.at.constructor as new (size: number) => T)(count);
+    more.set(this.at.subarray(0, this.length));
+    this.at = more;
+  }
+
+  get last(): number {
+    return this.at[this.length - 1];
+  }
+
+  /** The first `count` are gone. */
+  drop(count: number): void {
+    this.at.copyWithin(0, count, this.length);
+    this.length -= count;
+  }
+
+  /** How many of the first numbers are `value` at most. They must be in order. */
+  upTo(value: number): number {
+    let low = 0;
+    let high = this.length;
+    while (low < high) {
+      const middle = (low + high) >>> 1;
+      if (this.at[middle] <= value) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+}
+
+export const times = (): Column<Float64Array> => new Column(new Float64Array(0));
+export const counts = (): Column<Uint32Array> => new Column(new Uint32Array(0));

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The events around the moment, those that the filter lets through. Each is a way to its moment.
+
+import { type Cursor, seconds } from './cursor';
+import { button, make } from './elements';
+import type { Filter } from './filter';
+import type { Recording } from './recording';
+
+const before = 6;
+const rows = 14;
+
+export class EventList {
+  readonly element = make('div', { id: 'events', tabindex: '0', role: 'region', 'aria-label': 'Events' });
+  private readonly list = make('ol');
+
+  constructor(private readonly recording: Recording, private readonly cursor: Cursor, private readonly filter: Filter) {
+    this.element.append(make('h3', {}, 'Events'), this.list);
+  }
+
+  show(): void {
+    const { event } = this.cursor;
+    const events: number[] = [];
+    for (let at: number | undefined = event + 1; events.length < before && (at = this.filter.from(at, -1)) !== undefined; ) events.unshift(at);
+    for (let at: number | undefined = event; events.length < rows && (at = this.filter.from(at, 1)) !== undefined; ) events.push(at);
+    const shown = events.filter((each) => each <= event).length - 1; // the last one that has happened
+    this.list.replaceChildren(...events.map((each, i) => this.row(each, i === shown, each > event)));
+    if (events.length === 0) this.list.append(make('li', {}, 'None that the filter lets through.'));
+  }
+
+  private row(event: number, isLast: boolean, isLater: boolean): HTMLElement {
+    const go = button(this.recording.shapeAt(event).text, () => this.cursor.goToEvent(event), isLast ? { 'aria-current': 'true' } : {});
+    go.prepend(make('span', { class: 'time' }, seconds(this.recording.timeOf(event))));
+    return make('li', { class: isLater ? 'later' : '' }, go);
+  }
+}

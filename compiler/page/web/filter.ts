@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Which groups have a track, and which events are stepped to and listed.
+
+import { button, make } from './elements';
+import type { Recording } from './recording';
+import { type Sort, sorts } from './shape';
+
+const words: Record<Sort, string> = {
+  request: 'requests of the program', input: 'other inputs', run: 'runs', ask: 'what bodies ask for', 'take-over': 'take-overs', control: 'granted, lost and withdrawn', push: 'pushes', queue: 'queued',
+  state: 'states set', handler: 'start and stop', result: 'done and failed', fault: 'faults and losses',
+};
+/** What comes again and again is there for who asks. */
+const usual: Sort[] = ['request', 'take-over', 'push', 'queue', 'state', 'handler', 'fault'];
+
+export class Filter {
+  readonly element = make('details', { class: 'filter' }, make('summary', {}, 'Filter'));
+  private readonly chosenSorts = new Set<Sort>(usual);
+  private chosenGroups: Set<number> | undefined; // nothing: those to which something happens
+  private readonly boxes: HTMLInputElement[] = [];
+  private readonly note = make('p', { class: 'hint', role: 'status' });
+
+  /** `order`: of the groups. */
+  constructor(private readonly recording: Recording, private readonly order: number[], private readonly changed: () => void) {
+    const events = make('fieldset', {}, make('legend', {}, 'Events to step to and to list'));
+    for (const sort of sorts) events.append(this.box(words[sort], this.chosenSorts.has(sort), (on) => (on ? this.chosenSorts.add(sort) : this.chosenSorts.delete(sort))).label);
+    const groups = make('fieldset', {}, make('legend', {}, 'Groups'));
+    for (const group of order) {
+      const { label, input } = this.box(recording.names.header.groups[group].name, this.shows(group), () => this.take());
+      this.boxes.push(input);
+      groups.append(label);
+    }
+    const all = (on: (group: number) => boolean) => (): void => {
+      this.boxes.forEach((box, i) => (box.checked = on(order[i])));
+      this.take();
+      this.changed();
+    };
+    groups.append(make('span', { class: 'row' }, button('All groups', all(() => true)), button('No group', all(() => false)), button('Those to which something happens', all((group) => this.happens(group)))));
+    this.element.append(make('div', {}, events, groups, this.note));
+    this.tell();
+  }
+
+  /** In the order of the tracks. */
+  groups(): number[] {
+    return this.order.filter((group) => this.shows(group));
+  }
+
+  isShown(event: number): boolean {
+    const shape = this.recording.shapeAt(event);
+    if (!this.chosenSorts.has(shape.sort)) return false;
+    return this.chosenGroups === undefined || shape.groups.length === 0 || shape.groups.some((group) => this.chosenGroups?.has(group));
+  }
+
+  /** The next or previous one that is shown; nothing: there is none. */
+  from(event: number, step: 1 | -1): number | undefined {
+    for (let at = event + step; at >= this.recording.first && at < this.recording.end; at += step) if (this.isShown(at)) return at;
+    return undefined;
+  }
+
+  private shows(group: number): boolean {
+    return this.chosenGroups === undefined ? this.happens(group) : this.chosenGroups.has(group);
+  }
+
+  private happens(group: number): boolean {
+    return this.recording.groups[group].event.length > 1;
+  }
+
+  private take(): void {
+    this.chosenGroups = new Set(this.order.filter((_, i) => this.boxes[i].checked));
+    this.tell();
+  }
+
+  private tell(): void {
+    const hidden = this.order.length - this.groups().length;
+    this.note.textContent = hidden === 0 ? '' : `${hidden} ${hidden === 1 ? 'group has' : 'groups have'} no track.`;
+  }
+
+  private box(text: string, checked: boolean, act: (on: boolean) => void): { label: HTMLLabelElement; input: HTMLInputElement } {
+    const input = make('input', { type: 'checkbox' });
+    input.checked = checked;
+    input.addEventListener('change', () => {
+      act(input.checked);
+      this.changed();
+    });
+    return { label: make('label', {}, input, ` ${text}`), input };
+  }
+}

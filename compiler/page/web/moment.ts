@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The moment in words: who waits and why, who is pushed, who runs for whom, what the states are worth.
+
+import { type Cursor, seconds } from './cursor';
+import { make } from './elements';
+import type { Source } from './recording';
+import type { Standing } from './standing';
+import { words } from './standing_words';
+
+const link = (kind: string, name: string): HTMLElement => make('a', { href: `#${kind}-${name}` }, name);
+
+export class Moment {
+  readonly element = make('div', { id: 'moment', tabindex: '0', role: 'region', 'aria-label': 'The moment' });
+  private asked = 0; // so that an answer that comes late for another moment is not shown
+
+  constructor(private readonly source: Source, private readonly cursor: Cursor, private readonly order: number[]) {}
+
+  show(): void {
+    ++this.asked;
+    const { recording } = this.source;
+    const { event } = this.cursor;
+    const standings = this.order.map((group) => ({ group, standing: recording.standingAt(group, event) }));
+    const of = (mark: Standing['mark']) => standings.filter((each) => each.standing.mark === mark);
+    const parts: Node[] = [make('h3', {}, `At ${seconds(this.cursor.time)}`)];
+    const add = (title: string, items: Node[]): void => {
+      if (items.length > 0) parts.push(make('h4', {}, title), make('ul', {}, ...items));
+    };
+    add('Waits', of('queued').map((each) => this.wait(each.group, each.standing, event)));
+    add('Pushed', of('pushed').map((each) => this.line(each.group, each.standing, 'pushed')));
+    add('Runs', of('running').map((each) => this.line(each.group, each.standing, 'running')));
+    add('Held', of('held').map((each) => this.line(each.group, each.standing, 'held')));
+    add('Not known, as events are missing', of('unknown').map((each) => make('li', {}, link('group', this.name(each.group)))));
+    if (parts.length === 1) parts.push(make('p', {}, 'Nothing runs.'));
+    add('States', recording.names.header.states.map((state, i) => make('li', {}, link('state', state.name), ` ${this.value(i, event)}`)));
+    this.element.replaceChildren(...parts);
+  }
+
+  private name(group: number): string {
+    return this.source.recording.names.header.groups[group].name;
+  }
+
+  private value(state: number, event: number): string {
+    const value = this.source.recording.valueAt(state, event);
+    return value === undefined ? 'is not known' : value === null ? 'is unset' : `== ${value}`;
+  }
+
+  private line(group: number, standing: Standing, mark: string): HTMLElement {
+    const { condition } = standing.push ?? {};
+    const text = words(this.source.recording.names, group, standing);
+    return make('li', { class: mark }, link('group', this.name(group)), text === '' ? '' : `: ${text}`, mark === 'pushed' && condition ? `, which waits for ${condition}` : '');
+  }
+
+  private wait(group: number, standing: Standing, event: number): HTMLElement {
+    const out = make('li', { class: 'queued' }, link('group', this.name(group)));
+    const asked = this.asked;
+    const known = this.source.why(group, event);
+    if (known instanceof Promise) {
+      out.append(` ${words(this.source.recording.names, group, standing)}`);
+      void known.then((text) => asked === this.asked && out.replaceChildren(link('group', this.name(group)), ...this.answer(group, standing, event, text)));
+    } else {
+      out.append(...this.answer(group, standing, event, known));
+    }
+    return out;
+  }
+
+  /** What `directorc why` prints: the answer, and a line for each thing that it comes from. */
+  private answer(group: number, standing: Standing, event: number, text: string | undefined): Node[] {
+    const { names } = this.source.recording;
+    if (text === undefined) {
+      const reason = this.source.whyUnknown(event);
+      return [make('span', {}, ` ${words(names, group, standing)}`), ...(reason === undefined ? [] : [make('p', { class: 'hint' }, `Not more is known: ${reason}.`)])];
+    }
+    const [first, ...notes] = text.split('\n').filter((line) => line !== '');
+    const short = first.startsWith(`${this.name(group)} `) ? first.slice(this.name(group).length) : ` ${first}`;
+    return [make('span', {}, short), make('ul', { class: 'notes' }, ...notes.map((note) => make('li', {}, note.trim())))];
+  }
+}

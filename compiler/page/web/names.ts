@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What the first line of a trace calls everything (schemas/trace.schema.json), and the number that each has: its place there.
+
+export interface Header {
+  director_trace: number;
+  behaviour: string;
+  fingerprint: string;
+  groups: { name: string; providers: string[] }[];
+  edges: { name: string; target: string; levels: string[] }[];
+  states: { name: string; values?: string[] }[];
+  triggers: string[];
+  conditions: string[];
+}
+
+/** Instead of a number: there is none, and who goes on for nobody. */
+export const nobody = -1;
+export const limbo = -2;
+
+const places = (names: string[]): Map<string, number> => new Map(names.map((name, i) => [name, i]));
+
+export class Names {
+  private readonly groups: Map<string, number>;
+  private readonly edges: Map<string, number>;
+  private readonly states: Map<string, number>;
+  readonly targets: number[]; // of each edge
+  readonly requesters: number[]; // of each edge; `nobody`: the program
+  readonly requests: number[][]; // of each group, the edges by which it asks
+  readonly askers: number[][]; // of each group, the edges that lead to it
+
+  constructor(readonly header: Header) {
+    this.groups = places(header.groups.map((group) => group.name));
+    this.edges = places(header.edges.map((edge) => edge.name));
+    this.states = places(header.states.map((state) => state.name));
+    this.targets = header.edges.map((edge) => this.group(edge.target));
+    this.requesters = header.edges.map((edge) => this.group(edge.name.split('>')[0]));
+    const of = (ends: number[]) => header.groups.map((_, group) => header.edges.map((__, edge) => edge).filter((edge) => ends[edge] === group));
+    this.requests = of(this.requesters);
+    this.askers = of(this.targets);
+  }
+
+  group(name: string | undefined): number {
+    return this.groups.get(name ?? '') ?? nobody;
+  }
+
+  edge(name: string | undefined): number {
+    return name === 'limbo' ? limbo : (this.edges.get(name ?? '') ?? nobody);
+  }
+
+  state(name: string | undefined): number {
+    return this.states.get(name ?? '') ?? nobody;
+  }
+
+  provider(group: number, name: string | undefined): number {
+    return this.header.groups[group]?.providers.indexOf(name ?? '') ?? nobody;
+  }
+
+  /** `Walk.halting`; `Walk` alone where a group writes its words directly. */
+  providerText(group: number, provider: number): string {
+    const { name, providers } = this.header.groups[group];
+    const own = providers[provider];
+    return own === undefined || own === 'default' ? name : `${name}.${own}`;
+  }
+
+  /** The group that asks by this edge, or the program. */
+  askerText(edge: number): string {
+    const group = this.requesters[edge] ?? nobody;
+    return group === nobody ? 'the program' : this.header.groups[group].name;
+  }
+}

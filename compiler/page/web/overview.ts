@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// All of the recording in one strip: where pushes and take-overs are, and which part the tracks show.
+
+import type { Cursor } from './cursor';
+import { make } from './elements';
+import type { Look } from './look';
+import type { Recording } from './recording';
+import type { View } from './view';
+
+const height = 24;
+
+export class Overview {
+  readonly element = make('div', { class: 'overview', 'aria-hidden': 'true' });
+  private readonly canvas = make('canvas');
+  private readonly window = make('div', { class: 'window' });
+  private readonly line = make('div', { class: 'cursor' });
+
+  constructor(private readonly recording: Recording, private readonly view: View, private readonly cursor: Cursor, private readonly changed: () => void) {
+    this.element.append(this.canvas, this.window, this.line);
+    this.element.addEventListener('pointerdown', (event) => {
+      this.element.setPointerCapture(event.pointerId);
+      this.go(event);
+    });
+    this.element.addEventListener('pointermove', (event) => event.buttons & 1 && this.go(event));
+  }
+
+  draw(look: Look): void {
+    const width = this.element.clientWidth;
+    this.canvas.width = width * devicePixelRatio;
+    this.canvas.height = height * devicePixelRatio;
+    const to = this.canvas.getContext('2d');
+    if (!to || width === 0) return;
+    to.scale(devicePixelRatio, devicePixelRatio);
+    const { flows, gaps } = this.recording;
+    for (let i = 0; i < flows.length; ++i) this.mark(to, flows.at[i], width, this.recording.shapeAt(flows.at[i]).line.event === 'push' ? look.pushed : look.take);
+    for (let i = 0; i < gaps.length; ++i) this.mark(to, gaps.at[i], width, look.queued);
+    const [from, until] = [this.xOf(this.view.from, width), this.xOf(this.view.to, width)];
+    this.window.style.transform = `translateX(${from}px)`;
+    this.window.style.width = `${Math.max(4, until - from)}px`;
+    this.showCursor();
+  }
+
+  showCursor(): void {
+    this.line.style.transform = `translateX(${this.xOf(this.cursor.time, this.element.clientWidth)}px)`;
+  }
+
+  /** Pushes above, take-overs below, gaps through both. */
+  private mark(to: CanvasRenderingContext2D, event: number, width: number, colour: string): void {
+    const shape = this.recording.shapeAt(event);
+    const isPush = shape.line.event === 'push';
+    to.fillStyle = colour;
+    to.fillRect(Math.floor(this.xOf(this.recording.timeOf(event), width)), isPush || shape.isGap ? 3 : height / 2, 1, shape.isGap ? height - 6 : height / 2 - 3);
+  }
+
+  private xOf(time: number, width: number): number {
+    const length = Math.max(1, this.recording.ends - this.recording.begins);
+    return ((time - this.recording.begins) / length) * width;
+  }
+
+  private go(event: PointerEvent): void {
+    const box = this.element.getBoundingClientRect();
+    const time = this.recording.begins + ((event.clientX - box.left) / box.width) * (this.recording.ends - this.recording.begins);
+    this.view.pan((time - (this.view.from + this.view.to) / 2) / this.view.length);
+    this.cursor.goToTime(Math.round(time));
+    this.changed();
+  }
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The pictures show the moment: frames as `directorc graph --step` draws them, a sign before who is in charge, and below a box why it waits or for whom
+// it is pushed. Boxes of several groups show the one that has most to tell.
+
+import type { Data } from './data';
+import { type Names, nobody } from './names';
+import type { Picture } from './picture';
+import type { Recording } from './recording';
+import type { Mark, Standing } from './standing';
+import { words } from './standing_words';
+
+const order: Mark[] = ['inactive', 'unknown', 'held', 'running', 'queued', 'pushed'];
+const space = 'http://www.w3.org/2000/svg';
+const sign = '▶ ';
+const readable = 10; // pixels of a letter
+
+interface Box {
+  node: SVGGElement;
+  groups: number[];
+  heads: Map<number, SVGTextElement>; // with the name of a group that has no rows
+  rows: Map<string, SVGTextElement>;
+  note: SVGGElement | undefined;
+  shown: string;
+}
+
+interface Arrow {
+  element: SVGGElement;
+  from: number[];
+  provider: string | undefined; // who has to be in charge for it
+  to: number[];
+  pushedTo: string | undefined; // it is a push, to this provider
+  shown: string;
+}
+
+export class PictureMarks {
+  private readonly boxes: Box[] = [];
+  private readonly arrows: Arrow[] = [];
+  private readonly names: Names;
+
+  constructor(private readonly picture: Picture, private readonly recording: Recording, data: Data) {
+    this.names = recording.names;
+    const parts = new Map<string, number[]>(); // modules and layers
+    for (const { name, module, layer } of data.groups) for (const part of [module, layer]) if (part !== undefined) parts.set(part, [...(parts.get(part) ?? []), this.names.group(name)]);
+    const groupsOf = (title: string): number[] => {
+      const groups = title.split(', ').map((name) => this.names.group(name));
+      return groups.every((group) => group !== nobody) ? groups : (parts.get(title) ?? []);
+    };
+    for (const [title, node] of picture.nodes) {
+      const groups = groupsOf(title);
+      if (groups.length > 0) this.boxes.push(this.box(node, groups));
+    }
+    for (const { from, to, element } of picture.arrows) {
+      const [asker, row] = from.split('.');
+      const [asked, pushedTo] = to.split('.');
+      const groups = groupsOf(asker);
+      const provider = groups.length === 1 && this.names.provider(groups[0], row) !== nobody ? row : undefined;
+      this.arrows.push({ element, from: groups, provider, to: groupsOf(asked), pushedTo, shown: '' });
+    }
+  }
+
+  /** Without an event the picture is as it was. */
+  show(event: number | undefined): void {
+    this.picture.svg.classList.toggle('moment', event !== undefined);
+    for (const box of this.boxes) this.showBox(box, event);
+    for (const arrow of this.arrows) this.showArrow(arrow, event);
+  }
+
+  private box(node: SVGGElement, groups: number[]): Box {
+    const texts = [...node.querySelectorAll('text')].filter((text) => text.getAttribute('font-size') === '12.00');
+    const rows = new Map<string, SVGTextElement>();
+    const { providers } = this.names.header.groups[groups[0]];
+    if (groups.length === 1) for (const text of texts) if (providers.includes(text.textContent ?? '')) rows.set(text.textContent ?? '', text);
+    const heads = new Map<number, SVGTextElement>();
+    for (const group of rows.size > 0 ? [] : groups) {
+      const text = texts.find((each) => each.textContent === this.names.header.groups[group].name);
+      if (text) heads.set(group, text);
+    }
+    return { node, groups, heads, rows, note: undefined, shown: '' };
+  }
+
+  private showBox(box: Box, event: number | undefined): void {
+    const standings = event === undefined ? [] : box.groups.map((group) => ({ group, standing: this.recording.standingAt(group, event) }));
+    const most = standings.reduce<{ group: number; standing: Standing } | undefined>((a, b) => (a && order.indexOf(a.standing.mark) >= order.indexOf(b.standing.mark) ? a : b), undefined);
+    const mark = most?.standing.mark ?? '';
+    const note = most && (mark === 'queued' || mark === 'pushed' || mark === 'held') ? words(this.names, most.group, most.standing) : '';
+    const provider = most && most.standing.provider !== nobody ? this.names.header.groups[most.group].providers[most.standing.provider] : '';
+    const running = new Set(standings.filter(({ standing }) => standing.mark === 'running' || standing.mark === 'pushed').map(({ group }) => group));
+    const shown = `${mark} ${provider} ${note} ${[...running].join()}`;
+    if (box.shown === shown) return;
+    box.shown = shown;
+    for (const each of order) box.node.classList.toggle(`is-${each}`, each === mark);
+    for (const [name, text] of box.rows) text.textContent = (name === provider ? sign : '') + name;
+    for (const [group, text] of box.heads) text.textContent = (running.has(group) ? sign : '') + this.names.header.groups[group].name;
+    box.note?.remove();
+    box.note = note === '' ? undefined : this.note(box.node, note, mark);
+  }
+
+  /** In lines as wide as the box, or somewhat wider; large enough to be read also where the picture is small. */
+  private note(node: SVGGElement, text: string, mark: string): SVGGElement {
+    const frame = node.getBBox();
+    const size = Math.min(16, Math.max(9, readable / (this.picture.svg.getScreenCTM()?.a ?? 1)));
+    const letter = size * 0.56;
+    const width = Math.max(frame.width, letter * 26);
+    const lines: string[] = [];
+    for (const word of text.split(' ')) {
+      const last = lines.length - 1;
+      if (last >= 0 && (lines[last].length + word.length + 1) * letter < width - 6) lines[last] += ` ${word}`;
+      else lines.push(word);
+    }
+    const out = document.createElementNS(space, 'g');
+    out.setAttribute('class', `note is-${mark}`);
+    const paper = document.createElementNS(space, 'rect');
+    const [x, y] = [frame.x + frame.width / 2 - width / 2, frame.y + frame.height + 1];
+    for (const [name, value] of Object.entries({ x, y, width, height: lines.length * size * 1.2 + 5, rx: 3 })) paper.setAttribute(name, String(value));
+    out.append(paper);
+    lines.forEach((line, i) => {
+      const each = document.createElementNS(space, 'text');
+      each.setAttribute('x', String(x + 4));
+      each.setAttribute('y', String(y + size + 1 + i * size * 1.2));
+      each.setAttribute('font-size', String(size));
+      each.textContent = line;
+      out.append(each);
+    });
+    node.parentNode?.append(out);
+    return out;
+  }
+
+  private showArrow(arrow: Arrow, event: number | undefined): void {
+    const mark = event === undefined ? '' : arrow.pushedTo === undefined ? this.markOf(arrow, event) : this.pushMark(arrow, event);
+    if (arrow.shown === mark) return;
+    arrow.shown = mark;
+    for (const each of order) arrow.element.classList.toggle(`is-${each}`, each === mark);
+  }
+
+  private markOf(arrow: Arrow, event: number): Mark {
+    let out: Mark = 'inactive';
+    const put = (mark: Mark): void => {
+      if (order.indexOf(mark) > order.indexOf(out)) out = mark;
+    };
+    for (const from of arrow.from) {
+      const asks = this.recording.standingAt(from, event);
+      if (arrow.provider !== undefined && this.names.header.groups[from].providers[asks.provider] !== arrow.provider) continue;
+      for (const to of arrow.to) {
+        const asked = this.recording.standingAt(to, event);
+        const isTheirs = (edge: number): boolean => this.names.requesters[edge] === from;
+        if (isTheirs(asked.holder)) put(asked.mark === 'running' || asked.mark === 'pushed' ? 'running' : asked.waits.some((wait) => wait.edge === asked.holder) ? 'queued' : 'held');
+        else if (asked.waits.some((wait) => isTheirs(wait.edge))) put('queued');
+      }
+    }
+    return out;
+  }
+
+  private pushMark(arrow: Arrow, event: number): Mark {
+    for (const to of arrow.to) {
+      const { push } = this.recording.standingAt(to, event);
+      if (push && arrow.from.includes(this.names.targets[push.edge]) && this.names.header.groups[to].providers[push.provider] === arrow.pushedTo) return 'pushed';
+    }
+    return 'inactive';
+  }
+}

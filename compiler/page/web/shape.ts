@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// An event without its time. A recording has millions of events and a few hundred shapes, so what an event is, means and is called is found once.
+
+import { limbo, type Names, nobody } from './names';
+
+/** A line of a trace, without `t`, `until`, `n` and `due`. */
+export interface EventLine {
+  event: string;
+  input?: string;
+  group?: string;
+  edge?: string;
+  from?: string;
+  provider?: string;
+  reasons?: string[];
+  why?: string;
+  condition?: string;
+  state?: string;
+  value?: string | number | null;
+  trigger?: string;
+  level?: string | number;
+  count?: number;
+}
+
+/** What people filter by. */
+export const sorts = ['request', 'input', 'run', 'ask', 'take-over', 'control', 'push', 'queue', 'state', 'handler', 'result', 'fault'] as const;
+export type Sort = (typeof sorts)[number];
+
+/** What a body answered, and time that passed: what comes of it is told by other events. */
+export function isTold(line: EventLine): boolean {
+  if (['answer', 'wait', 'assign'].includes(line.event)) return false;
+  return line.event !== 'input' || !['wait', 'within', 'every', 'expire'].includes(line.input ?? '');
+}
+
+function sortOf(line: EventLine): Sort {
+  switch (line.event) {
+    case 'input': return line.input === 'set' || line.input === 'trigger' ? 'input' : 'request';
+    case 'given': case 'begin': return 'input';
+    case 'run': return 'run';
+    case 'ask': case 'keep': return 'ask';
+    case 'grant': return line.from === undefined || line.from === 'limbo' || line.edge === 'limbo' ? 'control' : 'take-over';
+    case 'lose': case 'withdraw': case 'held': return 'control';
+    case 'push': case 'release': return 'push';
+    case 'queue': return 'queue';
+    case 'set': return 'state';
+    case 'start': case 'stop': return 'handler';
+    case 'done': case 'failed': return 'result';
+    default: return 'fault';
+  }
+}
+
+export class Shape {
+  readonly group: number;
+  readonly provider: number;
+  readonly edge: number;
+  readonly from: number;
+  readonly state: number;
+  readonly sort: Sort;
+  readonly text: string;
+  readonly value: string | null; // of a state; null: it has none any more
+  /** Somebody may stand elsewhere after it. */
+  readonly decides: boolean;
+  readonly setsState: boolean;
+  readonly isGap: boolean;
+  readonly isFlow: boolean;
+  /** Whom it is about: its group, and who asks. */
+  readonly groups: number[];
+
+  constructor(readonly line: EventLine, names: Names) {
+    this.edge = names.edge(line.edge);
+    this.from = names.edge(line.from);
+    this.group = line.group === undefined ? (names.targets[this.edge] ?? nobody) : names.group(line.group);
+    this.provider = names.provider(this.group, line.provider);
+    this.state = names.state(line.state);
+    this.sort = sortOf(line);
+    this.value = line.value === null || line.value === undefined ? null : String(line.value);
+    this.isGap = line.event === 'dropped';
+    this.setsState = line.event === 'set' || line.event === 'given' || line.input === 'set';
+    this.isFlow = line.event === 'push' || this.sort === 'take-over';
+    this.decides = ['run', 'stop', 'held', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.input === 'cancel' || line.input === 'request';
+    this.text = textOf(this, names);
+    this.groups = [this.group, names.requesters[this.edge] ?? nobody, names.requesters[this.from] ?? nobody].filter((group) => group !== nobody);
+  }
+}
+
+const valueText = (line: EventLine): string => String(line.value ?? 'no value');
+
+/** As `directorc trace` prints it; what it leaves out has words like them. */
+function textOf(shape: Shape, names: Names): string {
+  const { line, group } = shape;
+  const groupName = names.header.groups[group]?.name ?? '';
+  const full = line.provider === undefined ? groupName : `${groupName}.${line.provider}`;
+  switch (line.event) {
+    case 'input': return inputText(shape, names, groupName, full);
+    case 'run': return `run ${names.providerText(group, shape.provider)} ${(line.reasons ?? []).join('+')}`.trimEnd();
+    case 'queue': return `queue ${line.edge}: ${line.why}${line.why === 'waiting' && line.condition ? ` for ${line.condition}` : ''}`;
+    case 'push': return `push ${full} for ${line.edge}`;
+    case 'set': return line.value === null ? `unset ${line.state}` : `set ${line.state} ${valueText(line)}`;
+    case 'refused': return `refused ${line.state} ${valueText(line)}`;
+    case 'given': return `given ${line.state} ${valueText(line)}`;
+    case 'broken': return `broken ${names.providerText(group, shape.provider)}`;
+    case 'fault': return `fault ${full}`;
+    case 'exhausted': return 'budget_exhausted';
+    case 'lost': return `lost ${line.count} ${line.count === 1 ? 'input' : 'inputs'}`;
+    case 'dropped': return `${line.count} ${line.count === 1 ? 'event is' : 'events are'} missing`;
+    case 'grant': return shape.from === nobody || shape.from === limbo ? `grant ${line.edge}` : `take over ${groupName}: ${line.edge} from ${line.from}`;
+    case 'lose': return `lose ${groupName}`;
+    case 'withdraw': case 'ask': case 'keep': return `${line.event} ${line.edge}${line.level === undefined ? '' : `, level ${line.level}`}`;
+    case 'begin': return 'begin';
+    default: return `${line.event} ${groupName}`;
+  }
+}
+
+function inputText(shape: Shape, names: Names, groupName: string, full: string): string {
+  const { line } = shape;
+  switch (line.input) {
+    case 'request': {
+      const level = typeof line.level === 'number' ? (names.header.edges[shape.edge]?.levels[line.level] ?? '') : (line.level ?? '');
+      return `> request ${level === '' ? groupName : `{${groupName}: {level: ${level}}}`}`;
+    }
+    case 'cancel': return `> cancel ${groupName === '' ? 'all' : groupName}`;
+    case 'set': return `> set {${line.state}: ${valueText(line)}}`;
+    case 'trigger': return `> trigger ${line.trigger}`;
+    default: return `> ${line.input} ${full}`;
+  }
+}

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Where each group stands, kept up event by event: what the engine's own view says at rest (compiler/play/moment.cpp), found from what it told. What
+// it does not tell is when a group stops that nobody asks for any more, which was kept for who might, and is still held for a need. A source that can
+// look at the engine adds {"event":"held","group":…} there (compiler/trace/waits.cpp); without it the next thing that happens to the group tells.
+
+import { type Names, nobody } from './names';
+import type { Shape } from './shape';
+
+/** As `directorc graph --step` marks groups; unknown: events are missing, and nothing was told of it since. */
+export const marks = ['inactive', 'running', 'pushed', 'queued', 'held', 'unknown'] as const;
+export type Mark = (typeof marks)[number];
+
+export interface Wait {
+  edge: number;
+  why: string;
+  condition?: string;
+}
+
+export interface Push {
+  edge: number;
+  provider: number;
+  condition?: string;
+}
+
+export interface Standing {
+  mark: Mark;
+  /** Who is in charge; `nobody`. */
+  provider: number;
+  /** The edge that holds it; `nobody`, `limbo`. */
+  holder: number;
+  push?: Push;
+  /** Requests of it that wait, its own or those of others beside the one that has it. */
+  waits: Wait[];
+}
+
+interface Group {
+  known: boolean;
+  holder: number;
+  provider: number;
+  granted: boolean;
+  push?: Push;
+}
+
+export class Standings {
+  private readonly groups: Group[];
+  private readonly waits: (Wait | undefined)[]; // by edge
+  private readonly asked: boolean[]; // by edge: somebody asks by it
+  private readonly touched = new Set<number>();
+  private readonly lapsing = new Set<number>(); // groups that lost their request, and may be handed on in the same micro-step
+
+  constructor(private readonly names: Names) {
+    this.groups = names.header.groups.map(() => ({ known: true, holder: nobody, provider: nobody, granted: false }));
+    this.waits = names.header.edges.map(() => undefined);
+    this.asked = names.header.edges.map(() => false);
+  }
+
+  /** The groups that may stand elsewhere than before. */
+  apply(shape: Shape): Set<number> {
+    const { line, group, edge } = shape;
+    const at = this.groups[group];
+    this.touched.clear();
+    if (this.lapsing.size > 0 && (line.event === 'run' || line.event === 'input')) this.lapse(); // the next micro-step
+    switch (line.event) {
+      case 'run': return at ? this.run(at, shape) : this.touched;
+      case 'ask': case 'keep': return this.ask(edge);
+      case 'grant': return at ? this.grant(at, shape) : this.touched;
+      case 'lose': return at ? this.lose(at, group, shape.from) : this.touched;
+      case 'stop': case 'held': if (at?.granted) this.end(group); break;
+      case 'queue': return this.queue(shape);
+      case 'withdraw': return this.forget(edge);
+      case 'input':
+        if (line.input === 'request') this.asked[edge] = true;
+        return line.input === 'cancel' ? this.forget(edge) : this.touched;
+      case 'push': if (at) at.push = { edge, provider: shape.provider, condition: line.condition }; break;
+      case 'release': if (at) at.push = undefined; break;
+      case 'dropped': return this.lostTrack();
+      default: return this.touched;
+    }
+    return this.touched.add(group);
+  }
+
+  of(group: number): Standing {
+    const at = this.groups[group];
+    const waits = this.names.askers[group].map((edge) => this.waits[edge]).filter((wait): wait is Wait => wait !== undefined && this.isAlive(this.names.requesters[wait.edge]));
+    const pushed = at.push !== undefined && at.push.provider === at.provider;
+    const mark = at.granted ? (pushed ? 'pushed' : 'running') : waits.length > 0 ? 'queued' : !at.known ? 'unknown' : at.holder !== nobody ? 'held' : 'inactive';
+    return { mark, provider: at.granted ? at.provider : nobody, holder: at.holder, push: at.push, waits };
+  }
+
+  /** The program always is. */
+  private isAlive(group: number): boolean {
+    return group === nobody || this.groups[group].granted;
+  }
+
+  private touchAsked(group: number): void {
+    for (const edge of this.names.requests[group]) if (this.waits[edge]) this.touched.add(this.names.targets[edge]);
+  }
+
+  /** What it does not ask for now goes on for nobody any more, though it may still be held for a need. */
+  private run(at: Group, shape: Shape): Set<number> {
+    for (const edge of this.names.requests[shape.group]) {
+      const target = this.names.targets[edge];
+      if (this.asked[edge] || this.groups[target].holder !== edge) continue;
+      this.stopUnlessHandedOn(target);
+      this.touched.add(target);
+    }
+    if (at.holder >= 0 && shape.line.reasons?.includes('new_task')) this.asked[at.holder] = true;
+    if (at.granted && at.provider === shape.provider && at.known) return this.touched;
+    at.granted = at.known = true;
+    at.provider = shape.provider;
+    if (at.holder >= 0) this.waits[at.holder] = undefined;
+    return this.touched.add(shape.group);
+  }
+
+  /** What is still there from before goes on. */
+  private ask(edge: number): Set<number> {
+    this.asked[edge] = true;
+    const group = this.names.targets[edge];
+    if (this.groups[group]?.holder !== edge || !this.lapsing.delete(group)) return this.touched;
+    this.groups[group].granted = true;
+    this.touchAsked(group);
+    return this.touched.add(group);
+  }
+
+  private grant(at: Group, shape: Shape): Set<number> {
+    if (at.granted && shape.provider === nobody) this.end(shape.group);
+    at.known = true;
+    at.holder = shape.edge;
+    at.provider = shape.provider;
+    at.granted = shape.provider !== nobody;
+    this.touchAsked(shape.group);
+    if (at.granted && shape.edge >= 0) this.waits[shape.edge] = undefined;
+    return this.touched.add(shape.group);
+  }
+
+  /** Where a request neither waits nor was withdrawn, who made it does not run any more. */
+  private lose(at: Group, group: number, from: number): Set<number> {
+    const asker = this.names.requesters[from] ?? nobody;
+    if (asker !== nobody && this.asked[from] && !this.waits[from]) {
+      this.stopUnlessHandedOn(asker);
+      this.touched.add(asker);
+    }
+    this.end(group);
+    at.known = true;
+    at.holder = at.provider = nobody;
+    return this.touched.add(group);
+  }
+
+  private queue(shape: Shape): Set<number> {
+    const { edge, line, group } = shape;
+    if (edge < 0) return this.touched;
+    this.asked[edge] = true;
+    this.waits[edge] = { edge, why: line.why ?? '', condition: line.condition };
+    if (this.groups[group].holder === edge) this.stopUnlessHandedOn(group);
+    return this.touched.add(group);
+  }
+
+  private stopUnlessHandedOn(group: number): void {
+    if (!this.groups[group].granted) return;
+    this.groups[group].granted = false;
+    this.lapsing.add(group);
+    this.touchAsked(group);
+  }
+
+  private lapse(): void {
+    for (const group of this.lapsing) {
+      if (this.groups[group].granted) continue;
+      this.end(group);
+      this.touched.add(group);
+    }
+    this.lapsing.clear();
+  }
+
+  /** Nobody asks by this edge any more. */
+  private forget(edge: number): Set<number> {
+    const group = this.names.targets[edge];
+    if (group === undefined) return this.touched;
+    const was = this.waits[edge];
+    this.waits[edge] = undefined;
+    this.asked[edge] = false;
+    const { holder } = this.groups[group];
+    const wasKeptForIt = was?.why === 'outdated' && holder >= 0 && !this.asked[holder];
+    if (holder === edge || wasKeptForIt) this.stopUnlessHandedOn(group);
+    return this.touched.add(group);
+  }
+
+  /** What does not run asks for nothing. */
+  private end(group: number): void {
+    this.groups[group].granted = false;
+    this.groups[group].provider = nobody;
+    for (const edge of this.names.requests[group]) {
+      this.asked[edge] = false;
+      if (this.waits[edge] === undefined) continue;
+      this.waits[edge] = undefined;
+      this.touched.add(this.names.targets[edge]);
+    }
+  }
+
+  private lostTrack(): Set<number> {
+    this.groups.forEach((at, group) => {
+      Object.assign(at, { known: false, granted: false, holder: nobody, provider: nobody, push: undefined });
+      this.touched.add(group);
+    });
+    this.waits.fill(undefined);
+    this.asked.fill(false);
+    return this.touched;
+  }
+}

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// The timeline below the picture, of a recording that is whole or that grows: scrub, step, play, filter. The picture and the words beside it show the
+// moment.
+
+import { Cursor, seconds } from './cursor';
+import type { Data } from './data';
+import { button, byId, make } from './elements';
+import { EventList } from './event_list';
+import { Filter } from './filter';
+import { type Look, lookOf } from './look';
+import { Moment } from './moment';
+import { Overview } from './overview';
+import type { Picture } from './picture';
+import { PictureMarks } from './picture_marks';
+import { Player } from './player';
+import type { Source } from './recording';
+import { words } from './standing_words';
+import { rulerHeight, Tracks } from './tracks';
+import { View } from './view';
+
+/** By layer from the first one on, then as declared; those in no layer last. */
+function orderOf(source: Source, data: Data): number[] {
+  const layers = data.layers ?? [];
+  const place = new Map(data.groups.map((group, i) => [group.name, (group.layer === undefined ? layers.length : layers.indexOf(group.layer)) * data.groups.length + i]));
+  const { groups } = source.recording.names.header;
+  return groups.map((_, i) => i).sort((a, b) => (place.get(groups[a].name) ?? 0) - (place.get(groups[b].name) ?? 0));
+}
+
+export class Timeline {
+  private readonly cursor: Cursor;
+  private readonly view: View;
+  private readonly tracks: Tracks;
+  private readonly filter: Filter;
+  private readonly player: Player;
+  private readonly moment: Moment;
+  private readonly list: EventList;
+  private readonly overview: Overview;
+  private readonly marks: PictureMarks[];
+  private readonly canvas = make('canvas', { class: 'slices', 'aria-hidden': 'true' });
+  private readonly line = make('div', { class: 'cursor' });
+  private readonly tip = make('div', { class: 'tip', hidden: '' });
+  private readonly labels = make('div', { class: 'labels' });
+  private readonly area = make('div', { class: 'area', id: 'scrub', tabindex: '0', role: 'slider', 'aria-label': 'Time' }, this.canvas, this.line, this.tip);
+  private readonly where = make('output', { class: 'where' });
+  private readonly inPicture = make('input', { type: 'checkbox', id: 'in-picture', checked: '' });
+  private readonly follow = make('input', { type: 'checkbox', id: 'follow', checked: '' });
+  private look: Look;
+  private width = 0;
+  private drawn = false; // since the last change
+  private waiting = false; // for the next frame
+
+  constructor(private readonly source: Source, pictures: Picture[], data: Data) {
+    const { recording } = source;
+    const order = orderOf(source, data);
+    this.cursor = new Cursor(recording);
+    this.view = new View(recording);
+    this.tracks = new Tracks(recording, this.view);
+    this.filter = new Filter(recording, order, () => this.change());
+    this.player = new Player(recording, this.cursor);
+    this.moment = new Moment(source, this.cursor, order);
+    this.list = new EventList(recording, this.cursor, this.filter);
+    this.overview = new Overview(recording, this.view, this.cursor, () => this.change());
+    this.marks = pictures.map((picture) => new PictureMarks(picture, recording, data));
+    this.put();
+    this.look = lookOf(this.area);
+    this.cursor.onMove(() => this.moved());
+    recording.onGrowth(() => this.grown());
+    for (const picture of pictures) picture.whole();
+    this.listen();
+    this.change();
+  }
+
+  private put(): void {
+    const section = byId('timeline');
+    const picture = byId('picture');
+    if (!section || !picture) return;
+    const bench = make('div', { class: 'bench' });
+    picture.before(bench);
+    bench.append(picture, section);
+    const zoom = make(
+      'span', { class: 'row', role: 'group', 'aria-label': 'Zoom of the timeline' },
+      button('Closer', () => this.zoom(0.5)), button('Wider', () => this.zoom(2)), button('All of it', () => this.whole()),
+    );
+    const bar = make(
+      'div', { class: 'bar' },
+      button('Previous event', () => this.step(-1)), button('Next event', () => this.step(1)), this.player.element, zoom,
+      make('label', {}, this.inPicture, ' Moment in the picture'),
+    );
+    if (this.source.grows) bar.append(make('label', {}, this.follow, ' Follow the end'));
+    const legend = make('p', { class: 'looks' }, ...['running', 'pushed', 'queued', 'held', 'inactive'].map((mark) => make('span', {}, make('i', { class: mark }), ` ${mark}`)), make('span', { class: 'push-sign' }, '▲ push'), make('span', { class: 'take-sign' }, '◆ take-over'));
+    const hint = make('p', { class: 'hint' }, 'Click or drag to a moment. With the keyboard: ← and → to the events beside it, Page keys further, Home, End, space plays, + and − zoom, as does Ctrl with the wheel.');
+    const lanes = make('div', { class: 'lanes' }, this.labels, this.area);
+    section.append(bar, this.where, this.overview.element, lanes, legend, make('div', { class: 'beside' }, this.moment.element, this.list.element), hint);
+    bar.append(this.filter.element);
+    byId('no-timeline')?.remove();
+  }
+
+  private listen(): void {
+    this.inPicture.addEventListener('change', () => this.moved());
+    this.follow.addEventListener('change', () => this.grown());
+    this.area.addEventListener('keydown', (event) => this.key(event));
+    this.area.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    this.area.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0) return;
+      this.area.setPointerCapture(event.pointerId);
+      this.scrub(event);
+    });
+    this.area.addEventListener('pointermove', (event) => (event.buttons & 1 ? this.scrub(event) : this.hover(event)));
+    this.area.addEventListener('pointerleave', () => (this.tip.hidden = true));
+    new ResizeObserver(() => this.change()).observe(this.area);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+      this.look = lookOf(this.area);
+      this.change();
+    });
+  }
+
+  // What people do.
+
+  private step(by: 1 | -1): void {
+    this.leaveEnd();
+    const next = this.filter.from(this.cursor.event, by);
+    if (next !== undefined) this.cursor.goToEvent(next);
+  }
+
+  private scrub(event: PointerEvent): void {
+    this.leaveEnd();
+    this.tip.hidden = true;
+    this.cursor.goToTime(this.view.timeAt(event.clientX - this.area.getBoundingClientRect().left, this.width));
+  }
+
+  private leaveEnd(): void {
+    this.follow.checked = false;
+    this.player.stop();
+  }
+
+  private zoom(factor: number, around = this.cursor.time): void {
+    this.view.zoom(factor, around);
+    this.change();
+  }
+
+  private whole(): void {
+    this.view.whole();
+    this.change();
+  }
+
+  private wheel(event: WheelEvent): void {
+    const sideways = event.shiftKey ? event.deltaY : event.deltaX;
+    if (event.ctrlKey || event.metaKey) this.zoom(1.0015 ** event.deltaY, this.view.timeAt(event.clientX - this.area.getBoundingClientRect().left, this.width));
+    else if (sideways !== 0) this.view.pan(sideways / this.width);
+    else return;
+    event.preventDefault();
+    this.change();
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const far = this.view.length / 10;
+    const { recording } = this.source;
+    const go = (time: number) => (): void => {
+      this.leaveEnd();
+      this.cursor.goToTime(time);
+    };
+    const acts: Record<string, () => void> = {
+      ArrowLeft: () => this.step(-1), ArrowDown: () => this.step(-1), ArrowRight: () => this.step(1), ArrowUp: () => this.step(1),
+      PageUp: go(this.cursor.time + far), PageDown: go(this.cursor.time - far), Home: go(recording.begins), End: go(recording.ends),
+      '+': () => this.zoom(0.5), '=': () => this.zoom(0.5), '-': () => this.zoom(2), '0': () => this.whole(), ' ': () => this.player.flip(),
+    };
+    if (!acts[event.key]) return;
+    event.preventDefault();
+    acts[event.key]();
+  }
+
+  private hover(event: PointerEvent): void {
+    const box = this.area.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    const hit = this.tracks.hit(x, y, this.width);
+    this.tip.hidden = hit === undefined;
+    if (!hit) return;
+    const { recording } = this.source;
+    const time = `${seconds(hit.from)} to ${seconds(hit.to)}`;
+    if (hit.row.group !== undefined) {
+      const standing = recording.standingAt(hit.row.group, hit.event);
+      const text = words(recording.names, hit.row.group, standing);
+      this.tip.textContent = `${recording.names.header.groups[hit.row.group].name}: ${standing.mark}${text === '' || text.startsWith(standing.mark) ? '' : ','} ${text.startsWith(standing.mark) ? text.slice(standing.mark.length) : text}\n${time}`;
+    } else if (hit.row.state !== undefined) {
+      const value = recording.valueAt(hit.row.state, hit.event);
+      this.tip.textContent = `${recording.names.header.states[hit.row.state].name}: ${value === undefined ? 'not known' : (value ?? 'unset')}\n${time}`;
+    }
+    this.tip.style.left = `${Math.min(x + 12, this.width - 240)}px`;
+    this.tip.style.top = `${y + 14}px`;
+  }
+
+  // What is shown.
+
+  private grown(): void {
+    if (this.follow.checked && this.source.grows) {
+      const length = this.view.length;
+      const atEnd = this.cursor.time;
+      this.cursor.goToTime(this.source.recording.ends);
+      if (this.cursor.time > this.view.to || atEnd >= this.view.to) this.view.pan((this.source.recording.ends - this.view.to) / length);
+    }
+    this.change();
+  }
+
+  private moved(): void {
+    if (this.view.reveal(this.cursor.time)) this.drawn = false;
+    this.plan();
+  }
+
+  private change(): void {
+    this.drawn = false;
+    this.plan();
+  }
+
+  /** Once a frame, whatever happened in it. */
+  private plan(): void {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.show();
+    });
+  }
+
+  private show(): void {
+    if (!this.drawn) this.draw();
+    this.drawn = true;
+    const { recording } = this.source;
+    const { time, event } = this.cursor;
+    this.line.style.transform = `translateX(${this.view.xOf(time, this.width)}px)`;
+    const text = event < recording.first ? 'nothing has happened' : recording.shapeAt(event).text;
+    this.where.textContent = `${seconds(time)}, after event ${(event + 1).toLocaleString('en')} of ${recording.end.toLocaleString('en')}: ${text}`;
+    for (const [name, value] of Object.entries({ valuemin: recording.begins / 1e6, valuemax: recording.ends / 1e6, valuenow: time / 1e6, valuetext: `${seconds(time)}, ${text}` })) {
+      this.area.setAttribute(`aria-${name}`, String(value));
+    }
+    this.moment.show();
+    this.list.show();
+    this.overview.showCursor();
+    for (const marks of this.marks) marks.show(this.inPicture.checked ? event : undefined);
+  }
+
+  private draw(): void {
+    const { names } = this.source.recording;
+    this.tracks.rows = [...this.filter.groups().map((group) => ({ group })), ...names.header.states.map((_, state) => ({ state }))];
+    this.labels.replaceChildren(
+      ...this.tracks.rows.map((row) => ('group' in row ? make('a', { href: `#group-${names.header.groups[row.group as number].name}` }, names.header.groups[row.group as number].name) : make('a', { class: 'state', href: `#state-${names.header.states[row.state as number].name}` }, names.header.states[row.state as number].name))),
+    );
+    this.width = Math.max(1, Math.floor(this.area.clientWidth));
+    const scale = devicePixelRatio;
+    this.canvas.width = this.width * scale;
+    this.canvas.height = this.tracks.height * scale;
+    this.canvas.style.height = this.line.style.height = `${this.tracks.height}px`;
+    this.labels.style.paddingTop = `${rulerHeight}px`;
+    const context = this.canvas.getContext('2d');
+    if (!context) return;
+    context.scale(scale, scale);
+    this.tracks.draw(context, this.width, this.look);
+    this.overview.draw(this.look);
+  }
+}

@@ -1,0 +1,68 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// A recording as a page has it in itself: small, and read without looking for anything. compiler/page/web/embedded.ts is
+// its other half. The bytes, before they are packed:
+//
+//   length        4 bytes, the lowest first
+//   head          JSON of that length:
+//     header        the first line of the trace
+//     shapes        each event that differs in more than its time, once, as a line of the trace without its times
+//     texts         answers to why
+//     begins        the time of the first event, in microseconds
+//     events, changes   how many there are
+//     why_until     from this event on, counted from 0, it is not known why something waits ...
+//     why_ends      ... and what the reason is; absent: it is known everywhere
+//   times         of each event, since the one before
+//   shapes        of each event, its place among them
+//   events        of each change, since the one before: from which event on
+//   groups        of each change: whose answer becomes another one
+//   answers       of each change: place among the texts, plus 1; 0: it does not wait any more
+//
+// Numbers behind the head have seven bits a byte, the lowest first, each byte but the last with its highest bit set.
+// Events that nothing on the page needs are left out: what bodies answered and set, and which timer was due. One is
+// added, {"event":"held","group":…}, for Waits::held.
+
+#include "compiler/base/json.hpp"
+#include "compiler/trace/waits.hpp"
+#include "runtime/hosted/trace/trace_format.hpp"
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace director::compiler {
+
+/// Takes events as any format does. It has to get all of them, from the line behind the header on.
+class Recording final : public TraceFormat {
+public:
+  /// `names` must have tables, and outlive this. `why_ends`: why nothing is known behind what `waits` knows.
+  Recording(const director::Names& names, Waits waits, std::string why_ends);
+
+  void begin(std::string&) override {}
+  void event(const Event& event, std::string&) override;
+  void dropped(std::uint64_t count, std::string&) override;
+
+  std::size_t events() const { return events_; }
+  Time begins() const { return begins_; } ///< of the first event
+  Time ends() const { return now_; }      ///< of the last one
+
+  /// What stands in a page. `header`: the first line of the trace.
+  std::string bytes(const Json& header) const;
+
+private:
+  void add(Time time, std::string shape);
+  void add_held();
+  void add_changes();
+
+  const director::Names names_;
+  const Waits waits_;
+  const std::string why_ends_;
+  std::unordered_map<std::string, std::size_t> shape_of_;
+  std::vector<std::string> shapes_;
+  std::string times_, places_, change_events_, change_groups_, change_answers_;
+  std::size_t line_ = 1, events_ = 0, held_ = 0, changes_ = 0, change_event_ = 0, why_until_ = 0;
+  Time begins_ = 0, now_ = 0;
+};
+
+} // namespace director::compiler

@@ -1,0 +1,144 @@
+// Door: compiler/trace/waits.hpp. Test: tests/compiler/trace/waits_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/trace/waits.hpp"
+
+#include "compiler/lower/row_names.hpp"
+#include "compiler/play/why.hpp"
+
+#include <unordered_map>
+
+namespace director::compiler {
+
+namespace {
+
+using Kind = Event::Kind;
+
+class Asking final : public ReplayWatch {
+public:
+  Asking(const Model& model, const Lowered& lowered, const dsl::Sources& sources)
+      : model_(model),
+        lowered_(lowered),
+        sources_(sources),
+        rows_(model, lowered),
+        groups_(model.groups.size()) {}
+
+  void event(const Event& event, std::size_t line) override {
+    last_line_ = line;
+    const bool decides = is_decision(event.kind);
+    if (decides && decision_line_ == 0) decision_line_ = line;
+    anew_ = anew_ || decides || may_change_notes(event);
+    if (event.group != nil && ends_run(event, groups_[event.group].holder)) groups_[event.group].is_told = true;
+  }
+
+  void stepped(const View& view) override {
+    for (Index group = 0; group < groups_.size(); ++group) {
+      note_held(view, group);
+      look(view, group);
+    }
+    anew_ = false;
+    decision_line_ = 0;
+  }
+
+  Waits found(const Replayed& replayed) {
+    out_.last_line = last_line_;
+    out_.replayed = replayed;
+    return std::move(out_);
+  }
+  director::Names names() const { return rows_.names(); }
+
+private:
+  struct Standing {
+    Because because{};
+    std::uint32_t text = 0; ///< as in Change
+    Index holder = nil;
+    bool is_live = false, is_told = false; ///< as it was; and that this micro-step told of its end
+  };
+
+  static bool is_decision(Kind kind) {
+    return kind == Kind::grant || kind == Kind::lose || kind == Kind::queue || kind == Kind::push || kind == Kind::release;
+  }
+  /// An answer names values, who asks, at which priority, and who is disabled.
+  static bool may_change_notes(const Event& event) {
+    switch (event.kind) {
+    case Kind::set:
+    case Kind::given:
+    case Kind::ask:
+    case Kind::withdraw: return true;
+    case Kind::input:
+      return event.input == Event::Input::request || event.input == Event::Input::cancel ||
+             event.input == Event::Input::set || event.input == Event::Input::enable ||
+             event.input == Event::Input::disable || event.input == Event::Input::expire;
+    default: return false;
+    }
+  }
+
+  static bool ends_run(const Event& event, Index holder) {
+    switch (event.kind) {
+    case Kind::grant:
+    case Kind::lose:
+    case Kind::stop: return true;
+    case Kind::queue:
+    case Kind::withdraw: return event.edge == holder;
+    default: return event.input == Event::Input::cancel && event.edge == holder;
+    }
+  }
+
+  void note_held(const View& view, Index group) {
+    Standing& standing = groups_[group];
+    const bool is_live = view.assignment[group].active != nil;
+    if (standing.is_live && !is_live && !standing.is_told) out_.held.push_back({last_line_, group});
+    standing.is_live = is_live;
+    standing.holder = view.holder(group);
+    standing.is_told = false;
+  }
+
+  static bool waits(const View& view, Index group) {
+    if (view.granted(group)) return false;
+    for (const Index edge : view.tables->list(view.tables->groups[group].requesters)) {
+      if (view.requested(edge)) return true;
+    }
+    return false;
+  }
+
+  void look(const View& view, Index group) {
+    Standing& standing = groups_[group];
+    if (!waits(view, group)) return change(standing, group, 0);
+    const Because because = why(view, group);
+    if (standing.text != 0 && !anew_ && because == standing.because) return;
+    standing.because = because;
+    change(standing, group, text_of(to_text(reason_why(view, because, model_, lowered_, rows_.names()), sources_)));
+  }
+
+  std::uint32_t text_of(std::string text) {
+    const auto [at, is_new] = texts_.try_emplace(std::move(text), static_cast<std::uint32_t>(out_.texts.size() + 1));
+    if (is_new) out_.texts.push_back(at->first);
+    return at->second;
+  }
+
+  /// From the decision on, so that who goes from event to event has it beside what it comes from.
+  void change(Standing& standing, Index group, std::uint32_t text) {
+    if (standing.text == text) return;
+    standing.text = text;
+    out_.changes.push_back({decision_line_ != 0 ? decision_line_ : last_line_, group, text});
+  }
+
+  const Model& model_;
+  const Lowered& lowered_;
+  const dsl::Sources& sources_;
+  const RowNames rows_;
+  std::vector<Standing> groups_;
+  std::unordered_map<std::string, std::uint32_t> texts_;
+  std::size_t last_line_ = 0, decision_line_ = 0; ///< of the micro-step its first decision; 0: none yet
+  bool anew_ = false;
+  Waits out_;
+};
+
+} // namespace
+
+Waits find_waits(TraceLines& lines, const Model& model, const Lowered& lowered, const dsl::Sources& sources) {
+  Asking asking(model, lowered, sources);
+  const Replayed replayed = replay(lines, asking.names(), &asking);
+  return asking.found(replayed);
+}
+
+} // namespace director::compiler

@@ -1,0 +1,141 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// A behaviour's state as bytes, with the data of its tasks; what behaviour.save() and load() do. What of the engine is written:
+// engine/saved_state.hpp. Behind it, for each task with data, in the order of Facts::Groups: the slot of each way of requesting it, and that
+// of its group, each as a byte that says whether it is full and the bytes of the value. `Facts`: see program.hpp; and fingerprint(),
+// a number that tells the behaviour from others.
+
+#include "runtime/core/api/task.hpp"
+#include "runtime/core/engine/engine.hpp"
+#include "runtime/core/engine/saved_state.hpp"
+
+namespace director::saved {
+
+/// Calls visit.template operator()<Task, row>() for each task with data.
+template <class... Tasks, Index... rows, class Visit>
+constexpr void each_task(Table<Row<Tasks, rows>...>*, Visit&& visit) {
+  const auto look = [&]<class Task, Index row>() {
+    if constexpr (has_data<Task>) visit.template operator()<Task, row>();
+  };
+  (look.template operator()<Tasks, rows>(), ...);
+}
+
+/// Calls visit(slot) for each slot of the data that last, of all tasks.
+template <class Facts, class Visit>
+void each_slot(auto& data, Visit&& visit) {
+  each_task(static_cast<typename Facts::Groups*>(nullptr),
+            [&]<class Task, Index row>() { data.template of<Task>().each_lasting(visit); });
+}
+
+template <class Facts>
+class Data {
+  template <class Task>
+  using DataOf = typename TaskBase<Task>::data_type;
+
+  /// Of one task.
+  template <class Task>
+  static constexpr std::size_t bytes_of_slots() {
+    static_assert(std::is_trivially_copyable_v<DataOf<Task>>,
+                  "a behaviour is saved as bytes, so the data of each of its tasks must be trivially copyable: no "
+                  "std::string, no std::vector, no copy constructor or destructor of its own (numbers, enums, arrays and "
+                  "structs of these are)");
+    using Slots = std::remove_cvref_t<decltype(std::declval<typename Facts::Data&>().template of<Task>())>;
+    return Slots::lasting * (1 + sizeof(DataOf<Task>));
+  }
+
+public:
+  static constexpr std::size_t bytes = [] {
+    std::size_t all = 0;
+    each_task(static_cast<typename Facts::Groups*>(nullptr), [&]<class Task, Index row>() { all += bytes_of_slots<Task>(); });
+    return all;
+  }();
+
+  /// The behaviour's fingerprint, with the sizes of its data.
+  static std::uint64_t fingerprint() {
+    std::uint64_t all = Facts::fingerprint();
+    each_task(static_cast<typename Facts::Groups*>(nullptr),
+              [&]<class Task, Index row>() { all = mix(mix(all, sizeof(DataOf<Task>)), alignof(DataOf<Task>)); });
+    return all;
+  }
+
+  static void write(typename Facts::Data& data, std::byte* to) {
+    each_slot<Facts>(data, [&](auto& slot) {
+      *to++ = slot.full() ? std::byte{1} : std::byte{0};
+      slot.copy_to(to);
+      to += slot.size;
+    });
+  }
+
+  static void read(typename Facts::Data& data, const std::byte* from) {
+    each_slot<Facts>(data, [&](auto& slot) {
+      const bool full = *from++ != std::byte{0};
+      slot.copy_from(from, full);
+      from += slot.size;
+    });
+  }
+
+  /// Every body that reads its task's data finds some: of what is live, and of what is requested. `from`: a whole state whose other
+  /// numbers are possible.
+  static bool is_possible(const Tables& tables, const std::byte* from) {
+    const Layout at(Shape::of(tables));
+    const std::byte* slots = from + at.data;
+    bool good = true;
+    each_task(static_cast<typename Facts::Groups*>(nullptr), [&]<class Task, Index group>() {
+      constexpr std::size_t each = 1 + sizeof(DataOf<Task>);
+      constexpr std::size_t count = bytes_of_slots<Task>() / each;
+      const auto full = [&](std::size_t slot) { return slots[slot * each] == std::byte{1}; };
+      for (std::size_t i = 0; i < count; ++i) good = good && (full(i) || slots[i * each] == std::byte{0});
+      const auto row = saved::read<GroupRow>(from + at.groups, group);
+      if (row.active != nil) good = good && full(row.data_from == nil ? count - 1 : Facts::places[row.data_from]);
+      for (const Index edge : tables.list(tables.groups[group].requesters)) {
+        if (saved::read<EdgeRow>(from + at.edges, edge).level != nil) good = good && full(Facts::places[edge]);
+      }
+      slots += bytes_of_slots<Task>();
+    });
+    return good;
+  }
+};
+
+/// Every value is one that its state declares, or none where it may have none.
+template <class Facts>
+bool values_are_declared(const Tables& tables, const std::byte* from) {
+  const Layout at(Shape::of(tables));
+  for (Index i = 0; i < tables.states.size(); ++i) {
+    const StateVariable& state = tables.states[i];
+    const auto row = saved::read<StateRow>(from + at.states, i);
+    const bool may_lack = state.initial == unset || (state.expires != 0 && state.expires_to == unset);
+    const Domain domain = Facts::States::domains[i];
+    if (!domain.has(row.value) && !(row.value == unset && may_lack)) return false;
+    if (!domain.has(row.by_handler) && row.by_handler != unset) return false;
+  }
+  return true;
+}
+
+/// How many bytes a state of the behaviour takes.
+template <class Facts>
+inline constexpr std::size_t bytes_of_behaviour = saved_bytes(Facts::shape) + Data<Facts>::bytes;
+
+template <class Facts>
+SaveResult save(const Engine& engine, typename Facts::Data& data, std::span<std::byte> to) {
+  constexpr std::size_t size = bytes_of_behaviour<Facts>;
+  const SaveResult result = can_save(engine, to.size(), size);
+  if (result != SaveResult::saved) return result;
+  write_decisions(engine, to.first(size), Data<Facts>::fingerprint());
+  Data<Facts>::write(data, to.data() + saved_bytes(Facts::shape));
+  seal(to.first(size));
+  return result;
+}
+
+template <class Facts>
+LoadResult load(Engine& engine, typename Facts::Data& data, std::span<const std::byte> from, Time now) {
+  const LoadResult result = can_load(engine, from, Data<Facts>::fingerprint(), bytes_of_behaviour<Facts>);
+  if (result != LoadResult::loaded) return result;
+  const Tables& tables = engine.tables();
+  if (!values_are_declared<Facts>(tables, from.data()) || !Data<Facts>::is_possible(tables, from.data()))
+    return LoadResult::impossible;
+  read_decisions(engine, from.data(), now);
+  Data<Facts>::read(data, from.data() + saved_bytes(Facts::shape));
+  return result;
+}
+
+} // namespace director::saved

@@ -1,0 +1,178 @@
+// Door: runtime/core/engine/saved_check.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp, tests/property/saved_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// What the engine takes for granted of its own memory has to be looked at here: it reads rows by these numbers, and follows
+// holders, plans and the queue, without a look at where they lead. Cost: the rows, and for each group the chain of its holders
+// and its plan.
+
+#include "runtime/core/engine/saved_check.hpp"
+
+#include "runtime/core/engine/engine.hpp"
+
+namespace director::saved {
+
+namespace {
+
+constexpr bool is_in(Index row, Range rows) { return rows.begin <= row && row < rows.end; }
+
+class Checking {
+public:
+  Checking(const Engine& engine, const std::byte* from)
+      : t_(engine.tables()),
+        s_(engine.memory()),
+        from_(from),
+        at_(Shape::of(t_)),
+        head_(read<HeadRow>(from, 0)) {}
+
+  bool all() const {
+    bool good = (head_.flags & ~head::all) == 0 && head_.now <= head_.until && head_.until <= last_time;
+    for (Index e = 0; e < t_.edges.size() && good; ++e) good = edge(e);
+    for (Index i = 0; i < t_.states.size() && good; ++i) good = state(i);
+    for (Index p = 0; p < t_.providers.size() && good; ++p) good = read<FlagRow>(from_ + at_.providers, p).set <= 1;
+    for (Index slot = 0; slot < t_.listened.size() && good; ++slot)
+      good = read<FlagRow>(from_ + at_.listens, slot).set <= 1;
+    for (Index slot = 0; slot < t_.plan_groups.size() && good; ++slot)
+      good = provider_of(t_.plan_groups[slot], planned_in(slot));
+    for (Index g = 0; g < t_.groups.size() && good; ++g) good = group(g);
+    for (Index g = 0; g < t_.groups.size() && good; ++g) good = ends_at_root(g) && has_its_plan(g);
+    return good && places<GroupRow>(at_.groups, t_.groups.size(), &GroupRow::queue_place) && components();
+  }
+
+private:
+  GroupRow row_of(Index group) const { return read<GroupRow>(from_ + at_.groups, group); }
+  EdgeRow request(Index edge) const { return read<EdgeRow>(from_ + at_.edges, edge); }
+  Index planned_in(Index slot) const { return read<PlanRow>(from_ + at_.plan, slot).provider; }
+
+  /// Or nil.
+  bool provider_of(Index group, Index provider) const {
+    return provider == nil || is_in(provider, t_.groups[group].providers);
+  }
+
+  bool edge(Index e) const {
+    const EdgeRow row = request(e);
+    return (row.level == nil || is_in(row.level, t_.edges[e].levels)) && row.stamp <= head_.micro_step &&
+           row.why <= static_cast<std::uint8_t>(Why::deferred) &&
+           (row.condition == nil ? row.why != static_cast<std::uint8_t>(Why::waiting)
+                                 : row.condition < t_.conditions.size());
+  }
+
+  bool state(Index i) const {
+    const auto row = read<StateRow>(from_ + at_.states, i);
+    return (row.expiry == never || t_.states[i].expires != 0) &&
+           (row.by_handler == unset || (head_.flags & head::handlers_set) != 0);
+  }
+
+  bool holder(Index g, Index by) const {
+    return by == nil || by == t_.edges.size() + g || (by < t_.edges.size() && t_.edges[by].target == g);
+  }
+
+  bool push(Index g, const Push& push) const {
+    if (push.edge == nil) return push == Push{};
+    return push.edge < t_.edges.size() && push.condition < t_.conditions.size() && push.provider != nil &&
+           provider_of(g, push.provider) &&
+           t_.groups[t_.edges[push.edge].target].component == t_.groups[g].component;
+  }
+
+  bool group(Index g) const {
+    constexpr std::uint8_t flags = flag::granted | flag::needed | flag::in_force | flag::serving;
+    constexpr std::uint8_t reasons = 31; // those of runs
+    const GroupRow row = row_of(g);
+    const bool granted = (row.flags & flag::granted) != 0, pushed = (row.flags & (flag::in_force | flag::serving)) != 0;
+    if ((row.flags & ~flags) != 0 || (row.pending & ~reasons) != 0 || row.done > 3 || row.done == result::failed ||
+        row.counts > 1)
+      return false;
+    if (!holder(g, row.holder) || !provider_of(g, row.active) || !provider_of(g, row.planned) || !push(g, row.push))
+      return false;
+    if (row.active != nil && row.holder == nil) return false;
+    if (granted && (row.active == nil || row.holder >= t_.edges.size() || request(row.holder).level == nil)) return false;
+    if (row.queue_place != nil && (!granted || row.pending == 0)) return false;
+    if (pushed && row.push.edge == nil) return false;
+    if (row.wait != never && row.active == nil) return false;
+    if (row.every != never && (row.active == nil || t_.providers[row.active].every == 0)) return false;
+    if (row.data_from != nil && (row.data_from >= t_.edges.size() || t_.edges[row.data_from].target != g)) return false;
+    return row.promised.provider == nil ||
+           (!t_.promises.empty() && provider_of(g, row.promised.provider) && row.promised.edge < t_.edges.size());
+  }
+
+  /// Or at somebody that nobody holds, or in limbo.
+  bool ends_at_root(Index g) const {
+    for (Index steps = 0; steps <= t_.groups.size(); ++steps) {
+      const Index by = row_of(g).holder;
+      if (by >= t_.edges.size() || t_.edges[by].requester == nil) return true; // also where it is nil
+      g = t_.edges[by].requester;
+    }
+    return false;
+  }
+
+  /// The way of arbitration::entries_of, with an eye on its end: no plan has more entries than there are groups.
+  bool has_its_plan(Index g) const {
+    const Index planned = row_of(g).planned;
+    if (planned == nil) return true;
+    Index end = 0;
+    for (Index parent = nil;;) {
+      Index place = 0, owner = parent;
+      const auto needer = [&] { return owner == nil ? planned : s_.entry_provider[owner]; };
+      while (place >= t_.providers[needer()].needs.size()) {
+        if (owner == nil) return true;
+        place = static_cast<Index>(s_.entry_place[owner] + 1);
+        owner = s_.entry_parent[owner];
+      }
+      if (end == t_.groups.size()) return false;
+      const Index needed = t_.edges[t_.list(t_.providers[needer()].needs)[place]].target;
+      const Index slot = slot_of(g, needed);
+      const Index provider = slot == nil ? t_.groups[needed].providers.begin : planned_in(slot);
+      if (provider == nil) return false;
+      s_.entry_provider[end] = provider;
+      s_.entry_parent[end] = owner;
+      s_.entry_place[end] = place;
+      parent = end++;
+    }
+  }
+
+  Index slot_of(Index owner, Index group) const {
+    const Range slots = t_.groups[owner].slots;
+    for (Index slot = slots.begin; slot != slots.end; ++slot) {
+      if (t_.plan_groups[slot] == group) return slot;
+    }
+    return nil;
+  }
+
+  /// Those that have a place stand in a row: from 0 on, one in each.
+  template <class Row>
+  bool places(std::size_t begin, std::size_t count, Index Row::*place) const {
+    Index* const taken = s_.reach;
+    std::size_t placed = 0;
+    for (std::size_t i = 0; i < count; ++i) taken[i] = nil;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index at = read<Row>(from_ + begin, i).*place;
+      if (at == nil) continue;
+      if (at >= count || taken[at] != nil) return false;
+      taken[at] = 0;
+      ++placed;
+    }
+    for (std::size_t i = 0; i < placed; ++i) {
+      if (taken[i] == nil) return false;
+    }
+    return true;
+  }
+
+  bool components() const {
+    for (Index c = 0; c < t_.components.size(); ++c) {
+      const auto row = read<ComponentRow>(from_ + at_.components, c);
+      if ((row.bits & ~component_bits) != 0) return false;
+    }
+    return places<ComponentRow>(at_.components, t_.components.size(), &ComponentRow::work_place);
+  }
+
+  const Tables& t_;
+  const State& s_;
+  const std::byte* from_;
+  const Layout at_;
+  const HeadRow head_;
+};
+
+} // namespace
+
+bool is_possible(const Engine& engine, const std::byte* from) { return Checking(engine, from).all(); }
+
+} // namespace director::saved

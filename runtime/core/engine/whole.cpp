@@ -1,0 +1,13 @@
+// runtime/core/base/parts.hpp: an engine for any tables, with all parts.
+// SPDX-License-Identifier: MIT
+
+#include "runtime/core/engine/engine.hpp"
+
+namespace director {
+
+Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
+    : Engine(tables, State::in(memory, State::layout(Shape::of(tables))), bodies, inbox) {
+  observe(observer);
+}
+
+} // namespace director

@@ -1,0 +1,143 @@
+// Door: runtime/hosted/why_notes.hpp. Test: tests/compiler/cli/why_test.cpp, tests/runtime/live/moment_lines_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "runtime/hosted/why_notes.hpp"
+
+#include <array>
+#include <utility>
+
+namespace director {
+
+namespace {
+
+using About = WhyNote::About;
+
+class Noting {
+public:
+  Noting(const View& view, const Names& names) : v_(view), t_(*view.tables), n_(names) {}
+
+  std::vector<WhyNote> about(const Because& because) {
+    switch (because.kind) {
+    case Because::Kind::condition: condition(because); break;
+    case Because::Kind::lost:
+    case Because::Kind::need_held:
+    case Because::Kind::reserved: chain(because.holder, "it is held for"); break;
+    case Because::Kind::running: chain(because.edge, "it runs for"); break;
+    case Because::Kind::no_provider: disabled(because.group); break;
+    case Because::Kind::not_requested: requesters(because.asked); break;
+    default: break;
+    }
+    return std::move(notes_);
+  }
+
+private:
+  void say(std::string text, About about, Index row) { notes_.push_back({std::move(text), about, row}); }
+
+  std::string group(Index row) const { return n_.group(n_.self, row); }
+  std::string edge(Index row) const { return n_.edge(n_.self, row); }
+  /// `Walk.halting`; of a group that writes its words directly `Walk`.
+  std::string provider(Index row) const {
+    const std::string_view own = n_.provider(n_.self, row);
+    const std::string of = group(t_.providers[row].group);
+    return own == "default" ? of : of + "." + std::string(own);
+  }
+  std::string value(Index state) const {
+    const std::int32_t number = v_.values[state].value;
+    if (number == unset) return "unset";
+    const std::string name = n_.value(n_.self, state, number);
+    return name.empty() ? std::to_string(number) : name;
+  }
+
+  /// Who requested what, up to the program.
+  void chain(Index edge, std::string_view word) {
+    std::string text(word);
+    const Index first = edge;
+    for (std::string_view between = " "; edge != nil && !v_.is_limbo(edge); between = ", that for ") {
+      const Index requester = t_.edges[edge].requester;
+      text += std::string(between) + (requester == nil ? "the program" : group(requester)) + ", priority " +
+              std::to_string(priority(edge));
+      if (requester == nil) break;
+      edge = v_.holder(requester);
+    }
+    say(std::move(text), About::edge, first);
+  }
+
+  std::int32_t priority(Index edge) const {
+    if (v_.requested(edge)) return t_.levels[v_.request[edge].level].priority;
+    const Range levels = t_.edges[edge].levels;
+    return levels.empty() ? 0 : t_.levels[levels.begin].priority;
+  }
+
+  void condition(const Because& because) {
+    const Index state = t_.conditions[because.condition].state;
+    const std::string name = n_.state(n_.self, state);
+    say(name + " is " + value(state), About::condition, because.condition);
+    for (const Index row : causers(t_, because.condition)) causer(row, because);
+    if (t_.states[state].external) say("the outside may set " + name, About::state, state);
+  }
+
+  /// What a provider that promises the condition does about it.
+  void causer(Index row, const Because& because) {
+    const Index of = t_.providers[row].group;
+    const GroupAssignment& standing = v_.assignment[of];
+    std::string text = provider(row);
+    if (v_.enabled[row] == 0) {
+      text += " could cause it, and is disabled";
+    } else if (standing.active == row && (standing.flags & flag::in_force) != 0) {
+      text += " is to cause it: pushed for " + edge(standing.push.edge);
+    } else if (standing.active == row) {
+      text += " could cause it, and runs";
+    } else if (!is_requested(of)) {
+      text += " could cause it, but nobody asks for " + group(of);
+    } else if (!standing.granted()) {
+      text += " could cause it, but " + group(of) + " waits itself";
+    } else {
+      text += " could cause it, and is not pushed for " + edge(because.edge);
+    }
+    say(std::move(text), About::provider, row);
+  }
+
+  bool is_requested(Index group) const {
+    for (const Index edge : t_.list(t_.groups[group].requesters)) {
+      if (v_.requested(edge)) return true;
+    }
+    return false;
+  }
+
+  void disabled(Index group) {
+    const Range providers = t_.groups[group].providers;
+    for (Index row = providers.begin; row != providers.end; ++row) {
+      if (v_.enabled[row] == 0) say(provider(row) + " is disabled", About::provider, row);
+    }
+  }
+
+  void requesters(Index group_row) {
+    for (const Index edge : t_.list(t_.groups[group_row].requesters)) {
+      const Index requester = t_.edges[edge].requester;
+      if (requester == nil) {
+        say("the program may", About::edge, edge);
+      } else {
+        const bool lives = v_.assignment[requester].active != nil;
+        say(group(requester) + (lives ? " may, and does not ask now" : " may, and does not run"), About::edge, edge);
+      }
+    }
+  }
+
+  const View& v_;
+  const Tables& t_;
+  const Names& n_;
+  std::vector<WhyNote> notes_;
+};
+
+constexpr std::array<std::string_view, 11> kinds{"running",   "not_requested", "no_provider", "lost",
+                                                 "need_held", "together",      "condition",   "outdated",
+                                                 "deferred",  "reserved",      "limbo"};
+
+} // namespace
+
+std::vector<WhyNote> why_notes(const View& view, const Because& because, const Names& names) {
+  return Noting(view, names).about(because);
+}
+
+std::string_view name_of(Because::Kind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+
+} // namespace director

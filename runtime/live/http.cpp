@@ -1,0 +1,113 @@
+// Door: runtime/live/http.hpp. Test: tests/runtime/live/http_test.cpp.
+// SPDX-License-Identifier: MIT
+//
+// cpp-httplib reads the request and writes the head of the answer, from a text into a text. Its own server is not used:
+// it has a thread for each connection, and reads lines of any length. What it would do beside is kept from it: parts of
+// an answer (Range) and compression, by which a small request costs much.
+#include "runtime/live/http.hpp"
+
+#include <httplib.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace director::live {
+
+namespace {
+
+/// A connection as the library sees it: what came in is all that ever comes.
+class Text final : public httplib::Stream {
+public:
+  explicit Text(std::string_view in) : in_(in) {}
+  std::string out;
+
+  bool is_readable() const override { return !in_.empty(); }
+  bool is_writable() const override { return true; }
+  ssize_t read(char* to, std::size_t most) override {
+    const std::size_t count = std::min(most, in_.size());
+    std::memcpy(to, in_.data(), count);
+    in_.remove_prefix(count);
+    return static_cast<ssize_t>(count);
+  }
+  ssize_t write(const char* from, std::size_t count) override {
+    out.append(from, count);
+    return static_cast<ssize_t>(count);
+  }
+  void get_remote_ip_and_port(std::string&, int&) const override {}
+  void get_local_ip_and_port(std::string&, int&) const override {}
+  socket_t socket() const override { return -1; }
+
+private:
+  std::string_view in_;
+};
+
+} // namespace
+
+class Http::Library final : public httplib::Server {
+public:
+  explicit Library(Http::Handler handler) : handler_(std::move(handler)) {
+    set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+      take(request, response);
+      return HandlerResponse::Handled;
+    });
+  }
+
+  Answer answer(std::string_view request) {
+    reply_ = {};
+    Text text(request);
+    process(*this, text, [](httplib::Request& read) {
+      read.ranges.clear();
+      for (const char* header : {"Range", "Accept-Encoding", "Expect"}) read.headers.erase(header);
+    });
+    return {std::move(text.out), std::move(reply_.body), reply_.stream};
+  }
+
+private:
+  /// Since version 0.16 it also asks who is at the two ends.
+  template <class Self>
+  static void process(Self& self, httplib::Stream& text, const std::function<void(httplib::Request&)>& prepare) {
+    bool closed = false;
+    if constexpr (requires { self.process_request(text, true, closed, prepare); })
+      self.process_request(text, true, closed, prepare);
+    else
+      self.process_request(text, "", 0, "", 0, true, closed, prepare);
+  }
+
+  void take(const httplib::Request& from, httplib::Response& to) {
+    const auto header = [&](const char* name) { return from.get_header_value(name); };
+    Request request{.method = from.method, .path = from.path, .parameters = from.params, .host = header("Host"),
+                    .origin = header("Origin"), .last_event = header("Last-Event-ID"),
+                    .has_body = from.has_header("Transfer-Encoding") ||
+                                (from.has_header("Content-Length") && header("Content-Length") != "0")};
+    reply_ = handler_(request);
+    to.status = reply_.status;
+    for (const auto& [name, value] : reply_.headers) to.set_header(name, value);
+    // Only the head is wanted: the body is sent as it is.
+    if (reply_.stream)
+      to.set_content_provider(reply_.type, [](std::size_t, httplib::DataSink&) { return false; });
+    else if (reply_.body != nullptr && !reply_.body->empty())
+      to.set_content_provider(reply_.body->size(), reply_.type,
+                              [](std::size_t, std::size_t, httplib::DataSink&) { return false; });
+    if (request.method == "HEAD") {
+      reply_.body = nullptr;
+      reply_.stream = false;
+    }
+  }
+
+  Http::Handler handler_;
+  Reply reply_;
+};
+
+Http::Http(Handler handler) : library_(std::make_unique<Library>(std::move(handler))) {}
+
+Http::~Http() = default;
+
+Answer Http::answer(std::string_view request) { return library_->answer(request); }
+
+std::string bare_answer(std::string_view status, std::string_view text) {
+  std::string out = "HTTP/1.1 ";
+  out.append(status).append("\r\nConnection: close\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: ");
+  return out.append(std::to_string(text.size())).append("\r\n\r\n").append(text);
+}
+
+} // namespace director::live

@@ -1,0 +1,58 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What somebody asks by HTTP, and what is answered; the only place that knows the library that reads and writes it.
+// One request a connection: whatever is asked, the connection ends after the answer.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace director::live {
+
+struct Request {
+  std::string method = {}, path = {};
+  std::multimap<std::string, std::string> parameters = {};
+  std::string host = {}, origin = {}, last_event = {}; ///< headers; empty where they are missing
+  bool has_body = false;
+};
+
+struct Reply {
+  int status = 200;
+  std::string type = "text/plain; charset=utf-8";
+  std::shared_ptr<const std::string> body = {};
+  std::vector<std::pair<std::string, std::string>> headers = {};
+  bool stream = false; ///< what follows the body has no end
+};
+
+/// The bytes of an answer: `head`, then what the body is, if it is sent.
+struct Answer {
+  std::string head;
+  std::shared_ptr<const std::string> body = {};
+  bool stream = false;
+};
+
+class Http {
+public:
+  using Handler = std::function<Reply(const Request&)>;
+
+  explicit Http(Handler handler);
+  ~Http();
+  Http(const Http&) = delete;
+  Http& operator=(const Http&) = delete;
+
+  /// `request`: up to the empty line and with it. What is none is answered with 400 or the like, without the handler.
+  Answer answer(std::string_view request);
+
+private:
+  class Library;
+  std::unique_ptr<Library> library_;
+};
+
+/// For who is not even asked: `503 Service Unavailable`, with a text.
+std::string bare_answer(std::string_view status, std::string_view text);
+
+} // namespace director::live

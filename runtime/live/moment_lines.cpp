@@ -1,0 +1,112 @@
+// Door: runtime/live/moment_lines.hpp. Test: tests/runtime/live/moment_lines_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "runtime/live/moment_lines.hpp"
+
+#include "runtime/core/inspect/why.hpp"
+#include "runtime/hosted/trace/json_lines.hpp"
+#include "runtime/hosted/trace/json_text.hpp"
+#include "runtime/hosted/why_notes.hpp"
+
+#include <array>
+
+namespace director::live {
+
+namespace {
+
+class MomentLines {
+public:
+  MomentLines(const View& view, const Names& names, std::string& out) : v_(view), t_(*view.tables), n_(names), out_(out) {}
+
+  void write() {
+    for (Index row = 0; row < t_.states.size(); ++row) given(row);
+    for (Index row = 0; row < t_.providers.size(); ++row) {
+      if (v_.enabled[row] == 0) disabled(row);
+    }
+    for (Index row = 0; row < t_.groups.size(); ++row) controlled(row);
+    for (Index row = 0; row < t_.groups.size(); ++row) pushed(row);
+    for (Index row = 0; row < t_.edges.size(); ++row) queued(row);
+  }
+
+private:
+  Event event(Event::Kind kind) const {
+    Event out;
+    out.kind = kind;
+    out.time = out.until = v_.now;
+    out.micro_step = v_.micro_step;
+    return out;
+  }
+  void append(const Event& event) {
+    append_event(event, n_, out_);
+    out_ += '\n';
+  }
+
+  void given(Index state) {
+    Event out = event(Event::Kind::given);
+    out.state = state;
+    out.value = v_.values[state].value;
+    append(out);
+  }
+  void disabled(Index provider) {
+    Event out = event(Event::Kind::input);
+    out.input = Event::Input::disable;
+    out.group = t_.providers[provider].group;
+    out.provider = provider;
+    append(out);
+  }
+  void controlled(Index group) {
+    const Index holder = v_.holder(group);
+    Event out = event(holder == nil ? Event::Kind::lose : Event::Kind::grant);
+    out.group = group;
+    out.edge = holder;
+    out.provider = v_.assignment[group].active;
+    append(out);
+  }
+  void pushed(Index group) {
+    const Push& push = v_.assignment[group].push;
+    if (push.edge == nil) return;
+    Event out = event(Event::Kind::push);
+    out.group = group;
+    out.provider = push.provider;
+    out.edge = push.edge;
+    out.condition = push.condition;
+    append(out);
+  }
+  void queued(Index edge) {
+    const Queued queued = v_.queued(edge);
+    if (v_.state(edge) != RunState::queued || queued.why == Why::none) return;
+    Event out = event(Event::Kind::queue);
+    out.group = t_.edges[edge].target;
+    out.edge = edge;
+    out.why = queued.why;
+    out.condition = queued.condition;
+    append(out);
+  }
+
+  const View& v_;
+  const Tables& t_;
+  const Names& n_;
+  std::string& out_;
+};
+
+} // namespace
+
+void append_moment(const View& view, const Names& names, std::string& out) { MomentLines(view, names, out).write(); }
+
+void append_why(const View& view, Index group, const Names& names, std::string& out) {
+  const Because because = why(view, group);
+  std::array<char, 2000> text{};
+  json::Members answer(out);
+  answer.text("group", names.group(names.self, group)).text("kind", name_of(because.kind));
+  answer.text("text", to_text(because, names, text)).key("notes");
+  char between = '[';
+  for (const WhyNote& note : why_notes(view, because, names)) {
+    out += between;
+    json::append_text(note.text, out);
+    between = ',';
+  }
+  if (between == '[') out += between;
+  out += ']';
+  answer.end();
+}
+
+} // namespace director::live

@@ -1,0 +1,21 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// A moment in words: as lines of a trace, for who begins in the middle, and why something waits.
+
+#include "runtime/core/inspect/view.hpp"
+#include "runtime/core/inspect/why_text.hpp"
+
+#include <string>
+
+namespace director::live {
+
+/// Appends what holds as the events that would bring it about, a line each, each with its end: who holds what (`lose`:
+/// nobody; `grant`), what states are worth (`given`), which providers are disabled, who was pushed, and what waits.
+/// Behind a line that says that events are missing, a reader of traces then knows as much as from the beginning.
+void append_moment(const View& view, const Names& names, std::string& out);
+
+/// Why a group does not run, or for whom it does, as JSON: `group`, `kind`, `text` and `notes`, each a text more: what
+/// the state is worth that is missing, and what becomes of each who could cause it.
+void append_why(const View& view, Index group, const Names& names, std::string& out);
+
+} // namespace director::live

@@ -1,0 +1,191 @@
+// Door: runtime/live/site.hpp. Test: tests/runtime/live/site_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "runtime/live/site.hpp"
+
+#include "runtime/hosted/trace/json_text.hpp"
+#include "runtime/live/access.hpp"
+#include "runtime/live/moment_lines.hpp"
+
+#include <utility>
+
+namespace director::live {
+
+namespace {
+
+Reply say(int status, std::string text) {
+  text += '\n';
+  return {.status = status, .body = std::make_shared<const std::string>(std::move(text))};
+}
+
+Reply json(std::string text) {
+  Reply out = say(200, std::move(text));
+  out.type = "application/json";
+  return out;
+}
+
+/// The only value of that name; nothing: there is none, or there are several.
+std::optional<std::string> parameter(const Request& request, const char* name) {
+  const auto [begin, end] = request.parameters.equal_range(name);
+  if (begin == end || std::next(begin) != end) return std::nullopt;
+  return begin->second;
+}
+
+template <class Rows>
+std::string quoted_list(std::size_t count, Rows name) {
+  std::string out;
+  for (Index row = 0; row < count; ++row) out += (out.empty() ? "" : ", ") + std::string(name(row));
+  return out;
+}
+
+} // namespace
+
+Site::Site(const Names& names, std::optional<Page> page, std::string token, std::vector<std::string> own_names)
+    : names_(names),
+      token_(std::move(token)),
+      own_names_(std::move(own_names)) {
+  if (!page) return;
+  page_ = std::make_shared<const std::string>(std::move(page->html));
+  policy_ = std::move(page->policy);
+}
+
+Reply Site::answer(const Request& request, const Moment& moment) const {
+  const auto checked = [&]() -> Reply {
+    if (!is_own_host(request.host, own_names_))
+      return say(403, "This is not called \"" + request.host + "\": use the address that the program printed.");
+    std::string_view path = request.path;
+    if (path == "/favicon.ico") return {.status = 204};
+    path.remove_prefix(path.starts_with('/') ? 1 : 0);
+    const std::size_t end = path.find('/');
+    if (!is_token(path.substr(0, end), token_))
+      return say(403, "The address needs the token that the program printed when it began: http://.../TOKEN/");
+    if (end == std::string_view::npos) {
+      Reply moved = say(308, "The address ends with a slash.");
+      moved.headers.emplace_back("Location", token_ + "/");
+      return moved;
+    }
+    const std::string_view what = path.substr(end + 1);
+    if (request.method == "GET" || request.method == "HEAD") return look(what, request, moment);
+    if (request.method == "POST") return command(what, request);
+    Reply refused = say(405, request.method + " is not understood here, only GET, HEAD and POST.");
+    refused.headers.emplace_back("Allow", "GET, HEAD, POST");
+    return refused;
+  };
+  Reply out = checked();
+  out.headers.emplace_back("Cache-Control", "no-store");
+  out.headers.emplace_back("Referrer-Policy", "no-referrer");
+  out.headers.emplace_back("X-Content-Type-Options", "nosniff");
+  out.headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");
+  out.headers.emplace_back("Content-Security-Policy",
+                           out.type.starts_with("text/html") ? policy_ : "default-src 'none'; frame-ancestors 'none'");
+  return out;
+}
+
+Reply Site::look(std::string_view what, const Request& request, const Moment& moment) const {
+  if (what == "events") return {.type = "text/event-stream", .stream = true};
+  if (what == "why") return why(request, moment);
+  if (what.empty() && page_ != nullptr) return {.type = "text/html; charset=utf-8", .body = page_};
+  if (what.empty())
+    return say(404, "The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What happens is at events, and why at why.");
+  if (what == "request" || what == "cancel" || what == "cancel_all" || what == "set")
+    return say(405, "A command is posted: curl -X POST ...");
+  return say(404, "There is nothing here: the page is at the address that ends behind the token, what happens at events, and why at why.");
+}
+
+Reply Site::why(const Request& request, const Moment& moment) const {
+  if (moment.view.tables == nullptr)
+    return say(503, "The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.");
+  std::string out;
+  json::Members answer(out);
+  answer.number("t", moment.view.now).number("n", moment.view.micro_step).key("groups");
+  char between = '[';
+  const std::optional<std::string> wanted = parameter(request, "group");
+  for (Index row = 0; row < names_.tables->groups.size(); ++row) {
+    const bool waits = director::why(moment.view, row).edge != nil && !moment.view.granted(row);
+    if (wanted ? *wanted != names_.group(names_.self, row) : !waits) continue;
+    out += between;
+    append_why(moment.view, row, names_, out);
+    between = ',';
+  }
+  if (between == '[' && wanted) return say(404, "There is no group \"" + *wanted + "\".");
+  if (between == '[') out += between;
+  out += ']';
+  answer.end();
+  return json(std::move(out));
+}
+
+void Site::allow(Commands commands) {
+  const std::lock_guard lock(mutex_);
+  commands_ = std::move(commands);
+}
+
+Reply Site::command(std::string_view what, const Request& request) const {
+  if (!is_own_origin(request.origin, request.host))
+    return say(403, "A command is not taken from the page of another server, " + request.origin + ".");
+  if (request.has_body) return say(413, "A command has no body: all stands in the address, as in request?task=NAME.");
+  const std::lock_guard lock(mutex_);
+  if (!commands_) return say(403, "Commands are not allowed: the program has not called allow_commands(behaviour.post()) of its LiveView.");
+  if (what == "request") return request_task(request);
+  if (what == "cancel") return cancel_task(request);
+  if (what == "set") return set_state(request);
+  if (what == "cancel_all") return commands_.cancel_all() ? say(202, "posted: cancel all") : say(503, "not posted: the inbox is full");
+  return say(404, "There is no such command: there are request, cancel, cancel_all and set.");
+}
+
+std::optional<Index> Site::root_edge(const Request& request, Reply& problem) const {
+  const Tables& t = *names_.tables;
+  const auto name = [&](Index edge) { return names_.group(names_.self, t.edges[edge].target); };
+  const std::optional<std::string> task = parameter(request, "task");
+  for (Index edge = 0; task && edge < t.root_edges; ++edge) {
+    if (*task == name(edge)) return edge;
+  }
+  problem = say(task ? 404 : 400, (task ? "\"" + *task + "\" is not a root task" : std::string("The task is missing: task=NAME")) +
+                                      "; there are: " + quoted_list(t.root_edges, name) + ".");
+  return std::nullopt;
+}
+
+Reply Site::request_task(const Request& request) const {
+  Reply problem;
+  const std::optional<Index> edge = root_edge(request, problem);
+  if (!edge) return problem;
+  const Range levels = names_.tables->edges[*edge].levels;
+  Index level = levels.begin;
+  const std::optional<std::string> wanted = parameter(request, "level");
+  const auto name = [&](Index row) { return names_.level == nullptr ? "" : names_.level(names_.self, static_cast<Index>(levels.begin + row)); };
+  while (wanted && level != levels.end && *wanted != name(static_cast<Index>(level - levels.begin))) ++level;
+  if (level == levels.end)
+    return say(404, "\"" + wanted.value_or("") + "\" is no level of this root task.");
+  if (!commands_.request(*edge, level))
+    return say(409, "not posted: the task carries data, which only the program can give");
+  return say(202, "posted: request " + *parameter(request, "task") + (wanted ? " at " + *wanted : ""));
+}
+
+Reply Site::cancel_task(const Request& request) const {
+  Reply problem;
+  const std::optional<Index> edge = root_edge(request, problem);
+  if (!edge) return problem;
+  if (!commands_.cancel(*edge)) return say(503, "not posted: the inbox is full");
+  return say(202, "posted: cancel " + *parameter(request, "task"));
+}
+
+Reply Site::set_state(const Request& request) const {
+  const Tables& t = *names_.tables;
+  const std::optional<std::string> state = parameter(request, "state"), value = parameter(request, "value");
+  if (!state || !value) return say(400, "A state and a value are needed: set?state=NAME&value=VALUE.");
+  Index row = 0;
+  while (row < t.states.size() && *state != names_.state(names_.self, row)) ++row;
+  if (row == t.states.size()) return say(404, "There is no state \"" + *state + "\".");
+  if (!t.states[row].external) return say(409, "\"" + *state + "\" is set by the behaviour itself: only external states are set from outside.");
+  std::int32_t number = 0;
+  const bool named = *names_.value(names_.self, row, 0) != '\0';
+  if (named) {
+    while (*names_.value(names_.self, row, number) != '\0' && *value != names_.value(names_.self, row, number)) ++number;
+    if (*names_.value(names_.self, row, number) == '\0') return say(404, "\"" + *value + "\" is no value of " + *state + ".");
+  } else if (const auto [end, error] = std::from_chars(value->data(), value->data() + value->size(), number);
+             error != std::errc{} || end != value->data() + value->size()) {
+    return say(400, "\"" + *value + "\" is not a whole number.");
+  }
+  if (!commands_.set(row, number)) return say(409, "not posted: " + *value + " is not within the range of " + *state);
+  return say(202, "posted: set " + *state + " " + *value);
+}
+
+} // namespace director::live

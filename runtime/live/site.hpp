@@ -1,0 +1,50 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What is at which address, behind the token: `/` is the page, `/events` all that happens, `/why` why groups wait, and
+// to `/request`, `/cancel`, `/cancel_all` and `/set` is posted what the behaviour is to do. Every error says what to do.
+
+#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/live/commands.hpp"
+#include "runtime/live/http.hpp"
+#include "runtime/live/moments.hpp"
+#include "runtime/live/page.hpp"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace director::live {
+
+class Site {
+public:
+  /// `names`: of this computer.
+  Site(const Names& names, std::optional<Page> page, std::string token, std::vector<std::string> own_names);
+
+  /// `moment`: the newest one.
+  Reply answer(const Request& request, const Moment& moment) const;
+
+  /// From any thread.
+  void allow(Commands commands);
+
+private:
+  Reply look(std::string_view what, const Request& request, const Moment& moment) const;
+  Reply why(const Request& request, const Moment& moment) const;
+  Reply command(std::string_view what, const Request& request) const;
+  Reply request_task(const Request& request) const;
+  Reply cancel_task(const Request& request) const;
+  Reply set_state(const Request& request) const;
+  std::optional<Index> root_edge(const Request& request, Reply& problem) const;
+
+  const Names names_;
+  std::shared_ptr<const std::string> page_; ///< null: there is none
+  std::string policy_, token_;
+  std::vector<std::string> own_names_;
+  mutable std::mutex mutex_;
+  Commands commands_;
+};
+
+} // namespace director::live

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+// A behaviour that is saved and loaded into a new engine goes on as if it had never been cut: random behaviours and scenarios, cut
+// at random micro-steps, at the same time and at others. And bytes that nobody saved do no harm.
+//
+//   DIRECTOR_SEED   first seed, instead of 1
+//   DIRECTOR_LONG   set: 100,000 cuts, and ten times as many bytes
+#include "tests/property/compare.hpp"
+#include "tests/property/engine_run.hpp"
+#include "tests/property/generate.hpp"
+#include "tests/property/watch.hpp"
+#include "tests/support/environment.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <iostream>
+
+namespace {
+
+using namespace director;
+using namespace director::property;
+using director::tests::from_environment;
+
+constexpr std::size_t most_micro_steps = 10'000; ///< of one step of a scenario
+
+bool is_long() { return std::getenv("DIRECTOR_LONG") != nullptr; }
+
+std::unique_ptr<Compiled> compiled(std::uint64_t seed) {
+  const Documents documents = generate(seed);
+  CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
+  REQUIRE(result.compiled != nullptr);
+  return std::move(result.compiled);
+}
+
+/// Calls between(run) after each micro-step, those among them after which it rests.
+template <class Between>
+void play(const Compiled& compiled, EngineRun& run, Between between) {
+  for (const compiler::ScenarioStep& step : compiled.scenario.steps) {
+    run.begin_step(step);
+    for (std::size_t i = 0; i < most_micro_steps; ++i) {
+      const bool more = run.micro_step();
+      between(run);
+      if (!more) break;
+    }
+  }
+}
+
+std::vector<std::byte> decision_bytes(const Engine& engine) {
+  const std::byte* const begin = reinterpret_cast<const std::byte*>(engine.memory().counters); // the first array
+  return {begin, begin + State::decision_bytes(Shape::of(engine.tables()))};
+}
+
+struct Cuts {
+  std::uint64_t made = 0, with_inputs = 0, in_the_middle = 0;
+};
+
+/// Of the decision state, all that a decision depends on is the same again. What is made anew may lie there otherwise: edges of root are
+/// linked in the order of declaration until the next pass brings them into the right one.
+bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
+  const State& s = engine.memory();
+  const Shape n = Shape::of(engine.tables());
+  std::vector<std::byte> after = decision_bytes(engine);
+  const auto leave_out = [&](const auto* begin, std::size_t count) {
+    const auto at = static_cast<std::size_t>(reinterpret_cast<const std::byte*>(begin) -
+                                             reinterpret_cast<const std::byte*>(s.counters));
+    for (auto* each : {&before, &after}) std::memset(each->data() + at, 0, count * sizeof *begin);
+  };
+  leave_out(s.first_root, n.components);
+  leave_out(s.next_root, n.edges);
+  leave_out(s.component, n.components); // work::reordered
+  leave_out(s.handled, n.states);       // in order of declaration
+  leave_out(s.work, n.components);      // rows behind those in use
+  leave_out(s.order, n.groups);         // likewise
+  leave_out(s.place, n.groups);         // of groups that are not held
+  leave_out(s.run_queue, n.groups);     // group_flag::waits
+  return before == after;
+}
+
+void cut_at_random(std::uint64_t seed, Cuts& cuts) {
+  const auto documents = compiled(seed);
+  const bool leap = manner_of(seed) == Manner::in_leaps;
+  EngineRun whole(*documents, leap), cut(*documents, leap);
+  play(*documents, whole, [](EngineRun&) {});
+  Random random(seed);
+  const bool moves = random.chance(0.5);
+  std::vector<std::byte> bytes, again;
+  play(*documents, cut, [&](EngineRun& run) {
+    if (!random.chance(0.3)) return;
+    const std::vector<std::byte> before = decision_bytes(run.engine());
+    const bool rests = run.engine().memory().counters->quiet_until != first_time;
+    const Time later = moves ? static_cast<Time>(random.below(2'000'000'000)) - 1'000'000'000 : 0;
+    const SaveResult result = run.cut(later, bytes);
+    if (result == SaveResult::inputs_wait) {
+      ++cuts.with_inputs;
+      return;
+    }
+    REQUIRE(result == SaveResult::saved);
+    ++cuts.made;
+    cuts.in_the_middle += rests ? 0 : 1;
+    if (later != 0) return;
+    if (!same_but_for_links(run.engine(), before)) FAIL("DIRECTOR_SEED=" << seed << ": what decides is another");
+    REQUIRE(run.cut(0, again) == SaveResult::saved);
+    if (bytes != again) FAIL("DIRECTOR_SEED=" << seed << ": saved again it is another");
+  });
+  const auto [a, b] = std::mismatch(whole.events().begin(), whole.events().end(), cut.events().begin(), cut.events().end());
+  if (a == whole.events().end() && b == cut.events().end() && whole.trace() == cut.trace()) return;
+  const auto [c, d] = std::mismatch(whole.trace().begin(), whole.trace().end(), cut.trace().begin(), cut.trace().end());
+  FAIL("DIRECTOR_SEED=" << seed << ": the traces part at event " << a - whole.events().begin() << " of " << whole.events().size()
+                        << ", line `" << (c == whole.trace().end() ? "" : *c) << "` and `"
+                        << (d == cut.trace().end() ? "" : *d) << "`");
+}
+
+TEST_CASE("a behaviour that is cut at random and goes on in a new engine has the trace of one that was never cut") {
+  const std::uint64_t wanted = is_long() ? 100'000 : 3'000;
+  Cuts cuts;
+  std::uint64_t seed = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), cases = 0;
+  for (; cuts.made < wanted; ++seed, ++cases) {
+    watch(seed);
+    cut_at_random(seed, cuts);
+    stop_watching();
+  }
+  std::cout << cuts.made << " cuts in " << cases << " scenarios, " << cuts.in_the_middle
+            << " of them with something left to do; not cut as inputs waited: " << cuts.with_inputs << "\n";
+  CHECK(cuts.in_the_middle > wanted / 4);
+  CHECK(cuts.with_inputs > 0);
+}
+
+/// A number of a kind of row.
+struct Member {
+  const char* kind;
+  std::size_t place; ///< among the members, as they are visited
+  void (*forget)(std::vector<std::byte>& bytes, const Shape& shape, std::size_t place);
+};
+
+/// In all rows it is what it is where nothing is said.
+template <class Row, std::size_t saved::Layout::*begin, std::size_t Shape::*count>
+void forget(std::vector<std::byte>& bytes, const Shape& shape, std::size_t place) {
+  std::byte* const rows = bytes.data() + saved::Layout(shape).*begin;
+  for (std::size_t i = 0; i < shape.*count; ++i) {
+    auto row = saved::read<Row>(rows, i);
+    std::int64_t plain = 0;
+    std::size_t at = 0;
+    Row{}.each([&](const auto& member) {
+      if (at++ == place) plain = static_cast<std::int64_t>(member);
+    });
+    at = 0;
+    row.each([&](auto& member) {
+      if (at++ == place) member = static_cast<std::remove_reference_t<decltype(member)>>(plain);
+    });
+    saved::write(rows, i, row);
+  }
+}
+
+void forget_in_head(std::vector<std::byte>& bytes, const Shape&, std::size_t place) {
+  auto row = saved::read<saved::HeadRow>(bytes.data(), 0);
+  std::size_t at = 0;
+  row.each([&](auto& member) {
+    if (at++ == place) member = 0;
+  });
+  saved::write(bytes.data(), 0, row);
+}
+
+template <class Row>
+void add_members(std::vector<Member>& out, const char* kind, decltype(Member::forget) forget, std::size_t first = 0) {
+  std::size_t count = 0;
+  Row{}.each([&](const auto&) { ++count; });
+  for (std::size_t place = first; place < count; ++place) out.push_back({kind, place, forget});
+}
+
+std::vector<Member> members() {
+  using namespace saved;
+  std::vector<Member> out;
+  add_members<HeadRow>(out, "head", forget_in_head, 4); // behind what says what it is
+  add_members<EdgeRow>(out, "edge", forget<EdgeRow, &Layout::edges, &Shape::edges>);
+  add_members<GroupRow>(out, "group", forget<GroupRow, &Layout::groups, &Shape::groups>);
+  add_members<PlanRow>(out, "plan", forget<PlanRow, &Layout::plan, &Shape::plan_slots>);
+  add_members<StateRow>(out, "state", forget<StateRow, &Layout::states, &Shape::states>);
+  add_members<PromiseRow>(out, "promise", forget<PromiseRow, &Layout::promises, &Shape::promises>);
+  add_members<FlagRow>(out, "provider", forget<FlagRow, &Layout::providers, &Shape::providers>);
+  add_members<FlagRow>(out, "listening slot", forget<FlagRow, &Layout::listens, &Shape::listen_slots>);
+  add_members<ComponentRow>(out, "component", forget<ComponentRow, &Layout::components, &Shape::components>);
+  return out;
+}
+
+/// Refused, or the trace is another, where this number is not saved.
+bool counts(const Member& member, std::uint64_t seed) {
+  const auto documents = compiled(seed);
+  const bool leap = manner_of(seed) == Manner::in_leaps;
+  EngineRun whole(*documents, leap), cut(*documents, leap);
+  play(*documents, whole, [](EngineRun&) {});
+  Random random(seed);
+  bool refused = false;
+  std::vector<std::byte> bytes;
+  try {
+    play(*documents, cut, [&](EngineRun& run) {
+      if (!random.chance(0.3) || run.cut(0, bytes) != SaveResult::saved) return;
+      member.forget(bytes, Shape::of(run.engine().tables()), member.place);
+      saved::seal(bytes);
+      refused = refused || run.load(bytes) != LoadResult::loaded;
+    });
+  } catch (const std::exception&) { return true; } // a script that finds itself where it could not be
+  return refused || whole.events() != cut.events();
+}
+
+TEST_CASE("each number that is saved counts") {
+  for (const Member& member : members()) {
+    std::uint64_t seed = 1;
+    while (seed <= 400 && !counts(member, seed)) ++seed;
+    INFO(member.kind << ", number " << member.place);
+    CHECK(seed <= 400);
+  }
+}
+
+/// Something that might be there: a small number, nil, another byte of the state, or a bit flipped.
+void damage(std::vector<std::byte>& bytes, Random& random) {
+  const std::size_t head = saved::bytes_of<saved::HeadRow>();
+  const std::size_t from = random.chance(0.1) ? 20 : head; // behind version, sum, size and fingerprint
+  const std::size_t at = from + random.below(bytes.size() - from);
+  switch (random.below(4)) {
+  case 0: bytes[at] = static_cast<std::byte>(random.below(16)); break;
+  case 1:
+    for (std::size_t i = at; i < bytes.size() && i < at + sizeof(Index); ++i) bytes[i] = std::byte{0xFF};
+    break;
+  case 2: bytes[at] = bytes[head + random.below(bytes.size() - head)]; break;
+  default: bytes[at] ^= static_cast<std::byte>(1U << random.below(8)); break;
+  }
+}
+
+TEST_CASE("bytes that nobody saved are refused, or are played on from without harm") {
+  const std::uint64_t wanted = is_long() ? 200'000 : 20'000;
+  std::uint64_t seed = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), tried = 0, accepted = 0;
+  for (; tried < wanted; ++seed) {
+    watch(seed);
+    const auto documents = compiled(seed);
+    EngineRun run(*documents, false);
+    Random random(seed);
+    std::vector<std::vector<std::byte>> states;
+    std::vector<std::byte> bytes;
+    play(*documents, run, [&](EngineRun& each) {
+      if (each.cut(0, bytes) == SaveResult::saved && random.chance(0.2)) states.push_back(bytes);
+    });
+    for (const std::vector<std::byte>& state : states) {
+      for (int i = 0; i < 20; ++i, ++tried) {
+        bytes = state;
+        for (std::size_t changes = 1 + random.below(3); changes > 0; --changes) damage(bytes, random);
+        saved::seal(bytes); // else the check sum would find it
+        EngineRun other(*documents, false);
+        const std::vector<std::byte> before = decision_bytes(other.engine());
+        if (other.load(bytes) != LoadResult::loaded) {
+          REQUIRE(decision_bytes(other.engine()) == before);
+          continue;
+        }
+        ++accepted;
+        try {
+          std::size_t left = 300;
+          for (const compiler::ScenarioStep& step : documents->scenario.steps) {
+            other.begin_step(step);
+            while (left != 0 && other.micro_step()) --left;
+            for (Index g = 0; g < other.engine().tables().groups.size(); ++g) why(view_of(other.engine()), g);
+            if (left == 0) break;
+          }
+        } catch (const std::exception&) { // a script that finds itself where it could not be
+        }
+      }
+    }
+    stop_watching();
+  }
+  std::cout << tried << " states changed, " << accepted << " of them accepted and played on\n";
+  CHECK(accepted > tried / 20);
+  CHECK(accepted < tried);
+}
+
+TEST_CASE("cut off anywhere, or flipped anywhere without a new check sum, bytes are refused") {
+  const auto documents = compiled(7);
+  EngineRun run(*documents, false);
+  std::vector<std::byte> bytes;
+  play(*documents, run, [&](EngineRun& each) { (void)each.cut(0, bytes); });
+  REQUIRE(run.load(bytes) == LoadResult::loaded);
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    REQUIRE(run.load(std::span(bytes).first(size)) == LoadResult::truncated);
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    bytes[bit / 8] ^= static_cast<std::byte>(1U << bit % 8);
+    const LoadResult result = run.load(bytes);
+    REQUIRE((result == LoadResult::other_version || result == LoadResult::truncated || result == LoadResult::damaged));
+    REQUIRE((result == LoadResult::other_version) == (bit / 8 < 4));
+    bytes[bit / 8] ^= static_cast<std::byte>(1U << bit % 8);
+  }
+  Random random(1);
+  for (int i = 0; i < 2000; ++i) {
+    for (std::byte& each : bytes) each = static_cast<std::byte>(random.below(256));
+    REQUIRE(run.load(bytes) != LoadResult::loaded);
+  }
+}
+
+} // namespace

@@ -1,0 +1,44 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// A courier whose moments and events go to whom a test says.
+
+#include "tests/system/api/office.hpp"
+
+#include "runtime/hosted/trace/event_queue.hpp"
+#include "runtime/hosted/trace/json_lines.hpp"
+#include "runtime/live/moments.hpp"
+
+namespace director::tests {
+
+struct CourierMoments {
+  explicit CourierMoments(std::size_t size) : queue(size), moments(*names.tables) {}
+
+  /// One event, of which there are as many as one likes.
+  void tell() {
+    Event event;
+    event.kind = Event::Kind::exhausted;
+    event.time = event.until = static_cast<Time>(happened.size());
+    happened.emplace_back();
+    append_event(event, names, happened.back());
+    if (!queue.put(event)) queue.drop();
+  }
+  void tell(int count) {
+    for (int i = 0; i < count; ++i) tell();
+  }
+  /// What holds by now, in another micro-step than the last time.
+  void show() {
+    (void)behaviour.fire<courier::Bell>();
+    behaviour.step(std::chrono::milliseconds(0));
+    moments.show(behaviour.seen().view(), queue.told());
+  }
+
+  Names names = courier::names::all();
+  EventQueue queue;
+  live::Moments moments;
+  std::vector<std::string> happened; ///< what was told, as lines of a trace
+  Plans plans;
+  Skills skills;
+  courier::Behaviour behaviour{plans, skills};
+};
+
+} // namespace director::tests

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Tests runtime/live/feed.hpp, backlog.hpp and moments.hpp.
+#include "runtime/live/feed.hpp"
+
+#include "tests/runtime/live/client.hpp"
+#include "tests/runtime/live/courier_moments.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <thread>
+
+using namespace director;
+using namespace director::tests;
+using live::Feed, live::Place;
+
+namespace {
+
+struct Viewer {
+  Feed& feed;
+  Place place;
+  Follower follower;
+
+  /// All that is there for this one; says what is wrong with it.
+  std::string look(const std::vector<std::string>& happened) {
+    std::string text;
+    while (const Feed::Text message = feed.next(place)) text += *message;
+    return follower.follow(take_messages(text), happened);
+  }
+};
+
+} // namespace
+
+TEST_CASE("a viewer from the beginning gets every event, in order") {
+  CourierMoments source{1024};
+  Feed feed(source.queue, source.moments, source.names, 1 << 20);
+  Viewer viewer{feed, {}, {}};
+  feed.take();
+  CHECK(viewer.look(source.happened).empty());
+  for (int round = 0; round < 20; ++round) {
+    source.tell(round);
+    source.show();
+    feed.take();
+    CHECK(viewer.look(source.happened).empty());
+  }
+  CHECK(viewer.follower.at() == 190);
+  CHECK(viewer.follower.gaps() == 0);
+}
+
+TEST_CASE("a viewer who comes late gets a header, how much it missed, what holds, and then every event") {
+  CourierMoments source{1024};
+  Feed feed(source.queue, source.moments, source.names, 1 << 20);
+  source.tell(100);
+  source.show();
+  source.tell(7);
+  feed.take();
+  Place place;
+  std::string text = *feed.next(place);
+  const std::vector<Message> first = take_messages(text);
+  REQUIRE(first.size() == 1);
+  CHECK(first[0].id == "100");
+  CHECK(first[0].data.at(1) == R"({"event":"dropped","count":100})");
+  CHECK(first[0].data.at(2) == R"({"t":0,"n":1,"event":"given","state":"Mood","value":"calm"})");
+  Viewer viewer{feed, {}, {}};
+  CHECK(viewer.look(source.happened).empty());
+  CHECK(viewer.follower.at() == 107);
+  CHECK(viewer.follower.missed() == 100);
+}
+
+TEST_CASE("who is too slow misses what is gone, is told how much, and what holds now") {
+  CourierMoments source{1024};
+  Feed feed(source.queue, source.moments, source.names, 2000);
+  Viewer slow{feed, {}, {}}, quick{feed, {}, {}};
+  for (int round = 0; round < 50; ++round) {
+    source.tell(10);
+    source.show();
+    feed.take();
+    CHECK(quick.look(source.happened).empty());
+    if (round == 3 || round == 49) CHECK(slow.look(source.happened).empty());
+  }
+  CHECK(quick.follower.at() == 500);
+  CHECK(quick.follower.missed() == 10); // before the moment with which it began
+  CHECK(slow.follower.at() == 500);
+  CHECK(slow.follower.gaps() == 2);
+  CHECK(slow.follower.missed() == 500); // nothing was kept that it could have got
+}
+
+TEST_CASE("what the queue had no place for is a gap for everybody") {
+  CourierMoments source{16};
+  Feed feed(source.queue, source.moments, source.names, 1 << 20);
+  Viewer viewer{feed, {}, {}};
+  source.tell(10);
+  source.show();
+  feed.take();
+  CHECK(viewer.look(source.happened).empty());
+  source.tell(20); // four of them find no place
+  feed.take();
+  source.tell(3);
+  feed.take();
+  CHECK(viewer.look(source.happened).empty());
+  CHECK(viewer.follower.at() == 26); // it waits for a moment behind the gap
+  source.show();
+  source.tell(2);
+  feed.take();
+  CHECK(viewer.look(source.happened).empty());
+  CHECK(viewer.follower.at() == 35);
+  CHECK(viewer.follower.missed() == 10 + 7);
+}
+
+TEST_CASE("of a program that shows no moments viewers get the events that are kept") {
+  CourierMoments source{16};
+  Feed feed(source.queue, source.moments, source.names, 300);
+  Viewer early{feed, {}, {}}, late{feed, {}, {}};
+  for (int round = 0; round < 30; ++round) {
+    source.tell(2);
+    feed.take();
+    CHECK(early.look(source.happened).empty());
+  }
+  CHECK(early.follower.at() == 60);
+  CHECK(early.follower.missed() == 0);
+  CHECK(late.look(source.happened).empty());
+  CHECK(late.follower.at() == 60);
+  CHECK(late.follower.missed() > 50);
+}
+
+TEST_CASE("a moment that is older than what is kept, as of a program that stopped showing, is not told") {
+  CourierMoments source{16};
+  Feed feed(source.queue, source.moments, source.names, 300);
+  source.tell(2);
+  source.show();
+  for (int round = 0; round < 30; ++round) {
+    source.tell(2);
+    feed.take();
+  }
+  Viewer late{feed, {}, {}};
+  CHECK(late.look(source.happened).empty());
+  CHECK(late.follower.at() == 62);
+}
+
+TEST_CASE("who comes back with the id of its last message goes on there, where that is still kept") {
+  CourierMoments source{64};
+  Feed feed(source.queue, source.moments, source.names, 1000);
+  source.tell(5);
+  source.show();
+  feed.take();
+  source.tell(5);
+  feed.take();
+  for (const char* id : {"5", "10"}) {
+    const std::optional<Place> place = feed.resume(id);
+    REQUIRE(place);
+    CHECK(place->begun);
+    CHECK(std::to_string(place->next) == id);
+  }
+  for (const char* id : {"", "4", "11", "-1", "5 ", "99999999999999999999", "x"}) CHECK_FALSE(feed.resume(id));
+  source.tell(50);
+  feed.take();
+  CHECK_FALSE(feed.resume("5"));
+}
+
+TEST_CASE("a sign of life has the engine's time") {
+  CourierMoments source{16};
+  Feed feed(source.queue, source.moments, source.names, 1000);
+  source.behaviour.step(std::chrono::milliseconds(1500));
+  source.moments.show(source.behaviour.seen().view(), 0);
+  CHECK(*feed.alive() == "event: alive\ndata: {\"t\":1500000}\n\n");
+}
+
+TEST_CASE("moments go from thread to thread whole, and none is refused") {
+  CourierMoments source{16};
+  std::atomic<bool> over{false};
+  std::thread reader([&] {
+    std::uint64_t last = 0;
+    while (!over) {
+      const live::Moment& moment = source.moments.look();
+      if (moment.view.tables == nullptr) continue;
+      if (moment.told != moment.view.micro_step || moment.told < last) std::abort();
+      last = moment.told;
+    }
+  });
+  for (int i = 0; i < 20'000; ++i) {
+    (void)source.behaviour.fire<courier::Bell>();
+    source.behaviour.step(std::chrono::milliseconds(0));
+    const View view = source.behaviour.seen().view();
+    source.moments.show(view, view.micro_step);
+  }
+  over = true;
+  reader.join();
+  CHECK(source.moments.look().told == source.behaviour.seen().view().micro_step);
+}

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Who wants nothing good of a live view: whatever they send, others go on looking, and the view is there afterwards.
+#include "tests/runtime/live/client.hpp"
+#include "tests/runtime/live/soccer_game.hpp"
+#include "tests/property/random.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <thread>
+
+using namespace director;
+using namespace director::tests;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct Attacked {
+  explicit Attacked(LiveView::Options options = {}) : view(soccer::names::all(), prepared(options)) {
+    for (int i = 0; i < 10; ++i) game.step();
+    while (!is_there()) std::this_thread::sleep_for(1ms);
+  }
+  /// Somebody with the token is answered.
+  bool is_there() const { return call(view.url(), get(view.url(), "why")).status == 200; }
+  int status(const std::string& request) const { return call(view.url(), request).status; }
+
+  LiveView view;
+  SoccerGame game{&view};
+
+private:
+  static LiveView::Options prepared(LiveView::Options options) {
+    options.interval = 1ms;
+    return options;
+  }
+};
+
+std::string with_headers(const std::string& url, std::size_t bytes, std::string_view line) {
+  std::string more;
+  while (more.size() + line.size() < bytes) more += line;
+  return get(url, "why", more);
+}
+
+} // namespace
+
+TEST_CASE("random bytes are no request") {
+  Attacked attacked;
+  property::Random random(1);
+  for (int i = 0; i < 300; ++i) {
+    std::string bytes(random.below(3000), '\0');
+    for (char& each : bytes) each = static_cast<char>(random.below(256));
+    const Caller caller(attacked.view.url());
+    caller.say(bytes + "\r\n\r\n");
+    const Heard heard = split(caller.hear_all());
+    if (heard.status != 400 && heard.status != 403) FAIL(heard.status << " for " << bytes);
+  }
+  CHECK(attacked.is_there());
+}
+
+TEST_CASE("requests that are nearly right: a letter replaced, lost or doubled") {
+  Attacked attacked;
+  property::Random random(2);
+  const std::string right = get(attacked.view.url(), "why", "Accept: */*\r\nLast-Event-ID: 7\r\n");
+  for (int i = 0; i < 1000; ++i) {
+    std::string wrong = right.substr(0, right.size() - 4);
+    for (std::size_t changes = 1 + random.below(3); changes > 0; --changes) {
+      const std::size_t at = random.below(wrong.size());
+      switch (random.below(3)) {
+      case 0: wrong[at] = static_cast<char>(random.below(256)); break;
+      case 1: wrong.erase(at, 1 + random.below(10)); break;
+      default: wrong.insert(at, wrong.substr(at, random.below(20)));
+      }
+    }
+    const int status = attacked.status(wrong + "\r\n\r\n");
+    if (status != 200 && status != 400 && status != 403 && status != 404 && status != 405) FAIL(status << " for " << wrong);
+  }
+  CHECK(attacked.is_there());
+}
+
+TEST_CASE("a request that is too long is refused, however it is made long") {
+  Attacked attacked;
+  const std::string& url = attacked.view.url();
+  CHECK(attacked.status(with_headers(url, 4000, "A: b\r\n")) == 200);
+  CHECK(attacked.status(with_headers(url, 7900, "Range: bytes=0-1\r\n")) == 200);
+  CHECK(attacked.status(with_headers(url, 9000, "A: b\r\n")) == 431);
+  CHECK(attacked.status(with_headers(url, 1'000'000, "A: b\r\n")) == 431);
+  CHECK(attacked.status(get(url, std::string(9000, 'x'))) == 431);
+  CHECK(attacked.status(get(url, std::string(7900, 'x'))) == 404);
+  CHECK(attacked.status(get(url, "why?" + std::string(7900, '&'))) == 200);
+  CHECK(attacked.status(get(url, std::string(2000, '%'))) == 404);
+  CHECK(attacked.status(std::string(20'000'000, 'x')) == 431); // in one line, without an end
+  CHECK(attacked.is_there());
+}
+
+TEST_CASE("nothing but what is there can be reached, by whatever way") {
+  Attacked attacked;
+  const std::string& url = attacked.view.url();
+  for (const char* path : {"../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "....//etc/passwd", "why%00.html", "//etc/passwd",
+                           "..\\..\\etc", "why/../../etc/passwd"}) {
+    CAPTURE(path);
+    CHECK(attacked.status(get(url, path)) == 404);
+  }
+}
+
+TEST_CASE("without the token, or with nearly the right one, nothing is told") {
+  Attacked attacked;
+  const std::string& url = attacked.view.url();
+  const std::string token = token_of(url), host = " HTTP/1.1\r\nHost: " + authority_of(url) + "\r\n\r\n";
+  std::string nearly = token;
+  nearly.back() = nearly.back() == '0' ? '1' : '0';
+  const Heard refused = call(url, "GET /" + nearly + "/events" + host);
+  CHECK(refused.status == 403);
+  CHECK(refused.body == "The address needs the token that the program printed when it began: http://.../TOKEN/\n");
+  for (const std::string& path : {std::string("/"), std::string("/events"), "/" + token.substr(1) + "/", "/" + token + token + "/", "/?" + token, "/x/" + token + "/"})
+    CHECK(attacked.status("GET " + path + host) == 403);
+  for (const char* name : {"evil.example", "localhost.evil.example", ""})
+    CHECK(attacked.status("GET /" + token + "/ HTTP/1.1\r\nHost: " + name + "\r\n\r\n") == 403);
+  CHECK(attacked.status("GET /" + token + "/ HTTP/1.1\r\n\r\n") == 403);
+}
+
+TEST_CASE("other methods, and bodies of any size, do nothing") {
+  Attacked attacked;
+  const std::string& url = attacked.view.url();
+  for (const char* method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"}) CHECK(attacked.status(get(url, "", "", method)) == 405);
+  CHECK(attacked.status(get(url, "", "", "BREW")) == 400);
+  CHECK(call(url, get(url, "why", "", "HEAD")).body.empty());
+  CHECK(attacked.status(get(url, "set", "Content-Length: 99999999999999999999\r\n", "POST")) == 413);
+  CHECK(attacked.status(get(url, "set", "Transfer-Encoding: chunked\r\n", "POST") + "fffffff\r\n" + std::string(1'000'000, 'x')) == 413);
+  CHECK(attacked.is_there());
+}
+
+TEST_CASE("who sends a letter now and then, or nothing, keeps nobody out") {
+  Attacked attacked({.connections = 8, .patience = 60s});
+  const std::string& url = attacked.view.url();
+  std::vector<Caller> slow;
+  for (int i = 0; i < 40; ++i) {
+    slow.emplace_back(url);
+    slow.back().say("GET /");
+    CHECK(attacked.is_there());
+  }
+}
+
+TEST_CASE("a request that does not come to its end is not waited for") {
+  Attacked attacked({.patience = 100ms});
+  const Caller slow(attacked.view.url());
+  while (slow.say("x")) { // until nobody takes it any more
+    std::string heard;
+    if (!slow.hear(heard)) break;
+    std::this_thread::sleep_for(5ms);
+  }
+  CHECK(attacked.is_there());
+}
+
+TEST_CASE("where all connections are taken by viewers, the next one is told so, and has a place when one leaves") {
+  Attacked attacked({.connections = 4});
+  const std::string& url = attacked.view.url();
+  std::vector<Caller> viewers;
+  for (std::size_t i = 0; i < 4; ++i) viewers.emplace_back(url).say(get(url, "events"));
+  while (attacked.view.viewers() != 4) std::this_thread::sleep_for(1ms);
+  const Heard full = split(Caller(url).hear_all());
+  CHECK(full.status == 503);
+  CHECK(full.body == "All 4 connections are taken: close a page, or give LiveView more `connections`.\n");
+  viewers.pop_back();
+  while (!attacked.is_there()) std::this_thread::sleep_for(1ms);
+}
+
+TEST_CASE("many who connect and leave at once, also in the middle of an answer, leave nothing behind") {
+  Attacked attacked;
+  const std::string& url = attacked.view.url();
+  property::Random random(3);
+  std::vector<std::thread> crowd;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    crowd.emplace_back([&url, seed] {
+      property::Random own(seed + 10);
+      for (int i = 0; i < 500; ++i) {
+        const Caller caller(url);
+        const std::string request = get(url, own.below(2) == 0 ? "events" : "why");
+        if (caller.connected()) caller.say(request.substr(0, own.below(request.size() + 1)));
+      }
+    });
+  }
+  for (int i = 0; i < 2000; ++i) attacked.game.step();
+  for (std::thread& each : crowd) each.join();
+  while (attacked.view.viewers() != 0) {
+    attacked.game.step();
+    std::this_thread::sleep_for(1ms);
+  }
+  CHECK(attacked.is_there());
+}

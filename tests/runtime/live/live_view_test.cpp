@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+// Tests runtime/live/live_view.hpp: with viewers who read, who read nothing, and who come and go.
+#include "runtime/live/live_view.hpp"
+
+#include "tests/runtime/live/client.hpp"
+#include "tests/runtime/live/soccer_game.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <malloc.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <deque>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <thread>
+
+using namespace director;
+using namespace director::tests;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Viewers who read all that they are sent.
+class Readers {
+public:
+  Readers(const std::string& url, std::size_t count) : viewers_(count) {
+    for (Viewer& viewer : viewers_) {
+      viewer.caller = std::make_unique<Caller>(url);
+      viewer.caller->say(get(url, "events"));
+    }
+  }
+  /// What came by now, of all of them.
+  void hear() {
+    std::vector<pollfd> sockets;
+    for (const Viewer& viewer : viewers_) sockets.push_back({viewer.caller->socket(), POLLIN, 0});
+    poll(sockets.data(), sockets.size(), 1);
+    for (std::size_t i = 0; i < viewers_.size(); ++i) {
+      if (sockets[i].revents == 0) continue;
+      Viewer& viewer = viewers_[i];
+      viewer.ended = !viewer.caller->hear(viewer.text);
+      if (const std::size_t end = viewer.text.find("\r\n\r\n"); !viewer.answered && end != std::string::npos) {
+        viewer.answered = true;
+        viewer.text.erase(0, end + 4);
+      }
+      if (viewer.answered) std::ranges::move(take_messages(viewer.text), std::back_inserter(viewer.messages));
+    }
+  }
+  /// Each has begun, and is at this event or behind it; the first thing that is wrong ends that.
+  bool are_at(const std::vector<std::string>& happened) {
+    return std::ranges::all_of(viewers_, [&](Viewer& viewer) {
+      if (wrong.empty()) wrong = viewer.follower.follow(viewer.messages, happened);
+      viewer.messages.clear();
+      if (wrong.empty() && viewer.ended) wrong = "the connection ended";
+      return !wrong.empty() || (viewer.follower.begun() && viewer.follower.at() == happened.size());
+    });
+  }
+  bool all_begun() const {
+    return std::ranges::all_of(viewers_, [](const Viewer& viewer) { return !viewer.messages.empty(); });
+  }
+  std::size_t gaps() const { return std::accumulate(viewers_.begin(), viewers_.end(), std::size_t{0}, [](std::size_t sum, const Viewer& each) { return sum + each.follower.gaps(); }); }
+
+  std::string wrong;
+
+private:
+  struct Viewer {
+    std::unique_ptr<Caller> caller;
+    std::string text;
+    std::vector<Message> messages;
+    Follower follower;
+    bool answered = false, ended = false;
+  };
+  std::vector<Viewer> viewers_;
+};
+
+/// Who asks for all that happens, and never reads a byte of it.
+std::vector<Caller> deaf_viewers(const std::string& url, std::size_t count) {
+  std::vector<Caller> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    out.emplace_back(url, 2048);
+    out.back().say(get(url, "events"));
+  }
+  return out;
+}
+
+void wait_for_viewers(const LiveView& view, std::size_t count) {
+  while (view.viewers() != count) std::this_thread::sleep_for(1ms);
+}
+
+std::string times(std::vector<double> took) {
+  std::ranges::sort(took);
+  char text[200];
+  std::snprintf(text, sizeof(text), "half of the steps within %5.2f us, 99 %% within %6.2f us, the longest %8.1f us", took[took.size() / 2],
+                took[took.size() * 99 / 100], took.back());
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("200 viewers, half of whom read nothing: the others get every event in order, and the steps are as without") {
+  constexpr int steps = 6000;
+  const auto play = [](SoccerGame& game) {
+    for (int i = 0; i < steps; ++i) {
+      game.step();
+      if (i % 10 == 0) std::this_thread::sleep_for(1ms); // a hundred times as fast as the world
+    }
+  };
+  SoccerGame alone(nullptr);
+  play(alone);
+  LiveView nobody_looks{soccer::names::all()};
+  SoccerGame unseen(&nobody_looks);
+  play(unseen);
+
+  LiveView view{soccer::names::all(), {.memory = 1 << 20, .connections = 256, .interval = 5ms}};
+  REQUIRE(view.good());
+  SoccerGame game(&view);
+  const std::vector<Caller> deaf = deaf_viewers(view.url(), 100);
+  Readers readers(view.url(), 100);
+  wait_for_viewers(view, 200);
+
+  // The others read in a thread of their own, as in another process.
+  std::atomic<bool> over{false};
+  std::thread reading([&] {
+    while (!over) readers.hear();
+  });
+  play(game);
+  over = true;
+  reading.join();
+  const std::vector<std::string> happened = game.happened();
+  while (!readers.are_at(happened)) readers.hear();
+  CHECK(readers.wrong == "");
+  CHECK(view.dropped() == 0);
+  CHECK(game.count() == alone.count());
+  std::printf("live view: %d steps of soccer, %zu events\n"
+              "  nobody can look:                       %s\n"
+              "  nobody looks:                          %s\n"
+              "  200 viewers, 100 of them read nothing: %s; %zu gaps\n",
+              steps, game.count(), times(alone.took).c_str(), times(unseen.took).c_str(), times(game.took).c_str(), readers.gaps());
+}
+
+TEST_CASE("what viewers who read nothing keep of the memory does not grow") {
+  LiveView view{soccer::names::all(), {.memory = 256 << 10, .connections = 64, .interval = 1ms}};
+  SoccerGame game(&view);
+  const std::vector<Caller> deaf = deaf_viewers(view.url(), 50);
+  Readers reader(view.url(), 1);
+  wait_for_viewers(view, 51);
+  const auto play = [&](int steps) {
+    for (int i = 0; i < steps; ++i) {
+      game.step();
+      if (i % 50 == 0) reader.hear();
+    }
+    const std::vector<std::string> happened = game.happened();
+    while (!reader.are_at(happened)) reader.hear();
+  };
+  play(2000); // many times what is kept
+  const std::size_t before = mallinfo2().uordblks;
+  play(8000);
+  const std::size_t after = mallinfo2().uordblks;
+  CHECK(reader.wrong == "");
+  CHECK(view.viewers() == 51);
+  CHECK(after < before + (1 << 20)); // of 3 MB that happened, and 50 viewers
+}
+
+TEST_CASE("who reads nothing is let go after a while, and the others stay") {
+  LiveView view{soccer::names::all(), {.memory = 64 << 10, .interval = 1ms, .patience = 200ms}};
+  SoccerGame game(&view);
+  const std::vector<Caller> deaf = deaf_viewers(view.url(), 10);
+  Readers reader(view.url(), 3);
+  wait_for_viewers(view, 13);
+  while (view.viewers() != 3) {
+    for (int i = 0; i < 50; ++i) game.step();
+    reader.hear();
+  }
+  for (int i = 0; i < 100; ++i) game.step();
+  const std::vector<std::string> happened = game.happened();
+  while (!reader.are_at(happened)) reader.hear();
+  CHECK(reader.wrong == "");
+}
+
+TEST_CASE("who is slow for a while misses what is gone, knows how much, and goes on") {
+  LiveView view{soccer::names::all(), {.memory = 100'000, .interval = 1ms}};
+  SoccerGame game(&view);
+  Readers reader(view.url(), 1);
+  wait_for_viewers(view, 1);
+  for (int round = 0; round < 3; ++round) {
+    for (int i = 0; i < 6000; ++i) game.step();
+    const std::vector<std::string> happened = game.happened();
+    while (!reader.are_at(happened)) reader.hear();
+    CHECK(reader.wrong == "");
+  }
+  CHECK(reader.gaps() >= 3);
+}
+
+TEST_CASE("a view ends while its viewers are stuck, and in the middle of requests") {
+  std::optional<LiveView> view;
+  view.emplace(soccer::names::all(), LiveView::Options{.interval = 1ms});
+  const std::string url = view->url();
+  SoccerGame game(&*view);
+  std::vector<Caller> deaf = deaf_viewers(url, 20);
+  for (int i = 0; i < 20; ++i) deaf.emplace_back(url).say("GET / HTTP");
+  for (int i = 0; i < 20; ++i) deaf.emplace_back(url);
+  wait_for_viewers(*view, 20);
+  for (int i = 0; i < 3000; ++i) game.step();
+  view.reset();
+  CHECK_FALSE(Caller(url).connected());
+  for (const Caller& each : deaf) each.hear_all();
+}
+
+TEST_CASE("the page, why, and what is not there") {
+  const TemporaryFolder folder;
+  REQUIRE(run_command("directorc docs behaviours/soccer/soccer.yaml -o " + folder.path().string(), source_dir()).status == 0);
+  const std::string file = (folder.path() / "soccer.html").string(), html = read_file(file);
+  LiveView from_file{soccer::names::all(), {.page = file}}, from_text{soccer::names::all(), {.html = html}};
+  SoccerGame game(&from_file);
+  for (int i = 0; i < 100; ++i) game.step();
+  while (call(from_file.url(), get(from_file.url(), "why")).status != 200) std::this_thread::sleep_for(1ms);
+  const Heard page = call(from_file.url(), get(from_file.url(), ""));
+  CHECK(page.status == 200);
+  CHECK(page.body == call(from_text.url(), get(from_text.url(), "")).body);
+  CHECK(page.head.find("\r\nContent-Length: " + std::to_string(page.body.size()) + "\r\n") != std::string::npos);
+  CHECK(page.body.ends_with("</html>\n"));
+  CHECK(call(from_file.url(), get(from_file.url(), "why?group=Walk")).body.find(R"("kind":"running")") != std::string::npos);
+  CHECK(call(from_file.url(), get(from_file.url(), "nothing")).status == 404);
+  CHECK(call(from_file.url(), get(from_text.url(), "")).status == 403); // the token of another program
+  CHECK(call(from_text.url(), get(from_text.url(), "why")).status == 503);
+}
+
+TEST_CASE("a browser that comes back goes on where it was") {
+  LiveView view{soccer::names::all(), {.interval = 1ms}};
+  SoccerGame game(&view);
+  for (int i = 0; i < 50; ++i) game.step();
+  const std::string id = std::to_string(game.count());
+  {
+    Readers reader(view.url(), 1);
+    while (!reader.all_begun()) reader.hear();
+  }
+  for (int i = 0; i < 50; ++i) game.step();
+  const std::vector<std::string> happened = game.happened();
+  const Caller again(view.url());
+  again.say(get(view.url(), "events", "Last-Event-ID: " + id + "\r\n"));
+  std::string text;
+  std::vector<std::string> data;
+  while (data.size() < happened.size() - std::stoul(id)) {
+    again.hear(text);
+    if (const std::size_t head = text.find("\r\n\r\n"); head != std::string::npos) text.erase(0, head + 4);
+    for (const Message& message : take_messages(text)) {
+      if (message.event.empty()) data.insert(data.end(), message.data.begin(), message.data.end());
+    }
+    std::this_thread::sleep_for(1ms);
+  }
+  CHECK(data == std::vector<std::string>(happened.begin() + std::stol(id), happened.end()));
+}
+
+TEST_CASE("a program commands by HTTP what it allowed") {
+  LiveView view{soccer::names::all(), {.interval = 1ms}};
+  CHECK(call(view.url(), get(view.url(), "cancel_all", "", "POST")).status == 403);
+  sim::World world{1};
+  player::Player<player::Servos> player{world, view.observer()};
+  bool cancelled = false;
+  struct Post {
+    bool* cancelled;
+    bool request_row(Index, Index) const { return true; }
+    bool cancel_row(Index) const { return true; }
+    bool cancel_all() const { return *cancelled = true; }
+    bool set_row(Index, std::int32_t) const { return true; }
+  };
+  view.allow_commands(Post{&cancelled});
+  CHECK(call(view.url(), get(view.url(), "cancel_all", "", "POST")).status == 202);
+  CHECK(cancelled);
+  CHECK(call(view.url(), get(view.url(), "cancel_all", "Origin: http://evil.example\r\n", "POST")).status == 403);
+  view.forbid_commands();
+  CHECK(call(view.url(), get(view.url(), "cancel_all", "", "POST")).status == 403);
+}
+
+TEST_CASE("what cannot be shown is said in words, and the behaviour runs on") {
+  const auto error = [](const LiveView::Options& options) {
+    LiveView view{soccer::names::all(), options};
+    CHECK_FALSE(view.good());
+    CHECK(view.url().empty());
+    CHECK(view.viewers() == 0);
+    SoccerGame game(&view);
+    game.step();
+    return view.error();
+  };
+  const TemporaryFolder folder;
+  const std::string other = (folder.path() / "other.html").string();
+  std::ofstream(other) << "<html></html>";
+  CHECK(error({.page = "/nowhere/soccer.html"}) == "cannot read the page /nowhere/soccer.html: No such file or directory; `directorc docs` writes one");
+  CHECK(error({.page = other}) == other + " is not one that `directorc docs` wrote, in HTML: it has no policy of its own");
+  CHECK(error({.html = "text"}) == "the page is not one that `directorc docs` wrote, in HTML: it has no policy of its own");
+  const LiveView first{soccer::names::all()};
+  const std::string port = authority_of(first.url()).substr(10);
+  CHECK(error({.port = static_cast<std::uint16_t>(std::stoi(port))}) ==
+        "cannot listen at 127.0.0.1:" + port + ": Address already in use; another program has the port: give another one, or 0 for any that is free");
+  CHECK(error({.address = "203.0.113.1"}) == "cannot listen at 203.0.113.1:0: Cannot assign requested address");
+  CHECK(error({.address = "no such name"}).starts_with("there is no address \"no such name\" ("));
+}

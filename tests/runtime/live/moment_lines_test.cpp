@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Tests runtime/live/moment_lines.hpp, and runtime/hosted/why_notes.hpp where names are compiled in.
+#include "runtime/live/moment_lines.hpp"
+
+#include "tests/system/api/office.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace director;
+using namespace director::tests;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Deliver wants to open the door, which is shut.
+struct Shut {
+  Shut() {
+    plans.deliver = [](courier::Deliver::Default& run) { return run.enter(courier::Open{}, courier::Walk{{}}); };
+    plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Walk{{}}, courier::Sing{}); };
+    behaviour.request<courier::Rest>();
+    behaviour.step(1ms);
+    behaviour.request(courier::Deliver{{}});
+    (void)behaviour.enable<courier::Open::Unlocking>(false);
+    (void)behaviour.set(courier::Battery{7});
+    behaviour.step(2ms);
+  }
+  std::string moment() const {
+    std::string out;
+    live::append_moment(behaviour.seen().view(), courier::names::all(), out);
+    return out;
+  }
+  std::string why(Index group) const {
+    std::string out;
+    live::append_why(behaviour.seen().view(), group, courier::names::all(), out);
+    return out;
+  }
+  Plans plans;
+  Skills skills;
+  courier::Behaviour behaviour{plans, skills};
+};
+
+} // namespace
+
+TEST_CASE("a moment is the events that would bring it about") {
+  const Shut waiting;
+  CHECK(waiting.moment() == R"({"t":2000,"n":8,"event":"given","state":"Mood","value":"calm"}
+{"t":2000,"n":8,"event":"given","state":"Door","value":"shut"}
+{"t":2000,"n":8,"event":"given","state":"Battery","value":7}
+{"t":2000,"n":8,"event":"input","input":"disable","group":"Open","provider":"unlocking"}
+{"t":2000,"n":8,"event":"grant","edge":"root>Deliver","provider":"default"}
+{"t":2000,"n":8,"event":"grant","edge":"root>Rest","provider":"default"}
+{"t":2000,"n":8,"event":"grant","edge":"Rest>Walk","provider":"default"}
+{"t":2000,"n":8,"event":"lose","group":"Open"}
+{"t":2000,"n":8,"event":"grant","edge":"Rest>Sing","provider":"default"}
+{"t":2000,"n":8,"event":"queue","edge":"Deliver>Walk","why":"waiting","condition":"Door == open"}
+{"t":2000,"n":8,"event":"queue","edge":"Deliver>Open","why":"waiting","condition":"Door == open"}
+)");
+}
+
+TEST_CASE("why is answered with what the state is worth that is missing, and who could cause it") {
+  const Shut waiting;
+  const auto why = [&](std::string_view group) {
+    Index row = 0;
+    while (courier::names::group(row) != group) ++row;
+    return waiting.why(row);
+  };
+  CHECK(why("Open") ==
+        R"({"group":"Open","kind":"condition","text":"Open waits (Deliver>Open): until Door == open, which only the outside can make true","notes":["Door is shut","Open.unlocking could cause it, and is disabled"]})");
+  CHECK(why("Walk") ==
+        R"({"group":"Walk","kind":"running","text":"Walk runs (Rest>Walk) in default","notes":["it runs for Rest, priority 0, that for the program, priority 1"]})");
+}

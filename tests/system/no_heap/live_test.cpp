@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// A game of soccer that people look at uses no heap in the thread that steps, and calls the operating system for
+// nothing: no lock is waited for there, and nobody woken.
+
+#include "behaviours/soccer/player/player.hpp"
+#include "behaviours/soccer/player/servos.hpp"
+#include "behaviours/soccer/world/world.hpp"
+#include "runtime/live/live_view.hpp"
+#include "tests/runtime/live/client.hpp"
+#include "tests/system/no_heap/heap_trap.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+namespace director::tests {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// From now on this thread gets nothing of the operating system but its own end, and a name for each try: ENOSYS.
+bool forbid_system_calls() {
+  constexpr std::array<unsigned, 9> allowed{SYS_exit,   SYS_exit_group,     SYS_munmap, SYS_madvise,     SYS_rt_sigprocmask,
+                                            SYS_rt_sigreturn, SYS_write, SYS_rt_sigaction, SYS_set_robust_list};
+  std::vector<sock_filter> filter{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))};
+  for (const unsigned call : allowed) {
+    filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 1));
+    filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+  }
+  filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP));
+  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+std::atomic<int> system_calls{0};
+
+void count_system_calls() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { system_calls.fetch_add(1); };
+  sigaction(SIGSYS, &action, nullptr);
+}
+
+TEST_CASE("to show a game of soccer takes no heap and no system call from the thread that steps") {
+  LiveView view{soccer::names::all(), {.queue = 1 << 20, .connections = 128, .interval = 1ms}};
+  REQUIRE(view.good());
+  std::vector<Caller> viewers; // who read nothing, which is the worst that they can do
+  for (int i = 0; i < 100; ++i) {
+    viewers.emplace_back(view.url(), 2048);
+    viewers.back().say(get(view.url(), "events"));
+  }
+  while (view.viewers() != 100) std::this_thread::sleep_for(1ms);
+
+  count_system_calls();
+  std::size_t used = 0;
+  int called = 0;
+  bool forbidden = false;
+  std::thread stepping([&] {
+    sim::World world{1};
+    player::Player<player::Servos> player{world, view.observer()};
+    const std::size_t before = heap_uses();
+    forbidden = forbid_system_calls();
+    while (world.now() < 20'000) {
+      world.step();
+      const HeapTrap trap;
+      player.step();
+      view.show(player.behaviour());
+    }
+    used = heap_uses() - before;
+    called = system_calls;
+  });
+  stepping.join();
+  CHECK(used == 0);
+  CHECK(called == 0);
+  if (!forbidden) WARN("this system does not let a thread forbid itself system calls: they were not counted");
+  CHECK(view.dropped() == 0);
+}
+
+TEST_CASE("a system call that is forbidden is counted") {
+  count_system_calls();
+  const int before = system_calls;
+  bool forbidden = false;
+  std::thread([&] {
+    forbidden = forbid_system_calls();
+    if (forbidden) syscall(SYS_getppid);
+  }).join();
+  CHECK(system_calls == before + (forbidden ? 1 : 0));
+}
+
+} // namespace
+} // namespace director::tests
