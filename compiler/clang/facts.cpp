@@ -12,6 +12,7 @@
 #include "compiler/clang/subcommands.hpp"
 #include "compiler/clang/units.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <set>
 #include <thread>

@@ -6,6 +6,7 @@
 #include <clang/AST/StmtCXX.h>
 #include <clang/Analysis/CFG.h>
 
+#include <memory>
 #include <vector>
 
 namespace director::scanning {

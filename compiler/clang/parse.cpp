@@ -12,6 +12,7 @@
 #include <llvm/Support/VirtualFileSystem.h>
 
 #include <map>
+#include <utility>
 
 namespace director::scanning {
 

@@ -5,6 +5,9 @@
 #include <clang/Lex/PPCallbacks.h>
 #include <clang/Lex/Preprocessor.h>
 
+#include <cstdint>
+#include <memory>
+
 namespace director::scanning {
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <clang/Basic/SourceManager.h>
 
+#include <cstdint>
 #include <map>
 #include <vector>
 

@@ -6,6 +6,7 @@
 #include "dsl/display_width.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace director::compiler::cli {
 

@@ -9,11 +9,11 @@ target_compile_options(director_warnings INTERFACE -Wall -Wextra -Wpedantic -Wco
 # Clang blames whoever sorts stably for a deprecated function that libstdc++ 12 itself calls.
 target_compile_options(director_warnings INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
 
-# director_component(<target> <alias> FOLDER <folder> [EXCLUDE <regex>...] [ALONE <source>...] [LINK <library>...] [PRIVATE_LINK <library>...])
-# ALONE names sources that cannot be compiled together with others (DIRECTOR_TOGETHER). A component without a source yet is an interface library, so that
-# components can be written in any order.
+# director_component(<target> <alias> FOLDER <folder> [TOGETHER] [EXCLUDE <regex>...] [ALONE <source>...] [LINK <library>...] [PRIVATE_LINK <library>...])
+# TOGETHER: several of its sources are compiled as one, with DIRECTOR_TOGETHER; ALONE names those that cannot be. Without it each source is an object
+# of its own, which a linker can leave out. A component without a source yet is an interface library, so that components can be written in any order.
 function(director_component target alias)
-  cmake_parse_arguments(component "" "FOLDER" "EXCLUDE;ALONE;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(component "TOGETHER" "FOLDER" "EXCLUDE;ALONE;LINK;PRIVATE_LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${component_FOLDER}/*.cpp)
   foreach(pattern IN LISTS component_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX ${pattern})
@@ -29,7 +29,7 @@ function(director_component target alias)
     if(DIRECTOR_FUZZABLE)
       target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
-    if(DIRECTOR_TOGETHER)
+    if(DIRECTOR_TOGETHER AND component_TOGETHER)
       director_component_together(${target} ${component_FOLDER} "${component_ALONE}" ${sources})
     endif()
   else()
@@ -45,7 +45,8 @@ endfunction()
 
 # director_component_together(<target> <component's folder> <sources that stay alone> <source>...): a component's sources, compiled together.
 function(director_component_together target folder_of_all alone)
-  target_compile_options(${target} PRIVATE -Wno-shadow) # a local name may be one of another source
+  # A local name may be one of another source, but not that of an outer block.
+  target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
   director_compile_together(${target} ${folder_of_all} "${alone}" ${ARGN})
 endfunction()
 

@@ -13,6 +13,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace director::compiler::diff {
 

@@ -11,6 +11,7 @@
 #include "compiler/explore/foresight.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace director::compiler {
 

@@ -4,6 +4,7 @@
 
 #include "dsl/load_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 

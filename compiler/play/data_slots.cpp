@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/data_slots.hpp"
 
+#include <utility>
+
 namespace director::compiler {
 
 Index DataSlots::wait_for_input(Value value) {

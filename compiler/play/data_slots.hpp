@@ -7,6 +7,7 @@
 #include "runtime/core/engine/run.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace director::compiler {

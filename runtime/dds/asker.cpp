@@ -7,6 +7,7 @@
 
 #include "runtime/dds/entity.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/notes.hpp"
 
+#include <utility>
+
 namespace director::dds {
 
 namespace {

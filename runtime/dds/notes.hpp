@@ -7,6 +7,7 @@
 
 #include <mutex>
 #include <set>
+#include <utility>
 
 namespace director::dds {
 

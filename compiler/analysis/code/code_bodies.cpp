@@ -14,6 +14,7 @@
 #include <charconv>
 #include <deque>
 #include <set>
+#include <tuple>
 
 namespace director::analysis {
 

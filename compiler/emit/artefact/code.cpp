@@ -3,6 +3,7 @@
 #include "compiler/emit/artefact/code.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace director::compiler {
 

@@ -7,6 +7,8 @@
 #include "runtime/hosted/trace/json_text.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
+#include <utility>
+
 namespace director {
 
 namespace {
