@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/trace/replay.hpp"
 
+#include "compiler/base/counted.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/load_trace.hpp"
 #include "compiler/lower/lower.hpp"
@@ -16,7 +17,6 @@ namespace {
 
 std::string seconds(Time time) { return fmt::format("{:.6f} s", static_cast<double>(time) / 1e6); }
 
-std::string events(std::uint64_t count) { return fmt::format("{} event{}", count, count == 1 ? "" : "s"); }
 
 void print(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other, Console& console) {
   const std::string version = other ? fmt::format(" by `{}`, another version than the one recorded", behaviour) : "";
@@ -26,12 +26,12 @@ void print(const Replayed& replayed, const std::string& trace, const std::string
     const bool same_words = it.recorded == it.replayed;
     console.out << fmt::format("  recorded: {}\n  replayed: {}\n", same_words ? it.recorded_line : it.recorded,
                                same_words ? it.replayed_line : it.replayed);
-    console.out << fmt::format("  {} before it {} the same\n", events(replayed.events), replayed.events == 1 ? "is" : "are");
+    console.out << fmt::format("  {} before it {} the same\n", counted(replayed.events, "event"), replayed.events == 1 ? "is" : "are");
   } else if (replayed.dropped != 0) {
-    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace, events(replayed.events), version,
-                               events(replayed.dropped) + (replayed.dropped == 1 ? " is" : " are"));
+    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace, counted(replayed.events, "event"), version,
+                               counted(replayed.dropped, "event") + (replayed.dropped == 1 ? " is" : " are"));
   } else {
-    console.out << fmt::format("{}: {}, all the same{}\n", trace, events(replayed.events), version);
+    console.out << fmt::format("{}: {}, all the same{}\n", trace, counted(replayed.events, "event"), version);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/trace_page.hpp"
 
+#include "compiler/base/counted.hpp"
 #include "compiler/base/packed.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/make_page.hpp"
@@ -22,11 +23,7 @@ namespace {
 
 constexpr std::size_t first_events = 40; ///< that stand in the page as text
 
-std::string counted(std::uint64_t count, std::string_view one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
-
-std::string seconds(Time time) { return fmt::format("{:.6f}", static_cast<double>(time) / 1e6); }
+std::string in_seconds(Time time) { return fmt::format("{:.6f}", static_cast<double>(time) / 1e6); }
 
 /// Why the answers of `why` end somewhere; empty: they do not.
 std::string end_of(const Waits& waits) {
@@ -36,7 +33,7 @@ std::string end_of(const Waits& waits) {
                        counted(replayed.dropped, "event") + (replayed.dropped == 1 ? " is" : " are"));
   if (replayed.difference)
     return fmt::format("from {} s on it is decided otherwise when it is played again, so why something waits is not known",
-                       seconds(replayed.difference->time));
+                       in_seconds(replayed.difference->time));
   return {};
 }
 
@@ -75,7 +72,7 @@ private:
     if (page_.first.size() == first_events)
       ++page_.more;
     else
-      page_.first.push_back({seconds(time), std::move(words)});
+      page_.first.push_back({in_seconds(time), std::move(words)});
   }
 
   const director::Names names_;
@@ -109,7 +106,7 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   if (whole && waits.replayed.difference) // else it is the line that is wrong
     console.err << fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line, why_ends);
   page.about = fmt::format("{} in {}, from {}{}.", counted(recording.events(), "event"),
-                           seconds(recording.ends() - recording.begins()) + " s", shown_path(request.file),
+                           in_seconds(recording.ends() - recording.begins()) + " s", shown_path(request.file),
                            lines.cut_off() ? ", whose last line is cut off" : "");
   page.data = base64(packed(recording.bytes(header->json)));
   PageWish wish;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/watch.hpp"
 
+#include "compiler/base/counted.hpp"
 #include "compiler/cli/change_notices.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/watched_files.hpp"
@@ -138,10 +139,6 @@ std::string time_text() {
   std::tm local{};
   ::localtime_r(&now, &local);
   return fmt::format("{:02}:{:02}:{:02}", local.tm_hour, local.tm_min, local.tm_sec);
-}
-
-std::string counted(std::size_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 class Watching {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Changes as text, as JSON and as SARIF.
+#include "compiler/base/counted.hpp"
 #include "compiler/diff/diff.hpp"
 #include "compiler/emit/findings_json.hpp"
 
@@ -37,7 +38,7 @@ std::string changes_text(const std::vector<BehaviourChange>& changes, const Brea
     if (!change.hint.empty()) out += fmt::format("    hint: {}\n", change.hint);
   }
   if (last == nullptr) return out;
-  out += fmt::format("\n{} change{}", changes.size(), changes.size() == 1 ? "" : "s");
+  out += fmt::format("\n{}", counted(changes.size(), "change"));
   if (broken > 0) out += fmt::format(", {} of them breaking", broken);
   return out + "\n";
 }

@@ -3,6 +3,7 @@
 //
 // All of the page stands in it as text; the script only moves, hides and marks. Nothing is loaded: the policy allows
 // the one script and the one style whose check sums it names, and nothing else.
+#include "compiler/base/html.hpp"
 #include "compiler/base/packed.hpp"
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/artefact/notice.hpp"
@@ -54,26 +55,12 @@ constexpr std::array<Section, 8> sections{{{"picture", "Picture", pictures_html}
 
 } // namespace
 
-std::string text(std::string_view text) {
-  std::string out;
-  for (const char letter : text) {
-    switch (letter) {
-    case '&': out += "&amp;"; break;
-    case '<': out += "&lt;"; break;
-    case '>': out += "&gt;"; break;
-    case '"': out += "&quot;"; break;
-    default: out += letter;
-    }
-  }
-  return out;
-}
-
 std::string message_html(std::string_view message) {
   std::string out;
   bool in_code = false;
   for (std::size_t at = 0; at <= message.size();) {
     const std::size_t end = std::min(message.find('`', at), message.size());
-    const std::string piece = text(message.substr(at, end - at));
+    const std::string piece = html(message.substr(at, end - at));
     out += in_code ? fmt::format("<code>{}</code>", piece) : piece;
     in_code = !in_code;
     at = end + 1;
@@ -83,22 +70,22 @@ std::string message_html(std::string_view message) {
 
 std::string place_html(const Json& thing, const HtmlInput& input) {
   const std::string link = place_link(thing["place"], input.page.link);
-  const std::string words = text(place_text(thing["place"]));
+  const std::string words = html(place_text(thing["place"]));
   return link.empty() ? fmt::format("<span class=\"place\">{}</span>", words)
-                      : fmt::format("<a class=\"place\" href=\"{}\">{}</a>", text(link), words);
+                      : fmt::format("<a class=\"place\" href=\"{}\">{}</a>", html(link), words);
 }
 
 std::string doc_html(const Json& thing) {
   std::string out, rest = trimmed(thing["doc"].as_text());
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find("\n\n"), rest.size());
-    out += fmt::format("<p class=\"doc\">{}</p>\n", text(rest.substr(0, end)));
+    out += fmt::format("<p class=\"doc\">{}</p>\n", html(rest.substr(0, end)));
     rest.erase(0, std::min(end + 2, rest.size()));
   }
   return out;
 }
 
-std::string group_link(const std::string& name) { return fmt::format("<a href=\"#group-{0}\">{0}</a>", text(name)); }
+std::string group_link(const std::string& name) { return fmt::format("<a href=\"#group-{0}\">{0}</a>", html(name)); }
 
 } // namespace page
 
@@ -106,7 +93,7 @@ std::string html_page(const PageInput& input) {
   using namespace page;
   const Relations relations = find_relations(input.data);
   const HtmlInput parts{input, relations};
-  const std::string name = text(input.data["behaviour"].as_text());
+  const std::string name = html(input.data["behaviour"].as_text());
   std::string body, nav;
   for (const Section& section : sections) {
     const std::string html = section.html(parts);

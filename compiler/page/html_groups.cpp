@@ -1,6 +1,7 @@
 // Door: compiler/page/html_parts.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/page/html_parts.hpp"
+#include "compiler/base/html.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,15 +12,15 @@ namespace {
 
 std::string code_list(const Json& list) {
   std::vector<std::string> out;
-  for (const std::string& each : list.as_texts()) out.push_back(fmt::format("<code>{}</code>", text(each)));
+  for (const std::string& each : list.as_texts()) out.push_back(fmt::format("<code>{}</code>", html(each)));
   return fmt::format("{}", fmt::join(out, ", "));
 }
 
 std::string mention_html(const Mention& mention) {
   const std::string by = mention.group.empty()
                              ? "the program"
-                             : fmt::format("<a href=\"#group-{}\">{}</a>", text(mention.group), text(mention.by));
-  return mention.how.empty() ? by : fmt::format("{} ({})", by, text(mention.how));
+                             : fmt::format("<a href=\"#group-{}\">{}</a>", html(mention.group), html(mention.by));
+  return mention.how.empty() ? by : fmt::format("{} ({})", by, html(mention.how));
 }
 
 void add_fact(std::string& out, std::string_view title, const std::string& html) {
@@ -47,7 +48,7 @@ std::string provider_html(const Json& group, const Json& provider, const HtmlInp
   for (const std::string& need : provider["needs"].as_texts()) needs.push_back(group_link(need));
   add_fact(facts, "needs", fmt::format("{}", fmt::join(needs, ", ")));
   for (const Json& promise : provider["promises"].items())
-    promises.push_back(fmt::format("<code>{}</code>{}", text(promise["condition"].as_text()),
+    promises.push_back(fmt::format("<code>{}</code>{}", html(promise["condition"].as_text()),
                                    promise["within_us"].is_null() ? "" : " within " + time_text(promise["within_us"])));
   add_fact(facts, "promises", fmt::format("{}", fmt::join(promises, ", ")));
   add_fact(facts, "sets", code_list(provider["sets"]));
@@ -55,10 +56,10 @@ std::string provider_html(const Json& group, const Json& provider, const HtmlInp
   if (!provider["every_us"].is_null()) add_fact(facts, "runs every", time_text(provider["every_us"]));
   if (!provider["tasks"].items().empty()) add_fact(facts, "requests", tasks_html(provider["tasks"]));
   for (const Json& pack : provider["packs"].items())
-    add_fact(facts, "requests in pack " + text(pack["name"].as_text()), tasks_html(pack["tasks"]));
+    add_fact(facts, "requests in pack " + html(pack["name"].as_text()), tasks_html(pack["tasks"]));
   const bool named = provider["name"].as_text() != "default";
   std::string out;
-  if (named) out += fmt::format("<h4>{} {}</h4>\n", text(provider_name(group, provider)), place_html(provider, input));
+  if (named) out += fmt::format("<h4>{} {}</h4>\n", html(provider_name(group, provider)), place_html(provider, input));
   out += doc_html(provider);
   if (!facts.empty()) out += fmt::format("<dl>\n{}</dl>\n", facts);
   return out;
@@ -70,13 +71,13 @@ std::string groups_html(const HtmlInput& input) {
   std::string out;
   for (const Json& group : input.page.data["groups"].items()) {
     const std::string& name = group["name"].as_text();
-    std::string about = "module " + text(group["module"].as_text());
-    if (!group["layer"].is_null()) about = fmt::format("layer {}, {}", text(group["layer"].as_text()), about);
-    if (!group["data"].is_null()) about += fmt::format(", data <code>{}</code>", text(group["data"].as_text()));
+    std::string about = "module " + html(group["module"].as_text());
+    if (!group["layer"].is_null()) about = fmt::format("layer {}, {}", html(group["layer"].as_text()), about);
+    if (!group["data"].is_null()) about += fmt::format(", data <code>{}</code>", html(group["data"].as_text()));
     out += fmt::format(
         "<article class=\"group\" id=\"group-{0}\" data-group=\"{0}\" tabindex=\"-1\">\n<h3>{0} {1}</h3>\n{2}"
         "<p class=\"about\">{3}</p>\n",
-        text(name), place_html(group, input), doc_html(group), about);
+        html(name), place_html(group, input), doc_html(group), about);
     for (const Json& provider : group["providers"].items()) out += provider_html(group, provider, input);
     std::string facts;
     const auto at = input.relations.groups.find(name);
@@ -97,7 +98,7 @@ std::string states_html(const HtmlInput& input) {
     const std::string& name = state["name"].as_text();
     out += fmt::format(
         "<article class=\"state\" id=\"state-{0}\" tabindex=\"-1\">\n<h3>{0} {1}</h3>\n{2}<p class=\"about\">{3}</p>\n",
-        text(name), place_html(state, input), doc_html(state), text(state_words(state)));
+        html(name), place_html(state, input), doc_html(state), html(state_words(state)));
     std::string facts;
     const auto at = input.relations.states.find(name);
     if (at != input.relations.states.end()) {

@@ -11,7 +11,6 @@
 namespace director::compiler::page {
 
 /// Text between tags and in attributes.
-std::string text(std::string_view text);
 
 /// The same of a finding's words, which have code between backquotes.
 std::string message_html(std::string_view text);

@@ -1,6 +1,7 @@
 // Door: compiler/page/html_parts.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/page/html_parts.hpp"
+#include "compiler/base/html.hpp"
 
 #include <fmt/format.h>
 
@@ -37,8 +38,8 @@ std::string svg_part(std::string svg) {
 }
 
 std::string anchor_of(const Json& row, const Json* column) {
-  const std::string from = "from-" + text(row["group"].as_text());
-  return column == nullptr ? from : from + "-to-" + text((*column)["group"].as_text());
+  const std::string from = "from-" + html(row["group"].as_text());
+  return column == nullptr ? from : from + "-to-" + html((*column)["group"].as_text());
 }
 
 std::string legend_html() {
@@ -53,10 +54,10 @@ std::string matrix_html(const Json& rows) {
   std::string out = "<div class=\"matrix\" tabindex=\"0\" role=\"region\" aria-label=\"Transition matrix\">\n<table>\n"
                     "<caption>From the group of the row to that of the column</caption>\n<thead><tr><td></td>";
   for (const Json& row : rows.items())
-    out += fmt::format("<th scope=\"col\"><span>{}</span></th>", text(row["group"].as_text()));
+    out += fmt::format("<th scope=\"col\"><span>{}</span></th>", html(row["group"].as_text()));
   out += "</tr></thead>\n<tbody>\n";
   for (const Json& row : rows.items()) {
-    out += fmt::format("<tr><th scope=\"row\">{}</th>", text(row["group"].as_text()));
+    out += fmt::format("<tr><th scope=\"row\">{}</th>", html(row["group"].as_text()));
     const std::vector<Json>& cells = row["cells"].items();
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const CellKind& kind = cell_kind(cells[i]);
@@ -71,7 +72,7 @@ std::string matrix_html(const Json& rows) {
 
 /// Folded.
 std::string scenario_html(const std::string& scenario) {
-  return fmt::format("<details><summary>Scenario</summary><pre tabindex=\"0\">{}</pre></details>", text(scenario));
+  return fmt::format("<details><summary>Scenario</summary><pre tabindex=\"0\">{}</pre></details>", html(scenario));
 }
 
 /// Empty where nothing was played.
@@ -87,7 +88,7 @@ std::string scenario_html(const Json& cell, const Json& pieces) {
 std::string row_html(const Json& transitions, const Json& row) {
   const Json& rows = transitions["rows"];
   std::string out = fmt::format("<article class=\"row\" id=\"{}\" tabindex=\"-1\">\n<h3>From {}</h3>\n<p>{}</p>\n",
-                                anchor_of(row, nullptr), text(row["group"].as_text()), text(row["words"].as_text()));
+                                anchor_of(row, nullptr), html(row["group"].as_text()), html(row["words"].as_text()));
   std::string told;
   std::map<std::string_view, std::vector<std::string>> others;
   const std::vector<Json>& cells = row["cells"].items();
@@ -100,13 +101,13 @@ std::string row_html(const Json& transitions, const Json& row) {
     }
     told += fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
                         "{}</dt><dd>{}{}</dd></div>\n",
-                        anchor_of(row, &column), text(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
-                        text(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
+                        anchor_of(row, &column), html(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
+                        html(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
   }
   if (!told.empty()) out += fmt::format("<dl>\n{}</dl>\n", told);
   for (const auto& [kind, names] : others) {
     std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + text(name);
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + html(name);
     out += fmt::format("<p>To {}: {}.</p>\n", list, kind);
   }
   return out + "</article>\n";
@@ -121,7 +122,7 @@ std::string take_table_html(const Json& takes) {
     std::string over;
     for (const std::string& name : take["over"].as_texts()) over += (over.empty() ? "" : ", ") + group_link(name);
     out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", group_link(take["winner"].as_text()),
-                       group_link(take["loser"].as_text()), text(take_words(take)), over);
+                       group_link(take["loser"].as_text()), html(take_words(take)), over);
   }
   return out + "</tbody>\n</table></div>\n";
 }
@@ -136,9 +137,9 @@ std::string rivals_html(const std::vector<Rivals>& all) {
                   rivals_intro);
   for (const Rivals& each : all) {
     std::string decisions;
-    for (const std::string& decision : each.decisions) decisions += (decisions.empty() ? "" : "<br>") + text(decision);
-    out += fmt::format("<tr><td>{}</td><td>{} and {}</td><td>{}</td></tr>\n", text(each.group), text(each.first),
-                       text(each.second), decisions);
+    for (const std::string& decision : each.decisions) decisions += (decisions.empty() ? "" : "<br>") + html(decision);
+    out += fmt::format("<tr><td>{}</td><td>{} and {}</td><td>{}</td></tr>\n", html(each.group), html(each.first),
+                       html(each.second), decisions);
   }
   return out + "</tbody>\n</table></div>\n</details>\n";
 }
@@ -151,9 +152,9 @@ std::string pictures_html(const HtmlInput& input) {
     const bool first = &picture == &input.page.pictures.front();
     const std::string figure = fmt::format("<div class=\"picture\" data-picture=\"{0}\" tabindex=\"0\" role=\"region\" "
                                            "aria-label=\"Picture, {0}\">\n{1}\n</div>\n",
-                                           text(picture.name), svg_part(picture.text));
+                                           html(picture.name), svg_part(picture.text));
     out += first ? figure
-                 : fmt::format("<details class=\"more\"><summary>{}</summary>\n{}</details>\n", text(picture.name),
+                 : fmt::format("<details class=\"more\"><summary>{}</summary>\n{}</details>\n", html(picture.name),
                                figure);
   }
   return out;
@@ -164,7 +165,7 @@ std::string takes_html(const HtmlInput& input) {
   if (ranks["decisions"].items().empty()) return {};
   std::string out = "<p>Two tasks that want the same are compared at the closest requester of both.</p>\n"
                     "<div id=\"pair\" hidden></div>\n";
-  if (!ranks["left_out"].is_null()) out += fmt::format("<p>{}</p>\n", text(ranks["left_out"].as_text()));
+  if (!ranks["left_out"].is_null()) out += fmt::format("<p>{}</p>\n", html(ranks["left_out"].as_text()));
   if (!takes.items().empty()) out += take_table_html(takes);
   const std::vector<Rivals> rivals = rivals_in(ranks);
   return rivals.empty() ? out : out + rivals_html(rivals);
@@ -199,7 +200,7 @@ std::string assertions_html(const HtmlInput& input) {
     const Json& verdict = verdicts.items()[i];
     out +=
         fmt::format("<li><b data-verdict=\"{0}\">{0}</b>: <code>{1}</code> {2}<br>{3}", verdict["verdict"].as_text(),
-                    text(verdict["assertion"].as_text()), i < assertions.size() ? place_html(assertions[i], input) : "",
+                    html(verdict["assertion"].as_text()), i < assertions.size() ? place_html(assertions[i], input) : "",
                     message_html(verdict["why"].as_text()));
     if (!verdict["scenario"].is_null()) out += scenario_html(verdict["scenario"].as_text());
     out += "</li>\n";
@@ -213,7 +214,7 @@ std::string findings_html(const HtmlInput& input) {
   std::string out = "<ul class=\"findings\">\n";
   for (const Json& finding : findings.items()) {
     out += fmt::format("<li><b data-level=\"{0}\">{0}</b>: {1} <code>{2}</code> {3}", finding["level"].as_text(),
-                       message_html(finding["message"].as_text()), text(finding["id"].as_text()),
+                       message_html(finding["message"].as_text()), html(finding["id"].as_text()),
                        place_html(Json::object({{"place", finding}}), input));
     if (!finding["help"].is_null()) out += fmt::format("<br>{}", message_html(finding["help"].as_text()));
     out += "</li>\n";

@@ -4,6 +4,7 @@
 // The script decodes the recording and draws it. What stands here is for who has none: what the recording is, and how it
 // begins.
 #include "compiler/page/html_parts.hpp"
+#include "compiler/base/html.hpp"
 
 #include <fmt/format.h>
 
@@ -14,10 +15,10 @@ std::string timeline_html(const HtmlInput& input) {
   const PageRecording& recording = *input.page.recording;
   std::string rows;
   for (const PageRecording::Line& line : recording.first)
-    rows += fmt::format("<tr><td class=\"time\">{}</td><td>{}</td></tr>\n", text(line.time), text(line.words));
+    rows += fmt::format("<tr><td class=\"time\">{}</td><td>{}</td></tr>\n", html(line.time), html(line.words));
   std::string out = fmt::format("<p class=\"about\">{}</p>\n<div id=\"no-timeline\">\n<p>The timeline itself needs "
                                 "JavaScript. {}</p>\n",
-                                text(recording.about), rows.empty() ? "" : "These are the first events:");
+                                html(recording.about), rows.empty() ? "" : "These are the first events:");
   if (!rows.empty())
     out += fmt::format("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"First events\"><table>\n<thead><tr>"
                        "<th scope=\"col\">s</th><th scope=\"col\">event</th></tr></thead>\n<tbody>\n{}</tbody>\n</table>"

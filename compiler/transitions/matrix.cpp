@@ -17,9 +17,7 @@
 
 namespace director::compiler {
 
-namespace {
-
-using namespace transitions;
+namespace transitions {
 
 /// States of which every choice is tried; beyond them all or none.
 constexpr std::size_t most_changes = 4;
@@ -218,14 +216,14 @@ private:
   std::unordered_map<std::string, std::size_t> numbers_;
 };
 
-} // namespace
+} // namespace transitions
 
 TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour,
                                   const std::vector<GroupId>& only) {
-  return TransitionFinder(model, lowered, behaviour).find(only);
+  return transitions::TransitionFinder(model, lowered, behaviour).find(only);
 }
 
-struct TransitionPlays::Finder : TransitionFinder {
+struct TransitionPlays::Finder : transitions::TransitionFinder {
   using TransitionFinder::TransitionFinder;
 };
 

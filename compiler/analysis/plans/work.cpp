@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/work.hpp"
 
-#include "runtime/core/engine/engine.hpp"
-#include "runtime/hosted/engine_memory.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -21,25 +18,11 @@ constexpr std::int64_t product(std::int64_t a, std::int64_t b) { return b != 0 &
 /// What one unit may be tried for: with its conditions and without.
 constexpr std::int64_t attempts = 2;
 
-/// By component: two edges in it may be equal, so that a holder may stand in the way of its equal. The engine works that out of its
-/// tables.
-std::vector<bool> with_equals(const Tables& tables) {
-  EngineMemory memory(tables);
-  std::vector<Inbox::Cell> cells(2);
-  Inbox inbox(cells);
-  const Engine engine(tables, memory.state().data(), Bodies{}, inbox);
-  std::vector<bool> out;
-  for (std::size_t c = 0; c < tables.components.size(); ++c)
-    out.push_back((engine.memory().component_traits[c] & trait::equals) != 0);
-  return out;
-}
-
 class Working {
 public:
-  Working(const Model& model, const Tables& tables, const std::vector<bool>& equals, Trials& trials, WorkBound& out)
+  Working(const Model& model, const Tables& tables, Trials& trials, WorkBound& out)
       : model_(model),
         t_(tables),
-        equals_(equals),
         trials_(trials),
         out_(out),
         pushes_(model.groups.size(), -1),
@@ -74,7 +57,7 @@ private:
   /// Decided for itself: where an equal may deny it something all choices, and then up to the first; with its conditions, without
   /// them, and, as what is new is deferred, once more. Then it searches for somebody to push.
   std::int64_t alone(const Task& task) {
-    const std::int64_t scans = equals_[t_.groups[task.target.value].component] ? 2 : 1;
+    const std::int64_t scans = t_.components[t_.groups[task.target.value].component].equals ? 2 : 1;
     return sum(product(scans * (attempts + 1), choices(task.target)), pushes(task.target));
   }
 
@@ -152,7 +135,6 @@ private:
 
   const Model& model_;
   const Tables& t_;
-  const std::vector<bool>& equals_;
   Trials& trials_;
   WorkBound& out_;
   std::vector<std::int64_t> pushes_, searches_; ///< below 0: not known yet
@@ -162,12 +144,11 @@ private:
 
 WorkBound bound_work(const Model& model, const Tables& tables, Trials& trials) {
   WorkBound out;
-  const std::vector<bool> equals = with_equals(tables);
   std::vector<std::int64_t> repetitions(tables.components.size());
   for (const director::Group& group : tables.groups) {
-    if (group.requesters.size() > 1 && equals[group.component]) ++repetitions[group.component];
+    if (group.requesters.size() > 1 && tables.components[group.component].equals) ++repetitions[group.component];
   }
-  const std::vector<std::int64_t> sweeps = Working(model, tables, equals, trials, out).sweeps();
+  const std::vector<std::int64_t> sweeps = Working(model, tables, trials, out).sweeps();
   for (std::size_t c = 0; c < sweeps.size(); ++c) {
     const std::int64_t pass = product(1 + repetitions[c], sweeps[c]);
     out.pass = std::max(out.pass, pass);

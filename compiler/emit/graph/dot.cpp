@@ -6,6 +6,7 @@
 // layer before. The names of layers are a chain of their own down the left side, each in the rank of that node;
 // `newrank` lets them share ranks with the rest. What Graphviz writes as titles are the names of nodes, so they are
 // names of people's things.
+#include "compiler/base/html.hpp"
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
@@ -31,7 +32,6 @@ std::string PictureLinks::to(const PictureText& text) const {
 
 namespace {
 
-using palette::html;
 using palette::in_quotes;
 
 class Dot {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/legend.hpp"
 
+#include "compiler/base/html.hpp"
 #include "compiler/emit/graph/palette.hpp"
 
 #include <fmt/format.h>
@@ -47,9 +48,9 @@ Line line_of(Sample sample) {
 }
 
 std::string table_row(const LegendEntry& entry) {
-  const std::string words = fmt::format("<TD ALIGN=\"LEFT\">{}</TD>", palette::html(entry.words));
+  const std::string words = fmt::format("<TD ALIGN=\"LEFT\">{}</TD>", html(entry.words));
   if (entry.sample == Sample::text)
-    return fmt::format("<TR><TD COLSPAN=\"2\" ALIGN=\"LEFT\">{}&#160;&#160;</TD>{}</TR>", palette::html(entry.sign),
+    return fmt::format("<TR><TD COLSPAN=\"2\" ALIGN=\"LEFT\">{}&#160;&#160;</TD>{}</TR>", html(entry.sign),
                        words);
   const Line line = line_of(entry.sample);
   const bool both = entry.sample == Sample::both;
@@ -136,9 +137,9 @@ std::vector<std::string> legend_table(const Picture& picture) {
   const auto line = [&](const std::string& text) {
     out.push_back(fmt::format("<TR><TD COLSPAN=\"3\" ALIGN=\"LEFT\"{}>{}</TD></TR>", room, text));
   };
-  const std::string moment = picture.moment.empty() ? "" : ", " + palette::html(picture.moment);
-  line(fmt::format("<B>{}{}</B>", palette::html(picture.title), moment));
-  for (const std::string& value : picture.values) line(palette::html(value));
+  const std::string moment = picture.moment.empty() ? "" : ", " + html(picture.moment);
+  line(fmt::format("<B>{}{}</B>", html(picture.title), moment));
+  for (const std::string& value : picture.values) line(html(value));
   for (const std::string& wrong : picture.wrong)
     line(
         fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::queued, palette::wrapped(wrong) + "<BR ALIGN=\"LEFT\"/>"));

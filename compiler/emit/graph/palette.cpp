@@ -2,24 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/palette.hpp"
 
+#include "compiler/base/html.hpp"
+
 #include <algorithm>
 
 namespace director::compiler::palette {
-
-std::string html(std::string_view text) {
-  std::string out;
-  for (const char letter : text) {
-    switch (letter) {
-    case '&': out += "&amp;"; break;
-    case '<': out += "&lt;"; break;
-    case '>': out += "&gt;"; break;
-    case '"': out += "&quot;"; break;
-    case '\n': out += "&#10;"; break;
-    default: out += letter;
-    }
-  }
-  return out;
-}
 
 std::string wrapped(std::string_view text, std::size_t before) {
   constexpr std::size_t width = 36;

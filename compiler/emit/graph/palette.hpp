@@ -13,9 +13,7 @@ inline constexpr std::string_view ink = "#202428", task = "#404040", need = "#00
                                   push = "#00704F", take = "#A23B00", queued = "#A3171A", faint = "#8A919B",
                                   grey = "#5A616B", frame = "#6B727C", band = "#F1F3F5", paper = "#FFFFFF";
 
-/// For the text between tags.
-std::string html(std::string_view text);
-/// The same on several lines, broken between words, each at the left.
+/// HTML on several lines, broken between words, each at the left.
 std::string wrapped(std::string_view text, std::size_t before = 0); ///< so much stands before it already
 /// A string of the DOT language.
 std::string in_quotes(std::string_view text);

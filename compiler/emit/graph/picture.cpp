@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/picture.hpp"
 
+#include "compiler/base/counted.hpp"
 #include "compiler/emit/graph/asks.hpp"
 #include "compiler/emit/graph/focus.hpp"
 #include "compiler/emit/graph/words.hpp"
@@ -271,7 +272,7 @@ private:
     }
     box.in_focus = std::any_of(set.begin(), set.end(), [&](GroupId id) { return is_focused(id); });
     box.about = words_.group(set.front());
-    box.about.words = fmt::format("{}: {} group{}", box.name, set.size(), set.size() == 1 ? "" : "s");
+    box.about.words = fmt::format("{}: {}", box.name, counted(set.size(), "group"));
     return box;
   }
 

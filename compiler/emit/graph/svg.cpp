@@ -3,6 +3,8 @@
 //
 // What Graphviz cannot say: bands of the picture's whole width behind the layers, which reach from the name of one to
 // the name of the next, and what the picture is about. Nothing that it placed is moved.
+#include "compiler/base/counted.hpp"
+#include "compiler/base/html.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/palette.hpp"
 
@@ -30,7 +32,7 @@ std::optional<double> number_behind(const std::string& text, std::size_t from, s
 /// As Graphviz writes it in a title.
 std::string title_text(std::string_view text) {
   std::string out;
-  for (const char letter : palette::html(text)) out += letter == '-' ? "&#45;" : std::string(1, letter);
+  for (const char letter : html(text)) out += letter == '-' ? "&#45;" : std::string(1, letter);
   return out;
 }
 
@@ -103,13 +105,9 @@ void add_words(const Picture& picture, std::string& svg) {
   const std::size_t tag = svg.find("<svg ");
   const std::size_t end = tag == nowhere ? nowhere : svg.find('>', tag);
   if (end == nowhere) return;
-  svg.insert(end + 1, fmt::format("\n<title>{}</title>\n<desc>{}</desc>", palette::html(picture.title),
-                                  palette::html(summary(picture))));
+  svg.insert(end + 1, fmt::format("\n<title>{}</title>\n<desc>{}</desc>", html(picture.title),
+                                  html(summary(picture))));
   svg.insert(tag + 5, "role=\"graphics-document document\" ");
-}
-
-std::string counted(std::size_t count, std::string_view one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : one.ends_with('s') || one.ends_with("sh") ? "es" : "s");
 }
 
 } // namespace

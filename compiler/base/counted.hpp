@@ -1,0 +1,17 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace director::compiler {
+
+/// "1 push", "3 pushes".
+inline std::string counted(std::uint64_t count, std::string_view one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : one.ends_with('s') || one.ends_with("sh") ? "es" : "s");
+}
+
+} // namespace director::compiler
