@@ -12,8 +12,8 @@ namespace chase_ball {
 namespace {
 
 constexpr std::array<director::Group, 2> groups{{
-  {.providers = {0, 2}, .edges = {1, 2}, .requesters = {3, 4}, .listens = {0, 1}, .users = {12, 13}}, // ChaseBall
-  {.providers = {2, 3}, .requesters = {4, 5}, .users = {13, 14}}, // Wheels
+  {.providers = {0, 2}, .edges = {1, 2}, .requesters = {3, 4}, .listens = {0, 1}, .users = {11, 12}, .flat = true, .conditional = true}, // ChaseBall
+  {.providers = {2, 3}, .requesters = {4, 5}, .users = {12, 13}, .simple = true, .flat = true}, // Wheels
 }};
 constexpr std::array<director::Provider, 3> providers{{
   {.when = {0, 1}, .triggers = {1, 2}}, // ChaseBall.driving
@@ -29,21 +29,21 @@ constexpr std::array<director::Level, 2> levels{{
   {}, // ChaseBall>Wheels
 }};
 constexpr std::array<director::Condition, 1> conditions{{
-  {.accepts = {0, 1}, .components = {11, 12}, .groups = {14, 15}}, // Ball == seen
+  {.accepts = {0, 1}, .components = {10, 11}, .groups = {13, 14}}, // Ball == seen
 }};
 constexpr std::array<director::Interval, 1> intervals{{
   {.low = 1, .high = 1}, // Ball == seen
 }};
 constexpr std::array<director::StateVariable, 1> states{{
-  {.initial = 0, .expires = 500000, .expires_to = 0, .external = true, .conditions = {10, 11}}, // Ball
+  {.initial = 0, .expires = 500000, .expires_to = 0, .external = true, .conditions = {9, 10}}, // Ball
 }};
 constexpr std::array<director::Trigger, 1> triggers{{
   {.listeners = {2, 3}}, // Picture
 }};
 constexpr std::array<director::Promise, 0> promises{};
-constexpr std::array<director::Index, 15> lists{0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0};
+constexpr std::array<director::Index, 14> lists{0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 1, 0};
 constexpr std::array<director::Component, 1> components{{
-  {.groups = {5, 7}, .edges = {7, 9}, .conditions = {9, 10}}, // ChaseBall, Wheels
+  {.groups = {5, 7}, .edges = {7, 9}}, // ChaseBall, Wheels
 }};
 constexpr std::array<director::Index, 0> plan_groups{};
 constexpr std::array<director::Index, 1> listened{0};
@@ -67,12 +67,15 @@ constexpr director::Tables rows{
 };
 static_assert(director::State::bytes(director::Shape::of(rows)) == director::State::bytes(detail::Whole::shape));
 
+// What the linker takes from the library for these tables; see runtime/core/base/parts.hpp.
+[[gnu::used]] constexpr director::Parts parts = director::parts_of(rows, true);
+
 } // namespace
 
 namespace detail {
 
 const director::Tables& Whole::tables() { return rows; }
-std::uint64_t Whole::fingerprint() { return 0x6a654b428dc2fc94; }
+std::uint64_t Whole::fingerprint() { return 0x40ac3d45663541c4; }
 
 void Whole::called_from_inside() {
 #if __STDC_HOSTED__
@@ -104,24 +107,6 @@ struct Bodies {
     constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
     Context context{run, behaviour.data()};
     return (behaviour.modules_.template of<Module>().*body)(context);
-  }
-
-#ifdef __cpp_exceptions
-  /// What an observer throws waits as well, and ends the step.
-  static void tell(void* self, const director::Event& event) {
-    Behaviour& behaviour = *static_cast<Behaviour*>(self);
-    const director::Observer to = behaviour.observer_;
-    guarded(
-        behaviour, [&] { to.tell(to.self, event); }, [&] { behaviour.observer_threw(); });
-  }
-#endif
-
-  /// What the engine tells.
-  static director::Observer observer([[maybe_unused]] Behaviour& behaviour, director::Observer given) {
-#ifdef __cpp_exceptions
-    if (given.tell != nullptr) return {&tell, &behaviour};
-#endif
-    return given;
   }
 
   static director::Outcome run_0(Behaviour& behaviour, director::Run& run);
@@ -161,18 +146,24 @@ director::Outcome chase_ball::detail::Bodies::run_0(Behaviour& behaviour, direct
 
 namespace chase_ball {
 
-Behaviour::Behaviour(Cart& module_0, director::Observer observer)
-    : Program(detail::Bodies::of(*this), detail::Bodies::observer(*this, observer)), modules_(module_0) {
-#ifdef __cpp_exceptions
-  observer_ = observer;
-#endif
-}
+Behaviour::Behaviour(Cart& module_0)
+    : Program(detail::Bodies::of(*this)), modules_(module_0) {}
 
 void Behaviour::throw_on() {
 #ifdef __cpp_exceptions
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 #endif
 }
+
+#ifdef __cpp_exceptions
+/// What an observer throws waits as well, and ends the step.
+void Behaviour::tell(void* self, const director::Event& event) {
+  Behaviour& behaviour = *static_cast<Behaviour*>(self);
+  const director::Observer to = behaviour.observer_;
+  detail::Bodies::guarded(
+      behaviour, [&] { to.tell(to.self, event); }, [&] { behaviour.observer_threw(); });
+}
+#endif
 
 namespace names {
 namespace {

@@ -76,7 +76,7 @@ struct States final : director::Table<director::Row<Ball, 0>> {
 struct Whole final {
   static constexpr director::Shape shape{
       .groups = 2, .providers = 3, .edges = 2, .conditions = 1, .states = 1, .promises = 0, .plan_slots = 0,
-      .listen_slots = 1, .most_edges = 1, .components = 1, .lacking = 1};
+      .listen_slots = 1, .most_edges = 1, .components = 1, .lacking = 1, .pushable = 0};
   static const director::Tables& tables();
   static std::uint64_t fingerprint();
   static void called_from_inside();
@@ -166,7 +166,12 @@ struct Bodies;
 /// All that includes this header must be compiled either with exceptions or without.
 class Behaviour final : public director::Program<detail::Whole> {
 public:
-  explicit Behaviour(Cart&, director::Observer observer = {});
+  explicit Behaviour(Cart& module_0);
+  /// With one that is told of every decision: without it, what tells is not linked.
+  Behaviour(Cart& module_0, director::Observer observer)
+      : Behaviour(module_0) {
+    observe(observer);
+  }
 
   /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an earlier
   /// one counts as the last), until nothing is left to do. What a body, handler or observer threw is thrown on, after
@@ -183,9 +188,17 @@ private:
     return result;
   }
   void throw_on();
+  void observe(director::Observer observer) {
+#ifdef __cpp_exceptions
+    observer_ = observer;
+    if (observer.tell != nullptr) observer = {&tell, this};
+#endif
+    Program::observe(observer);
+  }
 
   director::Modules<Cart> modules_;
 #ifdef __cpp_exceptions
+  static void tell(void* self, const director::Event& event);
   std::exception_ptr thrown_; ///< the first that was thrown since the last step
   director::Observer observer_;
 #endif

@@ -12,30 +12,30 @@ namespace soccer {
 namespace {
 
 constexpr std::array<director::Group, 24> groups{{
-  {.providers = {0, 1}, .edges = {2, 6}, .requesters = {49, 50}, .users = {187, 188}}, // Brace
-  {.providers = {1, 4}, .edges = {6, 10}, .requesters = {50, 51}, .owned = {51, 52}, .users = {188, 189}}, // GetUp
-  {.providers = {4, 7}, .edges = {10, 12}, .requesters = {52, 53}, .users = {189, 190}}, // FallRecovery
-  {.providers = {7, 9}, .edges = {12, 16}, .requesters = {53, 56}, .users = {190, 191}, .start = true, .stop = true}, // Walk
-  {.providers = {9, 10}, .edges = {16, 18}, .requesters = {56, 57}, .users = {191, 192}}, // Kick
-  {.providers = {10, 11}, .edges = {18, 19}, .requesters = {57, 59}, .users = {192, 193}}, // LookAt
-  {.providers = {11, 12}, .edges = {19, 20}, .requesters = {59, 61}, .users = {193, 194}}, // WalkTo
-  {.providers = {12, 13}, .edges = {20, 23}, .requesters = {61, 62}, .listens = {0, 1}, .users = {194, 195}}, // KickTo
-  {.providers = {13, 16}, .edges = {23, 27}, .requesters = {62, 63}, .users = {195, 196}}, // Striker
-  {.providers = {16, 17}, .edges = {27, 28}, .requesters = {63, 64}, .users = {196, 197}}, // KickToGoal
-  {.providers = {17, 20}, .edges = {28, 30}, .requesters = {64, 65}, .listens = {1, 2}, .users = {197, 198}}, // WalkToBall
-  {.providers = {20, 21}, .edges = {30, 31}, .requesters = {65, 66}, .users = {198, 199}}, // WalkToReady
-  {.providers = {21, 23}, .edges = {31, 32}, .requesters = {66, 67}, .listens = {2, 3}, .users = {199, 200}}, // Look
-  {.providers = {23, 24}, .requesters = {67, 70}, .users = {200, 203}}, // LeftArm
-  {.providers = {24, 25}, .requesters = {70, 73}, .users = {203, 206}}, // RightArm
-  {.providers = {25, 26}, .requesters = {73, 74}, .users = {206, 208}}, // Head
-  {.providers = {26, 27}, .edges = {32, 35}, .requesters = {74, 78}, .users = {208, 213}}, // LeftLeg
-  {.providers = {27, 28}, .edges = {35, 38}, .requesters = {78, 82}, .users = {213, 218}}, // RightLeg
-  {.providers = {28, 29}, .requesters = {82, 83}, .users = {218, 219}}, // LeftHipYaw
-  {.providers = {29, 30}, .requesters = {83, 84}, .users = {219, 220}}, // LeftKnee
-  {.providers = {30, 31}, .requesters = {84, 85}, .users = {220, 221}}, // LeftAnkle
-  {.providers = {31, 32}, .requesters = {85, 86}, .users = {221, 222}}, // RightHipYaw
-  {.providers = {32, 33}, .requesters = {86, 87}, .users = {222, 223}}, // RightKnee
-  {.providers = {33, 34}, .requesters = {87, 88}, .users = {223, 224}}, // RightAnkle
+  {.providers = {0, 1}, .edges = {2, 6}, .requesters = {49, 50}, .users = {174, 175}, .flat = true}, // Brace
+  {.providers = {1, 4}, .edges = {6, 10}, .requesters = {50, 51}, .owned = {51, 52}, .users = {175, 176}, .flat = true, .conditional = true}, // GetUp
+  {.providers = {4, 7}, .edges = {10, 12}, .requesters = {52, 53}, .users = {176, 177}, .flat = true, .conditional = true}, // FallRecovery
+  {.providers = {7, 9}, .edges = {12, 16}, .requesters = {53, 56}, .users = {177, 178}, .start = true, .stop = true, .flat = true}, // Walk
+  {.providers = {9, 10}, .edges = {16, 18}, .requesters = {56, 57}, .users = {178, 179}, .flat = true, .conditional = true}, // Kick
+  {.providers = {10, 11}, .edges = {18, 19}, .requesters = {57, 59}, .users = {179, 180}, .flat = true}, // LookAt
+  {.providers = {11, 12}, .edges = {19, 20}, .requesters = {59, 61}, .users = {180, 181}, .simple = true, .flat = true}, // WalkTo
+  {.providers = {12, 13}, .edges = {20, 23}, .requesters = {61, 62}, .listens = {0, 1}, .users = {181, 182}, .simple = true, .flat = true}, // KickTo
+  {.providers = {13, 16}, .edges = {23, 27}, .requesters = {62, 63}, .users = {182, 183}, .flat = true, .conditional = true}, // Striker
+  {.providers = {16, 17}, .edges = {27, 28}, .requesters = {63, 64}, .users = {183, 184}, .simple = true, .flat = true}, // KickToGoal
+  {.providers = {17, 20}, .edges = {28, 30}, .requesters = {64, 65}, .listens = {1, 2}, .users = {184, 185}, .flat = true, .conditional = true}, // WalkToBall
+  {.providers = {20, 21}, .edges = {30, 31}, .requesters = {65, 66}, .users = {185, 186}, .simple = true, .flat = true}, // WalkToReady
+  {.providers = {21, 23}, .edges = {31, 32}, .requesters = {66, 67}, .listens = {2, 3}, .users = {186, 187}, .flat = true, .conditional = true}, // Look
+  {.providers = {23, 24}, .requesters = {67, 70}, .users = {187, 190}, .simple = true, .flat = true}, // LeftArm
+  {.providers = {24, 25}, .requesters = {70, 73}, .users = {190, 193}, .simple = true, .flat = true}, // RightArm
+  {.providers = {25, 26}, .requesters = {73, 74}, .users = {193, 195}, .simple = true, .flat = true}, // Head
+  {.providers = {26, 27}, .edges = {32, 35}, .requesters = {74, 78}, .users = {195, 200}, .simple = true, .flat = true}, // LeftLeg
+  {.providers = {27, 28}, .edges = {35, 38}, .requesters = {78, 82}, .users = {200, 205}, .simple = true, .flat = true}, // RightLeg
+  {.providers = {28, 29}, .requesters = {82, 83}, .users = {205, 206}, .simple = true, .flat = true}, // LeftHipYaw
+  {.providers = {29, 30}, .requesters = {83, 84}, .users = {206, 207}, .simple = true, .flat = true}, // LeftKnee
+  {.providers = {30, 31}, .requesters = {84, 85}, .users = {207, 208}, .simple = true, .flat = true}, // LeftAnkle
+  {.providers = {31, 32}, .requesters = {85, 86}, .users = {208, 209}, .simple = true, .flat = true}, // RightHipYaw
+  {.providers = {32, 33}, .requesters = {86, 87}, .users = {209, 210}, .simple = true, .flat = true}, // RightKnee
+  {.providers = {33, 34}, .requesters = {87, 88}, .users = {210, 211}, .simple = true, .flat = true}, // RightAnkle
 }};
 constexpr std::array<director::Provider, 34> providers{{
   {.needs = {2, 6}}, // Brace
@@ -155,18 +155,18 @@ constexpr std::array<director::Level, 39> levels{{
   {}, // RightLeg>RightAnkle
 }};
 constexpr std::array<director::Condition, 12> conditions{{
-  {.state = 3, .accepts = {0, 1}, .components = {184, 185}, .groups = {224, 225}}, // RisingStep == lying
-  {.state = 3, .accepts = {1, 2}, .components = {185, 186}, .groups = {225, 226}}, // RisingStep == tucked
-  {.state = 3, .accepts = {2, 3}, .components = {186, 187}, .groups = {226, 227}}, // RisingStep == kneeling
-  {.state = 1, .accepts = {3, 4}, .components = {171, 172}, .groups = {227, 228}}, // Stability == fallen
-  {.state = 1, .accepts = {4, 5}, .components = {172, 173}, .groups = {228, 229}}, // Stability == falling
-  {.state = 1, .accepts = {5, 6}, .causers = {0, 1}, .components = {173, 174}, .groups = {229, 230}}, // Stability == standing
-  {.state = 1, .accepts = {6, 8}, .causers = {1, 2}, .components = {174, 175}, .groups = {230, 231}}, // Stability != fallen|falling
-  {.accepts = {8, 9}, .components = {165, 166}, .groups = {231, 232}}, // Phase == playing
-  {.accepts = {9, 10}, .components = {166, 167}, .groups = {232, 233}}, // Phase == ready
-  {.state = 2, .accepts = {10, 11}, .components = {178, 179}, .groups = {233, 234}}, // Ball == near
-  {.state = 2, .accepts = {11, 12}, .components = {179, 180}, .groups = {234, 235}}, // Ball >= close
-  {.state = 2, .accepts = {12, 13}, .components = {180, 181}, .groups = {235, 237}}, // Ball != lost
+  {.state = 3, .accepts = {0, 1}, .components = {171, 172}, .groups = {211, 212}}, // RisingStep == lying
+  {.state = 3, .accepts = {1, 2}, .components = {172, 173}, .groups = {212, 213}}, // RisingStep == tucked
+  {.state = 3, .accepts = {2, 3}, .components = {173, 174}, .groups = {213, 214}}, // RisingStep == kneeling
+  {.state = 1, .accepts = {3, 4}, .components = {158, 159}, .groups = {214, 215}}, // Stability == fallen
+  {.state = 1, .accepts = {4, 5}, .components = {159, 160}, .groups = {215, 216}}, // Stability == falling
+  {.state = 1, .accepts = {5, 6}, .causers = {0, 1}, .components = {160, 161}, .groups = {216, 217}}, // Stability == standing
+  {.state = 1, .accepts = {6, 8}, .causers = {1, 2}, .components = {161, 162}, .groups = {217, 218}}, // Stability != fallen|falling
+  {.accepts = {8, 9}, .components = {152, 153}, .groups = {218, 219}}, // Phase == playing
+  {.accepts = {9, 10}, .components = {153, 154}, .groups = {219, 220}}, // Phase == ready
+  {.state = 2, .accepts = {10, 11}, .components = {165, 166}, .groups = {220, 221}}, // Ball == near
+  {.state = 2, .accepts = {11, 12}, .components = {166, 167}, .groups = {221, 222}}, // Ball >= close
+  {.state = 2, .accepts = {12, 13}, .components = {167, 168}, .groups = {222, 224}}, // Ball != lost
 }};
 constexpr std::array<director::Interval, 13> intervals{{
   {}, // RisingStep == lying
@@ -184,10 +184,10 @@ constexpr std::array<director::Interval, 13> intervals{{
   {.low = 1, .high = 3}, // Ball != lost
 }};
 constexpr std::array<director::StateVariable, 4> states{{
-  {.initial = 0, .external = true, .conditions = {163, 165}}, // Phase
-  {.initial = 0, .external = true, .conditions = {167, 171}}, // Stability
-  {.initial = 0, .expires = 1000000, .expires_to = 0, .external = true, .conditions = {175, 178}}, // Ball
-  {.initial = 0, .owner = 1, .conditions = {181, 184}}, // RisingStep
+  {.initial = 0, .external = true, .conditions = {150, 152}}, // Phase
+  {.initial = 0, .external = true, .conditions = {154, 158}}, // Stability
+  {.initial = 0, .expires = 1000000, .expires_to = 0, .external = true, .conditions = {162, 165}}, // Ball
+  {.initial = 0, .owner = 1, .conditions = {168, 171}}, // RisingStep
 }};
 constexpr std::array<director::Trigger, 1> triggers{{
   {.listeners = {45, 49}}, // Vision
@@ -195,17 +195,16 @@ constexpr std::array<director::Trigger, 1> triggers{{
 constexpr std::array<director::Promise, 1> promises{{
   {.provider = 8, .condition = 5, .within = 2000000}, // Walk.halting
 }};
-constexpr std::array<director::Index, 237> lists{
+constexpr std::array<director::Index, 224> lists{
     8, 8, 2, 3, 4, 5, 0, 6, 7, 8, 9, 1, 6, 7, 8, 9, 2, 6, 7, 8, 9, 3, 4, 12, 13, 12, 13, 5, 6, 1, 5, 6, 16, 17, 18, 0,
     7, 8, 9, 10, 0, 11, 0, 11, 0, 12, 17, 18, 21, 11, 10, 3, 0, 19, 20, 29, 21, 22, 31, 28, 30, 27, 1, 23, 24, 26, 25,
     4, 8, 14, 5, 9, 15, 18, 2, 6, 12, 16, 3, 7, 13, 17, 32, 33, 34, 35, 36, 37, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
     12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18,
-    19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 8,
-    7, 8, 0, 0, 3, 4, 5, 6, 0, 0, 0, 0, 9, 10, 11, 0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
-    0, 1, 13, 0, 1, 14, 5, 15, 0, 1, 3, 4, 16, 0, 1, 3, 4, 17, 18, 19, 20, 21, 22, 23, 1, 1, 1, 2, 2, 4, 4, 8, 8, 10,
-    10, 10, 12};
+    19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 7, 8, 0, 0, 3, 4, 5, 6, 0, 0, 0, 0, 9,
+    10, 11, 0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 1, 13, 0, 1, 14, 5, 15, 0, 1, 3, 4,
+    16, 0, 1, 3, 4, 17, 18, 19, 20, 21, 22, 23, 1, 1, 1, 2, 2, 4, 4, 8, 8, 10, 10, 10, 12};
 constexpr std::array<director::Component, 1> components{{
-  {.groups = {88, 112}, .edges = {112, 150}, .conditions = {150, 162}, .causing = {162, 163}}, // Brace, GetUp, FallRecovery, Walk, Kick, LookAt, WalkTo, KickTo, ...
+  {.groups = {88, 112}, .edges = {112, 150}, .equals = true, .compared = true}, // Brace, GetUp, FallRecovery, Walk, Kick, LookAt, WalkTo, KickTo, ...
 }};
 constexpr std::array<director::Index, 0> plan_groups{};
 constexpr std::array<director::Index, 3> listened{0, 0, 0};
@@ -229,12 +228,15 @@ constexpr director::Tables rows{
 };
 static_assert(director::State::bytes(director::Shape::of(rows)) == director::State::bytes(detail::Whole::shape));
 
+// What the linker takes from the library for these tables; see runtime/core/base/parts.hpp.
+[[gnu::used]] constexpr director::Parts parts = director::parts_of(rows, true);
+
 } // namespace
 
 namespace detail {
 
 const director::Tables& Whole::tables() { return rows; }
-std::uint64_t Whole::fingerprint() { return 0xddf998b175e06139; }
+std::uint64_t Whole::fingerprint() { return 0x8e4ef6ee484e6f01; }
 
 void Whole::called_from_inside() {
 #if __STDC_HOSTED__
@@ -266,24 +268,6 @@ struct Bodies {
     constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
     Context context{run, behaviour.data()};
     return (behaviour.modules_.template of<Module>().*body)(context);
-  }
-
-#ifdef __cpp_exceptions
-  /// What an observer throws waits as well, and ends the step.
-  static void tell(void* self, const director::Event& event) {
-    Behaviour& behaviour = *static_cast<Behaviour*>(self);
-    const director::Observer to = behaviour.observer_;
-    guarded(
-        behaviour, [&] { to.tell(to.self, event); }, [&] { behaviour.observer_threw(); });
-  }
-#endif
-
-  /// What the engine tells.
-  static director::Observer observer([[maybe_unused]] Behaviour& behaviour, director::Observer given) {
-#ifdef __cpp_exceptions
-    if (given.tell != nullptr) return {&tell, &behaviour};
-#endif
-    return given;
   }
 
   static director::Outcome run_0(Behaviour& behaviour, director::Run& run);
@@ -416,19 +400,25 @@ namespace soccer {
 
 Behaviour::Behaviour(
     Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3, Looking& module_4,
-    Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8, director::Observer observer)
-    : Program(detail::Bodies::of(*this), detail::Bodies::observer(*this, observer)), modules_(
-    module_0, module_1, module_2, module_3, module_4, module_5, module_6, module_7, module_8) {
-#ifdef __cpp_exceptions
-  observer_ = observer;
-#endif
-}
+    Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8)
+    : Program(detail::Bodies::of(*this)), modules_(
+    module_0, module_1, module_2, module_3, module_4, module_5, module_6, module_7, module_8) {}
 
 void Behaviour::throw_on() {
 #ifdef __cpp_exceptions
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 #endif
 }
+
+#ifdef __cpp_exceptions
+/// What an observer throws waits as well, and ends the step.
+void Behaviour::tell(void* self, const director::Event& event) {
+  Behaviour& behaviour = *static_cast<Behaviour*>(self);
+  const director::Observer to = behaviour.observer_;
+  detail::Bodies::guarded(
+      behaviour, [&] { to.tell(to.self, event); }, [&] { behaviour.observer_threw(); });
+}
+#endif
 
 namespace names {
 namespace {

@@ -338,7 +338,7 @@ struct States final : director::Table<
 struct Whole final {
   static constexpr director::Shape shape{
       .groups = 24, .providers = 34, .edges = 38, .conditions = 12, .states = 4, .promises = 1, .plan_slots = 0,
-      .listen_slots = 3, .most_edges = 4, .components = 1, .lacking = 6};
+      .listen_slots = 3, .most_edges = 4, .components = 1, .lacking = 6, .pushable = 1};
   static const director::Tables& tables();
   static std::uint64_t fingerprint();
   static void called_from_inside();
@@ -1326,8 +1326,15 @@ struct Bodies;
 class Behaviour final : public director::Program<detail::Whole> {
 public:
   Behaviour(
-      Recovery&, Safety&, Locomotion&, Kicking&, Looking&, Planning&, Strategy&, Limbs&, Servos&,
-      director::Observer observer = {});
+      Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3, Looking& module_4,
+      Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8);
+  /// With one that is told of every decision: without it, what tells is not linked.
+  Behaviour(
+      Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3, Looking& module_4,
+      Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8, director::Observer observer)
+      : Behaviour(module_0, module_1, module_2, module_3, module_4, module_5, module_6, module_7, module_8) {
+    observe(observer);
+  }
 
   /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an earlier
   /// one counts as the last), until nothing is left to do. What a body, handler or observer threw is thrown on, after
@@ -1344,9 +1351,17 @@ private:
     return result;
   }
   void throw_on();
+  void observe(director::Observer observer) {
+#ifdef __cpp_exceptions
+    observer_ = observer;
+    if (observer.tell != nullptr) observer = {&tell, this};
+#endif
+    Program::observe(observer);
+  }
 
   director::Modules<Recovery, Safety, Locomotion, Kicking, Looking, Planning, Strategy, Limbs, Servos> modules_;
 #ifdef __cpp_exceptions
+  static void tell(void* self, const director::Event& event);
   std::exception_ptr thrown_; ///< the first that was thrown since the last step
   director::Observer observer_;
 #endif
