@@ -125,7 +125,6 @@ groups:
   CHECK(lowered.view().list(provider_row(c, lowered, "Walk.fast").causing).size() == 2);
   CHECK(provider_row(c, lowered, "Walk.fast").every == 20'000);
   REQUIRE(lowered.components.size() == 1);
-  CHECK(providers(c, lowered.view().list(lowered.components[0].causing)) == Texts{"Walk.slow", "Walk.fast"});
 
   REQUIRE(lowered.promises.size() == 1);
   CHECK(lowered.promises[0].within == 10'000);
