@@ -12,9 +12,17 @@ std::string html(std::string_view text) {
     case '<': out += "&lt;"; break;
     case '>': out += "&gt;"; break;
     case '"': out += "&quot;"; break;
-    case '\n': out += "&#10;"; break;
     default: out += letter;
     }
+  }
+  return out;
+}
+
+std::string html_attribute(std::string_view text) {
+  std::string out;
+  for (const char letter : html(text)) {
+    if (letter == '\n') out += "&#10;";
+    if (letter != '\n') out += letter;
   }
   return out;
 }

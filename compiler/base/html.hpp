@@ -6,7 +6,9 @@
 
 namespace director::compiler {
 
-/// For the text between tags, and for what stands between double quotes in one; in labels of the DOT language too.
+/// For the text between tags.
 std::string html(std::string_view text);
+/// For an attribute between double quotes, in labels of the DOT language too: the ends of lines are kept.
+std::string html_attribute(std::string_view text);
 
 } // namespace director::compiler

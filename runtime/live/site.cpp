@@ -6,6 +6,7 @@
 #include "runtime/live/access.hpp"
 #include "runtime/live/moment_lines.hpp"
 
+#include <iterator>
 #include <utility>
 
 namespace director::live {

@@ -31,11 +31,16 @@ std::size_t literal_length(std::string_view text) {
 /// How the raw literal ends that `text` begins with.
 std::string end_of_raw(std::string_view text) { return ")" + std::string(text.substr(2, text.find('(') - 2)) + "\""; }
 
+bool is_operator(std::string_view word) {
+  static const NameSet all{"sizeof", "alignof", "decltype", "noexcept", "typeid", "static_assert"};
+  return all.count(word) != 0;
+}
+
 bool ends_type(const Token& token) {
   static const NameSet others{"return",    "else", "case", "throw", "new", "delete",
                               "co_return", "do",   "and",  "or",    "not"};
   if (is_word(token)) return others.count(token.text) == 0;
-  return token.text == ">" || token.text == "&" || token.text == "*";
+  return token.text == ">" || token.text == "&" || token.text == "&&" || token.text == "*";
 }
 
 } // namespace
@@ -95,7 +100,7 @@ Declared declared_in(const std::vector<Token>& tokens) {
       if (outside() && (behind == "{" || behind == ":" || behind == "=" || behind == "final"))
         out.defined.insert(std::string(name));
       i += by;
-    } else if (i > 0 && is_word(tokens[i]) && ends_type(tokens[i - 1])) {
+    } else if (i > 0 && is_word(tokens[i]) && !is_operator(text) && ends_type(tokens[i - 1])) {
       out.provided.insert(text);
       if (outside() && next(1) == "(") out.defined.insert(text);
     }

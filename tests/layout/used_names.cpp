@@ -48,21 +48,24 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"array", "array"},
              {"atomic", "atomic atomic_flag memory_order_relaxed memory_order_acquire memory_order_release "
                         "memory_order_acq_rel memory_order_seq_cst"},
-             {"bit", "bit_ceil countr_zero countr_one popcount rotr"},
+             {"bit", "bit_cast bit_ceil endian countr_zero countr_one popcount rotr"},
              {"charconv", "from_chars to_chars"},
              {"algorithm cstdio", "remove"},
              {"algorithm iterator", "ranges"},
              {"chrono", "chrono_literals"},
              {"chrono thread", "chrono"},
+             {"cmath", "llround"},
              {"concepts", "same_as"},
              {"condition_variable", "condition_variable"},
              {"csignal", "signal"},
              {"cstddef string vector array span", "byte ptrdiff_t"},
+             {"cstddef", "to_integer"},
              {"cstdint", "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t"},
              {"cstdio", "snprintf fprintf FILE"},
              {"cstdlib", "getenv"},
              {"cstring", "memcpy memset strcmp strchr strerror"},
              {"cctype", "isalnum isdigit tolower"},
+             {"ctime", "time time_t tm"},
              {"cwchar", "mbstate_t mbrtowc"},
              {"deque", "deque"},
              {"exception stdexcept", "exception exception_ptr current_exception rethrow_exception"},
@@ -101,9 +104,9 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"tuple utility array variant map", "get"},
              {"type_traits",
               "common_type_t decay_t has_unique_object_representations_v integral_constant is_abstract_v is_array_v "
-              "is_const_v "
+              "is_class_v is_const_v "
               "is_floating_point_v is_nothrow_destructible_v is_nothrow_move_constructible_v is_object_v is_same_v "
-              "is_trivially_copyable_v is_void_v is_volatile_v remove_cvref_t"},
+              "is_trivially_copyable_v is_void_v is_volatile_v make_unsigned_t remove_cvref_t"},
              {"unordered_map", "unordered_map"},
              {"unordered_set", "unordered_set"},
              {"utility", "move exchange pair swap forward declval as_const"},
@@ -118,8 +121,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
   return all;
 }
 
-/// The header of what a source defines.
-std::string door(const std::string& path) { return path.substr(0, path.rfind('.')) + ".hpp"; }
+std::string_view folder(std::string_view path) { return path.substr(0, path.rfind('/') + 1); }
 
 /// Of a file, and all that it includes.
 struct Reached {
@@ -189,10 +191,12 @@ private:
     if (!is_title(word) && behind != "(") return {};
     const auto definers = definers_.find(word);
     if (definers == definers_.end()) return {};
+    if (i + 3 < tokens.size() && is_word(tokens[i + 2]) && tokens[i + 3].text == "::" && namespaces_.count(tokens[i + 2].text) == 0)
+      return {}; // found by what it is given, which is of a library
     for (const std::string& each : reached.files) {
-      // A function of a class is called without naming the class only in what belongs to it.
+      // A function of a class is called without naming the class only in what belongs to it, and that is one folder.
       const Declared& declared = files_.at(each).declared;
-      const bool any = is_title(word) || each == path || each == door(path);
+      const bool any = is_title(word) || folder(each) == folder(path);
       if ((any ? declared.provided : declared.defined).count(word) != 0) return {};
     }
     for (const std::string& header : definers->second)

@@ -79,8 +79,8 @@ private:
 
   /// Of a cell or a table.
   std::string cell_words(const PictureText& text) const {
-    std::string out = fmt::format(" TOOLTIP=\"{}\"", html(tooltip(text)));
-    if (const std::string url = links_.to(text); !url.empty()) out += fmt::format(" HREF=\"{}\"", html(url));
+    std::string out = fmt::format(" TOOLTIP=\"{}\"", html_attribute(tooltip(text)));
+    if (const std::string url = links_.to(text); !url.empty()) out += fmt::format(" HREF=\"{}\"", html_attribute(url));
     return out;
   }
 
@@ -105,7 +105,7 @@ private:
   }
 
   static std::string name_of(bool grey, const std::string& name) {
-    return grey ? fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::grey, html(name)) : html(name);
+    return grey ? fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::grey, html_attribute(name)) : html_attribute(name);
   }
 
   static std::string lines(bool grey, const std::vector<PictureLine>& all) {
@@ -114,18 +114,18 @@ private:
       const bool is_flaw = line.kind == PictureLine::Kind::wrong || line.kind == PictureLine::Kind::doubtful;
       const std::string_view colour = grey && !is_flaw ? palette::grey : colour_of(line.kind);
       out += fmt::format("<BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"9\" COLOR=\"{}\"><B>{}&#160;</B>{}</FONT>", colour,
-                         html(line.key), is_flaw ? palette::wrapped(line.text, line.key.size()) : html(line.text));
+                         html_attribute(line.key), is_flaw ? palette::wrapped(line.text, line.key.size()) : html_attribute(line.text));
     }
     return out;
   }
 
   static std::string small(std::string_view colour, const std::string& text) {
-    return fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\">{}</FONT>", colour, html(text));
+    return fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\">{}</FONT>", colour, html_attribute(text));
   }
 
   static std::string row_name(const PictureBox& box, const PictureRow& row) {
     if (!row.is_active) return name_of(is_grey(box, row), row.name);
-    return fmt::format("<FONT COLOR=\"{}\"><B>\u25B6 {}</B></FONT>", frame_of(box).colour, html(row.name));
+    return fmt::format("<FONT COLOR=\"{}\"><B>\u25B6 {}</B></FONT>", frame_of(box).colour, html_attribute(row.name));
   }
 
   /// What there is to say of the moment, in words.
@@ -235,12 +235,12 @@ private:
     if (!row.name.empty()) {
       code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\" BORDER=\"1\" SIDES=\"T\" PORT=\"{}\"{}{}>{}{}<BR "
                              "ALIGN=\"LEFT\"/></TD></TR>",
-                             html(port(row)), row_room(box, row), cell_words(row.about), row_name(box, row),
+                             html_attribute(port(row)), row_room(box, row), cell_words(row.about), row_name(box, row),
                              lines(is_grey(box, row), row.lines)));
     }
     for (const PicturePack& pack : row.packs) {
       code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\" PORT=\"{}\"{}>{}<BR ALIGN=\"LEFT\"/></TD></TR>",
-                             html(port(row, pack)), cell_words(pack.about),
+                             html_attribute(port(row, pack)), cell_words(pack.about),
                              small(is_grey(box, row) ? palette::grey : palette::ink, "\u25C7 " + pack.name)));
     }
   }
@@ -319,7 +319,7 @@ private:
     std::string lines;
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
-      lines += (lines.empty() ? "" : "<BR/>") + html(text.substr(begin, end - begin));
+      lines += (lines.empty() ? "" : "<BR/>") + html_attribute(text.substr(begin, end - begin));
       begin = end + 1;
     }
     return fmt::format(

@@ -48,9 +48,9 @@ Line line_of(Sample sample) {
 }
 
 std::string table_row(const LegendEntry& entry) {
-  const std::string words = fmt::format("<TD ALIGN=\"LEFT\">{}</TD>", html(entry.words));
+  const std::string words = fmt::format("<TD ALIGN=\"LEFT\">{}</TD>", html_attribute(entry.words));
   if (entry.sample == Sample::text)
-    return fmt::format("<TR><TD COLSPAN=\"2\" ALIGN=\"LEFT\">{}&#160;&#160;</TD>{}</TR>", html(entry.sign),
+    return fmt::format("<TR><TD COLSPAN=\"2\" ALIGN=\"LEFT\">{}&#160;&#160;</TD>{}</TR>", html_attribute(entry.sign),
                        words);
   const Line line = line_of(entry.sample);
   const bool both = entry.sample == Sample::both;
@@ -137,9 +137,9 @@ std::vector<std::string> legend_table(const Picture& picture) {
   const auto line = [&](const std::string& text) {
     out.push_back(fmt::format("<TR><TD COLSPAN=\"3\" ALIGN=\"LEFT\"{}>{}</TD></TR>", room, text));
   };
-  const std::string moment = picture.moment.empty() ? "" : ", " + html(picture.moment);
-  line(fmt::format("<B>{}{}</B>", html(picture.title), moment));
-  for (const std::string& value : picture.values) line(html(value));
+  const std::string moment = picture.moment.empty() ? "" : ", " + html_attribute(picture.moment);
+  line(fmt::format("<B>{}{}</B>", html_attribute(picture.title), moment));
+  for (const std::string& value : picture.values) line(html_attribute(value));
   for (const std::string& wrong : picture.wrong)
     line(
         fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::queued, palette::wrapped(wrong) + "<BR ALIGN=\"LEFT\"/>"));

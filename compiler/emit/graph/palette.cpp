@@ -13,7 +13,7 @@ std::string wrapped(std::string_view text, std::size_t before) {
   std::string out, line;
   const auto end_line = [&] {
     if (line.empty()) return;
-    out += (out.empty() ? "" : "<BR ALIGN=\"LEFT\"/>") + html(line);
+    out += (out.empty() ? "" : "<BR ALIGN=\"LEFT\"/>") + html_attribute(line);
     line.clear();
   };
   while (!text.empty()) {

@@ -32,7 +32,7 @@ std::optional<double> number_behind(const std::string& text, std::size_t from, s
 /// As Graphviz writes it in a title.
 std::string title_text(std::string_view text) {
   std::string out;
-  for (const char letter : html(text)) out += letter == '-' ? "&#45;" : std::string(1, letter);
+  for (const char letter : html_attribute(text)) out += letter == '-' ? "&#45;" : std::string(1, letter);
   return out;
 }
 
@@ -105,8 +105,8 @@ void add_words(const Picture& picture, std::string& svg) {
   const std::size_t tag = svg.find("<svg ");
   const std::size_t end = tag == nowhere ? nowhere : svg.find('>', tag);
   if (end == nowhere) return;
-  svg.insert(end + 1, fmt::format("\n<title>{}</title>\n<desc>{}</desc>", html(picture.title),
-                                  html(summary(picture))));
+  svg.insert(end + 1, fmt::format("\n<title>{}</title>\n<desc>{}</desc>", html_attribute(picture.title),
+                                  html_attribute(summary(picture))));
   svg.insert(tag + 5, "role=\"graphics-document document\" ");
 }
 
