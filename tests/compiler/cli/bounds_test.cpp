@@ -4,6 +4,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <sstream>
+#include <string>
+#include <string_view>
+
 namespace {
 
 using director::tests::check_golden;
@@ -17,6 +21,27 @@ TEST_CASE("memory and bounds are printed behind the findings, of a deployment", 
   check_golden("tests/compiler/cli/golden/bounds.txt", world.out);
   CHECK(world.directorc({"check", "--verbose", "--format=json", "lamp.yaml"}) == 0);
   check_golden("tests/compiler/cli/golden/bounds.json", world.out);
+}
+
+std::string lines_with(const std::string& text, std::string_view word) {
+  std::istringstream lines(text);
+  std::string out;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(word) != std::string::npos) out += line + '\n';
+  return out;
+}
+
+TEST_CASE("what a unit of work costs on another machine changes the times, and nothing else") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n  Lamp: {}\n");
+  CHECK(world.directorc({"check", "--verbose", "--work-ns=2500000", "lamp.yaml"}) == 0);
+  CHECK(lines_with(world.out, " ms ") ==
+        "  time                28 ms at most for one pass, at 2.5e+06 ns a unit of work; `--work-ns` says another\n"
+        "                      28 ms at most to decide in one micro-step; bodies and observers come on top\n");
+  CHECK(world.directorc({"check", "--work-ns=20", "lamp.yaml"}) == 2);
+  CHECK(world.err.find("--work-ns requires --verbose") != std::string::npos);
+  CHECK(world.directorc({"check", "--verbose", "--work-ns=0", "lamp.yaml"}) == 2);
+  CHECK(world.err.find("--work-ns: Value 0 not in range") != std::string::npos);
 }
 
 TEST_CASE("a module has no bounds of its own") {
