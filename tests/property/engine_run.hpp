@@ -30,6 +30,8 @@ public:
   /// All that the observer was told, with the times of an engine that was never cut.
   const std::vector<tests::EventNumbers>& events() const { return events_; }
   const Engine& engine() const { return robot_->engine; }
+  /// The next micro-step decides everything again.
+  void forget_trail() { robot_->engine.forget_trail(); }
 
   /// Goes on with a new engine, which stands at a time that is later by so much and knows only what was saved. If nothing could be
   /// saved or loaded, all stays as it is. `bytes`: what was saved.
