@@ -20,11 +20,17 @@ constexpr void each_task(Table<Row<Tasks, rows>...>*, Visit&& visit) {
   (look.template operator()<Tasks, rows>(), ...);
 }
 
+/// The type of `data` is a parameter here, so that a compiler looks for `of` only where there is a task with data.
+template <class Task>
+constexpr auto& slots_of(auto& data) {
+  return data.template of<Task>();
+}
+
 /// Calls visit(slot) for each slot of the data that last, of all tasks.
 template <class Facts, class Visit>
 void each_slot(auto& data, Visit&& visit) {
   each_task(static_cast<typename Facts::Groups*>(nullptr),
-            [&]<class Task, Index row>() { data.template of<Task>().each_lasting(visit); });
+            [&]<class Task, Index row>() { slots_of<Task>(data).each_lasting(visit); });
 }
 
 template <class Facts>
@@ -39,7 +45,7 @@ class Data {
                   "a behaviour is saved as bytes, so the data of each of its tasks must be trivially copyable: no "
                   "std::string, no std::vector, no copy constructor or destructor of its own (numbers, enums, arrays and "
                   "structs of these are)");
-    using Slots = std::remove_cvref_t<decltype(std::declval<typename Facts::Data&>().template of<Task>())>;
+    using Slots = std::remove_cvref_t<decltype(slots_of<Task>(std::declval<typename Facts::Data&>()))>;
     return Slots::lasting * (1 + sizeof(DataOf<Task>));
   }
 
