@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
 #include <vector>
 
 namespace director::compiler::page {
@@ -83,7 +83,9 @@ std::string rounded(std::string_view numbers) {
     std::string number(numbers.substr(begin, end - begin));
     const std::size_t dot = number.find('.');
     if (dot != nowhere && number.size() - dot > 2) {
-      number = fmt::format("{:.1f}", std::strtod(number.c_str(), nullptr));
+      double value = 0;
+      std::from_chars(number.data(), number.data() + number.size(), value);
+      number = fmt::format("{:.1f}", value);
       if (number.ends_with(".0")) number.resize(number.size() - 2);
     }
     out += number;
