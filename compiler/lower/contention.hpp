@@ -66,15 +66,27 @@ private:
   };
   using Partings = std::vector<Parting>; ///< sorted
 
+  struct Known {
+    Partings all;
+    bool settled = false, open = false;
+    std::size_t round = 0; ///< in which it was looked at last
+  };
+
   const Partings& partings(EdgeId first, EdgeId second);
+  const Partings& look_at(EdgeId first, EdgeId second);
   Partings find(EdgeId first, EdgeId second);
+  void climb(EdgeId first, EdgeId second, bool climbs_first, Partings& out);
   std::vector<Decision> decisions(const Partings& partings) const;
 
   const Model& model_;
   std::size_t pairs_left_;
   IdTable<GroupId, std::size_t> place_; ///< requesters first
   IdTable<GroupId, char> is_requested_; ///< some chain from root leads to it
-  std::map<std::pair<EdgeId, EdgeId>, Partings> known_;
+  IdTable<GroupId, std::size_t> cycle_; ///< the number of that which it is in; 0: of none
+  std::map<std::pair<EdgeId, EdgeId>, Known> known_;
+  std::vector<Known*> unsettled_; ///< what is looked at for the question at hand
+  std::size_t round_ = 0;
+  bool met_open_ = false, changed_ = false; ///< in this round
 };
 
 } // namespace director::compiler
