@@ -76,11 +76,13 @@ Contentions::Contentions(const Model& model, std::size_t most_pairs)
 }
 
 const Contentions::Partings& Contentions::partings(EdgeId first, EdgeId second) {
+  again_ = false;
   do {
     ++round_;
     met_open_ = changed_ = false;
     look_at(first, second);
-  } while (met_open_ && changed_);
+    again_ = true;
+  } while (met_open_ && changed_ && circle_steps_left_ > 0);
   for (Known* each : unsettled_) each->settled = true;
   unsettled_.clear();
   return known_.at({first, second}).all;
@@ -102,7 +104,7 @@ const Contentions::Partings& Contentions::look_at(EdgeId first, EdgeId second) {
   it.open = true;
   Partings found = find(first, second);
   it.open = false;
-  if (found != it.all) {
+  if (found.size() > it.all.size()) { // nothing is taken away from it, but where the search is cut
     changed_ = true;
     it.all = std::move(found);
   }
@@ -128,6 +130,8 @@ void Contentions::climb(EdgeId first, EdgeId second, bool climbs_first, Partings
   for (const EdgeId above : model_.groups[*below.requester].requesters) {
     for (const Parting& each : climbs_first ? look_at(above, second) : look_at(first, above)) {
       for (const Standing& way : ways(below)) {
+        if (again_ && circle_steps_left_ == 0) return;
+        if (again_) --circle_steps_left_;
         Parting with = each;
         bool& optional = climbs_first ? with.first_optional : with.second_optional;
         optional = optional || way.optional;

@@ -67,8 +67,9 @@ public:
                       "ask for are.",
                       count, most_compared);
     if (!contentions_.complete())
-      left_out += fmt::format("{}After {} pairs of tasks no more was looked at, so there may be more.",
-                              left_out.empty() ? "" : " ", most_edge_pairs);
+      left_out += fmt::format("{}After {} pairs of tasks, or {} steps round circles of requests, no more was looked "
+                              "at, so there may be more.",
+                              left_out.empty() ? "" : " ", most_edge_pairs, most_circle_steps);
     if (!left_out.empty()) out.add("left_out", Json::text(left_out));
     out.add("decisions", std::move(decisions_));
     out.add("contended", std::move(contended));
