@@ -53,6 +53,8 @@ bool is_reserved_in_cpp(std::string_view text) {
          (text.size() > 1 && text[0] == '_' && text[1] >= 'A' && text[1] <= 'Z');
 }
 
+bool is_director_macro(std::string_view text) { return text.starts_with("DIRECTOR_"); }
+
 bool is_reserved(std::string_view text) {
   std::string name(text);
   if (!name.empty()) name[0] = lower(name[0]);

@@ -18,6 +18,8 @@ bool is_reserved_in_cpp(std::string_view text);
 bool is_cpp_macro(std::string_view text); // standard_names.cpp, as the next one
 /// What the standard headers declare outside of all namespaces, like `abs` and `FILE`.
 bool is_cpp_global(std::string_view text);
+/// Begins with `DIRECTOR_`, like all macros of the runtime, and what a program defines for it.
+bool is_director_macro(std::string_view text);
 /// `start`, `stop`, `default`, `root`, `limbo`, with either case of the first letter.
 bool is_reserved(std::string_view text);
 /// What a run's context is asked for (`task`, `request`, `done` ...): no pack can be called so.

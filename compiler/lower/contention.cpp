@@ -6,6 +6,11 @@
 // cannot come to where the other one has been, but for the group where that one began. Where both come to one requester
 // they part. What lies above two edges is the same whatever was climbed below, so each pair is looked at once. Cost:
 // the square of the edges above, times the places where they part.
+//
+// Requests can go in a circle, where something in it is optional. Neither of two groups of one circle stands later, so
+// either side is climbed there, and a pair may lead to itself: then all is looked at again until nothing is added. A
+// chain that would have to go round is among what is found; it adds no other places, and at most that something is
+// optional.
 
 #include "compiler/lower/contention.hpp"
 
@@ -51,7 +56,8 @@ Contentions::Contentions(const Model& model, std::size_t most_pairs)
     : model_(model),
       pairs_left_(most_pairs),
       place_(model.groups.size(), 0),
-      is_requested_(model.groups.size(), false) {
+      is_requested_(model.groups.size(), false),
+      cycle_(model.groups.size(), 0) {
   const auto root = static_cast<Node>(model.groups.size());
   Arrows arrows(root + 1);
   for (const Edge& edge : model.edges)
@@ -60,31 +66,72 @@ Contentions::Contentions(const Model& model, std::size_t most_pairs)
   for (const Node node : topological_order(arrows)) {
     if (node != root) place_[GroupId{node}] = ++place;
   }
+  std::size_t number = 0;
+  for (const std::vector<Node>& cycle : cycles(arrows)) {
+    ++number;
+    for (const Node node : cycle) cycle_[GroupId{node}] = number;
+  }
   const std::vector<bool> reached = reachable(arrows, root);
   for (const GroupId id : model.groups.ids()) is_requested_[id] = reached[id.value];
 }
 
 const Contentions::Partings& Contentions::partings(EdgeId first, EdgeId second) {
-  const auto [at, fresh] =
-      known_.try_emplace({first, second}); // empty while it is looked for: no chain goes in a circle
-  Partings& out = at->second;
-  if (!fresh || pairs_left_ == 0) return out;
-  --pairs_left_;
-  out = find(first, second);
-  return out;
+  again_ = false;
+  do {
+    ++round_;
+    met_open_ = changed_ = false;
+    look_at(first, second);
+    again_ = true;
+  } while (met_open_ && changed_ && circle_steps_left_ > 0);
+  for (Known* each : unsettled_) each->settled = true;
+  unsettled_.clear();
+  return known_.at({first, second}).all;
+}
+
+/// What is known of it so far.
+const Contentions::Partings& Contentions::look_at(EdgeId first, EdgeId second) {
+  const auto [at, fresh] = known_.try_emplace({first, second});
+  Known& it = at->second;
+  if (fresh) {
+    it.settled = pairs_left_ == 0;
+    if (it.settled) return it.all;
+    --pairs_left_;
+    unsettled_.push_back(&it);
+  }
+  met_open_ = met_open_ || it.open;
+  if (it.settled || it.round == round_) return it.all;
+  it.round = round_;
+  it.open = true;
+  Partings found = find(first, second);
+  it.open = false;
+  if (found.size() > it.all.size()) { // nothing is taken away from it, but where the search is cut
+    changed_ = true;
+    it.all = std::move(found);
+  }
+  return it.all;
 }
 
 Contentions::Partings Contentions::find(EdgeId first, EdgeId second) {
   const std::optional<GroupId> a = model_.edges[first].requester, b = model_.edges[second].requester;
   if (a == b) return !a || is_requested_[*a] ? Partings{{first, second, false, false}} : Partings{};
+  const bool either = a && b && cycle_[*a] != 0 && cycle_[*a] == cycle_[*b];
   const bool climbs_first = a && (!b || place_[*a] > place_[*b]);
+  Partings out;
+  if (climbs_first || either) climb(first, second, true, out);
+  if (!climbs_first || either) climb(first, second, false, out);
+  keep_different(out);
+  return out;
+}
+
+void Contentions::climb(EdgeId first, EdgeId second, bool climbs_first, Partings& out) {
   const Edge& below = model_.edges[climbs_first ? first : second];
   const Edge& beside = model_.edges[climbs_first ? second : first];
-  if (*below.requester == beside.target) return {}; // the one leads to the other
-  Partings out;
+  if (*below.requester == beside.target) return; // the one leads to the other
   for (const EdgeId above : model_.groups[*below.requester].requesters) {
-    for (const Parting& each : climbs_first ? partings(above, second) : partings(first, above)) {
+    for (const Parting& each : climbs_first ? look_at(above, second) : look_at(first, above)) {
       for (const Standing& way : ways(below)) {
+        if (again_ && circle_steps_left_ == 0) return;
+        if (again_) --circle_steps_left_;
         Parting with = each;
         bool& optional = climbs_first ? with.first_optional : with.second_optional;
         optional = optional || way.optional;
@@ -92,8 +139,6 @@ Contentions::Partings Contentions::find(EdgeId first, EdgeId second) {
       }
     }
   }
-  keep_different(out);
-  return out;
 }
 
 std::vector<Decision> Contentions::decisions(const Partings& partings) const {

@@ -44,6 +44,9 @@ struct Contention {
 /// reads.
 inline constexpr std::size_t most_edge_pairs = 1'000'000;
 
+/// Steps around circles of requests, in all: where forty groups all ask for each other nobody reads what comes of it.
+inline constexpr std::size_t most_circle_steps = 4'000'000;
+
 /// What it finds for one question helps it with the next.
 class Contentions {
 public:
@@ -55,7 +58,7 @@ public:
   /// of the first group. Of a group and itself: two chains to it.
   std::vector<Decision> between(GroupId first, GroupId second);
   /// False: some search ended at its bound.
-  bool complete() const { return pairs_left_ > 0; }
+  bool complete() const { return pairs_left_ > 0 && circle_steps_left_ > 0; }
 
 private:
   /// The edges below the closest common requester, and whether something optional lies below them.
@@ -66,15 +69,29 @@ private:
   };
   using Partings = std::vector<Parting>; ///< sorted
 
+  struct Known {
+    Partings all;
+    bool settled = false, open = false;
+    std::size_t round = 0; ///< in which it was looked at last
+  };
+
   const Partings& partings(EdgeId first, EdgeId second);
+  const Partings& look_at(EdgeId first, EdgeId second);
   Partings find(EdgeId first, EdgeId second);
+  void climb(EdgeId first, EdgeId second, bool climbs_first, Partings& out);
   std::vector<Decision> decisions(const Partings& partings) const;
 
   const Model& model_;
   std::size_t pairs_left_;
   IdTable<GroupId, std::size_t> place_; ///< requesters first
   IdTable<GroupId, char> is_requested_; ///< some chain from root leads to it
-  std::map<std::pair<EdgeId, EdgeId>, Partings> known_;
+  IdTable<GroupId, std::size_t> cycle_; ///< the number of that which it is in; 0: of none
+  std::map<std::pair<EdgeId, EdgeId>, Known> known_;
+  std::vector<Known*> unsettled_; ///< what is looked at for the question at hand
+  std::size_t round_ = 0;
+  std::size_t circle_steps_left_ = most_circle_steps;
+  bool again_ = false;                      ///< this is not the first round for the question
+  bool met_open_ = false, changed_ = false; ///< in this round
 };
 
 } // namespace director::compiler

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
 #include "dsl/characters.hpp"
+#include "dsl/names.hpp"
 
 #include <fmt/format.h>
 
@@ -23,6 +24,7 @@ std::string stem_as_name(std::string_view path) {
     out += next;
   }
   if (out.empty() || dsl::is_digit(out[0])) out.insert(out.begin(), '_');
+  if (dsl::is_director_macro(dsl::capitalised(out))) out.insert(0, "my_");
   return out;
 }
 

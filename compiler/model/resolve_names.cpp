@@ -23,6 +23,7 @@ bool becomes_a_type(std::string_view kind) { return lives_beside_the_behaviour(k
 
 /// A name that nothing else is in the way of: `LINE_group` for `__LINE__`.
 std::string other_name(std::string_view text, std::string_view kind) {
+  while (dsl::is_director_macro(capitalised(text))) text.remove_prefix(text.find('_') + 1);
   std::string out;
   for (const char c : text) {
     if (c != '_' || (!out.empty() && out.back() != '_')) out += c;
@@ -37,6 +38,7 @@ std::string taken(const std::string& part, bool outermost) {
   if (dsl::is_reserved_in_cpp(part))
     return "C++ keeps names with two underscores, or that begin with one and a capital letter, for itself";
   if (dsl::is_cpp_macro(part)) return "that is a macro of the standard headers of C++";
+  if (dsl::is_director_macro(part)) return "names that begin with `DIRECTOR_` are macros of Director's own";
   if (outermost && dsl::is_cpp_global(part)) return "the standard headers of C++ and C declare something of that name";
   return {};
 }
@@ -83,6 +85,9 @@ bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole
   } else if (in_cpp && dsl::is_cpp_macro(cpp_name)) {
     why = cpp_name == text ? "that is a macro of the standard headers of C++"
                            : fmt::format("in C++ it becomes `{}`, a macro of the standard headers", cpp_name);
+  } else if (in_cpp && dsl::is_director_macro(cpp_name)) {
+    why = fmt::format("{}names that begin with `DIRECTOR_` are macros of Director's own",
+                      cpp_name == text ? "" : fmt::format("in C++ it becomes `{}`, and ", cpp_name));
   } else if (whole_rule && dsl::is_reserved(text)) {
     why = "that is a word of Director's own";
   } else if (lives_beside_the_behaviour(kind) && capitalised(text) == "Behaviour") {

@@ -10,8 +10,6 @@
 
 namespace director::compiler::page {
 
-/// Text between tags and in attributes.
-
 /// The same of a finding's words, which have code between backquotes.
 std::string message_html(std::string_view text);
 
@@ -28,6 +26,9 @@ std::string doc_html(const Json& thing);
 /// A group's name as a link to its section.
 std::string group_link(const std::string& name);
 
+/// What Graphviz wrote, without what a page has once: the heads of files, numbers of nodes as ids, and the font, which is
+/// in page.css; without what is so anyway, links within the same link, and hundredths of points.
+std::string svg_part(std::string svg);
 std::string pictures_html(const HtmlInput& input);
 std::string timeline_html(const HtmlInput& input);
 std::string groups_html(const HtmlInput& input);

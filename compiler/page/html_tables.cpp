@@ -11,32 +11,6 @@ namespace director::compiler::page {
 
 namespace {
 
-constexpr std::size_t nowhere = std::string::npos;
-
-void erase_all(std::string& text, std::string_view what) {
-  std::string out;
-  std::size_t from = 0;
-  for (std::size_t at = text.find(what); at != nowhere; at = text.find(what, from)) {
-    out.append(text, from, at - from);
-    from = at + what.size();
-  }
-  text = out.append(text, from);
-}
-
-/// What Graphviz wrote, without what a page has once: the heads of files, numbers of nodes as ids, and the font, which is
-/// in page.css; and without what is so anyway.
-std::string svg_part(std::string svg) {
-  const std::size_t begin = svg.find("<svg");
-  if (begin != nowhere) svg.erase(0, begin);
-  erase_all(svg, " font-family=\"Helvetica,sans-Serif\"");
-  erase_all(svg, " text-anchor=\"start\"");
-  for (std::size_t at = svg.find(" id=\""); at != nowhere; at = svg.find(" id=\"", at))
-    svg.erase(at, svg.find('"', at + 5) + 1 - at);
-  for (std::size_t at = svg.find("<!--"); at != nowhere; at = svg.find("<!--", at))
-    svg.erase(at, svg.find("-->", at) + 3 - at);
-  return trimmed(std::move(svg));
-}
-
 std::string anchor_of(const Json& row, const Json* column) {
   const std::string from = "from-" + html(row["group"].as_text());
   return column == nullptr ? from : from + "-to-" + html((*column)["group"].as_text());

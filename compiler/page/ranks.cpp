@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <compare>
+#include <cstdint>
 #include <map>
 
 namespace director::compiler {
@@ -21,6 +23,20 @@ namespace {
 struct Company {
   bool at_once = false; ///< some pack, with the needs of its provider, holds both
   bool unit = false;    ///< granted together, or not at all
+  bool loose = false;   ///< both are asked for by some pack, and neither are they of one unit nor is one a need
+  bool first_needed = false, second_needed = false; ///< by a provider that asks for the other one
+};
+
+/// A decision between two edges to one group. Where one of them is the sibling itself, and the other one lies below the
+/// other sibling, priorities do not always decide: a unit is granted whole before anything below it, and a requester
+/// runs only with what it needs.
+struct Ruling {
+  enum class Held : std::uint8_t { by_rank, in_unit, as_need };
+  Decision decision;
+  Held first = Held::by_rank, second = Held::by_rank; ///< at most one of them is not
+  auto operator<=>(const Ruling&) const = default;
+
+  int order() const { return first != Held::by_rank ? -1 : second != Held::by_rank ? 1 : order_of(decision); }
 };
 
 class RankWriter {
@@ -51,8 +67,9 @@ public:
                       "ask for are.",
                       count, most_compared);
     if (!contentions_.complete())
-      left_out += fmt::format("{}After {} pairs of tasks no more was looked at, so there may be more.",
-                              left_out.empty() ? "" : " ", most_edge_pairs);
+      left_out += fmt::format("{}After {} pairs of tasks, or {} steps round circles of requests, no more was looked "
+                              "at, so there may be more.",
+                              left_out.empty() ? "" : " ", most_edge_pairs, most_circle_steps);
     if (!left_out.empty()) out.add("left_out", Json::text(left_out));
     out.add("decisions", std::move(decisions_));
     out.add("contended", std::move(contended));
@@ -72,19 +89,62 @@ private:
       for (const auto& [key, edge] : {std::pair("first", contention.first), std::pair("second", contention.second)}) {
         if (const std::optional<GroupId>& by = model_.edges[edge].requester) row.add(key, Json::text(name(*by)));
       }
-      row.add("decisions", numbers(contention.decisions));
+      row.add("decisions", numbers(rulings(contention)));
       rivals.add(std::move(row));
     }
     return Json::object({{"group", Json::text(name(id))}, {"rivals", std::move(rivals)}});
   }
 
+  static std::vector<Ruling> by_rank(const std::vector<Decision>& decisions) {
+    std::vector<Ruling> out;
+    for (const Decision& each : decisions) out.push_back({each});
+    return out;
+  }
+
+  std::vector<Ruling> rulings(const Contention& contention) const {
+    using Held = Ruling::Held;
+    std::vector<Ruling> out;
+    for (const Decision& each : contention.decisions) {
+      const bool first = each.first_sibling == contention.first, second = each.second_sibling == contention.second;
+      const Company both = company(each);
+      if (first == second || !each.requester) {
+        out.push_back({each});
+        continue;
+      }
+      const bool needed = first ? both.first_needed : both.second_needed;
+      const auto held = [&](Held how) {
+        out.push_back({each, first ? how : Held::by_rank, second ? how : Held::by_rank});
+      };
+      if (both.unit) held(Held::in_unit);
+      if (needed) held(Held::as_need);
+      // What the other one has as a need it may have since before there was a unit.
+      const bool is_plan = edge(first ? contention.second : contention.first).needed;
+      if (both.loose || is_plan || (!both.unit && !needed)) out.push_back({each});
+    }
+    return out;
+  }
+
+  /// Two chains to one group.
+  std::vector<Ruling> rulings(GroupId group) {
+    std::vector<Ruling> out;
+    for (const Contention& each : contentions_.at(group)) {
+      const std::vector<Ruling> some = rulings(each);
+      out.insert(out.end(), some.begin(), some.end());
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+
   /// Twice the place in `decisions`, and one more where the first group is on the side of the decision's second task.
-  Json numbers(const std::vector<Decision>& decisions) {
+  Json numbers(const std::vector<Ruling>& rulings) {
     Json out = Json::list({});
-    for (Decision each : decisions) {
-      const bool turned = each.second_sibling < each.first_sibling;
+    for (Ruling each : rulings) {
+      Decision& decision = each.decision;
+      const bool turned = decision.second_sibling < decision.first_sibling;
       if (turned) {
-        std::swap(each.first_sibling, each.second_sibling);
+        std::swap(decision.first_sibling, decision.second_sibling);
+        std::swap(decision.first, decision.second);
         std::swap(each.first, each.second);
       }
       const auto [at, fresh] = known_.try_emplace(each, known_.size());
@@ -98,20 +158,21 @@ private:
     Json all = Json::object({});
     if (reaches_[first][second.value] && first != second) all.add("leads", Json::text("first"));
     if (reaches_[second][first.value] && first != second) all.add("leads", Json::text("second"));
-    all.add("decisions", numbers(contentions_.between(first, second)));
+    all.add("decisions", numbers(first == second ? rulings(first) : by_rank(contentions_.between(first, second))));
     const auto [at, fresh] = answer_places_.try_emplace(to_line(all), answer_places_.size());
     if (fresh) answers_.add(std::move(all));
     return static_cast<std::int64_t>(at->second);
   }
 
-  Json decision_json(const Decision& decision) const {
-    const int order = order_of(decision);
+  Json decision_json(const Ruling& ruling) const {
+    const Decision& decision = ruling.decision;
+    const int order = ruling.order();
     Json out = Json::object({});
     if (decision.requester) out.add("requester", Json::text(name(*decision.requester)));
     out.add("first", Json::text(name(model_.edges[decision.first_sibling].target)));
     out.add("second", Json::text(name(model_.edges[decision.second_sibling].target)));
     out.add("goes_first", Json::text(order < 0 ? "first" : order > 0 ? "second" : "equal"));
-    out.add("words", Json::text(words(decision, order)));
+    out.add("words", Json::text(words(ruling)));
     return out;
   }
 
@@ -131,10 +192,17 @@ private:
   }
 
   /// The one that goes first stands first.
-  std::string words(const Decision& decision, int order) const {
+  std::string words(const Ruling& ruling) const {
+    const Decision& decision = ruling.decision;
+    const int order = ruling.order();
     std::string first = asked(decision.first_sibling, decision.first);
     std::string second = asked(decision.second_sibling, decision.second);
     if (order > 0) std::swap(first, second);
+    const Ruling::Held held = order < 0 ? ruling.first : ruling.second;
+    if (held != Ruling::Held::by_rank)
+      return fmt::format("{}: {} before what {} asks for, as {}", name(*decision.requester), first, second,
+                         held == Ruling::Held::in_unit ? "both are granted together"
+                                                       : name(*decision.requester) + " runs only with it");
     const Company both = company(decision);
     return fmt::format("{}: {} {} {}{}{}{}", decision.requester ? name(*decision.requester) : "the program", first,
                        order == 0 ? "and" : "before", second, order == 0 ? " are equal" : "",
@@ -146,11 +214,11 @@ private:
     return at == tasks.end() ? nullptr : &*at;
   }
 
-  /// At a level of this priority, as a member of the unit of its pack.
-  bool in_unit(const Task& task, const Standing& standing) const {
+  /// At some level of this priority, as a member of the unit of its pack, or not.
+  bool may_be(const Task& task, const Standing& standing, bool in_unit) const {
     return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
       const Level& level = edge(task.edge).levels[named.level];
-      return level.priority == standing.priority && !level.optional && !level.apart;
+      return level.priority == standing.priority && (!level.optional && !level.apart) == in_unit;
     });
   }
 
@@ -165,12 +233,19 @@ private:
       };
       const bool first_needed = is_needed(decision.first_sibling), second_needed = is_needed(decision.second_sibling);
       out.at_once = out.at_once || (first_needed && second_needed);
+      out.first_needed = out.first_needed || (first_needed && second_needed);
+      out.second_needed = out.second_needed || (first_needed && second_needed);
       for (const Pack& pack : provider.packs) {
         const Task* const first = entry(pack.tasks, decision.first_sibling);
         const Task* const second = entry(pack.tasks, decision.second_sibling);
         out.at_once = out.at_once || ((first != nullptr || first_needed) && (second != nullptr || second_needed));
-        out.unit = out.unit || (first != nullptr && second != nullptr && in_unit(*first, decision.first) &&
-                                in_unit(*second, decision.second));
+        if (first != nullptr && second != nullptr) {
+          out.unit = out.unit || (may_be(*first, decision.first, true) && may_be(*second, decision.second, true));
+          const bool loose = may_be(*first, decision.first, false) || may_be(*second, decision.second, false);
+          out.loose = out.loose || (loose && !first_needed && !second_needed);
+        }
+        out.first_needed = out.first_needed || (first_needed && second != nullptr);
+        out.second_needed = out.second_needed || (second_needed && first != nullptr);
       }
     }
     return out;
@@ -179,7 +254,7 @@ private:
   const Model& model_;
   Contentions contentions_;
   IdTable<GroupId, std::vector<bool>> reaches_;
-  std::map<Decision, std::size_t> known_;
+  std::map<Ruling, std::size_t> known_;
   std::map<std::string, std::size_t> answer_places_;
   Json decisions_ = Json::list({}), answers_ = Json::list({});
 };

@@ -48,6 +48,12 @@ TEST_CASE("What the standard headers define is known, with its case") {
   for (const char* name : {"Abs", "std", "robot", "vector", ""}) CHECK_FALSE(is_cpp_global(name));
 }
 
+TEST_CASE("The macros of the runtime are known by how they begin") {
+  for (const char* text : {"DIRECTOR_PART", "DIRECTOR_NO_OBSERVER", "DIRECTOR_"}) CHECK(is_director_macro(text));
+  for (const char* text : {"DIRECTOR", "Director_part", "dIRECTOR_PART", "MY_DIRECTOR_", ""})
+    CHECK_FALSE(is_director_macro(text));
+}
+
 TEST_CASE("What C++ keeps for itself has two underscores, or begins with one and a capital letter") {
   for (const char* text : {"__LINE__", "__", "a__b", "a__", "_Complex", "_A"}) CHECK(is_reserved_in_cpp(text));
   for (const char* text : {"_", "_a", "_1", "a_B", "a_", ""}) CHECK_FALSE(is_reserved_in_cpp(text));

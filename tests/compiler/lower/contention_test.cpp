@@ -117,3 +117,17 @@ groups:
 )");
   CHECK(decided(c, "Leg", 3) == Texts{"C>Leg and D>Leg (cut)", "  A>C 0, A>D 0: 0"});
 }
+
+TEST_CASE("where requests go in a circle, two chains may part at any group of it") {
+  const Compiled c = compile(R"(
+behaviour: circle
+language: 1
+roots: [A, B]
+groups:
+  A: {tasks: {B: {optional: true}, Leg: {priority: 5}}}
+  B: {packs: {with: {A: {priority: 3}, Leg: {priority: 7}}}}
+  Leg: {}
+)");
+  CHECK(decided(c, "Leg") == Texts{"A>Leg and B>Leg", "  root>A 0, root>B 0: 0", "  A>Leg 5, A>B 0?: -1",
+                                   "  B>A 3, B>Leg 7: 1"});
+}

@@ -30,6 +30,7 @@ TEST_CASE("a module is called after its file") {
   CHECK(modules("__LINE__.yaml", "groups: {Walk: {}}") == "LINE_ ");
   CHECK(modules("_Complex.yaml", "groups: {Walk: {}}") == "Complex ");
   CHECK(modules("walk_.yaml", "groups: {Walk_: {}, Walk: {}}") == "walk_module ");
+  CHECK(modules("dIRECTOR_legs.yaml", "groups: {Walk: {}}") == "my_dIRECTOR_legs ");
   CHECK(modules("nULL.yaml", "groups: {Walk: {}}") == "nULL_module ");
 }
 

@@ -125,6 +125,21 @@ groups:
                 "Right", "Left") == "equal, Walk: Left (needed) and Right (needed) are equal\n");
 }
 
+TEST_CASE("what is granted together, or needed, goes before what others of the same requester ask for") {
+  const auto legs = [](const std::string& play) {
+    return told_of("roots: [Play]\ngroups:\n  Play: " + play + "\n  Walk: {tasks: [Legs]}\n  Legs: {}\n", "Legs",
+                   "Legs");
+  };
+  CHECK(legs("{tasks: {Walk: {priority: 9}, Legs: {priority: 2}}}") ==
+        "first, Play: Legs (priority 2) before what Walk (priority 9) asks for, as both are granted together\n");
+  CHECK(legs("{needs: [Legs], tasks: {Walk: {priority: 9}}}") ==
+        "first, Play: Legs (needed) before what Walk (priority 9) asks for, as Play runs only with it\n");
+  CHECK(legs("{tasks: {Walk: {priority: 9}, Legs: {priority: 2, apart: true}}}") ==
+        "second, Play: Walk (priority 9) before Legs (priority 2)\n");
+  CHECK(legs("{packs: {one: {Walk: {priority: 9}}, other: {Legs: {priority: 2}}}}") ==
+        "second, Play: Walk (priority 9) before Legs (priority 2), never both at once\n");
+}
+
 TEST_CASE("of what several ask for, each two have what decides between them") {
   const Compiled c = compile(R"(behaviour: test
 language: 1

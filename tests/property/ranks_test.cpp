@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// What pages tell of who goes before whom, held against the engine on random behaviours and scenarios: whatever it
+// refuses because of a rival is told there, with the same requester, tasks and priorities; and where it rests, nobody
+// waits for what is held by one that is told to go behind.
+//
+//   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
+#include "compiler/page/ranks.hpp"
+#include "runtime/core/inspect/why.hpp"
+#include "tests/oracle/order.hpp"
+#include "tests/property/engine_run.hpp"
+#include "tests/property/generate.hpp"
+#include "tests/property/watch.hpp"
+#include "tests/support/environment.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace director::property;
+using director::Because;
+using director::Precedence;
+using director::compiler::EdgeId;
+using director::compiler::GroupId;
+using director::compiler::Json;
+using director::oracle::Chain;
+using director::tests::from_environment;
+
+#ifdef NDEBUG
+constexpr std::uint64_t usual_cases = 1'000;
+#else
+constexpr std::uint64_t usual_cases = 100;
+#endif
+
+struct Seen {
+  std::uint64_t rests = 0, refusals = 0, above = 0, rivals = 0, ahead = 0, equal = 0;
+  std::set<std::string> wrong; ///< each once
+};
+
+/// Below the closest common requester of two chains: the two edges, and whether something from there down is optional.
+struct Fork {
+  EdgeId ours{}, theirs{};
+  bool our_optional = false, their_optional = false;
+};
+
+class Told {
+public:
+  Told(const Compiled& compiled, Seen& seen)
+      : model_(compiled.model),
+        parts_(compiled.model),
+        ranks_(director::compiler::ranks_json(compiled.model)),
+        seen_(seen) {}
+
+  bool is_complete() const { return ranks_["left_out"].is_null(); }
+
+  void look(const director::View& view, const Snapshot& now) {
+    ++seen_.rests;
+    now_ = &now;
+    held_ = director::oracle::Holders(model_.groups.size());
+    for (const GroupId g : model_.groups.ids()) {
+      const Snapshot::Group& row = now.groups[g.value];
+      if (row.holder) held_[g] = director::oracle::Held{*row.holder, row.granted, row.needed, false};
+    }
+    for (const GroupId g : model_.groups.ids()) {
+      refusal(director::why(view, static_cast<director::Index>(g.value)));
+      rivals(g);
+    }
+  }
+
+private:
+  const std::string& name(GroupId g) const { return model_.groups[g].name.value; }
+  std::string name(std::optional<GroupId> g) const { return g ? name(*g) : std::string(); }
+  GroupId target(EdgeId edge) const { return model_.edges[edge].target; }
+  Chain chain(EdgeId edge) const { return director::oracle::chain_of(parts_, held_, edge); }
+
+  /// Of the level that it is asked for at; a need has that of the first one.
+  director::compiler::Level level(EdgeId edge) const {
+    const std::vector<director::compiler::Level>& levels = model_.edges[edge].levels;
+    if (const auto& asked = now_->requests[edge.value]) return levels.at(*asked);
+    director::compiler::Level out;
+    if (!levels.empty()) out.priority = levels.front().priority;
+    return out;
+  }
+
+  void wrong(std::string what) { seen_.wrong.insert(std::move(what)); }
+
+  const Json& answer(GroupId a, GroupId b) const {
+    const auto at = static_cast<std::size_t>(
+        ranks_["pairs"].items()[std::max(a, b).value].items()[std::min(a, b).value].as_number());
+    return ranks_["answers"].items()[at];
+  }
+
+  std::optional<Fork> fork(const Chain& ours, const Chain& theirs) const {
+    const auto [a, b] =
+        std::mismatch(ours.edges.rbegin(), ours.edges.rend(), theirs.edges.rbegin(), theirs.edges.rend());
+    if (a == ours.edges.rend() || b == theirs.edges.rend()) return std::nullopt;
+    const auto optional = [&](EdgeId edge) { return level(edge).optional; };
+    return Fork{*a, *b, std::any_of(a, ours.edges.rend(), optional), std::any_of(b, theirs.edges.rend(), optional)};
+  }
+
+  /// `Kick (priority 20, optional)`, up to what is said of optional ones.
+  std::string standing(EdgeId edge) const {
+    return model_.edges[edge].levels.empty() ? name(target(edge)) + " (needed"
+                                             : fmt::format("{} (priority {}", name(target(edge)), level(edge).priority);
+  }
+
+  /// Who goes first where these two part, as the decisions of a list tell, more than one where that hangs on the pack;
+  /// with `!` where no rank decides. Empty: that is not among them.
+  std::set<std::string> told(const Json& codes, const Fork& at) const {
+    const std::string common = name(model_.edges[at.ours].requester);
+    const std::string ours = standing(at.ours) + (at.our_optional ? ", " : ")");
+    const std::string theirs = standing(at.theirs) + (at.their_optional ? ", " : ")");
+    std::set<std::string> out;
+    for (const Json& code : codes.items()) {
+      const Json& each = ranks_["decisions"].items()[static_cast<std::size_t>(code.as_number() / 2)];
+      const bool straight = each["first"].as_text() == name(target(at.ours));
+      if (each["requester"].as_text() != common ||
+          each[straight ? "second" : "first"].as_text() != name(target(at.theirs)) ||
+          (!straight && each["second"].as_text() != name(target(at.ours))))
+        continue;
+      const std::string_view words = each["words"].as_text();
+      if (words.find(ours) == std::string_view::npos || words.find(theirs) == std::string_view::npos) continue;
+      const std::string& first = each["goes_first"].as_text();
+      const bool by_rank = words.find(" asks for, as ") == std::string_view::npos;
+      out.insert((first == "equal"                 ? "equal"
+                  : (first == "first") == straight ? "ours"
+                                                   : "theirs") +
+                 std::string(by_rank ? "" : "!"));
+    }
+    return out;
+  }
+
+  static std::string to_text(const std::set<std::string>& all) {
+    std::string out;
+    for (const std::string& each : all) out += (out.empty() ? "" : ", ") + each;
+    return out;
+  }
+
+  /// What the engine says of why a group does not run.
+  void refusal(const Because& claim) {
+    if (claim.kind != Because::Kind::lost && claim.kind != Because::Kind::need_held) return;
+    const EdgeId member{claim.member}, holder{claim.holder};
+    if (parts_.is_limbo(holder)) return;
+    ++seen_.refusals;
+    const GroupId ours = target(member);
+    GroupId theirs = target(holder);
+    if (claim.rivalry.won_by == Precedence::above) {
+      ++seen_.above;
+      if (ours == theirs) return; // it asks for itself, by way of others
+      const Json& leads = answer(ours, theirs)["leads"];
+      if (leads.as_text() != (theirs < ours ? "second" : "first"))
+        wrong(fmt::format("{} leads to {}, and it is not told", name(theirs), name(ours)));
+      return;
+    }
+    const Chain other = chain(holder);
+    for (const EdgeId edge : other.edges) {
+      if (target(edge) == ours) theirs = ours; // held for what somebody else asks of the same group
+    }
+    const std::optional<Fork> at = fork(chain(member), other);
+    if (!at) return wrong("no common requester");
+    const std::set<std::string> first = told(answer(ours, theirs)["decisions"], *at);
+    const char* const expected = claim.rivalry.won_by == Precedence::equal ? "equal" : "theirs";
+    if (first.count(expected) == 0 && first.count("theirs!") == 0)
+      wrong(fmt::format("{} is refused for {} at {} and {}, and it is told: {}", name(ours), name(theirs),
+                        standing(at->ours), standing(at->theirs), to_text(first)));
+  }
+
+  /// What one could have for the request that holds the group, it could have for another one.
+  bool is_simple(GroupId g) const {
+    return std::all_of(model_.groups[g].providers.begin(), model_.groups[g].providers.end(), [&](const auto id) {
+      return model_.providers[id].when.empty() && model_.providers[id].needs.empty();
+    });
+  }
+  /// What is held as a need came with the unit of its requester, which counts.
+  bool has_needs(const Chain& chain) const {
+    return std::any_of(chain.edges.begin(), chain.edges.end(),
+                       [&](EdgeId edge) { return now_->groups[target(edge).value].needed; });
+  }
+  /// Its unit has no other member.
+  bool is_alone(EdgeId edge) const {
+    const std::optional<GroupId> requester = model_.edges[edge].requester;
+    if (!requester || level(edge).optional || level(edge).apart) return true;
+    const std::vector<EdgeId>& all = model_.groups[*requester].edges;
+    return std::none_of(all.begin(), all.end(), [&](EdgeId other) {
+      return other != edge && now_->requests[other.value] && !level(other).optional && !level(other).apart;
+    });
+  }
+  /// Its requester runs, so that it would be granted if it were its turn.
+  bool is_wanted(EdgeId edge) const {
+    const std::optional<GroupId> requester = model_.edges[edge].requester;
+    return now_->requests[edge.value] && (!requester || now_->groups[requester->value].granted);
+  }
+
+  /// Who holds a group, and who else asks for it.
+  void rivals(GroupId g) {
+    const Snapshot::Group& it = now_->groups[g.value];
+    if (!it.granted || parts_.is_limbo(*it.holder)) return;
+    const Chain theirs = chain(*it.holder);
+    for (const EdgeId edge : model_.groups[g].requesters) {
+      if (edge == *it.holder || !is_wanted(edge)) continue;
+      const std::optional<Fork> at = fork(chain(edge), theirs);
+      if (!at) continue;
+      ++seen_.rivals;
+      const std::set<std::string> all = told(answer(g, g)["decisions"], *at);
+      std::set<std::string> here;
+      for (const Json& contended : ranks_["contended"].items()) {
+        if (contended["group"].as_text() != name(g)) continue;
+        for (const Json& rival : contended["rivals"].items()) {
+          const std::set<std::string> two{rival["first"].as_text(), rival["second"].as_text()};
+          if (two ==
+              std::set<std::string>{name(model_.edges[edge].requester), name(model_.edges[*it.holder].requester)})
+            here = told(rival["decisions"], *at);
+        }
+      }
+      seen_.equal += here.count("equal");
+      seen_.ahead += here.count("ours");
+      if (here.empty() || !std::includes(all.begin(), all.end(), here.begin(), here.end()))
+        wrong(fmt::format("{}: of {} and {} is told: `{}`, and where the group is contended: `{}`", name(g),
+                          standing(at->ours), standing(at->theirs), to_text(all), to_text(here)));
+      const bool goes_first = here == std::set<std::string>{"ours"} || here == std::set<std::string>{"ours!"};
+      if (goes_first && is_simple(g) && is_alone(edge) && !has_needs(theirs))
+        wrong(fmt::format("{} is held for {}, and {} goes first", name(g), standing(at->theirs), standing(at->ours)));
+    }
+  }
+
+  const director::compiler::Model& model_;
+  const director::oracle::Parts parts_;
+  const Json ranks_;
+  Seen& seen_;
+  const Snapshot* now_ = nullptr;
+  director::oracle::Holders held_;
+};
+
+TEST_CASE("what a page tells of who goes first is what the engine does") {
+  const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
+  const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases);
+  Seen seen;
+  for (std::uint64_t seed = first; seed < first + cases; ++seed) {
+    watch(seed);
+    const Documents documents = generate(seed);
+    const CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
+    INFO("DIRECTOR_SEED=" << seed << " " << result.why);
+    REQUIRE(result.compiled);
+    EngineRun run(*result.compiled, false);
+    Told told(*result.compiled, seen);
+    for (const auto& step : result.compiled->scenario.steps) {
+      run.begin_step(step);
+      while (run.micro_step()) {}
+      if (told.is_complete()) told.look(director::view_of(run.engine()), run.snapshot());
+    }
+    stop_watching();
+    for (const std::string& each : seen.wrong) FAIL_CHECK(each);
+    if (!seen.wrong.empty()) FAIL(to_yaml(documents.behaviour) << "---\n" << to_yaml(documents.scenario));
+  }
+  std::cout << cases << " cases, " << seen.rests << " rests, " << seen.refusals << " refusals, " << seen.above
+            << " by one above; " << seen.rivals << " requests beside a holder, " << seen.equal << " equal, "
+            << seen.ahead << " ahead of it and kept by something else\n";
+  if (cases < 1'000) return;
+  CHECK(seen.refusals > cases);
+  CHECK(seen.above > 0);
+  CHECK(seen.equal > 0);
+  CHECK(seen.rivals > cases / 10);
+}
+
+} // namespace
