@@ -40,7 +40,7 @@ roots: [B]
 | a | table |
 )";
 
-TEST_CASE("a page is shown without its marks, and its code as it stands") {
+TEST_CASE("a page is shown without its marks, and its code with comments that are too wide below their lines") {
   CHECK(page_text(page, 30, false) == R"(a_check
 Level: error
 Certainty: exact
@@ -54,7 +54,10 @@ a link.
 - another one
 
 Reported
-    roots: [A]   # a line of code that is far longer than the terminal is wide
+    roots: [A]
+      # a line of code that is
+      # far longer than the
+      # terminal is wide
 
     groups: {}
 
