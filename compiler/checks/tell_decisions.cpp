@@ -55,11 +55,7 @@ public:
 
   std::vector<dsl::Diagnostic> run(const Untold& untold) {
     for (const PackOf& pack : untold.packs) tell(pack);
-    for (const GroupId group : untold.groups) {
-      for (const EdgeId edge : model_.groups[group].requesters) {
-        if (decisions_.requested.contains(edge)) tell(edge);
-      }
-    }
+    for (const GroupId group : untold.groups) tell(group);
     for (const EdgeId edge : untold.tasks) tell(edge);
     for (const ProviderId id : untold.providers) tell(id);
     return std::move(out_);
@@ -82,6 +78,26 @@ private:
   std::string requester_of(EdgeId edge) const {
     const auto& requester = model_.edges[edge].requester;
     return requester ? name_of(model_, *requester) : "the program";
+  }
+
+  /// None of its providers ever runs.
+  void tell(GroupId id) {
+    bool granted = false;
+    for (const EdgeId edge : model_.groups[id].requesters) {
+      if (!decisions_.requested.contains(edge)) continue;
+      if (decisions_.granted.contains(edge))
+        granted = true;
+      else
+        tell(edge);
+    }
+    if (!granted || !decided(id)) return;
+    for (const ProviderId provider : model_.groups[id].providers) {
+      if (!input_.facts.active.contains(provider)) continue;
+      add("shadowed_provider", model_.providers[provider].span,
+          fmt::format("{} never runs: wherever it is granted, what a handler sets takes that away before it runs",
+                      name_of(model_, provider)));
+      out_.back().help = "let `start` or `stop` set what leaves its conditions true, or give it a `stay`";
+    }
   }
 
   void tell(ProviderId id) {

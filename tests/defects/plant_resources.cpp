@@ -99,7 +99,11 @@ void three_members_for_two(Robot& robot, bool defect) {
   const std::string left = robot.add_part(), right = robot.add_part(), third = robot.add_part();
   const std::string a = two_ways(robot, left, right), b = two_ways(robot, left, right);
   const std::string c = two_ways(robot, left, defect ? right : third);
-  make_root(robot, "{packs: {all: {$0: {}, $1: {}, @$2: {}}}}", {a, b, c});
+  // Beside the others it has but one way: by itself it has both.
+  make_root(robot,
+            defect ? "{packs: {all: {$0: {}, $1: {}, @$2: {}}}}"
+                   : "{packs: {all: {$0: {}, $1: {}, @$2: {}}, alone: {$2: {}}}}",
+            {a, b, c});
 }
 
 // possible_pack_conflict

@@ -2,34 +2,62 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/decisions/decisions.hpp"
 #include "compiler/analysis/facts/facts.hpp"
-#include <cstdlib>
 #include "tests/property/verdicts.hpp"
+
+#include <algorithm>
 
 namespace director::property {
 
+using compiler::ConditionId;
+using compiler::EdgeId;
+using compiler::GroupId;
+using compiler::ProviderId;
+
+namespace {
+
+bool reports_any(const compiler::Model& model, const analysis::Facts& facts) {
+  const auto ids = model.providers.ids();
+  return !facts.impossible.empty() || std::any_of(ids.begin(), ids.end(), [&](ProviderId id) {
+    return facts.plans[id] == analysis::PlanVerdict::none;
+  });
+}
+
+} // namespace
+
 FollowOn follow_on_of(const compiler::Model& model) {
+  using analysis::Reported;
   const compiler::Graph graph = compiler::make_graph(model);
   const analysis::Facts mended = analysis::find_facts(model, graph),
-                        facts = analysis::find_facts(model, graph, analysis::Reported::as_is);
+                        facts = analysis::find_facts(model, graph, Reported::as_is);
   FollowOn out;
-  for (const compiler::ProviderId id : model.providers.ids()) {
+  if (!reports_any(model, mended)) return out;
+  for (const ProviderId id : model.providers.ids()) {
     if (mended.active.contains(id) && !facts.active.contains(id)) out.idle.push_back(id);
     if (mended.pushed.contains(id) && !facts.pushed.contains(id)) out.unpushed.push_back(id);
   }
-  if (!std::getenv("NOFOLLOW")) for (const auto how : {analysis::Reported::as_is}) {
-    const auto& f = how == analysis::Reported::mended ? mended : facts;
-    analysis::Budget budget;
-    const auto d = analysis::find_decisions(model, f, how, budget);
-    for (const compiler::ProviderId id : model.providers.ids()) {
-      if (!d.decided.contains(model.providers[id].group)) continue;
-      if (!d.runs.contains(id)) out.idle.push_back(id);
-      for (std::size_t i = 0; i < model.providers[id].packs.size(); ++i)
-        if (!d.whole.contains({id, i})) out.p_whole.emplace_back(id, i);
-      for (const auto c : model.conditions.ids())
-        if (!d.pushed.contains({id, c})) out.p_pushed.emplace_back(id, c);
+  // What is known of both, and never happens only as things stand.
+  analysis::Budget budget, other_budget;
+  const analysis::Decisions as_is = analysis::find_decisions(model, facts, Reported::as_is, budget),
+                            as_mended = analysis::find_decisions(model, mended, Reported::mended, other_budget);
+  const auto is_told = [&](GroupId group, const auto& never) {
+    return as_is.decided.contains(group) && never(as_is) && as_mended.looked_at.contains(group) &&
+           !(as_mended.decided.contains(group) && never(as_mended));
+  };
+  for (const ProviderId id : model.providers.ids()) {
+    const GroupId group = model.providers[id].group;
+    if (is_told(group, [&](const auto& found) { return !found.runs.contains(id); })) out.idle.push_back(id);
+    for (std::size_t i = 0; i < model.providers[id].packs.size(); ++i) {
+      if (is_told(group, [&](const auto& found) { return !found.whole.contains({id, i}); }))
+        out.unwhole.emplace_back(id, i);
     }
-    for (const compiler::EdgeId id : model.edges.ids())
-      if (d.decided.contains(model.edges[id].target) && !d.granted.contains(id)) out.p_granted.push_back(id);
+    for (const ConditionId condition : model.conditions.ids()) {
+      if (is_told(group, [&](const auto& found) { return !found.pushed.contains({id, condition}); }))
+        out.unpushed_for.emplace_back(id, condition);
+    }
+  }
+  for (const EdgeId id : model.edges.ids()) {
+    if (is_told(model.edges[id].target, [&](const auto& found) { return !found.granted.contains(id); }))
+      out.ungranted.push_back(id);
   }
   return out;
 }

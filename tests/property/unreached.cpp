@@ -104,16 +104,17 @@ private:
   // What findings claim
 
   void take(const FollowOn& follow) {
+    const auto has = [](const auto& list, const auto& what) {
+      return std::find(list.begin(), list.end(), what) != list.end();
+    };
     for (const ProviderId id : follow.idle) claimed_[runs(id)] = true;
-    for (const EdgeId id : follow.p_granted) claimed_[granted(id)] = true;
-    for (std::size_t i = 0; i < packs_.size(); ++i)
-      if (std::find(follow.p_whole.begin(), follow.p_whole.end(), std::pair(packs_[i].provider, packs_[i].pack)) != follow.p_whole.end()) claimed_[begin_[3]+i] = true;
-    { Row r = begin_[4]; for (const auto& [push, w] : pushes_) { if (std::find(follow.p_pushed.begin(), follow.p_pushed.end(), push) != follow.p_pushed.end()) claimed_[r] = true; ++r; } }
+    for (const EdgeId id : follow.ungranted) claimed_[granted(id)] = true;
+    for (std::size_t i = 0; i < packs_.size(); ++i) {
+      if (has(follow.unwhole, std::pair(packs_[i].provider, packs_[i].pack))) claimed_[begin_[3] + i] = true;
+    }
     Row row = begin_[4];
     for (const auto& [push, waiters] : pushes_) {
-      const bool is_unpushed =
-          std::find(follow.unpushed.begin(), follow.unpushed.end(), push.first) != follow.unpushed.end();
-      if (is_unpushed) claimed_[row] = true;
+      if (has(follow.unpushed, push.first) || has(follow.unpushed_for, push)) claimed_[row] = true;
       ++row;
     }
   }

@@ -67,9 +67,9 @@ std::string in_words(const Claim& claim, const compiler::Model& model);
 /// checks take them for mended, and are silent of what could happen then; as things stand it cannot, and hangs on them.
 struct FollowOn {
   std::vector<compiler::ProviderId> idle, unpushed;
-  std::vector<compiler::EdgeId> p_granted;
-  std::vector<std::pair<compiler::ProviderId,std::size_t>> p_whole;
-  std::vector<std::pair<compiler::ProviderId,compiler::ConditionId>> p_pushed;
+  std::vector<compiler::EdgeId> ungranted;
+  std::vector<std::pair<compiler::ProviderId, std::size_t>> unwhole;                ///< packs
+  std::vector<std::pair<compiler::ProviderId, compiler::ConditionId>> unpushed_for; ///< this condition
 };
 FollowOn follow_on_of(const compiler::Model& model);
 

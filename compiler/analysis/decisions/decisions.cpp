@@ -164,7 +164,7 @@ private:
 
 Decisions find_decisions(const Model& model, const Facts& facts, Reported reported, Budget& budget) {
   Decisions out;
-  out.decided = IdSet<GroupId>(model.groups.size());
+  out.looked_at = out.decided = IdSet<GroupId>(model.groups.size());
   out.runs = IdSet<ProviderId>(model.providers.size());
   out.requested = out.granted = IdSet<EdgeId>(model.edges.size());
   out.passed_over = IdTable<ProviderId, Kept>(model.providers.size());
@@ -178,6 +178,7 @@ Decisions find_decisions(const Model& model, const Facts& facts, Reported report
     if (!part) continue;
     Finder finder(*part, model, facts, out, left);
     if (finder.run()) finder.tell();
+    for (std::size_t i = 0; left >= 0 && i < groups.size(); ++i) out.looked_at.add(groups[i]);
     out.moments += finder.moments();
   }
   out.passes = static_cast<std::size_t>(most - std::max<std::int64_t>(left, 0));

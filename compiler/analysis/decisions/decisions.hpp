@@ -38,7 +38,8 @@ struct Kept {
 };
 
 struct Decisions {
-  IdSet<GroupId> decided; ///< about which all is known that follows; of others nothing is said
+  IdSet<GroupId> looked_at; ///< others are of parts that are too large, or take too many passes
+  IdSet<GroupId> decided;   ///< about which all is known that follows; of others nothing is said
   IdSet<ProviderId> runs;
   IdSet<EdgeId> requested, granted;
   std::set<std::pair<ProviderId, std::size_t>> whole; ///< packs whose members, two or more, are granted together
@@ -57,6 +58,7 @@ struct Decisions {
   }
 };
 
+/// Where a component was looked at, and not all was decided, all happens that the facts take for possible.
 Decisions find_decisions(const Model& model, const Facts& facts, Reported reported, Budget& budget);
 
 } // namespace director::analysis

@@ -13,18 +13,20 @@ namespace {
 
 using dsl::Diagnostic;
 
-/// These say that something never happens, of what they stand at and of what their notes stand at.
+/// These say that something never happens, or never lasts, of what they stand at and of what their notes stand at.
 bool says_never(const Diagnostic& finding) {
   static constexpr std::string_view ids[] = {"causer_not_running",   "contradictory_when", "imprecise_causing",
                                              "incompatible_pushes",  "needs_conflict",     "needs_cycle",
                                              "optional_never_runs",  "pack_conflict",      "push_cycle",
                                              "push_in_vain",         "self_conflict",      "self_defeating_handler",
                                              "shadowed_provider",    "sibling_starvation", "starved_task",
-                                             "state_without_source", "task_cycle",         "unpushable_causing",
-                                             "unreachable_causing",  "unreachable_when",   "unused_declaration"};
+                                             "state_without_source", "task_cycle",         "undone_by_itself",
+                                             "undone_by_stop",       "unpushable_causing", "unreachable_causing",
+                                             "unreachable_when",     "unused_declaration"};
   return std::find(std::begin(ids), std::end(ids), finding.id) != std::end(ids) ||
          (finding.id == "possible_pack_conflict" && finding.message.find("can never") != std::string::npos) ||
-         (finding.id == "uncovered_state" && finding.message.find("can ever run") != std::string::npos);
+         (finding.id == "uncovered_state" && (finding.message.find("can ever run") != std::string::npos ||
+                                              finding.message.find("never runs for") != std::string::npos));
 }
 
 class Search {
@@ -34,6 +36,7 @@ public:
         happening_(happening),
         sources_(find_sources(model)) {
     for (const Diagnostic& finding : told) {
+      if (finding.id == "possible_pack_conflict") take_named(finding);
       if (!says_never(finding)) continue;
       told_.insert(finding.span);
       for (const dsl::Note& note : finding.notes) told_.insert(note.span);
@@ -47,6 +50,19 @@ public:
   }
 
 private:
+  /// A provider that its pack has no use for, as the finding says at its need.
+  void take_named(const Diagnostic& finding) {
+    for (const ProviderId id : model_.providers.ids()) {
+      const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
+      const bool is_named = finding.message.find("`" + model_.full_name(id) + "`") != std::string::npos;
+      if (is_named && std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
+            return std::any_of(finding.notes.begin(), finding.notes.end(),
+                               [&](const dsl::Note& note) { return note.span == need.span; });
+          }))
+        told_.insert(model_.providers[id].span);
+    }
+  }
+
   /// None of their members is told of.
   void find_packs() {
     for (const ProviderId id : model_.providers.ids()) {
@@ -104,17 +120,26 @@ private:
            std::any_of(all.begin(), all.end(), [&](const Task* task) { return is_told(task->span); });
   }
 
-  /// Another finding speaks of it, or it waits for what only others that never run could bring about.
-  bool is_silent(ProviderId id) const {
+  /// Another finding speaks of it, or of all that could serve a need of it, or it waits for what only others that never
+  /// run could bring about.
+  bool is_silent(ProviderId id) {
+    const auto [at, is_new] = silent_.emplace(id, false); // so it is while it is looked at, in a circle
+    if (is_new) at->second = finds_silent(id);
+    return at->second;
+  }
+  bool finds_silent(ProviderId id) {
     const Provider& provider = model_.providers[id];
     const auto any_told = [&](const std::vector<ConditionUse>& uses) {
       return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return is_told(use.span); });
     };
+    const auto none_left = [&](const Use<GroupId>& need) {
+      const std::vector<ProviderId>& all = model_.groups[need.id].providers;
+      return is_told(need.span) || std::all_of(all.begin(), all.end(), [&](ProviderId each) { return is_silent(each); });
+    };
     return is_told(provider.span) || any_told(provider.when) || any_told(provider.causing) ||
-           std::any_of(provider.needs.begin(), provider.needs.end(),
-                       [&](const auto& need) { return is_told(need.span); }) ||
            std::any_of(provider.when.begin(), provider.when.end(),
-                       [&](const ConditionUse& use) { return never_came(use.id); });
+                       [&](const ConditionUse& use) { return never_came(use.id); }) ||
+           std::any_of(provider.needs.begin(), provider.needs.end(), none_left);
   }
 
   bool never_came(ConditionId id) const {
@@ -137,6 +162,7 @@ private:
   IdTable<StateId, std::vector<Source>> sources_;
   std::set<dsl::Span> told_;
   std::set<EdgeId> in_packs_; ///< members of packs that are never granted whole
+  std::map<ProviderId, bool> silent_;
   Untold out_;
 };
 
