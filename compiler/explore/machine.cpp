@@ -180,7 +180,7 @@ void Machine::post(const Happens& happens) {
   case Kind::request:
     for (const Ask& ask : ground_.requests[happens.row]) {
       records.push_back(record(Input::Kind::request, ask.edge));
-      records.back().level = ask.level;
+      records.back().set_level(ask.level);
     }
     break;
   case Kind::cancel: records.push_back(record(Input::Kind::cancel, happens.row)); break;

@@ -130,7 +130,7 @@ private:
     case InputKind::request:
       for (const Asked& asked : input.requests) {
         Input request = record(Input::Kind::request, asked.edge.value);
-        request.level = static_cast<Index>(tables_.edges[request.thing].levels.begin + asked.level);
+        request.set_level(static_cast<Index>(tables_.edges[request.thing].levels.begin + asked.level));
         request.handle = bodies_.data().wait_for_input(asked.data);
         out.push_back(request);
       }

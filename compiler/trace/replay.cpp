@@ -128,12 +128,12 @@ private:
 
   static Input record(const Event& event) {
     Input out;
-    out.level = event.level;
     out.value = event.value;
     switch (event.input) {
     case Event::Input::request:
       out.kind = Input::Kind::request;
       out.thing = event.edge;
+      out.set_level(event.level);
       break;
     case Event::Input::cancel:
       out.kind = Input::Kind::cancel;

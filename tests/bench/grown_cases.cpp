@@ -26,7 +26,7 @@ public:
       robot_.step();
     }
     low_ = high_ = robot_.request(robot_.root("Left"));
-    ++high_.level;
+    ++high_.value;
     robot_.post(low_);
     robot_.post(robot_.request(robot_.root("Right")));
     robot_.step();

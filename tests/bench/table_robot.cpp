@@ -117,7 +117,7 @@ Index TableRobot::trigger(const std::string& name) const {
 Input TableRobot::request(Index edge, Index level) const {
   return {.kind = Input::Kind::request,
           .thing = edge,
-          .level = static_cast<Index>(tables_.edges[edge].levels.begin + level)};
+          .value = static_cast<std::int32_t>(tables_.edges[edge].levels.begin + level)};
 }
 
 void TableRobot::post(std::span<const Input> records) {

@@ -105,7 +105,7 @@ void EngineRun::post(const compiler::ScenarioInput& input) {
     for (const compiler::Asked& asked : input.requests) {
       records.push_back(record(Record::request, asked.edge.value));
       const Range levels = tables_.edges[records.back().thing].levels;
-      records.back().level = static_cast<Index>(levels.begin + asked.level);
+      records.back().set_level(static_cast<Index>(levels.begin + asked.level));
       records.back().handle = bodies_.data().wait_for_input(asked.data);
     }
     break;

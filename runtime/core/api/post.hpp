@@ -38,7 +38,7 @@ public:
                   "only tasks that stand in `roots` can be requested from outside");
     std::array records{record(task), record(more)...};
     for (const Input& input : records) {
-      if (input.level == nil) return false;
+      if (input.level() == nil) return false;
     }
     link(records);
     Input* input = records.data();
@@ -123,7 +123,7 @@ public:
   /// edge's.
   [[nodiscard]] bool request_row(Index edge, Index level) const {
     if (!Roots::bare_at(edge) || !has_level(edge, level)) return false;
-    Input input{.kind = Input::Kind::request, .thing = edge, .level = level};
+    Input input{.kind = Input::Kind::request, .thing = edge, .value = static_cast<std::int32_t>(level)};
     return inbox_->insist({&input, 1});
   }
   /// False: root has no such edge.
@@ -169,7 +169,7 @@ private:
   static Input record(const Task& task) {
     using Root = typename Roots::template For<Task>;
     const TaskBase<Task>& base = task;
-    return {.kind = Input::Kind::request, .thing = Root::edge, .level = Root::row(base.level)};
+    return {.kind = Input::Kind::request, .thing = Root::edge, .value = static_cast<std::int32_t>(Root::row(base.level))};
   }
 
   /// Puts the data where they wait for the inbox to be taken. False: no place is left, and they stay where they are.

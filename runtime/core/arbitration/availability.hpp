@@ -16,7 +16,7 @@ DIRECTOR_PART void take_back(Context& x);
 
 /// One member alone. Whether it is disputed is asked once for all that is tried with it.
 inline void take_in_hand(Context& x, Index member) {
-  x.s.member[0] = member;
+  x.s.member[0].edge = member;
   x.disputed = x.row.equals && x.t.groups[target(x, member)].flat && !taken(x, member) && is_disputed(x, member);
 }
 

@@ -17,7 +17,7 @@ void claim_plan(Context& x, Index begin, Index end);
 Index entries_of(Context& x, Index group, const Assignment& of);
 
 /// Where the entries of a member's plan begin.
-inline Index entries_begin(const Context& x, Index at) { return at == 0 ? Index{0} : x.s.member_entries[at - 1]; }
+inline Index entries_begin(const Context& x, Index at) { return at == 0 ? Index{0} : x.s.member[at - 1].entries_end; }
 
 /// A plan of some group may pick one provider or another.
 inline bool alternatives(const Context& x, Index component) { return x.t.components[component].alternatives; }

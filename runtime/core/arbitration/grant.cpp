@@ -67,7 +67,7 @@ inline Tried try_plain(Context& x, Index edge, bool outdated) {
 
 /// Whatever is chosen, something of it is not available.
 void block(Context& x, Index count) {
-  for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at]] |= mark::refused;
+  for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at].edge] |= mark::refused;
   if (injected(Fault::blocked_units_push_on)) keep_pushes(x, count);
   explain(x, count, Why::blocked);
 }
@@ -76,11 +76,11 @@ void block(Context& x, Index count) {
 void block_alone(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited | mark::refused;
   x.s.queued[edge] = {Why::blocked, nil};
-  if (is_followed(x)) rest_on(x, edge, 0);
+  if (is_followed(x)) rest_on(x, edge, trail::behind);
 }
 
 void explain(Context& x, Index count, Why why, Index condition) {
-  for (Index at = 0; at < count; ++at) x.s.queued[x.s.member[at]] = {why, condition};
+  for (Index at = 0; at < count; ++at) x.s.queued[x.s.member[at].edge] = {why, condition};
 }
 
 void decide_alone(Context& x, Index edge, bool outdated) {

@@ -42,7 +42,7 @@ inline void now_granted(Context& x, Index edge, Index provider) {
   const GroupAssignment& last = x.s.last[group];
   now.active = now.planned = provider;
   now.flags |= flag::granted;
-  if ((x.s.run_queue[group].pending & reason::outdating) == 0 && x.s.request[edge].anew == 0 && edge == last.holder &&
+  if ((x.s.run_queue[group].pending & reason::outdating) == 0 && x.s.anew[edge] == 0 && edge == last.holder &&
       provider == last.active)
     return;
   x.s.group_marks[group] |= mark::outdated;

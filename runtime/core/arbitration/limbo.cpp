@@ -21,17 +21,17 @@ namespace {
 void keep_in_limbo(Context& x, Index group) {
   const Index end = entries_of(x, group, x.s.last);
   for (Index i = 0; i < end; ++i) {
-    if (x.s.now[x.s.entry_group[i]].holder != nil) return;
+    if (x.s.now[x.s.entry[i].group].holder != nil) return;
   }
   x.depends_on_last = x.depends_on_stale = true;
   x.lineage_is_valid = false;
   claim(x, group, static_cast<Index>(x.t.edges.size() + group));
   x.s.now[group].active = x.s.last[group].active;
   if (x.s.last[group].planned != nil) plan_for(x, group, x.s.last[group].planned, 0, end);
-  for (Index i = 0; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
+  for (Index i = 0; i < end; ++i) claim(x, x.s.entry[i].group, x.s.entry[i].need);
   claim_plan(x, 0, end);
   compare_claim(x, group);
-  for (Index i = 0; i < end; ++i) compare_claim(x, x.s.entry_group[i]);
+  for (Index i = 0; i < end; ++i) compare_claim(x, x.s.entry[i].group);
   sweep_below(x, group);
 }
 

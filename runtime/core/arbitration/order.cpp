@@ -102,11 +102,12 @@ void sort_roots(Context& x) {
   const auto comes_first = [&](Index a, Index b) {
     return compare_siblings(x, a, b) < 0;
   };
+  const auto may_have_moved = [&](Index e) { return x.whole || (x.s.edge_trail[e] & trail::reached) != 0; };
   Index* link = &x.s.first_root[x.component];
   Index last = nil, moved = 0;
   for (Index e = *link; e != nil;) {
     const Index following = x.s.next_root[e];
-    if (last != nil && comes_first(e, last)) {
+    if (last != nil && (may_have_moved(e) || may_have_moved(last)) && comes_first(e, last)) {
       x.s.candidate[moved++] = e;
     } else {
       *link = e;

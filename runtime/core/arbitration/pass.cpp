@@ -17,7 +17,8 @@ namespace {
 void begin_sweep(Context& x) {
   x.ahead = x.postponed = x.placed = x.inherited = x.denied_count = 0;
   x.stale_granted = x.stale_kept;
-  x.first_moved = x.top = nil;
+  x.first_moved = x.top = x.rest = x.undecided = nil;
+  for (Line& line : x.lines) line.first = 0;
   x.lineage_is_valid = is_followed(x) || x.had_pushes || x.row.compared;
   x.pushing = false;
 }
@@ -57,7 +58,7 @@ void decide(Context& x, Index component) {
   x.whole = x.s.news_count[component] == nil;
   x.walking = !x.whole;
   x.disturbed = false;
-  x.opened_count = x.reached_count = x.kept_count = x.stale_kept = 0;
+  x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = 0;
   x.whole ? open_all(x) : begin_trail(x);
   x.had_pushes = x.pushed_count != 0;
   x.depends_on_stale = false;

@@ -16,7 +16,7 @@ Index slot_of(const Context& x, Index owner, Index group) {
 }
 
 void drop_entries(Context& x, Index begin, Index end) {
-  for (Index i = end; i-- > begin;) x.s.trial[x.s.entry_group[i]] = nil;
+  for (Index i = end; i-- > begin;) x.s.trial[x.s.entry[i].group] = nil;
 }
 
 /// The plan of `owner` for its provider is entries [begin, end).
@@ -26,20 +26,20 @@ void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
   for (Index slot = slots.begin; slot != slots.end; ++slot) x.s.now.plan[slot] = nil;
   if (slots.empty()) return;
   for (Index i = begin; i < end; ++i) {
-    const Index slot = slot_of(x, owner, x.s.entry_group[i]);
-    if (slot != nil) x.s.now.plan[slot] = x.s.entry_provider[i];
+    const Index slot = slot_of(x, owner, x.s.entry[i].group);
+    if (slot != nil) x.s.now.plan[slot] = x.s.entry[i].provider;
   }
 }
 
 /// Every group of a plan is needed from now on; one that is not granted has the part of the plan that it needs.
 void claim_plan(Context& x, Index begin, Index end) {
   for (Index i = begin; i < end; ++i) {
-    const Index group = x.s.entry_group[i];
+    const Index group = x.s.entry[i].group;
     x.s.now[group].flags |= flag::needed;
     if ((x.s.now[group].flags & flag::granted) != 0) continue;
     auto below = static_cast<Index>(i + 1); // depth first: what an entry needs stands right behind it
-    while (below < end && x.s.entry_parent[below] != nil && x.s.entry_parent[below] >= i) ++below;
-    plan_for(x, group, x.s.entry_provider[i], static_cast<Index>(i + 1), below);
+    while (below < end && x.s.entry[below].parent != nil && x.s.entry[below].parent >= i) ++below;
+    plan_for(x, group, x.s.entry[i].provider, static_cast<Index>(i + 1), below);
   }
 }
 
@@ -51,20 +51,20 @@ Index entries_of(Context& x, Index group, const Assignment& of) {
   for (Index parent = nil;;) {
     Index place = 0;
     Index owner = parent;
-    Index needer = parent == nil ? planned : x.s.entry_provider[parent];
+    Index needer = parent == nil ? planned : x.s.entry[parent].provider;
     while (place >= x.t.providers[needer].needs.size()) { // the next need, depth first
       if (owner == nil) return end;
-      place = static_cast<Index>(x.s.entry_place[owner] + 1);
-      owner = x.s.entry_parent[owner];
-      needer = owner == nil ? planned : x.s.entry_provider[owner];
+      place = static_cast<Index>(x.s.entry[owner].place + 1);
+      owner = x.s.entry[owner].parent;
+      needer = owner == nil ? planned : x.s.entry[owner].provider;
     }
     const Index need = x.t.list(x.t.providers[needer].needs)[place], needed = x.t.edges[need].target;
     const Index slot = slot_of(x, group, needed);
-    x.s.entry_group[end] = needed;
-    x.s.entry_need[end] = need;
-    x.s.entry_provider[end] = slot == nil ? x.t.groups[needed].providers.begin : of.plan[slot];
-    x.s.entry_parent[end] = owner;
-    x.s.entry_place[end] = place;
+    x.s.entry[end].group = needed;
+    x.s.entry[end].need = need;
+    x.s.entry[end].provider = slot == nil ? x.t.groups[needed].providers.begin : of.plan[slot];
+    x.s.entry[end].parent = owner;
+    x.s.entry[end].place = place;
     parent = end++;
   }
 }

@@ -25,14 +25,14 @@ constexpr std::uint64_t endless = ~std::uint64_t{0};
 /// A member in hand has made a push before.
 bool pushes(const Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
-    if ((x.s.edge_marks[x.s.member[at]] & mark::pushes) != 0) return true;
+    if ((x.s.edge_marks[x.s.member[at].edge] & mark::pushes) != 0) return true;
   }
   return false;
 }
 
 bool in_unit(const Context& x, Index edge, Index count) {
   for (Index at = 0; at < count; ++at) {
-    if (x.s.member[at] == edge) return true;
+    if (x.s.member[at].edge == edge) return true;
   }
   return false;
 }
@@ -63,8 +63,8 @@ void keep_serving_pushes(Context& x, Index count) {
   };
   const auto want_all = [&](std::uint8_t bits) {
     for (Index at = 0; at < count; ++at) {
-      want_provider(x.s.member_provider[at], bits);
-      for (Index i = entries_begin(x, at); i < x.s.member_entries[at]; ++i) want_provider(x.s.entry_provider[i], bits);
+      want_provider(x.s.member[at].provider, bits);
+      for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i) want_provider(x.s.entry[i].provider, bits);
     }
   };
   const auto serves = [&](Index provider) {
@@ -106,7 +106,7 @@ bool relax(Context& x, Index provider) {
     ++x.work;
     bool possible = true;
     for (Index i = 0; i < end; ++i)
-      possible = possible && holder_now(x, x.s.entry_group[i]) == nil && x.s.enabled[x.s.entry_provider[i]] != 0;
+      possible = possible && holder_now(x, x.s.entry[i].group) == nil && x.s.enabled[x.s.entry[i].provider] != 0;
     if (!possible) continue;
     std::uint64_t length = 1;
     Index lacks = nil;
@@ -120,7 +120,7 @@ bool relax(Context& x, Index provider) {
       }
     };
     add(provider);
-    for (Index i = 0; i < end; ++i) add(x.s.entry_provider[i]);
+    for (Index i = 0; i < end; ++i) add(x.s.entry[i].provider);
     if (length == endless) continue;
     for (const Index effect : x.t.list(row.effects)) {
       if ((x.s.condition_marks[effect] & mark::lacked) == 0) continue;
@@ -257,19 +257,19 @@ void push_for(Context& x, Index count, Index unmet) {
     x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
   };
   // It looks at the requests, claims and pushes of many.
-  for (Index at = 0; at < count; ++at) x.s.edge_trail[x.s.member[at]] |= trail::waits;
+  for (Index at = 0; at < count; ++at) x.s.edge_trail[x.s.member[at].edge] |= trail::waits;
   for (Index at = 0; at < x.pushed_count; ++at) begin(at);
   bool all_served = true;
   for (Index i = 0; i < unmet; ++i) {
     bool served = false;
     for (Index at = 0; at < x.pushed_count; ++at) {
-      if (x.s.own[at].edge == nil || !satisfies(x, x.s.own[at].provider, x.s.unmet[i])) continue;
+      if (x.s.own[at].edge == nil || !satisfies(x, x.s.own[at].provider, x.s.unmet[i].condition)) continue;
       x.s.group_marks[pushed[at]] |= mark::busy;
       served = true;
     }
     Push push;
     if (served) continue;
-    if (!find_chain(x, x.s.unmet[i], x.s.unmet_member[i], push)) {
+    if (!find_chain(x, x.s.unmet[i].condition, x.s.unmet[i].member, push)) {
       all_served = false;
       continue;
     }
@@ -327,10 +327,10 @@ void reach_pushes(Context& x, Index edge) {
 void keep_pushes_of_plain(Context& x, Index edge, Index provider) {
   Index end = 0;
   for (const Index need : x.t.list(x.t.providers[provider].needs))
-    x.s.entry_provider[end++] = x.t.groups[x.t.edges[need].target].providers.begin;
-  x.s.member[0] = edge;
-  x.s.member_provider[0] = provider;
-  x.s.member_entries[0] = end;
+    x.s.entry[end++].provider = x.t.groups[x.t.edges[need].target].providers.begin;
+  x.s.member[0].edge = edge;
+  x.s.member[0].provider = provider;
+  x.s.member[0].entries_end = end;
   keep_own_pushes(x, 1);
 }
 

@@ -29,8 +29,8 @@ void compare_member(Context& x, Index edge) {
   const auto compare_plan = [&](const Assignment& of) {
     const Index end = entries_of(x, group, of);
     for (Index i = 0; i < end; ++i) {
-      compare_claim(x, x.s.entry_group[i]);
-      if (other) reach(x, x.s.entry_group[i]); // it may be needed otherwise
+      compare_claim(x, x.s.entry[i].group);
+      if (other) reach(x, x.s.entry[i].group); // it may be needed otherwise
     }
   };
   if (ran) compare_plan(x.s.last);
@@ -52,7 +52,38 @@ void each_user_edge(Context& x, Index group, Take&& take) {
   if (pusher != nil) reach_edge(x, pusher);
 }
 
+bool stands_behind(const Context& x, Index edge) { return (x.s.edge_trail[edge] & trail::behind) != 0; }
+
+/// Those behind the holder of the group whose requesters are not looked at: take(edge, place of the requester in the last order).
+template <class Take>
+void each_in_line(Context& x, Index group, Take&& take) {
+  for (const Index e : x.t.list(x.t.groups[group].requesters)) {
+    const Index from = x.t.edges[e].requester;
+    if (stands_behind(x, e) && from != nil && x.s.last[from].holder != nil && !is_opened(x, from)) take(e, x.s.place[from]);
+  }
+}
+
 } // namespace
+
+/// The walk is about to pass by this group. Of those behind who holds a group that is free by now, who lies below it is looked at; and
+/// if it is not the first one to be, all others.
+void look_at_lines(Context& x, Index group) {
+  const auto end = static_cast<Index>(x.s.place[group] + x.s.extent[group]);
+  for (Line& line : std::span(x.lines).first(x.line_count)) {
+    if (line.first >= end || holder_now(x, line.group) != nil || injected(Fault::who_is_behind_is_overlooked)) continue;
+    line.first = nil;
+    bool found = false;
+    each_in_line(x, line.group, [&](Index e, Index place) {
+      if (place < end || line.moves) {
+        found = true;
+        reach_edge(x, e);
+      } else if (place < line.first) {
+        line.first = place;
+      }
+    });
+    line.moves = line.moves || found;
+  }
+}
 
 /// What the decision about an edge rests on; the bits of trail::kept that there were are forgotten.
 void rest_on(Context& x, Index edge, std::uint8_t bits) {
@@ -69,12 +100,13 @@ void begin_followed(Context& x, Index count) {
   x.depends_on_last = x.depends_on_stale = false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.unit[at], group = target(x, edge);
+    if (stands_behind(x, edge)) reach_edge(x, edge); // it is decided again, also if the sweep is taken back
     rest_on(x, edge, 0);
     if (x.s.last[group].holder != edge) continue;
     open(x, group);
     if (!runs_for_now(x, edge) || x.t.groups[group].simple) continue;
     const Index end = entries_of(x, group, x.s.last);
-    for (Index i = 0; i < end; ++i) open(x, x.s.entry_group[i]);
+    for (Index i = 0; i < end; ++i) open(x, x.s.entry[i].group);
   }
 }
 
@@ -134,6 +166,7 @@ void take_up_last(Context& x, Index group) {
   disturb(x);
   if (injected(Fault::the_last_result_is_overlooked)) return;
   each_user_edge(x, group, [&](Index e) {
+    if (stands_behind(x, e)) return;
     if (x.had_pushes || (x.s.edge_trail[e] & trail::on_last) != 0) reach_edge(x, e);
   });
 }
@@ -143,7 +176,14 @@ void reach_users(Context& x, Index group) {
   x.s.group_trail[group] |= trail::disturbed;
   disturb(x);
   open(x, group);
-  each_user_edge(x, group, [&](Index e) { reach_edge(x, e); });
+  bool line = false;
+  const bool has_room = x.line_count < x.lines.size();
+  each_user_edge(x, group, [&](Index e) { // who is behind the holder of another group does not look at this one
+    const bool is_target = x.t.edges[e].target == group;
+    if (!stands_behind(x, e) || (is_target && !has_room)) return reach_edge(x, e);
+    line = line || is_target;
+  });
+  if (line) x.lines[x.line_count++] = {group, 0, false};
 }
 
 /// What holds the group, or where that stands in the order, is another: so are the places of all below it.

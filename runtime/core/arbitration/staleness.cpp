@@ -31,7 +31,7 @@ bool stale_requester(const Context& x, Index edge) {
 /// Something new among the members in hand, whose requester's orders are outdated.
 bool any_new(const Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
-    if (!runs_for_now(x, x.s.member[at])) return true;
+    if (!runs_for_now(x, x.s.member[at].edge)) return true;
   }
   return false;
 }
@@ -40,10 +40,10 @@ bool any_new(const Context& x, Index count) {
 void defer(Context& x, Index count) {
   for (Index i = 0; i < count; ++i) {
     take_in_hand(x, x.s.unit[i]);
-    if (runs_for_now(x, x.s.member[0]) && combine(x, 1, true)) {
+    if (runs_for_now(x, x.s.member[0].edge) && combine(x, 1, true)) {
       grant(x, 1);
     } else {
-      x.s.edge_marks[x.s.member[0]] |= mark::refused;
+      x.s.edge_marks[x.s.member[0].edge] |= mark::refused;
       keep_pushes(x, 1);
       explain(x, 1, Why::deferred);
     }
@@ -54,11 +54,11 @@ void defer(Context& x, Index count) {
 bool premature(Context& x, Index count) {
   if (x.stale_granted == 0 || injected(Fault::nothing_is_deferred)) return false;
   for (Index at = 0; at < count; ++at) {
-    const Index edge = x.s.member[at];
+    const Index edge = x.s.member[at].edge;
     if (runs_for_now(x, edge)) continue;
     Index found = 0;
     x.s.reach[found++] = target(x, edge);
-    for (Index i = entries_begin(x, at); i < x.s.member_entries[at]; ++i) x.s.reach[found++] = x.s.entry_group[i];
+    for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i) x.s.reach[found++] = x.s.entry[i].group;
     if (reached_from_stale(x, found, edge)) return true;
   }
   return false;
@@ -95,7 +95,7 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
 bool outdates(const Context& x, Index group) {
   const Index holder = x.s.last[group].holder;
   return (x.s.run_queue[group].pending & reason::outdating) != 0 ||
-         (holder != nil && !is_limbo(x, holder) && x.s.request[holder].anew != 0);
+         (holder != nil && !is_limbo(x, holder) && x.s.anew[holder] != 0);
 }
 
 } // namespace director::arbitration

@@ -163,6 +163,8 @@ void open_with_above(Context& x, Index group) {
     x.s.group_trail[group] |= trail::opened;
     remove(x.s.group_marks[group], mark::outdated);
     x.s.opened[x.row.order + x.opened_count++] = group;
+    if (x.s.last[group].holder != nil && x.s.place[group] >= x.opened_end)
+      x.opened_end = static_cast<Index>(x.s.place[group] + 1);
     clear(x, group);
     group = requester_of_holder(x, x.s.last[group]);
     if (group == nil || is_opened(x, group)) return;
@@ -213,16 +215,48 @@ void end_trail(Context& x) {
   }
 }
 
-/// The group, and all below it, stand as they stood.
-void pass_by(Context& x, Index group) {
-  leave_to(x, requester_of_holder(x, x.s.last[group]));
-  x.s.group_trail[group] |= trail::passed;
-  const Index from = x.s.place[group], count = x.s.extent[group];
+namespace {
+
+/// So many groups from this place of the last order on come next.
+void put_again(Context& x, Index from, Index count) {
   if (from != x.placed) {
     for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
   }
   x.placed = static_cast<Index>(x.placed + count);
   x.inherited = static_cast<Index>(x.inherited + count);
+}
+
+} // namespace
+
+/// The group, and all below it, stand as they stood.
+void pass_by(Context& x, Index group) {
+  leave_to(x, requester_of_holder(x, x.s.last[group]));
+  x.s.group_trail[group] |= trail::passed;
+  put_again(x, x.s.place[group], x.s.extent[group]);
+}
+
+/// Nothing that is to be looked at lies at or behind this edge of root: all of that stands as it stood, and is put down.
+bool rest_stands(Context& x, Index root) {
+  if (x.undecided != nil || x.had_pushes || x.pushing || x.postponed != 0) return false;
+  for (const Line& line : std::span(x.lines).first(x.line_count)) {
+    if (line.first != nil && holder_now(x, line.group) == nil) return false;
+  }
+  Index from = x.s.order_count[x.component];
+  for (Index e = root; e != nil; e = x.s.next_root[e]) {
+    if (x.s.request[e].level == nil) continue;
+    const Index group = x.t.edges[e].target;
+    const bool was_held = x.s.last[group].holder == e;
+    const bool looked_at = !stands(x, e) || (was_held && x.s.place[group] < x.opened_end);
+    if (looked_at && !injected(Fault::the_rest_stands_always)) {
+      x.undecided = e;
+      return false;
+    }
+    if (was_held && x.s.place[group] < from) from = x.s.place[group];
+  }
+  leave_to(x, nil);
+  put_again(x, from, static_cast<Index>(x.s.order_count[x.component] - from));
+  x.rest = root;
+  return true;
 }
 
 /// What is placed next is below this group, nil being root: of what was placed and does not lie above, all is placed.
@@ -242,7 +276,7 @@ void repeat_grant(Context& x, Index edge) {
     claim(x, group, edge);
     now_granted(x, edge, provider);
     plan_for(x, group, provider, 0, end);
-    for (Index i = 0; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
+    for (Index i = 0; i < end; ++i) claim(x, x.s.entry[i].group, x.s.entry[i].need);
     claim_plan(x, 0, end);
   } else {
     grant_plain(x, edge, provider);
@@ -260,7 +294,7 @@ void repeat(Context& x, Index edge) {
     x.s.edge_marks[edge] |= mark::refused;
   }
   if ((x.s.edge_marks[edge] & mark::pushes) == 0) return;
-  x.s.member[0] = edge;
+  x.s.member[0].edge = edge;
   keep_pushes(x, 1);
 }
 

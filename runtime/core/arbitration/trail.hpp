@@ -20,6 +20,8 @@ DIRECTOR_PART void begin_followed(Context& x, Index count);
 DIRECTOR_PART void compare_with_last(Context& x, Index count);
 DIRECTOR_PART void reach_users(Context& x, Index group);
 DIRECTOR_PART void reach_edge(Context& x, Index edge);
+DIRECTOR_PART void look_at_lines(Context& x, Index group);
+DIRECTOR_PART bool rest_stands(Context& x, Index root);
 DIRECTOR_PART void move(Context& x, Index group);
 void disturb(Context& x);
 void take_up(Context& x, Index edge, bool with_siblings);
@@ -55,7 +57,8 @@ inline bool stands(const Context& x, Index edge) {
   if (x.whole) return false;
   const std::uint8_t bits = x.s.edge_trail[edge];
   const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::who_waits_is_overlooked);
-  return (bits & (trail::reached | trail::on_stale)) == 0 && !searches;
+  const bool is_free = (bits & trail::behind) != 0 && !taken(x, edge) && !injected(Fault::who_is_behind_is_overlooked);
+  return (bits & (trail::reached | trail::on_stale)) == 0 && !searches && !is_free;
 }
 
 /// The groups that the pass that was made last looked at: all others stand as they stood.
@@ -107,10 +110,7 @@ inline void clear_marks(Context& x) {
     x.s.edge_marks[e] = 0;
     x.s.group_trail[x.t.edges[e].target] &= static_cast<std::uint8_t>(~trail::passed);
   };
-  for (const Index e : x.t.list(x.row.edges)) {
-    if (x.t.edges[e].requester != nil) break; // those of root come first
-    clear_edge(e);
-  }
+  for (Index e = x.s.first_root[x.component]; e != x.rest; e = x.s.next_root[e]) clear_edge(e);
   for (const Index g : opened(x)) {
     const Range edges = x.t.groups[g].edges;
     for (Index e = edges.begin; e != edges.end; ++e) clear_edge(e);

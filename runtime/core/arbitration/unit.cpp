@@ -109,7 +109,7 @@ void try_unit(Context& x, Index edge, bool outdated) {
   if (outdated || count == 1) {
     for (Index i = 0; i < count; ++i) decide_alone(x, x.s.unit[i], outdated);
   } else {
-    for (Index i = 0; i < count; ++i) x.s.member[i] = x.s.unit[i];
+    for (Index i = 0; i < count; ++i) x.s.member[i].edge = x.s.unit[i];
     try_members(x, count, false);
   }
   end_decision(x, count);
@@ -117,11 +117,11 @@ void try_unit(Context& x, Index edge, bool outdated) {
 
 void try_members(Context& x, Index count, bool outdated) {
   if (outdated && any_new(x, count) && !injected(Fault::outdated_orders_acquire)) {
-    for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at]] |= mark::refused;
+    for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at].edge] |= mark::refused;
     keep_pushes(x, count); // it is not even tried
     return explain(x, count, Why::outdated);
   }
-  if (count == 1 && taken(x, x.s.member[0])) return block(x, 1);
+  if (count == 1 && taken(x, x.s.member[0].edge)) return block(x, 1);
   if (!combine(x, count, true)) return refuse(x, count);
   if (!premature(x, count)) return grant(x, count);
   x.depends_on_stale = true;
@@ -131,12 +131,12 @@ void try_members(Context& x, Index count, bool outdated) {
 
 void grant(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
-    const Index edge = x.s.member[at], group = x.t.edges[edge].target, begin = entries_begin(x, at),
-                end = x.s.member_entries[at];
+    const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target, begin = entries_begin(x, at),
+                end = x.s.member[at].entries_end;
     claim(x, group, edge);
-    now_granted(x, edge, x.s.member_provider[at]);
-    plan_for(x, group, x.s.member_provider[at], begin, end);
-    for (Index i = begin; i < end; ++i) claim(x, x.s.entry_group[i], x.s.entry_need[i]);
+    now_granted(x, edge, x.s.member[at].provider);
+    plan_for(x, group, x.s.member[at].provider, begin, end);
+    for (Index i = begin; i < end; ++i) claim(x, x.s.entry[i].group, x.s.entry[i].need);
     claim_plan(x, begin, end);
   }
   if (x.had_pushes) keep_own_pushes(x, count);

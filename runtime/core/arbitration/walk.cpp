@@ -59,6 +59,7 @@ void visit(Context& x, Index edge, std::uint8_t marks) {
       now_granted(x, edge, x.t.groups[group].providers.begin);
     } else if (stands(x, edge)) {
       const bool was_held = x.s.last[group].holder == edge;
+      if (was_held && x.line_count != 0 && !is_opened(x, group)) look_at_lines(x, group);
       if ((marks & mark::pushes) != 0 || (was_held && is_opened(x, group))) {
         repeat(x, edge);
       } else if (was_held) {
@@ -95,7 +96,9 @@ void sweep(Context& x) {
   Index root = x.s.first_root[x.component];
   for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {
     if (x.s.request[root].level == nil) continue;
+    if (!x.whole && rest_stands(x, root)) return;
     visit_root(x, root);
+    if (x.undecided == root) x.undecided = nil;
     walk_on(x);
   }
   if (root != nil || x.postponed != 0) sweep_optional(x, root);

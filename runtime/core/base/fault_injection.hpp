@@ -48,6 +48,8 @@ enum class Fault : unsigned char {
   what_is_below_is_overlooked,
   who_uses_it_is_overlooked,
   who_waits_is_overlooked,
+  who_is_behind_is_overlooked,
+  the_rest_stands_always,
   outdated_orders_are_overlooked,
   the_last_result_is_overlooked,
   lost_needs_are_overlooked,

@@ -130,17 +130,15 @@ struct Requested {
   std::uint64_t stamp = 0; ///< micro-step in which it became requested or changed its level
   Index level = nil;       ///< of Tables::levels, at which it is requested; nil
   Index target = 0;        ///< as Edge::target
-  Bits anew{};             ///< 1: requested anew in this micro-step
 };
 
-/// Where a group stands in the run queue, and why. Behind GroupAssignment, what most micro-steps look at; so with it lies what
-/// they have to know from the tables.
+/// Where a group stands in the run queue, and why. Behind GroupAssignment, what most micro-steps look at; so with it lies which
+/// component it is of.
 struct RunQueueEntry {
   Index runs_after = nil;  ///< group that is to run: the one before it in the queue; nil
   Index runs_before = nil; ///< and the one behind it
-  Index counts = 0;        ///< 1: that its orders were outdated made a difference in the last pass
   Index component = 0;     ///< as Group::component
-  Range edges{};           ///< as Group::edges
+  Bits counts{};           ///< 1: that its orders were outdated made a difference in the last pass
   Bits flags{};            ///< bits of `group_flag`
   Bits pending{};          ///< bits of Reason
   Bits done{};             ///< bits of `result`
@@ -170,6 +168,29 @@ struct StateValue {
   std::int32_t value = unset;
   UnchangedInterval unchanged{};
   std::int32_t staged = unset; ///< what the running body set; unset: nothing
+};
+
+/// A group of a plan that is being put together.
+struct Entry {
+  Index group = 0;
+  Index need = 0;     ///< the edge by which it is needed
+  Index choice = 0;   ///< its provider, as a place in the order of preference
+  Index provider = 0; ///< its provider
+  Index parent = 0;   ///< entry that needs it; nil: the provider that the plan is for
+  Index place = 0;    ///< place of the need in its needer's list
+};
+
+/// An edge of the unit in hand, and what is chosen for its target.
+struct Member {
+  Index edge = 0;
+  Index choice = 0;      ///< provider, as a place in the order of preference
+  Index provider = 0;    ///< that provider
+  Index entries_end = 0; ///< one past the last entry of its plan
+};
+
+/// A false condition, and whose it is.
+struct Unmet {
+  Index member = 0, condition = 0;
 };
 
 /// What the running body asks of an edge.
@@ -238,7 +259,8 @@ struct State {
   Push* first = nullptr;            ///< likewise: new pushes of the unit in hand
   Index* touched = nullptr;         ///< groups that gained a reason to run since the last act
   Index* staged = nullptr;          ///< states that the running body set
-  Index* asked = nullptr;           ///< edges that are marked as requested anew
+  Bits* anew = nullptr;             ///< edge: 1: it was requested anew in this micro-step
+  Index* asked = nullptr;           ///< edges of which that is so
   Index* next_order = nullptr;      ///< as `order`
   Index* next_count = nullptr;      ///< as `order_count`
   Index* first_moved = nullptr;     ///< component: where that order begins to be another one
@@ -246,23 +268,14 @@ struct State {
   Index* differing = nullptr;       ///< groups that stand elsewhere than before
   Lineage* lineage = nullptr;       ///< group that is claimed
   Index* trial = nullptr;           ///< group: edge that would claim it in the combination in hand
-  Index* entry_group = nullptr;     ///< group by group: plans of the members in hand, as stacks of entries
-  Index* entry_need = nullptr;      ///< the edge by which an entry is needed
-  Index* entry_choice = nullptr;    ///< its provider, as a place in the order of preference
-  Index* entry_provider = nullptr;  ///< its provider
-  Index* entry_parent = nullptr;    ///< entry that needs it; nil: the provider that the plan is for
-  Index* entry_place = nullptr;     ///< place of the need in its needer's list
+  Entry* entry = nullptr;           ///< plans of the members in hand, as stacks of entries; there are as many as groups
   Index* unit = nullptr;            ///< most_edges + 1: edges that are tried together
-  Index* member = nullptr;          ///< those of them that are in hand
-  Index* member_choice = nullptr;   ///< provider of the member's target, as a place in the order of preference
-  Index* member_provider = nullptr; ///< that provider
-  Index* member_entries = nullptr;  ///< one past the last entry of the member's plan
+  Member* member = nullptr;         ///< those of them that are in hand
   Index* candidate = nullptr;       ///< edges that are candidates: a heap, the first in order on top
   Index* reach = nullptr;           ///< groups: work list of a search, or those that the act goes through
   Index* denied = nullptr;          ///< groups in the order in which they were denied for their holder's sake
   Staged* staged_request = nullptr; ///< place among the running group's edges
-  Index* unmet_member = nullptr;    ///< false conditions of the combination in hand: the member,
-  Index* unmet = nullptr;           ///< and the condition
+  Unmet* unmet = nullptr;           ///< of the combination in hand
   Queued* queued = nullptr;         ///< edge: why it does not run, by the last pass; see View::queued
   Queued* last_queued = nullptr;    ///< edge: why it did not run before this pass, for an observer
   Bits* edge_marks = nullptr;       ///< edge: bits of `mark`
@@ -304,18 +317,15 @@ struct State {
     visit(s.cost_next, n.conditions);
     each_of(s.now, n, visit);
     visit(s.own, n.pushable), visit(s.first, n.pushable), visit(s.touched, n.groups), visit(s.staged, n.states);
-    visit(s.asked, n.edges);
+    visit(s.anew, n.edges), visit(s.asked, n.edges);
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.first_moved, n.components);
     visit(s.extent, n.groups);
     visit(s.differing, n.groups);
     visit(s.lineage, n.groups);
     visit(s.trial, n.groups);
-    visit(s.entry_group, n.groups), visit(s.entry_need, n.groups), visit(s.entry_choice, n.groups);
-    visit(s.entry_provider, n.groups), visit(s.entry_parent, n.groups), visit(s.entry_place, n.groups);
-    visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1), visit(s.member_choice, n.most_edges + 1);
-    visit(s.member_provider, n.most_edges + 1), visit(s.member_entries, n.most_edges + 1);
+    visit(s.entry, n.groups), visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1);
     visit(s.candidate, n.edges), visit(s.reach, n.groups), visit(s.denied, n.groups);
-    visit(s.staged_request, n.most_edges + 1), visit(s.unmet_member, n.lacking), visit(s.unmet, n.lacking);
+    visit(s.staged_request, n.most_edges + 1), visit(s.unmet, n.lacking);
     visit(s.queued, n.edges), visit(s.last_queued, n.edges);
     visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
     visit(s.edge_trail, n.edges), visit(s.group_trail, n.groups), visit(s.reached, n.edges);
@@ -325,7 +335,7 @@ struct State {
     visit(s.provider_marks, n.providers);
   }
 
-  static constexpr std::size_t arrays = 76;
+  static constexpr std::size_t arrays = 68;
 
   /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.
   static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : 64;

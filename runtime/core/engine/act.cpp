@@ -31,7 +31,7 @@ void Engine::act_on_touched() {
   c.touched_count = 0;
   const Index group = x_.s.touched[0];
   untouch(group);
-  if (granted(group)) give_again(group, x_.s.request[x_.s.last[group].holder].anew != 0);
+  if (granted(group)) give_again(group, x_.s.anew[x_.s.last[group].holder] != 0);
 }
 
 void Engine::act_on_all_touched() {
@@ -50,7 +50,7 @@ void Engine::act_on_all_touched() {
     x_.s.touched[count++] = group;
   }
   if (!sorted) arbitration::sort_by_place(x_, {x_.s.touched, count}, arbitration::Chains::previous);
-  for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.request[x_.s.last[x_.s.touched[i]].holder].anew != 0);
+  for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
 }
 
 /// What was held in the components decided again, in the old order.
@@ -97,7 +97,8 @@ void Engine::stop_group(Index group) {
   end_wait(group);
   live_on(group, nil);
   forget_triggers(group);
-  for (Index e = entry.edges.begin; e != entry.edges.end; ++e) {
+  const Range edges = x_.t.groups[group].edges;
+  for (Index e = edges.begin; e != edges.end; ++e) {
     if (injected(Fault::stopped_requests_stand)) continue;
     if (x_.s.request[e].level == nil) continue;
     x_.s.request[e].level = nil;

@@ -10,7 +10,7 @@ const char data = 0;
 }
 
 Engine::Taken Engine::take_request_with_data(Input& record) {
-  if (record.more || !asks_again(record.thing, record.level)) return take_requests(record);
+  if (record.more || !asks_again(record.thing, record.level())) return take_requests(record);
   bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
   give_what_is_asked_again(record.thing);
   settle_data(record.thing);

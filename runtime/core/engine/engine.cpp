@@ -52,10 +52,10 @@ void Engine::reset() {
       link = &x_.s.next_root[e];
     }
     *link = nil;
+    x_.s.component[c] = work::reordered;
     for (const Index g : x_.t.list(x_.t.components[c].groups)) {
       RunQueueEntry& entry = x_.s.run_queue[g];
       entry.component = c;
-      entry.edges = x_.t.groups[g].edges;
       entry.flags = flags_of(g);
     }
   }
@@ -91,7 +91,7 @@ bool Engine::failed(Index edge) const {
 DataPlace Engine::data_of(Index group) const {
   const Index edge = x_.s.data_from[group];
   if (edge == nil) return {DataPlace::Slot::group, group};
-  if (starting_ == group && x_.s.request[edge].anew != 0) return {DataPlace::Slot::staging, edge};
+  if (starting_ == group && x_.s.anew[edge] != 0) return {DataPlace::Slot::staging, edge};
   return {DataPlace::Slot::edge, edge};
 }
 

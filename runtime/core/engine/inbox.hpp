@@ -59,7 +59,6 @@ public:
     if (first_waits_ || !empty() || words_.any_in_hand()) return false;
     first_.kind = record.kind; // one by one: a copy of it all would wait until it was written
     first_.thing = record.thing;
-    first_.level = record.level;
     first_.handle = record.handle;
     first_.value = record.value;
     first_waits_ = true;

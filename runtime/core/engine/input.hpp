@@ -14,10 +14,11 @@ struct Input {
   Kind kind = Kind::set;
   bool more = false;  ///< the next record belongs to the same input (request and set)
   Index thing = 0;    ///< root edge, state, trigger or provider; nil: cancel of all root edges
-  Index level = 0;    ///< request: of Tables::levels
   Index handle = nil; ///< request: where its data wait: up to waiting_requests in the inbox, from there on in a place
                       ///< of OverflowSlots; nil: it has none
-  std::int32_t value = 0; ///< set
+  std::int32_t value = 0; ///< set: the value; request: the level, of Tables::levels
+  Index level() const { return static_cast<Index>(value); }
+  void set_level(Index level) { value = static_cast<std::int32_t>(level); }
 };
 
 } // namespace director

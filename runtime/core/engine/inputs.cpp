@@ -39,7 +39,7 @@ bool Engine::take_more(Input& record) {
 
 Engine::Taken Engine::take_request(Input& record) {
   if (bodies_.data != nullptr) return take_request_with_data(record);
-  if (record.more || !asks_again(record.thing, record.level)) return take_requests(record);
+  if (record.more || !asks_again(record.thing, record.level())) return take_requests(record);
   give_what_is_asked_again(record.thing);
   return Taken::no_change;
 }
@@ -47,7 +47,7 @@ Engine::Taken Engine::take_request(Input& record) {
 [[gnu::noinline]] Engine::Taken Engine::take_requests(Input& record) {
   do {
     if (bodies_.data != nullptr) bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
-    request(record.thing, record.level);
+    request(record.thing, record.level());
   } while (take_more(record));
   return Taken::change;
 }

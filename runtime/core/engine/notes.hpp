@@ -4,15 +4,9 @@
 // everywhere in it: so it is inline, and only the engine's own files include it.
 
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/marks.hpp"
 #include "runtime/core/engine/engine.hpp"
-
-/// For what is called once, or from within a loop: a call would cost more than what it does.
-#ifdef __OPTIMIZE_SIZE__
-#define DIRECTOR_INLINE inline
-#else
-#define DIRECTOR_INLINE [[gnu::always_inline]] inline
-#endif
 
 namespace director {
 
@@ -62,7 +56,7 @@ inline void Engine::live_on(Index group, Index edge) {
 /// To a group that is granted to the holder.
 DIRECTOR_INLINE void Engine::note_given(Index group, Index holder, std::uint8_t bits) {
   live_on(group, holder);
-  if (x_.s.request[holder].anew != 0) bits |= reason::new_task;
+  if (x_.s.anew[holder] != 0) bits |= reason::new_task;
   if (bits != 0) note_reasons(group, bits);
 }
 
@@ -118,8 +112,8 @@ DIRECTOR_INLINE void Engine::mark_request(Index edge) {
 
 DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   Requested& request = x_.s.request[edge];
-  if (request.anew == 0) {
-    request.anew = 1; // the same task requested again is a new task
+  if (Bits& anew = x_.s.anew[edge]; anew == 0) {
+    anew = 1; // the same task requested again is a new task
     x_.s.asked[x_.s.counters->asked_count++] = edge;
   }
   if (request.level != level) {
@@ -167,7 +161,7 @@ inline void Engine::settle_requests() {
   if (bodies_.data != nullptr) {
     for (Index i = 0; i < count; ++i) settle_data(x_.s.asked[i]);
   }
-  for (Index i = 0; i < count; ++i) x_.s.request[x_.s.asked[i]].anew = 0;
+  for (Index i = 0; i < count; ++i) x_.s.anew[x_.s.asked[i]] = 0;
 }
 
 /// Of a micro-step that asks for this task and for nothing else: it does so again, and nobody looks at whose orders are

@@ -141,7 +141,7 @@ void Engine::report_input(const Input& record) const {
   case Input::Kind::request:
     input.edge = record.thing;
     input.group = x_.t.edges[record.thing].target;
-    input.level = record.level;
+    input.level = record.level();
     break;
   case Input::Kind::set:
     input.state = record.thing;

@@ -111,20 +111,20 @@ private:
     Index end = 0;
     for (Index parent = nil;;) {
       Index place = 0, owner = parent;
-      const auto needer = [&] { return owner == nil ? planned : s_.entry_provider[owner]; };
+      const auto needer = [&] { return owner == nil ? planned : s_.entry[owner].provider; };
       while (place >= t_.providers[needer()].needs.size()) {
         if (owner == nil) return true;
-        place = static_cast<Index>(s_.entry_place[owner] + 1);
-        owner = s_.entry_parent[owner];
+        place = static_cast<Index>(s_.entry[owner].place + 1);
+        owner = s_.entry[owner].parent;
       }
       if (end == t_.groups.size()) return false;
       const Index needed = t_.edges[t_.list(t_.providers[needer()].needs)[place]].target;
       const Index slot = slot_of(g, needed);
       const Index provider = slot == nil ? t_.groups[needed].providers.begin : planned_in(slot);
       if (provider == nil) return false;
-      s_.entry_provider[end] = provider;
-      s_.entry_parent[end] = owner;
-      s_.entry_place[end] = place;
+      s_.entry[end].provider = provider;
+      s_.entry[end].parent = owner;
+      s_.entry[end].place = place;
       parent = end++;
     }
   }

@@ -39,7 +39,7 @@ GroupRow group_of(const State& s, const Timers& timers, Index g) {
   out.wait = timers.due({Timers::Kind::wait, g});
   out.every = timers.due({Timers::Kind::every, g});
   out.pending = entry.pending, out.done = entry.done;
-  out.counts = static_cast<std::uint8_t>(entry.counts);
+  out.counts = entry.counts;
   out.data_from = s.data_from[g];
   return out;
 }

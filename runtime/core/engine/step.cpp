@@ -5,6 +5,7 @@
 // at the time being served, the oldest run, one more arbitration; then the next due time. What most micro-steps are
 // made of, a run, is a part of that loop, without a call.
 
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/engine/notes.hpp"
 
 namespace director {
@@ -48,11 +49,11 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
   forget_triggers(group);
   if (x_.s.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
-    commit_pack(entry.edges);
+    commit_pack(x_.t.groups[group].edges);
     entry.done = 0;
     if (wait <= 0) end_wait(group);
   } else {
-    for (Index i = 0; i < entry.edges.size(); ++i) x_.s.staged_request[i].level = nil;
+    for (Index i = 0; i < x_.t.groups[group].edges.size(); ++i) x_.s.staged_request[i].level = nil;
     if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && entry.done == 0)
       answer(group, kind == Outcome::Kind::failed);
     if (kind == Outcome::Kind::fault) {
@@ -87,7 +88,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
     const Range own = x_.t.providers[provider].promises;
     for (Index i = own.begin; i != own.end; ++i) timers_.arm({Timers::Kind::promise, i}, later(c.now, x_.t.promises[i].within));
   }
-  Run run(*this, x_.s, x_.s.run_queue[group].edges.begin, group, provider, Reasons{reasons});
+  Run run(*this, x_.s, x_.t.groups[group].edges.begin, group, provider, Reasons{reasons});
   report(Event::Kind::run, group, provider, run.reasons());
   inside_ = true;
   const Outcome outcome = bodies_.run(bodies_.self, run);

@@ -61,10 +61,10 @@ bool Machine::request(const std::string& group, const std::string& level_name) {
   Input input;
   input.kind = Input::Kind::request;
   input.thing = edge("root>" + group);
-  input.level = level(input.thing);
+  input.set_level(level(input.thing));
   for (const compiler::Task& root : model().roots) {
     for (const auto& named : root.levels) {
-      if (root.edge.value == input.thing && named.name == level_name) input.level = level(input.thing, named.level);
+      if (root.edge.value == input.thing && named.name == level_name) input.set_level(level(input.thing, named.level));
     }
   }
   return inbox_.post({&input, 1});

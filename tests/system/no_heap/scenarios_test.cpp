@@ -27,7 +27,7 @@ using namespace director;
 
 Bodies scripted;
 Observer observer;
-std::size_t watched_steps = 0;
+std::size_t watched_steps = 0, watched_players = 0;
 
 } // namespace
 
@@ -47,6 +47,7 @@ StepResult watched_step(Engine* engine, Time now) {
 }
 
 Bodies watched_table(compiler::ScriptedBodies* self) {
+  ++watched_players;
   scripted = real_table(self);
   Bodies watched = scripted;
   watched.run = [](void* bodies, Run& context) {
@@ -69,6 +70,7 @@ Bodies watched_table(compiler::ScriptedBodies* self) {
 }
 
 Observer watched_observer(compiler::Recorder* self) {
+  ++watched_players;
   observer = real_observer(self);
   return {[](void* recorder, const Event& event) {
             const tests::Amnesty amnesty;
@@ -129,8 +131,9 @@ TEST_CASE("no scenario makes the engine use the heap") {
   CHECK(paths.size() >= 80);
   for (const std::string& path : paths) {
     INFO(path);
-    const std::size_t before = heap_uses(), steps = watched_steps;
+    const std::size_t before = heap_uses(), steps = watched_steps, players = watched_players;
     play_file(path);
+    REQUIRE(watched_players == players + 2); // else the linker found these functions where they are called, in one source
     CHECK(heap_uses() == before);
     CHECK(watched_steps > steps);
   }

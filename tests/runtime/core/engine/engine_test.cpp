@@ -76,7 +76,7 @@ TEST_CASE("an input that need not wait in the inbox counts among the micro-steps
   machine.engine().set_budget(1);
   CHECK(machine.step() == Lines{"exhausted"});
   Input again{.kind = Input::Kind::request, .thing = machine.edge("root>Watch")};
-  again.level = machine.level(again.thing);
+  again.set_level(machine.level(again.thing));
   CHECK(machine.engine().take_first(again)); // before the run that is left
   CHECK(machine.step() == Lines{"exhausted"});
   CHECK(machine.step() == Lines{"run Watch new_task"});

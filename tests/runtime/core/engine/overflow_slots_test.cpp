@@ -123,7 +123,7 @@ TEST_CASE("a writer that is interrupted in the middle holds nobody up") {
   for (Index i = 0; i < OverflowSlots::places; ++i) handles.push_back(words.reserve(1));
   CHECK(words.reserve(1) == nil); // one of those in the middle of it will count as the later one
   const auto publish = [&](Index handle, Index level) {
-    const Input input{.kind = Kind::request, .thing = 1, .level = level, .handle = handle};
+    const Input input{.kind = Kind::request, .thing = 1, .handle = handle, .value = static_cast<std::int32_t>(level)};
     words.publish({&input, 1}, 0);
   };
   publish(handles[2], 2);
@@ -134,7 +134,7 @@ TEST_CASE("a writer that is interrupted in the middle holds nobody up") {
   words.open();
   Input input;
   REQUIRE(words.take(0, input));
-  CHECK(input.level == 7);
+  CHECK(input.level() == 7);
   CHECK(!words.take(0, input));
 }
 

@@ -1,0 +1,9 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+
+/// For what is called once, or from within a loop: a call would cost more than what it does. Not where size counts.
+#ifdef __OPTIMIZE_SIZE__
+#define DIRECTOR_INLINE inline
+#else
+#define DIRECTOR_INLINE [[gnu::always_inline]] inline
+#endif
