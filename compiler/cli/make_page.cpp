@@ -7,16 +7,23 @@
 #include "compiler/page/facts.hpp"
 
 #include <filesystem>
+#include <utility>
 
 namespace director::compiler::cli {
 
 namespace {
 
-/// With all groups, and where there are many also one box for each module and for each layer.
+/// Of more groups than these nobody can read anything in the picture of all, at the width of a page: 150 are some 5,000
+/// points wide.
+constexpr std::size_t most_at_first = 150;
+
+/// With all groups, and where there are many also one box for each module and for each layer. What can be read stands
+/// first.
 std::vector<std::pair<std::string, PictureOptions::Fold>> views_of(const Model& model) {
   using Fold = PictureOptions::Fold;
   std::vector<std::pair<std::string, Fold>> out{{"All groups", Fold::nothing}};
   if (model.modules.size() > 1) out.emplace_back("By module", Fold::modules);
+  if (model.groups.size() > most_at_first && out.size() > 1) std::swap(out[0], out[1]);
   if (model.layers.size() > 1) out.emplace_back("By layer", Fold::layers);
   return out;
 }

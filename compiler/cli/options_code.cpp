@@ -46,7 +46,8 @@ Make stubs_options(CLI::App& app) {
   app.add_option("-I,--include", request->includes, "a folder to include from, where there is no such file")
       ->type_name("FOLDER")
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_flag("--main", request->main, "also write a main.cpp, if there is none");
   CLI::Option* dry_run = app.add_flag("--dry-run", request->dry_run, "write nothing, print it as a diff");
   app.add_flag("--check", request->check, "write nothing; exit status 1 if something is missing")->excludes(dry_run);

@@ -60,7 +60,8 @@ Make diff_options(CLI::App& app) {
       ->type_name("KIND")
       ->delimiter(',')
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   add_build(app, request->build);
   app.footer(footer());
   return [=]() -> Request {

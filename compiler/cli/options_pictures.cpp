@@ -15,7 +15,8 @@ CLI::Option* add_transitions(CLI::App& app, std::vector<std::string>& groups) {
       ->type_name("GROUP")
       ->delimiter(',')
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
 }
 
 } // namespace
@@ -38,7 +39,8 @@ Make graph_options(CLI::App& app) {
                            ->type_name("GROUP")
                            ->delimiter(',')
                            ->expected(1)
-                           ->take_all();
+                           ->take_all()
+                           ->allow_extra_args(false);
   app.add_option("--depth", request->depth, "no further than so many arrows from the focus")
       ->type_name("N")
       ->check(CLI::Range(0, 1'000))

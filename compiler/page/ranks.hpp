@@ -10,7 +10,7 @@
 namespace director::compiler {
 
 /// Groups of which every two are compared: what the page holds grows with the square of that.
-inline constexpr std::size_t most_compared = 250;
+inline constexpr std::size_t most_compared = 500;
 
 Json ranks_json(const Model& model);
 

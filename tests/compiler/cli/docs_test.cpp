@@ -83,17 +83,34 @@ TEST_CASE("docs: an address for links must say where the file goes") {
 TEST_CASE("docs: of 500 groups the page has no transition matrix, and says why and what to do") {
   World w;
   w.files.add("large.yaml", large(500));
-  const std::string words = "The transition matrix is left out: 500 groups would be its rows, and it is played for at most "
-                            "100. ";
+  const std::string words =
+      "The transition matrix is left out: 500 groups would be its rows, and it is played for at most "
+      "100. ";
   const std::string more = " plays it for some of them; a deployment that requests fewer has one of all.";
   CHECK(w.directorc({"docs", "large.yaml", "-o", "pages"}) == 0);
   const std::string& html = w.outputs.files.at("pages/large.html");
-  CHECK(html.find("<p>" + words + "<code>directorc docs --transitions GROUP,GROUP</code>" + more + "</p>") != std::string::npos);
+  CHECK(html.find("<p>" + words + "<code>directorc docs --transitions GROUP,GROUP</code>" + more + "</p>") !=
+        std::string::npos);
   CHECK(html.find("class=\"matrix\"") == std::string::npos);
   CHECK(w.directorc({"docs", "large.yaml", "-o", "pages", "--format=markdown"}) == 0);
-  CHECK(w.outputs.files.at("pages/large.md").find(words + "`directorc docs --transitions GROUP,GROUP`" + more + "\n") != std::string::npos);
+  CHECK(w.outputs.files.at("pages/large.md").find(words + "`directorc docs --transitions GROUP,GROUP`" + more + "\n") !=
+        std::string::npos);
   CHECK(w.directorc({"graph", "large.yaml", "--format=json", "--page"}) == 0);
-  CHECK(w.out.find("\"left_out\": \"" + words + "`directorc docs --transitions GROUP,GROUP`" + more + "\"") != std::string::npos);
+  CHECK(w.out.find("\"left_out\": \"" + words + "`directorc docs --transitions GROUP,GROUP`" + more + "\"") !=
+        std::string::npos);
+}
+
+TEST_CASE("docs: of 500 groups the modules are drawn first, of fewer all groups") {
+  World w = docs_world();
+  const auto first = [&](std::size_t groups) {
+    w.files.add("parts.yaml", "behaviour: parts\nlanguage: 1\ngroups: {Light: {}}\n");
+    w.files.add("large.yaml", "imports: [parts.yaml]\n" + large(groups));
+    REQUIRE(w.directorc({"docs", "large.yaml", "-o", "pages", "--format=markdown"}) == 0);
+    const std::string& page = w.outputs.files.at("pages/large.md");
+    return page.find("## Picture: by module") < page.find("## Picture: all groups") ? "modules" : "groups";
+  };
+  CHECK(first(10) == std::string("groups"));
+  CHECK(first(500) == std::string("modules"));
 }
 
 TEST_CASE("docs: of 500 groups those that are named have a matrix, and the page says that they are not all") {

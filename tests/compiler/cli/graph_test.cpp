@@ -80,6 +80,17 @@ TEST_CASE("without Graphviz a picture is refused with what to do") {
   CHECK(world.err == "directorc: `dot` could not draw the graph (exit status 3)\n");
 }
 
+TEST_CASE("the groups of a focus end with the word, and can be given several times") {
+  World world = walker();
+  REQUIRE(world.directorc({"graph", "--focus=Eyes,Walk", "walker.yaml"}) == 0);
+  const std::string both = world.out;
+  REQUIRE(world.directorc({"graph", "--focus", "Eyes,Walk", "walker.yaml"}) == 0);
+  CHECK(world.out == both);
+  REQUIRE(world.directorc({"graph", "--focus", "Eyes", "--focus", "Walk", "walker.yaml"}) == 0);
+  CHECK(world.out == both);
+  REQUIRE(world.directorc({"docs", "--transitions", "Walk,Eyes", "walker.yaml", "-o", "p", "--format=markdown"}) == 0);
+}
+
 TEST_CASE("the graph as JSON, whole, also with a view or a focus", "[golden]") {
   World world = walker();
   REQUIRE(world.directorc({"graph", "--format=json", "walker.yaml"}) == 0);

@@ -155,7 +155,7 @@ TEST_CASE("of more groups than a page can hold not every two are compared, and i
   const Compiled c = compile(about(compiler::most_compared + 1));
   const compiler::Json ranks = compiler::ranks_json(c.model);
   CHECK(ranks["left_out"].as_text() ==
-        "Not every two of 251 groups are compared here, as there are more than 250; those "
+        "Not every two of 501 groups are compared here, as there are more than 500; those "
         "that several ask for are.");
   CHECK(ranks["pairs"].items().empty());
 }
