@@ -16,6 +16,7 @@
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/arbitration/walk.hpp"
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
 namespace director::part {
@@ -218,7 +219,7 @@ void end_trail(Context& x) {
 namespace {
 
 /// So many groups from this place of the last order on come next.
-void put_again(Context& x, Index from, Index count) {
+DIRECTOR_INLINE void put_again(Context& x, Index from, Index count) {
   if (from != x.placed) {
     for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
   }
@@ -237,7 +238,6 @@ void pass_by(Context& x, Index group) {
 
 /// Nothing that is to be looked at lies at or behind this edge of root: all of that stands as it stood, and is put down.
 bool rest_stands(Context& x, Index root) {
-  if (x.undecided != nil || x.had_pushes || x.pushing || x.postponed != 0) return false;
   for (const Line& line : std::span(x.lines).first(x.line_count)) {
     if (line.first != nil && holder_now(x, line.group) == nil) return false;
   }

@@ -96,7 +96,8 @@ void sweep(Context& x) {
   Index root = x.s.first_root[x.component];
   for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {
     if (x.s.request[root].level == nil) continue;
-    if (!x.whole && rest_stands(x, root)) return;
+    const bool may_end = !x.whole && x.undecided == nil && x.postponed == 0 && !x.had_pushes && !x.pushing;
+    if (may_end && rest_stands(x, root)) return;
     visit_root(x, root);
     if (x.undecided == root) x.undecided = nil;
     walk_on(x);

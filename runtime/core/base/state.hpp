@@ -172,25 +172,25 @@ struct StateValue {
 
 /// A group of a plan that is being put together.
 struct PlanEntry {
-  Index group = 0;
-  Index need = 0;     ///< the edge by which it is needed
-  Index choice = 0;   ///< its provider, as a place in the order of preference
-  Index provider = 0; ///< its provider
-  Index parent = 0;   ///< entry that needs it; nil: the provider that the plan is for
-  Index place = 0;    ///< place of the need in its needer's list
+  Index group;
+  Index need;     ///< the edge by which it is needed
+  Index choice;   ///< its provider, as a place in the order of preference
+  Index provider; ///< its provider
+  Index parent;   ///< entry that needs it; nil: the provider that the plan is for
+  Index place;    ///< place of the need in its needer's list
 };
 
 /// An edge of the unit in hand, and what is chosen for its target.
 struct TriedMember {
-  Index edge = 0;
-  Index choice = 0;      ///< provider, as a place in the order of preference
-  Index provider = 0;    ///< that provider
-  Index entries_end = 0; ///< one past the last entry of its plan
+  Index edge;
+  Index choice;      ///< provider, as a place in the order of preference
+  Index provider;    ///< that provider
+  Index entries_end; ///< one past the last entry of its plan
 };
 
 /// A false condition, and whose it is.
 struct UnmetCondition {
-  Index member = 0, condition = 0;
+  Index member, condition;
 };
 
 /// What the running body asks of an edge.
