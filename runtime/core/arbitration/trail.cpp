@@ -256,7 +256,7 @@ bool rest_stands(Context& x, Index root) {
     x.undecided = static_cast<Index>(x.t.edges.size()); // no edge: it is not asked again, which costs more than it helps
     return false;
   }
-  for (const Line& line : std::span(x.lines).first(x.line_count)) {
+  for (const WaitingLine& line : std::span(x.lines).first(x.line_count)) {
     if (line.first != nil && holder_now(x, line.group) == nil) return false;
   }
   Index from = x.s.order_count[x.component];
