@@ -48,7 +48,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"array", "array"},
              {"atomic", "atomic atomic_flag memory_order_relaxed memory_order_acquire memory_order_release "
                         "memory_order_acq_rel memory_order_seq_cst"},
-             {"bit", "bit_cast bit_ceil endian countr_zero countr_one popcount rotr"},
+             {"bit", "bit_cast bit_ceil countr_zero countr_one endian popcount rotr"},
              {"charconv", "from_chars to_chars"},
              {"algorithm cstdio", "remove"},
              {"algorithm iterator", "ranges"},
@@ -58,8 +58,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"concepts", "same_as"},
              {"condition_variable", "condition_variable"},
              {"csignal", "signal"},
-             {"cstddef string vector array span", "byte ptrdiff_t"},
-             {"cstddef", "to_integer"},
+             {"cstddef string vector array span", "byte ptrdiff_t to_integer"},
              {"cstdint", "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t"},
              {"cstdio", "snprintf fprintf FILE"},
              {"cstdlib", "getenv"},
@@ -106,7 +105,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
               "common_type_t decay_t has_unique_object_representations_v integral_constant is_abstract_v is_array_v "
               "is_class_v is_const_v "
               "is_floating_point_v is_nothrow_destructible_v is_nothrow_move_constructible_v is_object_v is_same_v "
-              "is_trivially_copyable_v is_void_v is_volatile_v make_unsigned_t remove_cvref_t"},
+              "is_trivially_copyable_v is_trivially_default_constructible_v is_void_v is_volatile_v make_unsigned_t remove_cvref_t"},
              {"unordered_map", "unordered_map"},
              {"unordered_set", "unordered_set"},
              {"utility", "move exchange pair swap forward declval as_const"},

@@ -104,6 +104,7 @@ bool denied_in_vain(Context& x) {
 /// What the sweep decided, but for which denials are forgotten.
 void take_back(Context& x) {
   clear_marks(x);
+  for (WaitingLine& line : x.lines) line.first = 0; // the walk comes to all of them again
   if (x.pushed_count != 0) mark_pushers(x);
   for (const Index g : opened(x)) {
     x.s.group_marks[g] &= mark::forgotten | mark::listed;

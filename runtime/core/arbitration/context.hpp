@@ -14,10 +14,10 @@ namespace director::arbitration {
 
 /// Those who stood behind the holder of a group in the last pass, where that may be another now. They stay behind unless the
 /// group is free when the walk comes to them.
-struct Line {
-  Index group = nil;
-  Index first = 0;    ///< the place of the first of them, in the last order, that is not looked at yet; nil: there is none
-  bool moves = false; ///< the first one was looked at, and did not get it
+struct WaitingLine {
+  Index group;
+  Index first; ///< the place of the first of them, in the last order, that is not looked at yet; nil: there is none
+  bool moves;  ///< the first one was looked at, and did not get it
 };
 
 struct Context {
@@ -67,7 +67,7 @@ struct Context {
   Index reached_count = 0; ///< rows of State::reached in use
   Index kept_count = 0;    ///< rows of State::news that were left alone when the pass began
   Index stale_kept = 0;    ///< those of them whose orders are outdated
-  std::array<Line, 4> lines;
+  std::array<WaitingLine, 4> lines{};
   Index line_count = 0;    ///< of them in use
   Index opened_end = 0;    ///< behind what was opened, in the last order
   Index rest = nil;        ///< the first edge of root, in order, that the walk did not come to

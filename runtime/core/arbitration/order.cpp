@@ -4,6 +4,7 @@
 #include "runtime/core/arbitration/order.hpp"
 
 #include "runtime/core/base/heap_sort.hpp"
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
 namespace director::part {
@@ -90,7 +91,7 @@ void sort_by_holders(const Context& x, std::span<Index> groups, Chains along) {
 }
 
 /// In the order of all: the groups of one component know their places.
-void sort_by_place(const Context& x, std::span<Index> groups, Chains along) {
+DIRECTOR_FLATTEN void sort_by_place(const Context& x, std::span<Index> groups, Chains along) {
   heap_sort(groups, [&](Index a, Index b) {
     if (x.s.run_queue[a].component == x.s.run_queue[b].component) return x.s.place[a] < x.s.place[b];
     return before_in_order(x, a, b, along);

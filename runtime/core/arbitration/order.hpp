@@ -6,7 +6,6 @@
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
@@ -154,7 +153,7 @@ inline Index above(const Context& x, Place place) {
 }
 
 /// Rules 3 to 5 for two edges of one requester and what lies below them.
-DIRECTOR_INLINE int compare_siblings(const Context& x, Side a, Side b, bool in_order) {
+inline int compare_siblings(const Context& x, Side a, Side b, bool in_order) {
   const int by_rank = compare_ranks(a, b, urgency(x, a.edge), urgency(x, b.edge)).order;
   if (by_rank != 0 || !in_order) return by_rank;
   const auto stamp = [&](Index edge) { return requested(x, edge) ? x.s.request[edge].stamp : ~std::uint64_t{0}; };

@@ -18,7 +18,6 @@ void begin_sweep(Context& x) {
   x.ahead = x.postponed = x.placed = x.inherited = x.denied_count = 0;
   x.stale_granted = x.stale_kept;
   x.first_moved = x.top = x.rest = x.undecided = nil;
-  for (Line& line : x.lines) line.first = 0;
   x.lineage_is_valid = is_followed(x) || x.had_pushes || x.row.compared;
   x.pushing = false;
 }

@@ -69,7 +69,7 @@ void each_in_line(Context& x, Index group, Take&& take) {
 /// if it is not the first one to be, all others.
 void look_at_lines(Context& x, Index group) {
   const auto end = static_cast<Index>(x.s.place[group] + x.s.extent[group]);
-  for (Line& line : std::span(x.lines).first(x.line_count)) {
+  for (WaitingLine& line : std::span(x.lines).first(x.line_count)) {
     if (line.first >= end || holder_now(x, line.group) != nil || injected(Fault::who_is_behind_is_overlooked)) continue;
     line.first = nil;
     bool found = false;

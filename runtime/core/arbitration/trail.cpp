@@ -16,6 +16,7 @@
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/arbitration/walk.hpp"
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
 namespace director::part {
@@ -218,7 +219,7 @@ void end_trail(Context& x) {
 namespace {
 
 /// So many groups from this place of the last order on come next.
-void put_again(Context& x, Index from, Index count) {
+DIRECTOR_INLINE void put_again(Context& x, Index from, Index count) {
   if (from != x.placed) {
     for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
   }
@@ -229,16 +230,33 @@ void put_again(Context& x, Index from, Index count) {
 } // namespace
 
 /// The group, and all below it, stand as they stood.
-void pass_by(Context& x, Index group) {
+DIRECTOR_INLINE void pass_by(Context& x, Index group) {
   leave_to(x, requester_of_holder(x, x.s.last[group]));
   x.s.group_trail[group] |= trail::passed;
   put_again(x, x.s.place[group], x.s.extent[group]);
 }
 
+/// A unit of this one edge stands as it stood. True: so does all that is below it.
+bool stand_as_before(Context& x, Index edge, std::uint8_t marks) {
+  const Index group = x.t.edges[edge].target;
+  const bool was_held = x.s.last[group].holder == edge;
+  if (was_held && x.line_count != 0 && !is_opened(x, group)) look_at_lines(x, group);
+  if ((marks & mark::pushes) != 0 || (was_held && is_opened(x, group))) {
+    repeat(x, edge);
+    return false;
+  }
+  x.s.edge_marks[edge] |= was_held ? mark::visited : mark::visited | mark::refused;
+  if (was_held) pass_by(x, group);
+  return was_held;
+}
+
 /// Nothing that is to be looked at lies at or behind this edge of root: all of that stands as it stood, and is put down.
 bool rest_stands(Context& x, Index root) {
-  if (x.undecided != nil || x.had_pushes || x.pushing || x.postponed != 0) return false;
-  for (const Line& line : std::span(x.lines).first(x.line_count)) {
+  if (x.had_pushes || x.pushing || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
+    x.undecided = static_cast<Index>(x.t.edges.size()); // no edge: it is not asked again, which costs more than it helps
+    return false;
+  }
+  for (const WaitingLine& line : std::span(x.lines).first(x.line_count)) {
     if (line.first != nil && holder_now(x, line.group) == nil) return false;
   }
   Index from = x.s.order_count[x.component];

@@ -56,9 +56,11 @@ inline bool is_followed(const Context& x) { return x.row.groups.size() > x.most_
 inline bool stands(const Context& x, Index edge) {
   if (x.whole) return false;
   const std::uint8_t bits = x.s.edge_trail[edge];
+  if ((bits & (trail::reached | trail::on_stale)) != 0) return false;
+  if ((bits & (trail::waits | trail::behind)) == 0) return true;
   const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::who_waits_is_overlooked);
   const bool is_free = (bits & trail::behind) != 0 && !taken(x, edge) && !injected(Fault::who_is_behind_is_overlooked);
-  return (bits & (trail::reached | trail::on_stale)) == 0 && !searches && !is_free;
+  return !searches && !is_free;
 }
 
 /// The groups that the pass that was made last looked at: all others stand as they stood.

@@ -58,16 +58,7 @@ void visit(Context& x, Index edge, std::uint8_t marks) {
       claim(x, group, edge);
       now_granted(x, edge, x.t.groups[group].providers.begin);
     } else if (stands(x, edge)) {
-      const bool was_held = x.s.last[group].holder == edge;
-      if (was_held && x.line_count != 0 && !is_opened(x, group)) look_at_lines(x, group);
-      if ((marks & mark::pushes) != 0 || (was_held && is_opened(x, group))) {
-        repeat(x, edge);
-      } else if (was_held) {
-        x.s.edge_marks[edge] |= mark::visited;
-        return pass_by(x, group);
-      } else {
-        x.s.edge_marks[edge] |= mark::visited | mark::refused;
-      }
+      if (stand_as_before(x, edge, marks)) return;
     } else if ((marks & (mark::below_stale | mark::pushes)) == 0 && taken(x, edge) && !runs_for_now(x, edge)) {
       block_alone(x, edge);
     } else {
@@ -96,7 +87,7 @@ void sweep(Context& x) {
   Index root = x.s.first_root[x.component];
   for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {
     if (x.s.request[root].level == nil) continue;
-    if (!x.whole && rest_stands(x, root)) return;
+    if (!x.whole && x.undecided == nil && rest_stands(x, root)) return;
     visit_root(x, root);
     if (x.undecided == root) x.undecided = nil;
     walk_on(x);

@@ -4,6 +4,8 @@
 /// For what is called once, or from within a loop: a call would cost more than what it does. Not where size counts.
 #ifdef __OPTIMIZE_SIZE__
 #define DIRECTOR_INLINE inline
+#define DIRECTOR_FLATTEN
 #else
 #define DIRECTOR_INLINE [[gnu::always_inline]] inline
+#define DIRECTOR_FLATTEN [[gnu::flatten]] // all that it calls is inline in it
 #endif

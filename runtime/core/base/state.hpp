@@ -171,26 +171,26 @@ struct StateValue {
 };
 
 /// A group of a plan that is being put together.
-struct Entry {
-  Index group = 0;
-  Index need = 0;     ///< the edge by which it is needed
-  Index choice = 0;   ///< its provider, as a place in the order of preference
-  Index provider = 0; ///< its provider
-  Index parent = 0;   ///< entry that needs it; nil: the provider that the plan is for
-  Index place = 0;    ///< place of the need in its needer's list
+struct PlanEntry {
+  Index group;
+  Index need;     ///< the edge by which it is needed
+  Index choice;   ///< its provider, as a place in the order of preference
+  Index provider; ///< its provider
+  Index parent;   ///< entry that needs it; nil: the provider that the plan is for
+  Index place;    ///< place of the need in its needer's list
 };
 
 /// An edge of the unit in hand, and what is chosen for its target.
-struct Member {
-  Index edge = 0;
-  Index choice = 0;      ///< provider, as a place in the order of preference
-  Index provider = 0;    ///< that provider
-  Index entries_end = 0; ///< one past the last entry of its plan
+struct TriedMember {
+  Index edge;
+  Index choice;      ///< provider, as a place in the order of preference
+  Index provider;    ///< that provider
+  Index entries_end; ///< one past the last entry of its plan
 };
 
 /// A false condition, and whose it is.
-struct Unmet {
-  Index member = 0, condition = 0;
+struct UnmetCondition {
+  Index member, condition;
 };
 
 /// What the running body asks of an edge.
@@ -268,14 +268,14 @@ struct State {
   Index* differing = nullptr;       ///< groups that stand elsewhere than before
   Lineage* lineage = nullptr;       ///< group that is claimed
   Index* trial = nullptr;           ///< group: edge that would claim it in the combination in hand
-  Entry* entry = nullptr;           ///< plans of the members in hand, as stacks of entries; there are as many as groups
+  PlanEntry* entry = nullptr;       ///< plans of the members in hand, as stacks of entries; there are as many as groups
   Index* unit = nullptr;            ///< most_edges + 1: edges that are tried together
-  Member* member = nullptr;         ///< those of them that are in hand
+  TriedMember* member = nullptr;    ///< those of them that are in hand
   Index* candidate = nullptr;       ///< edges that are candidates: a heap, the first in order on top
   Index* reach = nullptr;           ///< groups: work list of a search, or those that the act goes through
   Index* denied = nullptr;          ///< groups in the order in which they were denied for their holder's sake
   Staged* staged_request = nullptr; ///< place among the running group's edges
-  Unmet* unmet = nullptr;           ///< of the combination in hand
+  UnmetCondition* unmet = nullptr;  ///< of the combination in hand
   Queued* queued = nullptr;         ///< edge: why it does not run, by the last pass; see View::queued
   Queued* last_queued = nullptr;    ///< edge: why it did not run before this pass, for an observer
   Bits* edge_marks = nullptr;       ///< edge: bits of `mark`
