@@ -33,7 +33,7 @@ using Clock = std::chrono::steady_clock;
 /// steps, causes one run.
 constexpr auto quiet = 10ms;
 /// So long a file may be empty or gone before that is taken for meant.
-constexpr auto patience = 300ms;
+constexpr auto patience = 500ms;
 /// A file that is being written all the time is read nevertheless.
 constexpr auto enough = 1s;
 /// Where the system tells of changes: it does not on all file systems.

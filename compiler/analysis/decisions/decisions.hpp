@@ -48,7 +48,7 @@ struct Decisions {
   IdTable<EdgeId, Kept> refused;
   std::size_t moments = 0, passes = 0; ///< that were looked at
 
-  static constexpr std::int64_t most_passes = 50'000; ///< a tenth of a second
+  static constexpr std::int64_t most_passes = 20'000; ///< less than a tenth of a second
 
   bool never_runs(const Model& model, ProviderId id) const {
     return decided.contains(model.providers[id].group) && !runs.contains(id);

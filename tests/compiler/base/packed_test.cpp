@@ -13,7 +13,7 @@ namespace {
 
 TEST_CASE("what is packed is the same when it is unpacked, and the same bytes each time") {
   std::string bytes;
-  for (int i = 0; i < 100'000; ++i) bytes += static_cast<char>(i * i >> 3);
+  for (unsigned i = 0; i < 100'000; ++i) bytes += static_cast<char>(i * i >> 3);
   for (const std::string& each : {std::string(), std::string("a"), bytes}) {
     const std::string small = packed(each);
     std::string out(each.size() + 1, '\0');
