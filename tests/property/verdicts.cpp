@@ -269,6 +269,16 @@ std::vector<ProviderId> hints_of(const dsl::Diagnostic& finding, const Model& mo
                                          "imprecise_causing", "causer_not_running", "self_defeating_handler",
                                          "undone_by_stop"};
   std::vector<ProviderId> out;
+  if (finding.id == "possible_pack_conflict" && !says(finding, "can never")) {
+    // "can be granted together only by other providers": those that it names have no use there.
+    for (const ProviderId id : model.providers.ids()) {
+      const auto& needs = model.providers[id].needs;
+      if (says(finding, "`" + model.full_name(id) + "`") &&
+          std::any_of(needs.begin(), needs.end(),
+                      [&](const auto& need) { return !note_at(finding, need.span).empty(); }))
+        out.push_back(id);
+    }
+  }
   if (!ids.contains(finding.id)) return out;
   const Places places(model);
   const auto add = [&](Span span) {

@@ -29,8 +29,8 @@ public:
   bool run() {
     for (;;) {
       gathered_.pushes = gathered_.found;
-      if (!close()) return false;
-      if (gathered_.found.size() == gathered_.pushes.size()) return true;
+      const Closed how = close();
+      if (how != Closed::again) return how == Closed::whole;
     }
   }
 
@@ -57,8 +57,11 @@ public:
 private:
   using PackOf = std::pair<ProviderId, std::size_t>;
 
-  /// All moments that follow from the first one, given the pushes that are known so far.
-  bool close() {
+  enum class Closed { whole, again, not_at_all };
+
+  /// All moments that follow from the first one, given the pushes that are known so far. With each new one it begins
+  /// again: what was decided without it may be decided otherwise.
+  Closed close() {
     Moves moves(part_, gathered_, left_);
     seen_.clear();
     open_.clear();
@@ -66,9 +69,10 @@ private:
     while (!open_.empty()) {
       const Moment moment = open_.back();
       open_.pop_back();
-      if (!moves.from(moment, [&](const Moment& next) { look(next); }) || all_is_reached()) return false;
+      if (!moves.from(moment, [&](const Moment& next) { look(next); }) || all_is_reached()) return Closed::not_at_all;
+      if (gathered_.found.size() != gathered_.pushes.size()) return Closed::again;
     }
-    return true;
+    return Closed::whole;
   }
 
   void look(const Moment& moment) {

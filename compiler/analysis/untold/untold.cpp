@@ -13,21 +13,43 @@ namespace {
 
 using dsl::Diagnostic;
 
-/// These say that something never happens, or never lasts, of what they stand at and of what their notes stand at.
-bool says_never(const Diagnostic& finding) {
-  static constexpr std::string_view ids[] = {"causer_not_running",   "contradictory_when", "imprecise_causing",
-                                             "incompatible_pushes",  "needs_conflict",     "needs_cycle",
-                                             "optional_never_runs",  "pack_conflict",      "push_cycle",
-                                             "push_in_vain",         "self_conflict",      "self_defeating_handler",
-                                             "shadowed_provider",    "sibling_starvation", "starved_task",
-                                             "state_without_source", "task_cycle",         "undone_by_itself",
-                                             "undone_by_stop",       "unpushable_causing", "unreachable_causing",
-                                             "unreachable_when",     "unused_declaration"};
-  return std::find(std::begin(ids), std::end(ids), finding.id) != std::end(ids) ||
-         (finding.id == "possible_pack_conflict" && finding.message.find("can never") != std::string::npos) ||
-         (finding.id == "uncovered_state" && (finding.message.find("can ever run") != std::string::npos ||
-                                              finding.message.find("never runs for") != std::string::npos));
-}
+enum Place : unsigned { none = 0, condition = 1, promise = 2, need = 4, entry = 8, name = 16 };
+
+/// A check whose findings say that something never happens: of what they stand at, and of what stands where their notes
+/// do. Other notes give reasons, which are of what may well happen.
+struct Saying {
+  std::string_view id;
+  bool of_itself = true;
+  unsigned of_notes = none;
+  std::string_view words = {}; ///< only with these in the message
+};
+
+constexpr Saying sayings[] = {
+    {"causer_not_running", false, condition},
+    {"contradictory_when", true, condition},
+    {"imprecise_causing", true, condition},
+    {"incompatible_pushes", true, condition},
+    {"needs_conflict"},
+    {"needs_cycle", true, need},
+    {"optional_never_runs"},
+    {"push_cycle", true, condition},
+    {"push_in_vain", true, condition | promise},
+    {"self_conflict", false, entry},
+    {"self_defeating_handler", true, condition},
+    {"shadowed_provider"},
+    {"starved_task"},
+    {"state_without_source", true, condition},
+    {"task_cycle", true, entry},
+    {"uncovered_state", true, name, "can ever run"},
+    {"uncovered_state", true, none, "never runs for"},
+    {"undone_by_stop", false, condition | entry},
+    {"unpushable_causing", true, condition},
+    {"unreachable_causing", true, condition},
+    {"unreachable_when", true, condition},
+    {"unused_declaration"},
+};
+
+bool has(const Diagnostic& finding, std::string_view words) { return finding.message.find(words) != std::string::npos; }
 
 class Search {
 public:
@@ -35,12 +57,8 @@ public:
       : model_(model),
         happening_(happening),
         sources_(find_sources(model)) {
-    for (const Diagnostic& finding : told) {
-      if (finding.id == "possible_pack_conflict") take_named(finding);
-      if (!says_never(finding)) continue;
-      told_.insert(finding.span);
-      for (const dsl::Note& note : finding.notes) told_.insert(note.span);
-    }
+    find_places();
+    for (const Diagnostic& finding : told) take(finding);
   }
 
   Untold run() {
@@ -50,11 +68,60 @@ public:
   }
 
 private:
+  void find_places() {
+    const auto add = [&](dsl::Span span, unsigned place) { places_[span] |= place; };
+    for (const GroupId id : model_.groups.ids()) add(model_.groups[id].name.span, name);
+    for (const ProviderId id : model_.providers.ids()) {
+      const Provider& provider = model_.providers[id];
+      for (const ConditionUse& use : provider.when) add(use.span, condition);
+      for (const ConditionUse& use : provider.causing) add(use.span, promise);
+      for (const Use<GroupId>& use : provider.needs) add(use.span, need);
+      for (std::size_t i = 0; i < provider.packs.size(); ++i) {
+        for (const Task& task : provider.packs[i].tasks) add(task.span, entry);
+        const std::vector<EdgeId> members = members_of(model_, id, i);
+        for (const Task& task : provider.packs[i].tasks) {
+          if (std::find(members.begin(), members.end(), task.edge) != members.end()) whole_only_.insert(task.span);
+        }
+      }
+    }
+    for (const Task& task : model_.roots) add(task.span, entry);
+  }
+
+  void take(const Diagnostic& finding) {
+    if (finding.id == "possible_pack_conflict") take_named(finding);
+    if (finding.id == "pack_conflict" || (finding.id == "possible_pack_conflict" && has(finding, "can never"))) {
+      told_in_packs_.insert(finding.span);
+      for (const dsl::Note& note : finding.notes) told_in_packs_.insert(note.span);
+    }
+    // The loser is the task itself, or one below it, which a note is about.
+    const bool is_further_down = has(finding, "keeps") && has(finding, " below ");
+    if (finding.id == "self_conflict" && !is_further_down) told_.insert(finding.span);
+    if (finding.id == "sibling_starvation" && has(finding, "never runs for")) take_last_entry(finding);
+    for (const Saying& saying : sayings) {
+      if (saying.id != finding.id || !has(finding, saying.words)) continue;
+      if (saying.of_itself) told_.insert(finding.span);
+      for (const dsl::Note& note : finding.notes) {
+        const auto at = places_.find(note.span);
+        if (at != places_.end() && (at->second & saying.of_notes) != 0) told_.insert(note.span);
+      }
+    }
+  }
+
+  /// The chain of requests ends at the loser.
+  void take_last_entry(const Diagnostic& finding) {
+    for (auto note = finding.notes.rbegin(); note != finding.notes.rend(); ++note) {
+      const auto at = places_.find(note->span);
+      if (at == places_.end() || (at->second & entry) == 0) continue;
+      told_.insert(note->span);
+      return;
+    }
+  }
+
   /// A provider that its pack has no use for, as the finding says at its need.
   void take_named(const Diagnostic& finding) {
     for (const ProviderId id : model_.providers.ids()) {
       const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
-      const bool is_named = finding.message.find("`" + model_.full_name(id) + "`") != std::string::npos;
+      const bool is_named = has(finding, "`" + model_.full_name(id) + "`");
       if (is_named && std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
             return std::any_of(finding.notes.begin(), finding.notes.end(),
                                [&](const dsl::Note& note) { return note.span == need.span; });
@@ -71,12 +138,14 @@ private:
         const std::vector<EdgeId> members = members_of(model_, id, i);
         if (members.empty() || happening_.whole->count({id, i}) != 0) continue;
         if (std::any_of(packs[i].tasks.begin(), packs[i].tasks.end(),
-                        [&](const Task& task) { return is_told(task.span); }))
+                        [&](const Task& task) { return is_told(task.span) || told_in_packs_.count(task.span) != 0; }))
           continue;
+        // What keeps them from it may have a finding of its own.
         const auto blamed = happening_.to_blame.find({id, i});
-        if (blamed == happening_.to_blame.end()) out_.packs.emplace_back(id, i);
+        const bool has_blame = blamed != happening_.to_blame.end() && !happening_.granted.contains(blamed->second);
+        if (!has_blame) out_.packs.emplace_back(id, i);
         for (const EdgeId member : members) {
-          if (blamed == happening_.to_blame.end() || blamed->second != member) in_packs_.insert(member);
+          if (!has_blame || blamed->second != member) in_packs_.insert(member);
         }
       }
     }
@@ -117,7 +186,13 @@ private:
   bool is_told(EdgeId edge) const {
     const std::vector<const Task*> all = entries_of(model_, edge);
     return in_packs_.count(edge) != 0 ||
-           std::any_of(all.begin(), all.end(), [&](const Task* task) { return is_told(task->span); });
+           std::any_of(all.begin(), all.end(), [&](const Task* task) { return is_told(task->span); }) ||
+           (!all.empty() && std::all_of(all.begin(), all.end(), [&](const Task* task) { return is_in_vain(*task); }));
+  }
+
+  /// Of a pack that a finding says is never granted whole.
+  bool is_in_vain(const Task& task) const {
+    return whole_only_.count(task.span) != 0 && told_in_packs_.count(task.span) != 0;
   }
 
   /// Another finding speaks of it, or of all that could serve a need of it, or it waits for what only others that never
@@ -128,13 +203,16 @@ private:
     return at->second;
   }
   bool finds_silent(ProviderId id) {
+    if (happening_.runs.contains(id)) return false;
     const Provider& provider = model_.providers[id];
     const auto any_told = [&](const std::vector<ConditionUse>& uses) {
       return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return is_told(use.span); });
     };
-    const auto none_left = [&](const Use<GroupId>& need) {
-      const std::vector<ProviderId>& all = model_.groups[need.id].providers;
-      return is_told(need.span) || std::all_of(all.begin(), all.end(), [&](ProviderId each) { return is_silent(each); });
+    const auto none_left = [&](const Use<GroupId>& use) {
+      const Group& group = model_.groups[use.id];
+      const std::vector<ProviderId>& all = group.providers;
+      return is_told(use.span) || is_told(group.name.span) ||
+             std::all_of(all.begin(), all.end(), [&](ProviderId each) { return is_silent(each); });
     };
     return is_told(provider.span) || any_told(provider.when) || any_told(provider.causing) ||
            std::any_of(provider.when.begin(), provider.when.end(),
@@ -160,8 +238,11 @@ private:
   const Model& model_;
   const Happening& happening_;
   IdTable<StateId, std::vector<Source>> sources_;
+  std::map<dsl::Span, unsigned> places_;
   std::set<dsl::Span> told_;
-  std::set<EdgeId> in_packs_; ///< members of packs that are never granted whole
+  std::set<dsl::Span> told_in_packs_; ///< entries that are never granted together
+  std::set<dsl::Span> whole_only_;    ///< entries that are granted only together with others
+  std::set<EdgeId> in_packs_;         ///< members of packs that are never granted whole
   std::map<ProviderId, bool> silent_;
   Untold out_;
 };
