@@ -1,4 +1,4 @@
-// Door: compiler/pipeline.hpp. Test: tests/compiler/pipeline_test.cpp.
+// Header: compiler/pipeline.hpp. Test: tests/compiler/pipeline_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/cpp_type.hpp. Test: tests/dsl/cpp_type_test.cpp.
+// Header: dsl/cpp_type.hpp. Test: tests/dsl/cpp_type_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/cpp_type.hpp"
 

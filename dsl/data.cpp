@@ -1,4 +1,4 @@
-// Door: dsl/data.hpp. Test: tests/dsl/data_test.cpp.
+// Header: dsl/data.hpp. Test: tests/dsl/data_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/data.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/diagnostic.hpp. Test: tests/dsl/diagnostic_test.cpp.
+// Header: dsl/diagnostic.hpp. Test: tests/dsl/diagnostic_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/diagnostic.hpp"
 

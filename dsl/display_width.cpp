@@ -1,4 +1,4 @@
-// Door: dsl/display_width.hpp. Test: tests/dsl/render_test.cpp.
+// Header: dsl/display_width.hpp. Test: tests/dsl/render_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/display_width.hpp"
 

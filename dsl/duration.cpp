@@ -1,4 +1,4 @@
-// Door: dsl/duration.hpp. Test: tests/dsl/duration_test.cpp.
+// Header: dsl/duration.hpp. Test: tests/dsl/duration_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/duration.hpp"
 

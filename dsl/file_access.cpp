@@ -1,4 +1,4 @@
-// Door: dsl/file_access.hpp. Test: tests/dsl/file_access_test.cpp.
+// Header: dsl/file_access.hpp. Test: tests/dsl/file_access_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/file_access.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/load_file.hpp. Test: tests/dsl/read_behaviour_test.cpp.
+// Header: dsl/load_file.hpp. Test: tests/dsl/read_behaviour_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/load_file.hpp"
 

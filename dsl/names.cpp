@@ -1,4 +1,4 @@
-// Door: dsl/names.hpp. Test: tests/dsl/names_test.cpp.
+// Header: dsl/names.hpp. Test: tests/dsl/names_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/names.hpp"
 

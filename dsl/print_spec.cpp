@@ -1,4 +1,4 @@
-// Door: dsl/print_spec.hpp. Test: tests/dsl/print_spec_test.cpp.
+// Header: dsl/print_spec.hpp. Test: tests/dsl/print_spec_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A function that returns Pairs gives the `key: value` texts of one mapping. Whether they stand in braces or on lines

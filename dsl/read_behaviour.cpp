@@ -1,4 +1,4 @@
-// Door: dsl/read_behaviour.hpp. Test: tests/dsl/read_behaviour_test.cpp.
+// Header: dsl/read_behaviour.hpp. Test: tests/dsl/read_behaviour_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/read_behaviour.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/read_condition.hpp. Test: tests/dsl/read_condition_test.cpp.
+// Header: dsl/read_condition.hpp. Test: tests/dsl/read_condition_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/read_condition.hpp"
 

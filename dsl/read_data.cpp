@@ -1,4 +1,4 @@
-// Door: dsl/read_data.hpp. Test: tests/dsl/read_data_test.cpp.
+// Header: dsl/read_data.hpp. Test: tests/dsl/read_data_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/read_data.hpp"
 

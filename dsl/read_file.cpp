@@ -1,4 +1,4 @@
-// Door: dsl/read_file.hpp. Test: tests/dsl/read_file_test.cpp.
+// Header: dsl/read_file.hpp. Test: tests/dsl/read_file_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/read_file.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/read_group.hpp. Test: tests/dsl/read_group_test.cpp.
+// Header: dsl/read_group.hpp. Test: tests/dsl/read_group_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/read_group.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/read_scenario.hpp. Test: tests/dsl/read_scenario_test.cpp.
+// Header: dsl/read_scenario.hpp. Test: tests/dsl/read_scenario_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/read_scenario.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/read_script.hpp. Test: tests/dsl/read_scenario_test.cpp.
+// Header: dsl/read_script.hpp. Test: tests/dsl/read_scenario_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/read_script.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/read_state.hpp. Test: tests/dsl/read_state_test.cpp.
+// Header: dsl/read_state.hpp. Test: tests/dsl/read_state_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/read_state.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/read_tasks.hpp. Test: tests/dsl/read_tasks_test.cpp.
+// Header: dsl/read_tasks.hpp. Test: tests/dsl/read_tasks_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/read_tasks.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/reader.hpp. Test: tests/dsl/reader_test.cpp.
+// Header: dsl/reader.hpp. Test: tests/dsl/reader_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/reader.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/render.hpp. Test: tests/dsl/render_test.cpp.
+// Header: dsl/render.hpp. Test: tests/dsl/render_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/render.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/slips.hpp. Test: tests/dsl/slips_test.cpp.
+// Header: dsl/slips.hpp. Test: tests/dsl/slips_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/slips.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/source_file.hpp. Test: tests/dsl/source_file_test.cpp.
+// Header: dsl/source_file.hpp. Test: tests/dsl/source_file_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/source_file.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/names.hpp. Test: tests/dsl/names_test.cpp.
+// Header: dsl/names.hpp. Test: tests/dsl/names_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Names that the headers of standard C++ and C take, with all that they include: as g++ 12 and Clang 19 find them with

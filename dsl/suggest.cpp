@@ -1,4 +1,4 @@
-// Door: dsl/suggest.hpp. Test: tests/dsl/suggest_test.cpp.
+// Header: dsl/suggest.hpp. Test: tests/dsl/suggest_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/suggest.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/tree_builder.hpp. Test: tests/dsl/yaml_tree_test.cpp.
+// Header: dsl/tree_builder.hpp. Test: tests/dsl/yaml_tree_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/tree_builder.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/yaml_node.hpp. Test: tests/dsl/yaml_node_test.cpp.
+// Header: dsl/yaml_node.hpp. Test: tests/dsl/yaml_node_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/yaml_node.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/yaml_scan.hpp. Test: tests/dsl/yaml_scan_test.cpp.
+// Header: dsl/yaml_scan.hpp. Test: tests/dsl/yaml_scan_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/yaml_scan.hpp"
 

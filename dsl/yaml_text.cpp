@@ -1,4 +1,4 @@
-// Door: dsl/yaml_text.hpp. Test: tests/dsl/yaml_text_test.cpp.
+// Header: dsl/yaml_text.hpp. Test: tests/dsl/yaml_text_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "dsl/yaml_text.hpp"
 

@@ -1,4 +1,4 @@
-// Door: dsl/yaml_tree.hpp. Test: tests/dsl/yaml_tree_test.cpp.
+// Header: dsl/yaml_tree.hpp. Test: tests/dsl/yaml_tree_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // yaml-cpp is asked for events, not for its own tree (a file of 64 MiB would cost it 3.5 GB), and is trusted with

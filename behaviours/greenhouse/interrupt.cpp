@@ -1,4 +1,4 @@
-// Door: none, a program. Test: tests/behaviours/greenhouse/programs_test.cpp.
+// Header: none, a program. Test: tests/behaviours/greenhouse/programs_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // An interrupt posts. On a computer a signal comes nearest to one: it stops the program wherever it is, here in the

@@ -1,4 +1,4 @@
-// Door: none, a program. Test: tests/behaviours/greenhouse/programs_test.cpp.
+// Header: none, a program. Test: tests/behaviours/greenhouse/programs_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The bare loop: read the sensors, step, and again. Time is the program's own; here a second passes in each turn.

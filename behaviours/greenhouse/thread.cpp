@@ -1,4 +1,4 @@
-// Door: none, a program. Test: tests/behaviours/greenhouse/programs_test.cpp, tests/system/threads/CMakeLists.txt.
+// Header: none, a program. Test: tests/behaviours/greenhouse/programs_test.cpp, tests/system/threads/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // A second thread reads the sensors, and posts what it reads. It owns a copy of `post()`, and nothing else is shared.

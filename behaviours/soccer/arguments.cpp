@@ -1,4 +1,4 @@
-// Door: behaviours/soccer/arguments.hpp. Test: tests/behaviours/soccer/arguments_test.cpp.
+// Header: behaviours/soccer/arguments.hpp. Test: tests/behaviours/soccer/arguments_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "behaviours/soccer/arguments.hpp"
 

@@ -1,4 +1,4 @@
-// Door: behaviours/soccer/chase_ball.yaml. Test: tests/behaviours/soccer.
+// Header: behaviours/soccer/chase_ball.yaml. Test: tests/behaviours/soccer.
 // SPDX-License-Identifier: MIT
 // A whole program around the smallest behaviour: one class with its bodies, one root task, one loop.
 #include "chase_ball.hpp"

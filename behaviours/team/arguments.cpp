@@ -1,4 +1,4 @@
-// Door: behaviours/team/arguments.hpp. Test: tests/runtime/dds/team_test.cpp.
+// Header: behaviours/team/arguments.hpp. Test: tests/runtime/dds/team_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "behaviours/team/arguments.hpp"
 

@@ -1,4 +1,4 @@
-// Door: the program `team`, built with DIRECTOR_WITH_DDS. Test: tests/runtime/dds/team_test.cpp.
+// Header: the program `team`, built with DIRECTOR_WITH_DDS. Test: tests/runtime/dds/team_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // One of three robots. They are equal but for their number: each tells its Role, and hears that of the others as One,

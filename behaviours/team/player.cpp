@@ -1,4 +1,4 @@
-// Door: behaviours/team/player.hpp. Test: tests/behaviours/team/network_test.cpp.
+// Header: behaviours/team/player.hpp. Test: tests/behaviours/team/network_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "behaviours/team/player.hpp"
 

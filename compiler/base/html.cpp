@@ -1,4 +1,4 @@
-// Door: compiler/base/html.hpp. Test: tests/compiler/page/pages_test.cpp, tests/compiler/cli/picture_svg_test.cpp.
+// Header: compiler/base/html.hpp. Test: tests/compiler/page/pages_test.cpp, tests/compiler/cli/picture_svg_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/html.hpp"
 

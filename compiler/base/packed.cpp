@@ -1,4 +1,4 @@
-// Door: compiler/base/packed.hpp. Test: tests/compiler/base/packed_test.cpp.
+// Header: compiler/base/packed.hpp. Test: tests/compiler/base/packed_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/packed.hpp"
 

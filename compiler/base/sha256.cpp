@@ -1,4 +1,4 @@
-// Door: compiler/base/sha256.hpp. Test: tests/compiler/emit/sha256_test.cpp.
+// Header: compiler/base/sha256.hpp. Test: tests/compiler/emit/sha256_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/sha256.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/requests/company.hpp"

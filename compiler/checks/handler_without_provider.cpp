@@ -1,4 +1,4 @@
-// Door: compiler/checks/code_check.hpp. Test: compiler/checks/handler_without_provider.md.
+// Header: compiler/checks/code_check.hpp. Test: compiler/checks/handler_without_provider.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"

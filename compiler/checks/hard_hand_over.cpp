@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/hard_hand_over.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/hard_hand_over.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/imprecise_causing.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/imprecise_causing.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"

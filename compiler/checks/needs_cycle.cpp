@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/needs_cycle.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/needs_cycle.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/code_check.hpp. Test: compiler/checks/only_keeps.md.
+// Header: compiler/checks/code_check.hpp. Test: compiler/checks/only_keeps.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/code/code_words.hpp"
 #include "compiler/analysis/words/words.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/optional_never_runs.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/optional_never_runs.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/check.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/overlapping_providers.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/overlapping_providers.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/states/region.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/pack_conflict.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/pack_conflict.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/shared/shared.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/code_check.hpp. Test: compiler/checks/pack_never_requested.md.
+// Header: compiler/checks/code_check.hpp. Test: compiler/checks/pack_never_requested.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/code/code_words.hpp"
 #include "compiler/analysis/words/words.hpp"

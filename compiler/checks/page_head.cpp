@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: tests/compiler/checks/run_checks_test.cpp.
+// Header: compiler/checks/check.hpp. Test: tests/compiler/checks/run_checks_test.cpp.
 // SPDX-License-Identifier: MIT
 // What the head of a check's page says: the lines between its title and its first paragraph.
 #include "compiler/checks/check.hpp"

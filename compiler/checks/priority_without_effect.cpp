@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/priority_without_effect.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/priority_without_effect.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/analysis/shared/shared.hpp"

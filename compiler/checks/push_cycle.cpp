@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/push_cycle.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/push_cycle.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/words/words.hpp"

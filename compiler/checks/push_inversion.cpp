@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/push_inversion.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/push_inversion.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"

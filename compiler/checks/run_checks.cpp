@@ -1,4 +1,4 @@
-// Door: compiler/checks/run_checks.hpp. Test: tests/compiler/checks/run_checks_test.cpp.
+// Header: compiler/checks/run_checks.hpp. Test: tests/compiler/checks/run_checks_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/checks/run_checks.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/self_defeating_handler.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/self_defeating_handler.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/self_defeats.hpp"
 #include "compiler/analysis/words/words.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"

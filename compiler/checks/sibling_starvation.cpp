@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/sibling_starvation.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/sibling_starvation.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/needs.hpp"

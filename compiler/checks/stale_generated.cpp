@@ -1,4 +1,4 @@
-// Door: compiler/checks/code_check.hpp. Test: compiler/checks/stale_generated.md.
+// Header: compiler/checks/code_check.hpp. Test: compiler/checks/stale_generated.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"

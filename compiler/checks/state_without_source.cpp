@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/state_without_source.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/state_without_source.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/words/words.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/stay_adds_nothing.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/stay_adds_nothing.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/words/words.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/tell_decisions.hpp. Test: tests/compiler/checks/pages_test.cpp.
+// Header: compiler/checks/tell_decisions.hpp. Test: tests/compiler/checks/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/checks/tell_decisions.hpp"
 

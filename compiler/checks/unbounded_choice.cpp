@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/unbounded_choice.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/unbounded_choice.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"

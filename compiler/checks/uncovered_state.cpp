@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/causing/self_defeats.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/undeclared_need.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/undeclared_need.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/contenders.hpp"
 #include "compiler/analysis/needs/needs.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/undone_by_itself.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_itself.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/shared/shared.hpp"

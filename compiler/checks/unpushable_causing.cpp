@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/unpushable_causing.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/unpushable_causing.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"

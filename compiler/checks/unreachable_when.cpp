@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/unreachable_when.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/unreachable_when.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/states/sources.hpp"

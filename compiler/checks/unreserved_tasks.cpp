@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/unreserved_tasks.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/unreserved_tasks.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/contenders.hpp"
 #include "compiler/analysis/needs/needs.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/unset_is_false.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/unset_is_false.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/words/words.hpp"

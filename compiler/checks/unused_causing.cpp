@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/unused_causing.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/unused_causing.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/clashes/pushers.hpp"
 #include "compiler/analysis/shared/shared.hpp"

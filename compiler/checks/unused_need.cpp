@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/unused_need.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/unused_need.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"

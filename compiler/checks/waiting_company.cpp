@@ -1,4 +1,4 @@
-// Door: compiler/checks/check.hpp. Test: compiler/checks/waiting_company.md.
+// Header: compiler/checks/check.hpp. Test: compiler/checks/waiting_company.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/needs.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/clang/blocking.hpp. Test: tests/compiler/clang.
+// Header: compiler/clang/blocking.hpp. Test: tests/compiler/clang.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/blocking.hpp"
 

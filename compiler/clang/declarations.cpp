@@ -1,4 +1,4 @@
-// Door: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/stubs/orders_test.cpp.
+// Header: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/stubs/orders_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Which classes of a program implement the modules of a behaviour, and where. Function bodies are skipped: they are the

@@ -1,4 +1,4 @@
-// Door: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/pages_test.cpp.
+// Header: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What the functions of some translation units do that a behaviour is about, and whom they call. No rule is here: what

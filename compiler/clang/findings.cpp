@@ -1,4 +1,4 @@
-// Door: compiler/clang/findings.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
+// Header: compiler/clang/findings.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/findings.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
+// Header: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What was inserted into a file, laid out as the .clang-format above it says. Where there is none, nothing changes.

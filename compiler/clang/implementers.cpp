@@ -1,4 +1,4 @@
-// Door: compiler/clang/implementers.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
+// Header: compiler/clang/implementers.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/implementers.hpp"
 

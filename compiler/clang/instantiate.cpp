@@ -1,4 +1,4 @@
-// Door: compiler/clang/book.hpp. Test: tests/compiler/clang/shapes_test.cpp.
+// Header: compiler/clang/book.hpp. Test: tests/compiler/clang/shapes_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/book.hpp"
 #include "compiler/clang/contexts.hpp"

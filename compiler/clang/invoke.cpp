@@ -1,4 +1,4 @@
-// Door: compiler/clang/invoke.hpp. Test: tests/compiler/clang/faults_test.cpp, tests/compiler/clang/stubs/command_test.cpp.
+// Header: compiler/clang/invoke.hpp. Test: tests/compiler/clang/faults_test.cpp, tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/invoke.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/clang/live.hpp. Test: tests/compiler/clang/shapes_test.cpp.
+// Header: compiler/clang/live.hpp. Test: tests/compiler/clang/shapes_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/live.hpp"
 

@@ -1,4 +1,4 @@
-// Door: the command line of director-clang. Test: tests/compiler/clang.
+// Header: the command line of director-clang. Test: tests/compiler/clang.
 // SPDX-License-Identifier: MIT
 //
 // Reads C++ for directorc, which calls it; nobody else has to. A word says what is asked, the rest is JSON on standard

@@ -1,4 +1,4 @@
-// Door: compiler/clang/parse.hpp. Test: tests/compiler/clang.
+// Header: compiler/clang/parse.hpp. Test: tests/compiler/clang.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/parse.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/clang/places.hpp. Test: tests/compiler/clang.
+// Header: compiler/clang/places.hpp. Test: tests/compiler/clang.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/places.hpp"
 

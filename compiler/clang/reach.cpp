@@ -1,4 +1,4 @@
-// Door: compiler/clang/reach.hpp. Test: tests/compiler/clang/shapes_test.cpp.
+// Header: compiler/clang/reach.hpp. Test: tests/compiler/clang/shapes_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/reach.hpp"
 

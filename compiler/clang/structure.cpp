@@ -1,4 +1,4 @@
-// Door: compiler/clang/structure.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
+// Header: compiler/clang/structure.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/structure.hpp"
 

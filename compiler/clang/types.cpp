@@ -1,4 +1,4 @@
-// Door: compiler/clang/subcommands.hpp. Test: tests/compiler/clang.
+// Header: compiler/clang/subcommands.hpp. Test: tests/compiler/clang.
 // SPDX-License-Identifier: MIT
 //
 // Names of types are looked up by writing them into a file of C++ behind the headers, one alias a line: Clang then says

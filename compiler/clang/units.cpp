@@ -1,4 +1,4 @@
-// Door: compiler/clang/units.hpp. Test: tests/compiler/clang/faults_test.cpp.
+// Header: compiler/clang/units.hpp. Test: tests/compiler/clang/faults_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/units.hpp"
 

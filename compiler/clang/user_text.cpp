@@ -1,4 +1,4 @@
-// Door: compiler/clang/user_text.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
+// Header: compiler/clang/user_text.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/user_text.hpp"
 

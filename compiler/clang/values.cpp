@@ -1,4 +1,4 @@
-// Door: compiler/clang/values.hpp. Test: tests/compiler/clang/pages_test.cpp.
+// Header: compiler/clang/values.hpp. Test: tests/compiler/clang/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/values.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/faults_test.cpp.
+// Header: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/faults_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/version.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/change.hpp. Test: tests/compiler/stubs/change_test.cpp, tests/compiler/cli/write_test.cpp.
+// Header: compiler/cli/change.hpp. Test: tests/compiler/stubs/change_test.cpp, tests/compiler/cli/write_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/change.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/change_notices.hpp. Test: tests/compiler/cli/change_notices_test.cpp.
+// Header: compiler/cli/change_notices.hpp. Test: tests/compiler/cli/change_notices_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Folders are watched and not the files in them: an editor that saves by renaming puts another file into the place of

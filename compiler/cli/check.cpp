@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/check_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/check_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/states/sources.hpp"

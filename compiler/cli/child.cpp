@@ -1,4 +1,4 @@
-// Door: compiler/cli/console.hpp. Test: tests/compiler/cli/disk_test.cpp.
+// Header: compiler/cli/console.hpp. Test: tests/compiler/cli/disk_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A child process with a pipe to it and a pipe from it. Both are served in turn by poll, so that neither side can fill

@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/diff_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/git_files.hpp"
 #include "compiler/cli/load.hpp"

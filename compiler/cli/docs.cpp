@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/docs_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/docs_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/make_page.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/cli/draw_svg.hpp. Test: tests/compiler/cli/graph_test.cpp.
+// Header: compiler/cli/draw_svg.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/draw_svg.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/page_text.hpp"

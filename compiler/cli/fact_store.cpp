@@ -1,4 +1,4 @@
-// Door: compiler/cli/fact_store.hpp. Test: tests/compiler/cli/disk_test.cpp.
+// Header: compiler/cli/fact_store.hpp. Test: tests/compiler/cli/disk_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/fact_store.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/generate_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/generate_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 #include "compiler/emit/artefact/notice.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/cli/git_files.hpp. Test: tests/docs/diff_git_test.cpp.
+// Header: compiler/cli/git_files.hpp. Test: tests/docs/diff_git_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/git_files.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/goal.hpp. Test: tests/compiler/cli/reachable_test.cpp.
+// Header: compiler/cli/goal.hpp. Test: tests/compiler/cli/reachable_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/goal.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/graph_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/draw_svg.hpp"
 #include "compiler/cli/load_scenario.hpp"

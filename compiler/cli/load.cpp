@@ -1,4 +1,4 @@
-// Door: compiler/cli/load.hpp. Test: tests/compiler/cli/check_test.cpp.
+// Header: compiler/cli/load.hpp. Test: tests/compiler/cli/check_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 

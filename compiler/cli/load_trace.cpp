@@ -1,4 +1,4 @@
-// Door: compiler/cli/load_trace.hpp. Test: tests/compiler/cli/trace_test.cpp.
+// Header: compiler/cli/load_trace.hpp. Test: tests/compiler/cli/trace_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load_trace.hpp"
 

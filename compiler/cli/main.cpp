@@ -1,4 +1,4 @@
-// Door: the command line. Test: tests/compiler/cli/parse_test.cpp.
+// Header: the command line. Test: tests/compiler/cli/parse_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/parse.hpp"
 #include "compiler/cli/wrapping.hpp"

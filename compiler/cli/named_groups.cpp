@@ -1,4 +1,4 @@
-// Door: compiler/cli/named_groups.hpp. Test: tests/compiler/cli/graph_test.cpp.
+// Header: compiler/cli/named_groups.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/named_groups.hpp"
 

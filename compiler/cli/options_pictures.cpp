@@ -1,4 +1,4 @@
-// Door: compiler/cli/options_common.hpp. Test: tests/compiler/cli/parse_test.cpp.
+// Header: compiler/cli/options_common.hpp. Test: tests/compiler/cli/parse_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/options_common.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/page_text.hpp. Test: tests/compiler/cli/page_text_test.cpp.
+// Header: compiler/cli/page_text.hpp. Test: tests/compiler/cli/page_text_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/page_text.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/parse.hpp. Test: tests/compiler/cli/parse_test.cpp.
+// Header: compiler/cli/parse.hpp. Test: tests/compiler/cli/parse_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A row of the table is a subcommand: its name, its line in the help, and a function that adds its options and says how

@@ -1,4 +1,4 @@
-// Door: compiler/cli/print_bounds.hpp. Test: tests/compiler/cli/bounds_test.cpp.
+// Header: compiler/cli/print_bounds.hpp. Test: tests/compiler/cli/bounds_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/print_bounds.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/progress.hpp. Test: tests/compiler/cli/progress_test.cpp.
+// Header: compiler/cli/progress.hpp. Test: tests/compiler/cli/progress_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/progress.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/trace_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/trace_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/trace/replay.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/sarif_rules.hpp. Test: tests/compiler/cli/check_test.cpp.
+// Header: compiler/cli/sarif_rules.hpp. Test: tests/compiler/cli/check_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/sarif_rules.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/stub_program.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
+// Header: compiler/cli/stub_program.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/stub_program.hpp"
 

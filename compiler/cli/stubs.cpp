@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Everything is planned before anything is written, and what is put into files of the user is read once more as it will

@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp, tests/compiler/cli/coverage_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp, tests/compiler/cli/coverage_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/cli/watch.hpp"

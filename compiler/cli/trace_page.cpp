@@ -1,4 +1,4 @@
-// Door: compiler/cli/trace_page.hpp. Test: tests/compiler/cli/trace_page_test.cpp.
+// Header: compiler/cli/trace_page.hpp. Test: tests/compiler/cli/trace_page_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/trace_page.hpp"
 

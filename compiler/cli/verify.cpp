@@ -1,4 +1,4 @@
-// Door: compiler/cli/commands.hpp. Test: tests/compiler/clang/faults_test.cpp.
+// Header: compiler/cli/commands.hpp. Test: tests/compiler/clang/faults_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/verify.hpp"
 

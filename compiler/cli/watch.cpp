@@ -1,4 +1,4 @@
-// Door: compiler/cli/watch.hpp. Test: tests/compiler/cli/watch_test.cpp.
+// Header: compiler/cli/watch.hpp. Test: tests/compiler/cli/watch_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/watch.hpp"
 

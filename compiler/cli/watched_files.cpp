@@ -1,4 +1,4 @@
-// Door: compiler/cli/watched_files.hpp. Test: tests/compiler/cli/watched_files_test.cpp.
+// Header: compiler/cli/watched_files.hpp. Test: tests/compiler/cli/watched_files_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/watched_files.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/cli/wrapping.hpp. Test: tests/compiler/cli/wrapping_test.cpp.
+// Header: compiler/cli/wrapping.hpp. Test: tests/compiler/cli/wrapping_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/wrapping.hpp"
 

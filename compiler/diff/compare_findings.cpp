@@ -1,4 +1,4 @@
-// Door: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What the checks find on one side only. A finding is the same where its check and its words are; where nothing else

@@ -1,4 +1,4 @@
-// Door: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What belongs to no group and no state.

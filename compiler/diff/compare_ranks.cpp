@@ -1,4 +1,4 @@
-// Door: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Who goes before whom. Two tasks meet below their closest common requester, and the two edges there decide

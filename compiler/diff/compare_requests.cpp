@@ -1,4 +1,4 @@
-// Door: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What is asked for: by the program, and in each pack or list of a provider that both sides have. Priorities are

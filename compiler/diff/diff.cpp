@@ -1,4 +1,4 @@
-// Door: compiler/diff/diff.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/diff.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/diff/diff.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/diff/meaning.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/meaning.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/diff/meaning.hpp"
 

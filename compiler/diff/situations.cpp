@@ -1,4 +1,4 @@
-// Door: compiler/diff/situations.hpp. Test: tests/compiler/diff/situations_test.cpp.
+// Header: compiler/diff/situations.hpp. Test: tests/compiler/diff/situations_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A group's own words are a text with the names of what it speaks of, and of the states in its conditions. Two texts

@@ -1,4 +1,4 @@
-// Door: compiler/emit/depfile.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/emit/depfile.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/depfile.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/emit/findings_json.hpp. Test: tests/compiler/cli/check_test.cpp.
+// Header: compiler/emit/findings_json.hpp. Test: tests/compiler/cli/check_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_json.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/emit/findings_sarif.hpp. Test: tests/compiler/emit/findings_sarif_test.cpp.
+// Header: compiler/emit/findings_sarif.hpp. Test: tests/compiler/emit/findings_sarif_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_sarif.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// Header: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Proofs that need no exploration. Each says what it rests on; where none applies, the states decide.

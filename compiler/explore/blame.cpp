@@ -1,4 +1,4 @@
-// Door: compiler/explore/blame.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// Header: compiler/explore/blame.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A unit is blocked where for no combination of providers and plans the groups are available (semantics, 4.4, Refuse).

@@ -1,4 +1,4 @@
-// Door: compiler/explore/focus.hpp. Test: tests/compiler/explore/focus_test.cpp.
+// Header: compiler/explore/focus.hpp. Test: tests/compiler/explore/focus_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The plan is one of a world where nothing that was reached is ever lost again: the cheapest way to have a provider run

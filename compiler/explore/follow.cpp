@@ -1,4 +1,4 @@
-// Door: compiler/explore/search.hpp. Test: tests/compiler/explore/search_test.cpp.
+// Header: compiler/explore/search.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/search.hpp"
 #include "compiler/explore/tape.hpp"

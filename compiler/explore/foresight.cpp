@@ -1,4 +1,4 @@
-// Door: compiler/explore/foresight.hpp. Test: tests/compiler/explore/foresight_test.cpp.
+// Header: compiler/explore/foresight.hpp. Test: tests/compiler/explore/foresight_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What a micro-step ends in follows from requests and which of them are new, values, reasons to run and the last

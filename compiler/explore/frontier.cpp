@@ -1,4 +1,4 @@
-// Door: compiler/explore/frontier.hpp. Test: tests/compiler/explore/frontier_test.cpp.
+// Header: compiler/explore/frontier.hpp. Test: tests/compiler/explore/frontier_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/frontier.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/explore/ground.hpp. Test: tests/compiler/explore/ground_test.cpp.
+// Header: compiler/explore/ground.hpp. Test: tests/compiler/explore/ground_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/ground.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/explore/machine.hpp. Test: tests/compiler/explore/search_test.cpp.
+// Header: compiler/explore/machine.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Which choices are left out because others do as well, so that nothing is lost:

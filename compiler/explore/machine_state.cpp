@@ -1,4 +1,4 @@
-// Door: compiler/explore/machine.hpp. Test: tests/compiler/explore/search_test.cpp.
+// Header: compiler/explore/machine.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The engine's state, taken out and put back. What follows from the rest comes along: that is shorter to say than how.

@@ -1,4 +1,4 @@
-// Door: compiler/explore/never_runs.hpp. Test: compiler/checks/never_runs.md.
+// Header: compiler/explore/never_runs.hpp. Test: compiler/checks/never_runs.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/never_runs.hpp"
 

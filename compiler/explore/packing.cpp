@@ -1,4 +1,4 @@
-// Door: compiler/explore/packing.hpp. Test: tests/compiler/explore/packing_test.cpp.
+// Header: compiler/explore/packing.hpp. Test: tests/compiler/explore/packing_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Words stand in blocks of eight, and blocks in rows of eight. First comes a byte for each row: which of its blocks

@@ -1,4 +1,4 @@
-// Door: compiler/explore/print.hpp. Test: tests/compiler/explore/search_test.cpp.
+// Header: compiler/explore/print.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What makes two states the same: everything in the decision state that semantics.md names as an input of what comes

@@ -1,4 +1,4 @@
-// Door: compiler/explore/refuted.hpp. Test: compiler/checks/assertion_failed.md.
+// Header: compiler/explore/refuted.hpp. Test: compiler/checks/assertion_failed.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/refuted.hpp"
 

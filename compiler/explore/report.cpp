@@ -1,4 +1,4 @@
-// Door: compiler/explore/report.hpp. Test: tests/compiler/explore/search_test.cpp.
+// Header: compiler/explore/report.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/report.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/explore/retelling.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// Header: compiler/explore/retelling.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/retelling.hpp"
 

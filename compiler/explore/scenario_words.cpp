@@ -1,4 +1,4 @@
-// Door: compiler/explore/scenario_words.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// Header: compiler/explore/scenario_words.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/scenario_words.hpp"
 

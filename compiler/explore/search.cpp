@@ -1,4 +1,4 @@
-// Door: compiler/explore/search.hpp. Test: tests/compiler/explore/search_test.cpp.
+// Header: compiler/explore/search.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A state that was found is kept as its key, the state that it was found from, and which of the things that can happen

@@ -1,4 +1,4 @@
-// Door: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// Header: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/verdict.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/explore/watch.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// Header: compiler/explore/watch.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/watch.hpp"
 

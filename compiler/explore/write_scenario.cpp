@@ -1,4 +1,4 @@
-// Door: compiler/explore/write_scenario.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// Header: compiler/explore/write_scenario.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/write_scenario.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/facts/cache.hpp. Test: tests/compiler/facts/cache_test.cpp.
+// Header: compiler/facts/cache.hpp. Test: tests/compiler/facts/cache_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/cache.hpp"
 

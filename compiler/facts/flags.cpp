@@ -1,4 +1,4 @@
-// Door: compiler/facts/flags.hpp. Test: tests/compiler/facts/flags_test.cpp.
+// Header: compiler/facts/flags.hpp. Test: tests/compiler/facts/flags_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/flags.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/facts/scanned_types.hpp. Test: tests/compiler/facts/types_test.cpp.
+// Header: compiler/facts/scanned_types.hpp. Test: tests/compiler/facts/types_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/scanned_types.hpp"
 

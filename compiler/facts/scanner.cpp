@@ -1,4 +1,4 @@
-// Door: compiler/facts/scanner.hpp. Test: tests/compiler/facts/scanner_test.cpp.
+// Header: compiler/facts/scanner.hpp. Test: tests/compiler/facts/scanner_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/scanner.hpp"
 

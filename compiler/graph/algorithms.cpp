@@ -1,4 +1,4 @@
-// Door: compiler/graph/algorithms.hpp. Test: tests/compiler/graph/algorithms_test.cpp.
+// Header: compiler/graph/algorithms.hpp. Test: tests/compiler/graph/algorithms_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/graph/algorithms.hpp"
 

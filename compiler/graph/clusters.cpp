@@ -1,4 +1,4 @@
-// Door: compiler/graph/clusters.hpp. Test: tests/compiler/graph/clusters_test.cpp.
+// Header: compiler/graph/clusters.hpp. Test: tests/compiler/graph/clusters_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/graph/clusters.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/graph/deep_needs.hpp. Test: tests/compiler/graph/deep_needs_test.cpp.
+// Header: compiler/graph/deep_needs.hpp. Test: tests/compiler/graph/deep_needs_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/graph/deep_needs.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/graph/dominators.hpp. Test: tests/compiler/graph/dominators_test.cpp.
+// Header: compiler/graph/dominators.hpp. Test: tests/compiler/graph/dominators_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/graph/dominators.hpp"
 

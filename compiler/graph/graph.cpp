@@ -1,4 +1,4 @@
-// Door: compiler/graph/graph.hpp. Test: tests/compiler/graph/graph_test.cpp.
+// Header: compiler/graph/graph.hpp. Test: tests/compiler/graph/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/graph/graph.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
+// Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What a causing provider itself waits for, with its plans: a push that serves one of these serves the task that wants

@@ -1,4 +1,4 @@
-// Door: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
+// Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Components: the parts of a specification that never decide anything for each other. Union and find over what can join

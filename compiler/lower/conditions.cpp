@@ -1,4 +1,4 @@
-// Door: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
+// Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Only conditions that somebody waits for have rows: those in `when` and `stay`, and promises with a time limit. Who

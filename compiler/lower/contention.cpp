@@ -1,4 +1,4 @@
-// Door: compiler/lower/contention.hpp. Test: tests/compiler/lower/contention_test.cpp.
+// Header: compiler/lower/contention.hpp. Test: tests/compiler/lower/contention_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A chain never meets a group twice, because a group has one holder. For the same reason two chains that parted never

@@ -1,4 +1,4 @@
-// Door: compiler/lower/plans.hpp. Test: tests/compiler/lower/plans_test.cpp.
+// Header: compiler/lower/plans.hpp. Test: tests/compiler/lower/plans_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Whether a provider occurs in a valid plan is as hard as whether there is one (choosing disjoint providers is

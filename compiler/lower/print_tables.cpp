@@ -1,4 +1,4 @@
-// Door: compiler/lower/print_tables.hpp. Test: tests/compiler/lower/print_tables_test.cpp.
+// Header: compiler/lower/print_tables.hpp. Test: tests/compiler/lower/print_tables_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/print_tables.hpp"
 

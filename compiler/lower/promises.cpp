@@ -1,4 +1,4 @@
-// Door: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
+// Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/steps.hpp"
 

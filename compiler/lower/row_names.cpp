@@ -1,4 +1,4 @@
-// Door: compiler/lower/row_names.hpp. Test: tests/compiler/cli/trace_test.cpp.
+// Header: compiler/lower/row_names.hpp. Test: tests/compiler/cli/trace_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/row_names.hpp"
 

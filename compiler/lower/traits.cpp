@@ -1,4 +1,4 @@
-// Door: compiler/lower/steps.hpp. Test: tests/compiler/lower/traits_test.cpp.
+// Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/traits_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What the engine asks so often that it is worked out once: how simple a group is, and where two edges can be equal (docs/semantics.md, 4.1,

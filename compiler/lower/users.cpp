@@ -1,4 +1,4 @@
-// Door: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
+// Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Whose decision looks at what: of each group, those whose plans may contain it, and of each condition, the groups in

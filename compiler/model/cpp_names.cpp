@@ -1,4 +1,4 @@
-// Door: compiler/model/cpp_names.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/model/cpp_names.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/cpp_names.hpp"
 

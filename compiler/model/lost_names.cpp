@@ -1,4 +1,4 @@
-// Door: compiler/model/lost_names.hpp. Test: tests/compiler/model/lost_names_test.cpp.
+// Header: compiler/model/lost_names.hpp. Test: tests/compiler/model/lost_names_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/lost_names.hpp"
 

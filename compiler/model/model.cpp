@@ -1,4 +1,4 @@
-// Door: compiler/model/model.hpp. Test: tests/compiler/model/print_model_test.cpp.
+// Header: compiler/model/model.hpp. Test: tests/compiler/model/print_model_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/model.hpp"
 

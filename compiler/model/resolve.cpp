@@ -1,4 +1,4 @@
-// Door: compiler/model/resolve.hpp. Test: tests/compiler/model/resolve_test.cpp.
+// Header: compiler/model/resolve.hpp. Test: tests/compiler/model/resolve_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolve.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/model/resolver.hpp. Test: compiler/checks/value_outside_domain.md.
+// Header: compiler/model/resolver.hpp. Test: compiler/checks/value_outside_domain.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/no_such_value.hpp"
 #include "compiler/model/resolver.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_test.cpp.
+// Header: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
 

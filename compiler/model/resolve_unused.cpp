@@ -1,4 +1,4 @@
-// Door: compiler/model/resolver.hpp. Test: compiler/checks/unused_declaration.md.
+// Header: compiler/model/resolver.hpp. Test: compiler/checks/unused_declaration.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/model/value_set.hpp. Test: tests/compiler/model/value_set_test.cpp.
+// Header: compiler/model/value_set.hpp. Test: tests/compiler/model/value_set_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/value_set.hpp"
 

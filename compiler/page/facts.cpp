@@ -1,4 +1,4 @@
-// Door: compiler/page/facts.hpp. Test: tests/compiler/page/facts_test.cpp.
+// Header: compiler/page/facts.hpp. Test: tests/compiler/page/facts_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/page/facts.hpp"
 

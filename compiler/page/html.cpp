@@ -1,4 +1,4 @@
-// Door: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
+// Header: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // All of the page stands in it as text; the script only moves, hides and marks. Nothing is loaded: the policy allows

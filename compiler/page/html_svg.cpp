@@ -1,4 +1,4 @@
-// Door: compiler/page/html_parts.hpp. Test: tests/compiler/page/html_svg_test.cpp.
+// Header: compiler/page/html_parts.hpp. Test: tests/compiler/page/html_svg_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A page has some pictures, and all of them are text in it: what Graphviz writes twice, or finer than anybody sees, is

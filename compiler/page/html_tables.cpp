@@ -1,4 +1,4 @@
-// Door: compiler/page/html_parts.hpp. Test: tests/compiler/page/pages_test.cpp.
+// Header: compiler/page/html_parts.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/page/html_parts.hpp"
 #include "compiler/base/html.hpp"

@@ -1,4 +1,4 @@
-// Door: compiler/page/html_parts.hpp. Test: tests/compiler/page/timeline_test.cpp.
+// Header: compiler/page/html_parts.hpp. Test: tests/compiler/page/timeline_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The script decodes the recording and draws it. What stands here is for who has none: what the recording is, and how it

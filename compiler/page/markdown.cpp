@@ -1,4 +1,4 @@
-// Door: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
+// Header: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/and_list.hpp"
 #include "compiler/emit/artefact/notice.hpp"

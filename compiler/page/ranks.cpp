@@ -1,4 +1,4 @@
-// Door: compiler/page/ranks.hpp. Test: tests/compiler/page/ranks_test.cpp. Schema: schemas/graph.schema.json.
+// Header: compiler/page/ranks.hpp. Test: tests/compiler/page/ranks_test.cpp. Schema: schemas/graph.schema.json.
 // SPDX-License-Identifier: MIT
 //
 // Two groups mostly part at the same few requesters as others do, and in the same ways, so what decides is written

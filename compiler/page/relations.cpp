@@ -1,4 +1,4 @@
-// Door: compiler/page/relations.hpp. Test: tests/compiler/page/pages_test.cpp.
+// Header: compiler/page/relations.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/page/relations.hpp"
 

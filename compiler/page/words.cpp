@@ -1,4 +1,4 @@
-// Door: compiler/page/words.hpp. Test: tests/compiler/page/pages_test.cpp.
+// Header: compiler/page/words.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/page/words.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/play/coverage.hpp. Test: tests/compiler/play/coverage_test.cpp.
+// Header: compiler/play/coverage.hpp. Test: tests/compiler/play/coverage_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/coverage.hpp"
 

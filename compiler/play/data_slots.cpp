@@ -1,4 +1,4 @@
-// Door: compiler/play/data_slots.hpp. Test: tests/compiler/play/data_slots_test.cpp.
+// Header: compiler/play/data_slots.hpp. Test: tests/compiler/play/data_slots_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/data_slots.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/play/happening.hpp. Test: tests/compiler/play/happening_test.cpp.
+// Header: compiler/play/happening.hpp. Test: tests/compiler/play/happening_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/happening.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/play/line_diff.hpp. Test: tests/compiler/play/line_diff_test.cpp.
+// Header: compiler/play/line_diff.hpp. Test: tests/compiler/play/line_diff_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/line_diff.hpp"
 

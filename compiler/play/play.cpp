@@ -1,4 +1,4 @@
-// Door: compiler/play/play.hpp. Test: tests/compiler/play/play_test.cpp.
+// Header: compiler/play/play.hpp. Test: tests/compiler/play/play_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/play.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/play/resolve_scenario.hpp. Test: tests/compiler/play/resolve_scenario_test.cpp.
+// Header: compiler/play/resolve_scenario.hpp. Test: tests/compiler/play/resolve_scenario_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/resolve_scenario.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/play/test_scenario.hpp. Test: tests/compiler/play/test_scenario_test.cpp.
+// Header: compiler/play/test_scenario.hpp. Test: tests/compiler/play/test_scenario_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/test_scenario.hpp"
 

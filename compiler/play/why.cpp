@@ -1,4 +1,4 @@
-// Door: compiler/play/why.hpp. Test: tests/compiler/cli/why_test.cpp.
+// Header: compiler/play/why.hpp. Test: tests/compiler/cli/why_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 

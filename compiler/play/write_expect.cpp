@@ -1,4 +1,4 @@
-// Door: compiler/play/write_expect.hpp. Test: tests/compiler/play/write_expect_test.cpp.
+// Header: compiler/play/write_expect.hpp. Test: tests/compiler/play/write_expect_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/write_expect.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/reference/explain_key.hpp. Test: tests/compiler/reference/explain_key_test.cpp.
+// Header: compiler/reference/explain_key.hpp. Test: tests/compiler/reference/explain_key_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The page is Markdown. A table whose rows begin with a key in backticks, `needs` or `advance: 100 ms`, tells of keys;

@@ -1,4 +1,4 @@
-// Door: compiler/stubs/insertion.hpp. Test: tests/compiler/stubs/diff_test.cpp.
+// Header: compiler/stubs/insertion.hpp. Test: tests/compiler/stubs/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What is inserted is known, so no lines need to be compared: a line that something is put into is gone and comes back

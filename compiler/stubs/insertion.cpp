@@ -1,4 +1,4 @@
-// Door: compiler/stubs/insertion.hpp. Test: tests/compiler/stubs/insertion_test.cpp.
+// Header: compiler/stubs/insertion.hpp. Test: tests/compiler/stubs/insertion_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/insertion.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/stubs/layout.hpp. Test: tests/compiler/stubs/layout_test.cpp.
+// Header: compiler/stubs/layout.hpp. Test: tests/compiler/stubs/layout_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The answer of a stub is keep(): done() would let a requester go on to its next step although nothing has happened,

@@ -1,4 +1,4 @@
-// Door: compiler/stubs/leftovers.hpp. Test: tests/compiler/stubs/leftovers_test.cpp.
+// Header: compiler/stubs/leftovers.hpp. Test: tests/compiler/stubs/leftovers_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/leftovers.hpp"
 

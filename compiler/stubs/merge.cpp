@@ -1,4 +1,4 @@
-// Door: compiler/stubs/merge.hpp. Test: tests/compiler/stubs/merge_test.cpp.
+// Header: compiler/stubs/merge.hpp. Test: tests/compiler/stubs/merge_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/merge.hpp"
 

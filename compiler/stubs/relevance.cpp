@@ -1,4 +1,4 @@
-// Door: compiler/stubs/relevance.hpp. Test: tests/compiler/stubs/relevance_test.cpp.
+// Header: compiler/stubs/relevance.hpp. Test: tests/compiler/stubs/relevance_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/relevance.hpp"
 

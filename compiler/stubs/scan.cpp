@@ -1,4 +1,4 @@
-// Door: compiler/stubs/scan.hpp. Test: tests/compiler/stubs/scan_test.cpp.
+// Header: compiler/stubs/scan.hpp. Test: tests/compiler/stubs/scan_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/scan.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/stubs/stale.hpp. Test: tests/compiler/stubs/stale_test.cpp.
+// Header: compiler/stubs/stale.hpp. Test: tests/compiler/stubs/stale_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/stale.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/stubs/text_place.hpp. Test: tests/compiler/stubs/text_place_test.cpp.
+// Header: compiler/stubs/text_place.hpp. Test: tests/compiler/stubs/text_place_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/text_place.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/stubs/wanted.hpp. Test: tests/compiler/stubs/wanted_test.cpp.
+// Header: compiler/stubs/wanted.hpp. Test: tests/compiler/stubs/wanted_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/wanted.hpp"
 

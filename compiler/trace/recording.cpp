@@ -1,4 +1,4 @@
-// Door: compiler/trace/recording.hpp. Test: tests/compiler/trace/recording_test.cpp.
+// Header: compiler/trace/recording.hpp. Test: tests/compiler/trace/recording_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/trace/recording.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/trace/replay.hpp. Test: tests/property/replay_test.cpp.
+// Header: compiler/trace/replay.hpp. Test: tests/property/replay_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The engine is stepped one micro-step at a time. Each event says in which micro-step it was told, so an input is posted

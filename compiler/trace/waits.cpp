@@ -1,4 +1,4 @@
-// Door: compiler/trace/waits.hpp. Test: tests/compiler/trace/waits_test.cpp.
+// Header: compiler/trace/waits.hpp. Test: tests/compiler/trace/waits_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/trace/waits.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/transitions/judge.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
+// Header: compiler/transitions/judge.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/transitions/judge.hpp"
 

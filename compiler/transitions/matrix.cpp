@@ -1,4 +1,4 @@
-// Door: compiler/transitions/matrix.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
+// Header: compiler/transitions/matrix.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A cell is two or three plays of a text: the row's beginning, then the column's request, then the row's Done. Which

@@ -1,4 +1,4 @@
-// Door: compiler/transitions/player.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
+// Header: compiler/transitions/player.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/transitions/player.hpp"
 

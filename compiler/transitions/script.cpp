@@ -1,4 +1,4 @@
-// Door: compiler/transitions/script.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
+// Header: compiler/transitions/script.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A body that is on both ways answers first what leads to the row, for as many runs as it had until that was at rest,

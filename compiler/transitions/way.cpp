@@ -1,4 +1,4 @@
-// Door: compiler/transitions/way.hpp. Test: tests/compiler/transitions/way_test.cpp.
+// Header: compiler/transitions/way.hpp. Test: tests/compiler/transitions/way_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A `when` is a conjunction of conditions on one state each, so what a choice of providers wants is a set of values for

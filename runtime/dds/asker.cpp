@@ -1,4 +1,4 @@
-// Door: runtime/dds/asker.hpp. Test: tests/runtime/dds/request_test.cpp.
+// Header: runtime/dds/asker.hpp. Test: tests/runtime/dds/request_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A request names the session of the robot that it is meant for. Whoever was started again meanwhile has forgotten what

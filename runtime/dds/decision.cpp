@@ -1,4 +1,4 @@
-// Door: runtime/dds/decision.hpp. Test: tests/runtime/dds/decision_test.cpp.
+// Header: runtime/dds/decision.hpp. Test: tests/runtime/dds/decision_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/decision.hpp"
 

@@ -1,4 +1,4 @@
-// Door: runtime/dds/entity.hpp. Test: tests/runtime/dds/bridge_test.cpp.
+// Header: runtime/dds/entity.hpp. Test: tests/runtime/dds/bridge_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/entity.hpp"
 

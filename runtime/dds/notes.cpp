@@ -1,4 +1,4 @@
-// Door: runtime/dds/notes.hpp. Test: tests/runtime/dds/notes_test.cpp.
+// Header: runtime/dds/notes.hpp. Test: tests/runtime/dds/notes_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/notes.hpp"
 

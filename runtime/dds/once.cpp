@@ -1,4 +1,4 @@
-// Door: runtime/dds/once.hpp. Test: tests/runtime/dds/once_test.cpp.
+// Header: runtime/dds/once.hpp. Test: tests/runtime/dds/once_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/once.hpp"
 

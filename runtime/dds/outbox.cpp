@@ -1,4 +1,4 @@
-// Door: runtime/dds/outbox.hpp. Test: tests/runtime/dds/outbox_test.cpp.
+// Header: runtime/dds/outbox.hpp. Test: tests/runtime/dds/outbox_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/outbox.hpp"
 

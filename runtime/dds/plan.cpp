@@ -1,4 +1,4 @@
-// Door: runtime/dds/plan.hpp. Test: tests/runtime/dds/plan_test.cpp.
+// Header: runtime/dds/plan.hpp. Test: tests/runtime/dds/plan_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/plan.hpp"
 

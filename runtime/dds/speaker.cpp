@@ -1,4 +1,4 @@
-// Door: runtime/dds/speaker.hpp. Test: tests/runtime/dds/bridge_test.cpp.
+// Header: runtime/dds/speaker.hpp. Test: tests/runtime/dds/bridge_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/speaker.hpp"
 

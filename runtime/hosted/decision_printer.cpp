@@ -1,4 +1,4 @@
-// Door: runtime/hosted/decision_printer.hpp. Test: tests/runtime/hosted/decision_printer_test.cpp.
+// Header: runtime/hosted/decision_printer.hpp. Test: tests/runtime/hosted/decision_printer_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/hosted/decision_printer.hpp"
 

@@ -1,4 +1,4 @@
-// Door: runtime/live/access.hpp. Test: tests/runtime/live/access_test.cpp.
+// Header: runtime/live/access.hpp. Test: tests/runtime/live/access_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/live/access.hpp"
 

@@ -1,4 +1,4 @@
-// Door: runtime/live/backlog.hpp. Test: tests/runtime/live/feed_test.cpp.
+// Header: runtime/live/backlog.hpp. Test: tests/runtime/live/feed_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/live/backlog.hpp"
 

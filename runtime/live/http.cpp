@@ -1,4 +1,4 @@
-// Door: runtime/live/http.hpp. Test: tests/runtime/live/http_test.cpp.
+// Header: runtime/live/http.hpp. Test: tests/runtime/live/http_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // cpp-httplib reads the request and writes the head of the answer, from a text into a text. Its own server is not used:

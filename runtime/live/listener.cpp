@@ -1,4 +1,4 @@
-// Door: runtime/live/listener.hpp. Test: tests/runtime/live/live_view_test.cpp.
+// Header: runtime/live/listener.hpp. Test: tests/runtime/live/live_view_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/live/listener.hpp"
 

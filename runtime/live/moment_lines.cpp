@@ -1,4 +1,4 @@
-// Door: runtime/live/moment_lines.hpp. Test: tests/runtime/live/moment_lines_test.cpp.
+// Header: runtime/live/moment_lines.hpp. Test: tests/runtime/live/moment_lines_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/live/moment_lines.hpp"
 

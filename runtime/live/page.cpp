@@ -1,4 +1,4 @@
-// Door: runtime/live/page.hpp. Test: tests/runtime/live/page_test.cpp.
+// Header: runtime/live/page.hpp. Test: tests/runtime/live/page_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/live/page.hpp"
 

@@ -1,4 +1,4 @@
-// Door: runtime/live/server.hpp. Test: tests/runtime/live/live_view_test.cpp.
+// Header: runtime/live/server.hpp. Test: tests/runtime/live/live_view_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/live/server.hpp"
 

@@ -1,4 +1,4 @@
-// Door: runtime/live/site.hpp. Test: tests/runtime/live/site_test.cpp.
+// Header: runtime/live/site.hpp. Test: tests/runtime/live/site_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/live/site.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/bench/by_hand.hpp. Test: tests/bench/CMakeLists.txt.
+// Header: tests/bench/by_hand.hpp. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/by_hand.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/bench/case.hpp. Test: tests/bench/CMakeLists.txt.
+// Header: tests/bench/case.hpp. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/case.hpp"
 

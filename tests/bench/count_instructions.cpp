@@ -1,4 +1,4 @@
-// Door: this program. Test: tests/bench/CMakeLists.txt.
+// Header: this program. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // Under callgrind: does each workload and each case some times, and lets callgrind write what that took to a file of

@@ -1,4 +1,4 @@
-// Door: tests/bench/dearest.hpp. Test: tests/bench/dearest_test.cpp.
+// Header: tests/bench/dearest.hpp. Test: tests/bench/dearest_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/dearest.hpp"
 

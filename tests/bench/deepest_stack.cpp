@@ -1,4 +1,4 @@
-// Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
+// Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // deepest_stack FUNCTION FOLDER: how many bytes of stack a call of FUNCTION may take, from what g++ writes with

@@ -1,4 +1,4 @@
-// Door: tests/bench/grown_cases.hpp. Test: tests/bench/CMakeLists.txt.
+// Header: tests/bench/grown_cases.hpp. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/grown_cases.hpp"
 

@@ -1,4 +1,4 @@
-// Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
+// Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // large_behaviour GROUPS: the text of a behaviour of so many groups.

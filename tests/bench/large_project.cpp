@@ -1,4 +1,4 @@
-// Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
+// Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // large_project GROUPS FOLDER: writes a behaviour of so many groups, main.yaml and its modules, into FOLDER.

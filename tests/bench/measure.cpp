@@ -1,4 +1,4 @@
-// Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
+// Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // measure TIMES COMMAND...: runs it so often and prints the median of its processor time in seconds, and the most

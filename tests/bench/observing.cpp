@@ -1,4 +1,4 @@
-// Door: tests/bench/observing.hpp. Test: tests/bench/CMakeLists.txt.
+// Header: tests/bench/observing.hpp. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/observing.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/bench/project.hpp. Test: tests/bench/project_test.cpp.
+// Header: tests/bench/project.hpp. Test: tests/bench/project_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/project.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
+// Header: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Random inputs for random behaviours: most set a state, some request a root task or cancel one, few fire a trigger.

@@ -1,4 +1,4 @@
-// Door: tests/bench/report.hpp. Test: tests/bench/report_test.cpp.
+// Header: tests/bench/report.hpp. Test: tests/bench/report_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/report.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
+// Header: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // behaviours/robocup plays by a script: what a robot's senses and a referee say, and bodies that take turns in what

@@ -1,4 +1,4 @@
-// Door: tests/bench/small_cases.hpp. Test: tests/bench/CMakeLists.txt.
+// Header: tests/bench/small_cases.hpp. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/small_cases.hpp"
 

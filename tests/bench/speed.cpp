@@ -1,4 +1,4 @@
-// Door: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
+// Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // speed [--instructions=FILE] [OPTION OF GOOGLE BENCHMARK...]: takes the times of each workload, and of each small case

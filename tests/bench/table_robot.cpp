@@ -1,4 +1,4 @@
-// Door: tests/bench/table_robot.hpp. Test: tests/bench/CMakeLists.txt.
+// Header: tests/bench/table_robot.hpp. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/table_robot.hpp"
 

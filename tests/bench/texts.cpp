@@ -1,4 +1,4 @@
-// Door: tests/bench/texts.hpp. Test: tests/bench/CMakeLists.txt.
+// Header: tests/bench/texts.hpp. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/texts.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/bench/times.hpp. Test: tests/bench/CMakeLists.txt.
+// Header: tests/bench/times.hpp. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/times.hpp"
 

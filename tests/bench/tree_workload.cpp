@@ -1,4 +1,4 @@
-// Door: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
+// Header: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Thousands of groups in trees of ten. In each round every tree has one input, in another order.

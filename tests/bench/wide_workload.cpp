@@ -1,4 +1,4 @@
-// Door: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
+// Header: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Units with many alternatives, all in vain: the last member of each needs what somebody stronger holds.

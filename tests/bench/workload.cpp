@@ -1,4 +1,4 @@
-// Door: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
+// Header: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/bench/workload.hpp"
 

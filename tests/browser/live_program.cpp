@@ -1,4 +1,4 @@
-// Door: tests/browser/CMakeLists.txt. Test: tests/browser/live.mjs.
+// Header: tests/browser/CMakeLists.txt. Test: tests/browser/live.mjs.
 // SPDX-License-Identifier: MIT
 //
 // live_program [flood]: a courier that never gets through the door, so that it waits as long as somebody looks. `flood`: more happens than its queue has

@@ -1,4 +1,4 @@
-// Door: tests/defects/flow.hpp. Test: tests/defects/measure.cpp.
+// Header: tests/defects/flow.hpp. Test: tests/defects/measure.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/defects/flow.hpp"
 

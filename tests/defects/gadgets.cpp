@@ -1,4 +1,4 @@
-// Door: tests/defects/gadgets.hpp. Test: tests/defects/measure.cpp.
+// Header: tests/defects/gadgets.hpp. Test: tests/defects/measure.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/defects/gadgets.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/defects/robot.hpp. Test: tests/defects/measure.cpp.
+// Header: tests/defects/robot.hpp. Test: tests/defects/measure.cpp.
 // SPDX-License-Identifier: MIT
 //
 // How a robot's behaviour is built, and why nothing is found in it: parts (what a task can hold), skills on one part

@@ -1,4 +1,4 @@
-// Door: tests/defects/CMakeLists.txt. Test: itself.
+// Header: tests/defects/CMakeLists.txt. Test: itself.
 // SPDX-License-Identifier: MIT
 //
 //   defects                  1,000 behaviours, each with a defect and without: what the checks find, a row for each.

@@ -1,4 +1,4 @@
-// Door: tests/defects/planter.hpp. Test: itself.
+// Header: tests/defects/planter.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 //
 // Conditions and what can make them true.

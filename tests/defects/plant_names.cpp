@@ -1,4 +1,4 @@
-// Door: tests/defects/planter.hpp. Test: itself.
+// Header: tests/defects/planter.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 //
 // What is met when names are resolved.

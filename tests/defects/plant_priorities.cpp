@@ -1,4 +1,4 @@
-// Door: tests/defects/planter.hpp. Test: itself.
+// Header: tests/defects/planter.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 //
 // Who goes first, what the author relies on, and what is allowed.

@@ -1,4 +1,4 @@
-// Door: tests/defects/robot.hpp. Test: tests/defects/measure.cpp.
+// Header: tests/defects/robot.hpp. Test: tests/defects/measure.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/defects/robot.hpp"
 

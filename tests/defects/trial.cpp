@@ -1,4 +1,4 @@
-// Door: tests/defects/trial.hpp. Test: tests/defects/measure.cpp.
+// Header: tests/defects/trial.hpp. Test: tests/defects/measure.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/defects/trial.hpp"
 

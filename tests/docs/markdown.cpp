@@ -1,4 +1,4 @@
-// Door: tests/docs/markdown.hpp. Test: tests/docs/markdown_test.cpp.
+// Header: tests/docs/markdown.hpp. Test: tests/docs/markdown_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/docs/markdown.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/docs/names.hpp. Test: tests/docs/names_test.cpp.
+// Header: tests/docs/names.hpp. Test: tests/docs/names_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/docs/names.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/docs/shortened.hpp. Test: tests/docs/shortened_test.cpp.
+// Header: tests/docs/shortened.hpp. Test: tests/docs/shortened_test.cpp.
 // SPDX-License-Identifier: MIT
 // The cheapest alignment of two texts, as diff finds it, but a line `…` takes any lines for nothing.
 #include "tests/docs/shortened.hpp"

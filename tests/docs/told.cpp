@@ -1,4 +1,4 @@
-// Door: tests/docs/told.hpp. Test: tests/docs/told_test.cpp.
+// Header: tests/docs/told.hpp. Test: tests/docs/told_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/docs/told.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/dsl/reading.hpp.
+// Header: tests/dsl/reading.hpp.
 // SPDX-License-Identifier: MIT
 #include "tests/dsl/reading.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/dsl/without_places.hpp.
+// Header: tests/dsl/without_places.hpp.
 // SPDX-License-Identifier: MIT
 #include "tests/dsl/without_places.hpp"
 

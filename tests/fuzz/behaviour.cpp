@@ -1,4 +1,4 @@
-// Door: libFuzzer. Test: tests/fuzz/CMakeLists.txt.
+// Header: libFuzzer. Test: tests/fuzz/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // Bytes as behaviour files: they are read or refused, and what is read is the same when it is printed and read again.

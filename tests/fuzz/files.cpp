@@ -1,4 +1,4 @@
-// Door: tests/fuzz/files.hpp. Test: tests/fuzz/CMakeLists.txt.
+// Header: tests/fuzz/files.hpp. Test: tests/fuzz/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/files.hpp"
 

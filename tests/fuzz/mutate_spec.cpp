@@ -1,4 +1,4 @@
-// Door: tests/fuzz/mutate_spec.hpp. Test: tests/fuzz/mutate_spec_test.cpp.
+// Header: tests/fuzz/mutate_spec.hpp. Test: tests/fuzz/mutate_spec_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/mutate_spec.hpp"
 

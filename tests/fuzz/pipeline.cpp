@@ -1,4 +1,4 @@
-// Door: libFuzzer. Test: tests/fuzz/CMakeLists.txt.
+// Header: libFuzzer. Test: tests/fuzz/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // Bytes as behaviour files, through every stage: the checks, the assertions, the tables, what is generated. Most of

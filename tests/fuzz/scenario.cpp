@@ -1,4 +1,4 @@
-// Door: libFuzzer. Test: tests/fuzz/CMakeLists.txt.
+// Header: libFuzzer. Test: tests/fuzz/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // Bytes as a scenario and the behaviour that it names: it is played by the engine, or refused.

@@ -1,4 +1,4 @@
-// Door: this program, started by tests/fuzz/grow. Test: tests/fuzz/CMakeLists.txt.
+// Header: this program, started by tests/fuzz/grow. Test: tests/fuzz/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // fuzz_seeds FOLDER: the behaviours, scenarios and blocks of pages of this project, as files that the fuzzers can begin

@@ -1,4 +1,4 @@
-// Door: tests/layout/cpp_text.hpp. Test: tests/layout/used_names_test.cpp.
+// Header: tests/layout/cpp_text.hpp. Test: tests/layout/used_names_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/layout/cpp_text.hpp"
 

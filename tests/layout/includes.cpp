@@ -1,4 +1,4 @@
-// Door: tests/layout/includes.hpp. Test: tests/layout/includes_test.cpp.
+// Header: tests/layout/includes.hpp. Test: tests/layout/includes_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/layout/includes.hpp"
 

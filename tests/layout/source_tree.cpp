@@ -1,4 +1,4 @@
-// Door: tests/layout/source_tree.hpp. Test: the tests beside it.
+// Header: tests/layout/source_tree.hpp. Test: the tests beside it.
 // SPDX-License-Identifier: MIT
 #include "tests/layout/source_tree.hpp"
 

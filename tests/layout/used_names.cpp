@@ -1,4 +1,4 @@
-// Door: tests/layout/used_names.hpp. Test: tests/layout/used_names_test.cpp.
+// Header: tests/layout/used_names.hpp. Test: tests/layout/used_names_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A name that several headers define is missed only where none of them is included, and what a file declares itself

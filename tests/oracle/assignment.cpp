@@ -1,4 +1,4 @@
-// Door: tests/oracle/assignment.hpp. Test: tests/oracle/conformance_test.cpp.
+// Header: tests/oracle/assignment.hpp. Test: tests/oracle/conformance_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/oracle/assignment.hpp"
 

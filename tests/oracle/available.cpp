@@ -1,4 +1,4 @@
-// Door: tests/oracle/pass.hpp. Test: tests/oracle/conformance_test.cpp.
+// Header: tests/oracle/pass.hpp. Test: tests/oracle/conformance_test.cpp.
 // SPDX-License-Identifier: MIT
 // semantics.md, 4.2: what is available.
 #include "tests/oracle/pass.hpp"

@@ -1,4 +1,4 @@
-// Door: tests/oracle/order.hpp. Test: tests/oracle/order_test.cpp.
+// Header: tests/oracle/order.hpp. Test: tests/oracle/order_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/oracle/order.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/oracle/parts.hpp. Test: tests/oracle/parts_test.cpp.
+// Header: tests/oracle/parts.hpp. Test: tests/oracle/parts_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/oracle/parts.hpp"
 

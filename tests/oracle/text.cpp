@@ -1,4 +1,4 @@
-// Door: tests/oracle/text.hpp. Test: tests/oracle/parts_test.cpp.
+// Header: tests/oracle/text.hpp. Test: tests/oracle/parts_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/oracle/text.hpp"
 

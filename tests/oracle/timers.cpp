@@ -1,4 +1,4 @@
-// Door: tests/oracle/behaviour.hpp. Test: tests/oracle/conformance_test.cpp.
+// Header: tests/oracle/behaviour.hpp. Test: tests/oracle/conformance_test.cpp.
 // SPDX-License-Identifier: MIT
 // semantics.md, section 3, Time, and section 7, promises.
 #include "tests/oracle/behaviour.hpp"

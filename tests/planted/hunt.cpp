@@ -1,4 +1,4 @@
-// Door: tests/planted/CMakeLists.txt. Test: itself.
+// Header: tests/planted/CMakeLists.txt. Test: itself.
 // SPDX-License-Identifier: MIT
 //
 // Plants one fault after the other in the engine and lets the random cases of tests/property look for it: each must

@@ -1,4 +1,4 @@
-// Door: tests/property/claims.hpp. Test: tests/property/property_test.cpp.
+// Header: tests/property/claims.hpp. Test: tests/property/property_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/property/claims.hpp"
 

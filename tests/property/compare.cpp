@@ -1,4 +1,4 @@
-// Door: tests/property/compare.hpp. Test: tests/property/property_test.cpp.
+// Header: tests/property/compare.hpp. Test: tests/property/property_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/core/inspect/view.hpp"
 #include "tests/property/compare.hpp"

@@ -1,4 +1,4 @@
-// Door: tests/property/compiled.hpp. Test: tests/property/generate_test.cpp.
+// Header: tests/property/compiled.hpp. Test: tests/property/generate_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/property/compiled.hpp"
 

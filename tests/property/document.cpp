@@ -1,4 +1,4 @@
-// Door: tests/property/document.hpp. Test: tests/property/document_test.cpp.
+// Header: tests/property/document.hpp. Test: tests/property/document_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/property/document.hpp"
 

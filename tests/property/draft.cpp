@@ -1,4 +1,4 @@
-// Door: tests/property/draft.hpp. Test: tests/property/generate_test.cpp.
+// Header: tests/property/draft.hpp. Test: tests/property/generate_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/property/draft.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/property/engine_run.hpp. Test: tests/property/property_test.cpp.
+// Header: tests/property/engine_run.hpp. Test: tests/property/property_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/property/engine_run.hpp"
 

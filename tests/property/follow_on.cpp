@@ -1,4 +1,4 @@
-// Door: tests/property/verdicts.hpp. Test: tests/property/verdicts_test.cpp.
+// Header: tests/property/verdicts.hpp. Test: tests/property/verdicts_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/decisions/decisions.hpp"
 #include "compiler/analysis/facts/facts.hpp"

@@ -1,4 +1,4 @@
-// Door: tests/property/generate.hpp. Test: tests/property/generate_test.cpp.
+// Header: tests/property/generate.hpp. Test: tests/property/generate_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/property/generate.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/property/reached.hpp. Test: tests/property/verdicts_test.cpp.
+// Header: tests/property/reached.hpp. Test: tests/property/verdicts_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/property/reached.hpp"
 

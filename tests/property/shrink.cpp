@@ -1,4 +1,4 @@
-// Door: tests/property/shrink.hpp. Test: tests/property/shrink_test.cpp.
+// Header: tests/property/shrink.hpp. Test: tests/property/shrink_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Documents are trees, so it needs to know little about what they say: first runs of steps are dropped (halves,

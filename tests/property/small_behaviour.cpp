@@ -1,4 +1,4 @@
-// Door: tests/property/small_behaviour.hpp. Test: tests/property/verdicts_test.cpp.
+// Header: tests/property/small_behaviour.hpp. Test: tests/property/verdicts_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/property/small_behaviour.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/property/verdicts.hpp. Test: tests/property/verdicts_test.cpp.
+// Header: tests/property/verdicts.hpp. Test: tests/property/verdicts_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Something hangs on others where it could not have been without one of them; in circles too. It is told of if a

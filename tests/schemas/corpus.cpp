@@ -1,4 +1,4 @@
-// Door: tests/schemas/corpus.hpp. Test: tests/schemas/CMakeLists.txt.
+// Header: tests/schemas/corpus.hpp. Test: tests/schemas/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/schemas/corpus.hpp"
 

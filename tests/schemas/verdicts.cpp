@@ -1,4 +1,4 @@
-// Door: the command line. Test: tests/schemas/CMakeLists.txt.
+// Header: the command line. Test: tests/schemas/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // Prints one JSON object a line for each file of the corpus: what it is, and the ids of the errors that the reader

@@ -1,4 +1,4 @@
-// Door: tests/support/golden.hpp. Test: tests/system/bless/bless.cmake.
+// Header: tests/support/golden.hpp. Test: tests/system/bless/bless.cmake.
 // SPDX-License-Identifier: MIT
 #include "tests/support/golden.hpp"
 

@@ -1,4 +1,4 @@
-// Door: behaviours/soccer/player/servos.hpp. Test: tests/behaviours/soccer.
+// Header: behaviours/soccer/player/servos.hpp. Test: tests/behaviours/soccer.
 // SPDX-License-Identifier: MIT
 #include "behaviours/soccer/player/servos.hpp"
 

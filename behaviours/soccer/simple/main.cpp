@@ -1,4 +1,4 @@
-// Door: behaviours/soccer/program.hpp. Test: tests/behaviours/soccer.
+// Header: behaviours/soccer/program.hpp. Test: tests/behaviours/soccer.
 // SPDX-License-Identifier: MIT
 #include "behaviours/soccer/player/legs.hpp"
 #include "behaviours/soccer/program.hpp"

@@ -1,4 +1,4 @@
-// Door: behaviours/soccer/timeline/page.hpp. Test: tests/behaviours/soccer/timeline/timeline_test.cpp.
+// Header: behaviours/soccer/timeline/page.hpp. Test: tests/behaviours/soccer/timeline/timeline_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "behaviours/soccer/timeline/page.hpp"
 

@@ -1,4 +1,4 @@
-// Door: behaviours/soccer/world/robot.hpp. Test: tests/behaviours/soccer/world/robot_test.cpp.
+// Header: behaviours/soccer/world/robot.hpp. Test: tests/behaviours/soccer/world/robot_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "behaviours/soccer/world/robot.hpp"
 

@@ -1,4 +1,4 @@
-// Door: behaviours/soccer/world/world.hpp. Test: tests/behaviours/soccer/world/world_test.cpp.
+// Header: behaviours/soccer/world/world.hpp. Test: tests/behaviours/soccer/world/world_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "behaviours/soccer/world/world.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/causing/exclusion.hpp. Test: compiler/checks/uncovered_state.md.
+// Header: compiler/analysis/causing/exclusion.hpp. Test: compiler/checks/uncovered_state.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/exclusion.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/causing/promises.hpp. Test: compiler/checks/unreachable_causing.md.
+// Header: compiler/analysis/causing/promises.hpp. Test: compiler/checks/unreachable_causing.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/causing/promises.hpp"

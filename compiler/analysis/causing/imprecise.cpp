@@ -1,4 +1,4 @@
-// Door: compiler/analysis/causing/imprecise.hpp. Test: compiler/checks/imprecise_causing.md.
+// Header: compiler/analysis/causing/imprecise.hpp. Test: compiler/checks/imprecise_causing.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/imprecise.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/causing/self_defeats.hpp. Test: compiler/checks/self_defeating_handler.md.
+// Header: compiler/analysis/causing/self_defeats.hpp. Test: compiler/checks/self_defeating_handler.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/self_defeats.hpp"
 

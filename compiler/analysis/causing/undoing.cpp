@@ -1,4 +1,4 @@
-// Door: compiler/analysis/causing/undoing.hpp. Test: compiler/checks/undone_by_itself.md.
+// Header: compiler/analysis/causing/undoing.hpp. Test: compiler/checks/undone_by_itself.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 

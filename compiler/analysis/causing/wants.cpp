@@ -1,4 +1,4 @@
-// Door: compiler/analysis/causing/wants.hpp. Test: tests/compiler/analysis/causing/wants_test.cpp.
+// Header: compiler/analysis/causing/wants.hpp. Test: tests/compiler/analysis/causing/wants_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/wants.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/chains/meetings.hpp. Test: tests/compiler/analysis/chains/meetings_test.cpp.
+// Header: compiler/analysis/chains/meetings.hpp. Test: tests/compiler/analysis/chains/meetings_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/chains/meetings.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/clashes/exclusions.hpp. Test: compiler/checks/push_cycle.md.
+// Header: compiler/analysis/clashes/exclusions.hpp. Test: compiler/checks/push_cycle.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/clashes/exclusions.hpp"
 

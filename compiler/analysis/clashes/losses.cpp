@@ -1,4 +1,4 @@
-// Door: compiler/analysis/clashes/losses.hpp. Test: compiler/checks/push_in_vain.md.
+// Header: compiler/analysis/clashes/losses.hpp. Test: compiler/checks/push_in_vain.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/clashes/losses.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/clashes/pushers.hpp. Test: tests/compiler/analysis/clashes/pushers_test.cpp.
+// Header: compiler/analysis/clashes/pushers.hpp. Test: tests/compiler/analysis/clashes/pushers_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/clashes/pushers.hpp"
 

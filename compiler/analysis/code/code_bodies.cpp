@@ -1,4 +1,4 @@
-// Door: compiler/analysis/code/code.hpp. Test: tests/compiler/checks/code_test.cpp.
+// Header: compiler/analysis/code/code.hpp. Test: tests/compiler/checks/code_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Two walks from each body over the calls. What it may ask for: over all calls, also of a lambda that somebody may

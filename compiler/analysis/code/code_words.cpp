@@ -1,4 +1,4 @@
-// Door: compiler/analysis/code/code_words.hpp. Test: compiler/checks/pack_never_requested.md.
+// Header: compiler/analysis/code/code_words.hpp. Test: compiler/checks/pack_never_requested.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/code/code_words.hpp"
 

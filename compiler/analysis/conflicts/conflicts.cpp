@@ -1,4 +1,4 @@
-// Door: compiler/analysis/conflicts/conflicts.hpp. Test: tests/compiler/checks/pages_test.cpp.
+// Header: compiler/analysis/conflicts/conflicts.hpp. Test: tests/compiler/checks/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/conflicts/contenders.hpp. Test: compiler/checks/undeclared_need.md.
+// Header: compiler/analysis/conflicts/contenders.hpp. Test: compiler/checks/undeclared_need.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/contenders.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/conflicts/losers.hpp. Test: compiler/checks/self_conflict.md.
+// Header: compiler/analysis/conflicts/losers.hpp. Test: compiler/checks/self_conflict.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/losers.hpp"
 

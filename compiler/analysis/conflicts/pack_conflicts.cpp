@@ -1,4 +1,4 @@
-// Door: compiler/analysis/conflicts/pack_conflicts.hpp. Test: compiler/checks/pack_conflict.md.
+// Header: compiler/analysis/conflicts/pack_conflicts.hpp. Test: compiler/checks/pack_conflict.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/conflicts/starving.hpp. Test: compiler/checks/starved_task.md.
+// Header: compiler/analysis/conflicts/starving.hpp. Test: compiler/checks/starved_task.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/starving.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/decisions/component.hpp. Test: tests/property/decisions_test.cpp.
+// Header: compiler/analysis/decisions/component.hpp. Test: tests/property/decisions_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/decisions/component.hpp"
 

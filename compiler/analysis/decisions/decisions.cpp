@@ -1,4 +1,4 @@
-// Door: compiler/analysis/decisions/decisions.hpp. Test: tests/property/decisions_test.cpp.
+// Header: compiler/analysis/decisions/decisions.hpp. Test: tests/property/decisions_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/decisions/decisions.hpp"
 

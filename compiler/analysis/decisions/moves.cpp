@@ -1,4 +1,4 @@
-// Door: compiler/analysis/decisions/moves.hpp. Test: tests/property/decisions_test.cpp.
+// Header: compiler/analysis/decisions/moves.hpp. Test: tests/property/decisions_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/decisions/moves.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/decisions/pass.hpp. Test: tests/property/decisions_test.cpp.
+// Header: compiler/analysis/decisions/pass.hpp. Test: tests/property/decisions_test.cpp.
 // SPDX-License-Identifier: MIT
 // semantics.md, 4.4: a unit that is refused, and the pushes that it may make. Which pushes of other units stand in the
 // way is not known, so there are two answers to what can be pushed: surely, and maybe. The shortest way is among those

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/facts/contexts.hpp. Test: tests/compiler/analysis/facts/contexts_test.cpp.
+// Header: compiler/analysis/facts/contexts.hpp. Test: tests/compiler/analysis/facts/contexts_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What runs already may go on by its `stay`, and one that was pushed without the conditions on what it causes itself;

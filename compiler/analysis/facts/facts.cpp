@@ -1,4 +1,4 @@
-// Door: compiler/analysis/facts/facts.hpp. Test: tests/compiler/analysis/facts/facts_test.cpp.
+// Header: compiler/analysis/facts/facts.hpp. Test: tests/compiler/analysis/facts/facts_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/facts.hpp"
 

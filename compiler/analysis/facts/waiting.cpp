@@ -1,4 +1,4 @@
-// Door: compiler/analysis/facts/waiting.hpp. Test: tests/compiler/analysis/facts/waiting_test.cpp.
+// Header: compiler/analysis/facts/waiting.hpp. Test: tests/compiler/analysis/facts/waiting_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/waiting.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/facts/witness.hpp. Test: tests/compiler/analysis/facts/witness_test.cpp.
+// Header: compiler/analysis/facts/witness.hpp. Test: tests/compiler/analysis/facts/witness_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The rules of facts.cpp once more, forwards, each remembering what it was applied to. A rule is applied only to what

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/needs/needs.hpp. Test: tests/compiler/analysis/needs/needs_test.cpp.
+// Header: compiler/analysis/needs/needs.hpp. Test: tests/compiler/analysis/needs/needs_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/needs/needs.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/needs/units.hpp. Test: tests/compiler/analysis/needs/units_test.cpp.
+// Header: compiler/analysis/needs/units.hpp. Test: tests/compiler/analysis/needs/units_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/needs/units.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/plans/bounds.hpp. Test: tests/compiler/analysis/plans/bounds_test.cpp.
+// Header: compiler/analysis/plans/bounds.hpp. Test: tests/compiler/analysis/plans/bounds_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/bounds.hpp"
 

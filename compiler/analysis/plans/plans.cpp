@@ -1,4 +1,4 @@
-// Door: compiler/analysis/plans/plans.hpp. Test: tests/compiler/analysis/plans/plans_test.cpp.
+// Header: compiler/analysis/plans/plans.hpp. Test: tests/compiler/analysis/plans/plans_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/plans.hpp"
 

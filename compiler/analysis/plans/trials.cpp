@@ -1,4 +1,4 @@
-// Door: compiler/analysis/plans/trials.hpp. Test: tests/compiler/analysis/plans/trials_test.cpp.
+// Header: compiler/analysis/plans/trials.hpp. Test: tests/compiler/analysis/plans/trials_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/trials.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/plans/work.hpp. Test: tests/compiler/analysis/plans/bounds_test.cpp, tests/property/property_test.cpp.
+// Header: compiler/analysis/plans/work.hpp. Test: tests/compiler/analysis/plans/bounds_test.cpp, tests/property/property_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/work.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/requests/company.hpp. Test: compiler/checks/causer_not_running.md.
+// Header: compiler/analysis/requests/company.hpp. Test: compiler/checks/causer_not_running.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/requests/company.hpp"
 

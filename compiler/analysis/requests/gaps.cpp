@@ -1,4 +1,4 @@
-// Door: compiler/analysis/requests/gaps.hpp. Test: tests/compiler/analysis/requests/gaps_test.cpp.
+// Header: compiler/analysis/requests/gaps.hpp. Test: tests/compiler/analysis/requests/gaps_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/requests/gaps.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/requests/requests.hpp. Test: tests/compiler/analysis/requests/requests_test.cpp.
+// Header: compiler/analysis/requests/requests.hpp. Test: tests/compiler/analysis/requests/requests_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/requests/requests.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/states/choice.hpp. Test: tests/compiler/analysis/states/choice_test.cpp.
+// Header: compiler/analysis/states/choice.hpp. Test: tests/compiler/analysis/states/choice_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/states/choice.hpp"
 

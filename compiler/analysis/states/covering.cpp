@@ -1,4 +1,4 @@
-// Door: compiler/analysis/states/covering.hpp. Test: tests/compiler/analysis/states/covering_test.cpp.
+// Header: compiler/analysis/states/covering.hpp. Test: tests/compiler/analysis/states/covering_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Every region has to lack something: one of its states has a value that it does not accept. That is satisfiability of

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/states/region.hpp. Test: tests/compiler/analysis/states/region_test.cpp.
+// Header: compiler/analysis/states/region.hpp. Test: tests/compiler/analysis/states/region_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/states/region.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/states/sources.hpp. Test: tests/compiler/analysis/facts/facts_test.cpp.
+// Header: compiler/analysis/states/sources.hpp. Test: tests/compiler/analysis/facts/facts_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/states/sources.hpp"
 

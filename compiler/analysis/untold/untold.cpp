@@ -1,4 +1,4 @@
-// Door: compiler/analysis/untold/untold.hpp. Test: tests/compiler/explore/never_runs_test.cpp.
+// Header: compiler/analysis/untold/untold.hpp. Test: tests/compiler/explore/never_runs_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/untold/untold.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/words/notes.hpp. Test: compiler/checks/equal_priority.md.
+// Header: compiler/analysis/words/notes.hpp. Test: compiler/checks/equal_priority.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/words/notes.hpp"
 

@@ -1,4 +1,4 @@
-// Door: compiler/analysis/words/words.hpp. Test: tests/compiler/analysis/words/words_test.cpp.
+// Header: compiler/analysis/words/words.hpp. Test: tests/compiler/analysis/words/words_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/words/words.hpp"
 

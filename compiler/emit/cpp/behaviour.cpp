@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The class that a program makes one of. Its words from outside are in runtime/core/api/post.hpp and seen.hpp.

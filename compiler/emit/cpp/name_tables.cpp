@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What the numbers in an observer's events are called.

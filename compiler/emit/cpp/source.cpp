@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"

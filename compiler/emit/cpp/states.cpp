@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A state with values is an enum class, one with a range a struct with a number, one with a type the user's own enum.

@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The tables of runtime/core/base/tables.hpp as constants. A row names the columns that say something; its comment says what

@@ -1,4 +1,4 @@
-// Door: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The task types: what is requested, and the name space of a group's contexts and levels.

@@ -1,4 +1,4 @@
-// Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
+// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A group is an HTML table: its rows are ports from which a provider's own arrows leave. A layer is a band of as many

@@ -1,4 +1,4 @@
-// Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp. Schema: schemas/graph.schema.json.
+// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp. Schema: schemas/graph.schema.json.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/emit/graph/formats.hpp"

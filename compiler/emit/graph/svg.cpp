@@ -1,4 +1,4 @@
-// Door: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/picture_svg_test.cpp.
+// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/picture_svg_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What Graphviz cannot say: bands of the picture's whole width behind the layers, which reach from the name of one to

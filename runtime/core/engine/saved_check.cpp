@@ -1,4 +1,4 @@
-// Door: runtime/core/engine/saved_check.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp, tests/property/saved_test.cpp.
+// Header: runtime/core/engine/saved_check.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp, tests/property/saved_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What the engine takes for granted of its own memory has to be looked at here: it reads rows by these numbers, and follows

@@ -1,4 +1,4 @@
-// Door: runtime/core/engine/saved_state.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp, tests/property/saved_test.cpp.
+// Header: runtime/core/engine/saved_state.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp, tests/property/saved_test.cpp.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/saved_state.hpp"

@@ -1,4 +1,4 @@
-// Door: runtime/hosted/trace/json_lines.hpp. Test: tests/runtime/hosted/trace/json_lines_test.cpp.
+// Header: runtime/hosted/trace/json_lines.hpp. Test: tests/runtime/hosted/trace/json_lines_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/hosted/trace/json_lines.hpp"
 

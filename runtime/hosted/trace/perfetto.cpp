@@ -1,4 +1,4 @@
-// Door: runtime/hosted/trace/trace_format.hpp. Test: tests/runtime/hosted/trace/perfetto_test.cpp.
+// Header: runtime/hosted/trace/trace_format.hpp. Test: tests/runtime/hosted/trace/perfetto_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A process track for the behaviour; below it one track for what comes from outside, one for each group, with a slice for each time that a

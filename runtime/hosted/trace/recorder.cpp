@@ -1,4 +1,4 @@
-// Door: runtime/hosted/trace/recorder.hpp. Test: tests/runtime/hosted/trace/recorder_test.cpp.
+// Header: runtime/hosted/trace/recorder.hpp. Test: tests/runtime/hosted/trace/recorder_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "runtime/hosted/trace/recorder.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/behaviours/robocup/graph.hpp. Test: tests/behaviours/robocup/graph_test.cpp.
+// Header: tests/behaviours/robocup/graph.hpp. Test: tests/behaviours/robocup/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/behaviours/robocup/graph.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/behaviours/robocup/told.hpp. Test: tests/behaviours/robocup/robocup_test.cpp.
+// Header: tests/behaviours/robocup/told.hpp. Test: tests/behaviours/robocup/robocup_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/behaviours/robocup/told.hpp"
 

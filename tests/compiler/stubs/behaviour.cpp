@@ -1,4 +1,4 @@
-// Door: tests/compiler/stubs/behaviour.hpp. Test: tests/compiler/stubs/wanted_test.cpp.
+// Header: tests/compiler/stubs/behaviour.hpp. Test: tests/compiler/stubs/wanted_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/compiler/stubs/behaviour.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/compiler/stubs/orders.hpp. Test: tests/compiler/stubs/orders_test.cpp.
+// Header: tests/compiler/stubs/orders.hpp. Test: tests/compiler/stubs/orders_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/compiler/stubs/orders.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/defects/CMakeLists.txt. Test: itself.
+// Header: tests/defects/CMakeLists.txt. Test: itself.
 // SPDX-License-Identifier: MIT
 //
 //   defects_meaning                  each defect, against the same behaviour without it: which kinds of change are

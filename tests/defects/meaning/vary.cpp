@@ -1,4 +1,4 @@
-// Door: tests/defects/meaning/vary.hpp. Test: tests/defects/meaning/measure.cpp.
+// Header: tests/defects/meaning/vary.hpp. Test: tests/defects/meaning/measure.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/defects/meaning/vary.hpp"
 

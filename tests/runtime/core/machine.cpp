@@ -1,4 +1,4 @@
-// Door: tests/runtime/core/machine.hpp. Test: every test of this folder.
+// Header: tests/runtime/core/machine.hpp. Test: every test of this folder.
 // SPDX-License-Identifier: MIT
 
 #include "tests/runtime/core/machine.hpp"

@@ -1,4 +1,4 @@
-// Door: tests/runtime/dds/process.hpp. Test: tests/runtime/dds/team_test.cpp.
+// Header: tests/runtime/dds/process.hpp. Test: tests/runtime/dds/team_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/runtime/dds/process.hpp"
 

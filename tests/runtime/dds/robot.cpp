@@ -1,4 +1,4 @@
-// Door: tests/runtime/dds/robot.hpp. Test: the tests beside it.
+// Header: tests/runtime/dds/robot.hpp. Test: the tests beside it.
 // SPDX-License-Identifier: MIT
 #include "tests/runtime/dds/robot.hpp"
 

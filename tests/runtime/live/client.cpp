@@ -1,4 +1,4 @@
-// Door: tests/runtime/live/client.hpp. Test: what it is used in.
+// Header: tests/runtime/live/client.hpp. Test: what it is used in.
 // SPDX-License-Identifier: MIT
 #include "tests/runtime/live/client.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/runtime/live/CMakeLists.txt. Test: none, it prints what docs/performance.md says.
+// Header: tests/runtime/live/CMakeLists.txt. Test: none, it prints what docs/performance.md says.
 // SPDX-License-Identifier: MIT
 //
 // live_cost [GAMES]: what a live view takes of the thread that steps, in processor time an event: ten minutes of soccer, some thirty times as fast as the

@@ -1,4 +1,4 @@
-// Door: tests/system/api/drive.hpp. Test: tests/system/api/drive_test.cpp, tests/system/threads/drive.cpp.
+// Header: tests/system/api/drive.hpp. Test: tests/system/api/drive_test.cpp, tests/system/threads/drive.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/system/api/drive.hpp"
 

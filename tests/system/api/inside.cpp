@@ -1,4 +1,4 @@
-// Door: tests/system/api/CMakeLists.txt. Test: itself.
+// Header: tests/system/api/CMakeLists.txt. Test: itself.
 // SPDX-License-Identifier: MIT
 //
 // A body that calls the behaviour itself: an assertion fails, which a program of its own can survive.

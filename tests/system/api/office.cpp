@@ -1,4 +1,4 @@
-// Door: tests/system/api/office.hpp. Test: tests/system/api/bodies_test.cpp.
+// Header: tests/system/api/office.hpp. Test: tests/system/api/bodies_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/system/api/office.hpp"
 

@@ -1,4 +1,4 @@
-// Door: tests/system/arm/plan_text.hpp. Test: tests/system/arm/CMakeLists.txt.
+// Header: tests/system/arm/plan_text.hpp. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/system/arm/plan_text.hpp"
 

@@ -1,4 +1,4 @@
-// Door: none; what `size` says of it counts. Test: tests/system/arm/CMakeLists.txt.
+// Header: none; what `size` says of it counts. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "soccer.hpp"
 

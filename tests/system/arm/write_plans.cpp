@@ -1,4 +1,4 @@
-// Door: this program. Test: tests/system/arm/CMakeLists.txt.
+// Header: this program. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // write_plans OUT.cpp OUT.txt SCENARIO...: the scenarios as constants for the target, and what happens in them here.

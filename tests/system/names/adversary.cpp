@@ -1,4 +1,4 @@
-// Door: tests/system/names/adversary.hpp. Test: tests/system/names/CMakeLists.txt.
+// Header: tests/system/names/adversary.hpp. Test: tests/system/names/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include "tests/system/names/adversary.hpp"
 

@@ -1,4 +1,4 @@
-// Door: the command line. Test: tests/system/names/CMakeLists.txt.
+// Header: the command line. Test: tests/system/names/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // adversary COMPILER FOLDER COUNT: so many behaviours whose names are chosen to collide are refused by `check`, or

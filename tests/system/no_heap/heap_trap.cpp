@@ -1,4 +1,4 @@
-// Door: tests/system/no_heap/heap_trap.hpp. Test: tests/system/no_heap/scenarios_test.cpp.
+// Header: tests/system/no_heap/heap_trap.hpp. Test: tests/system/no_heap/scenarios_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The C library lets a program define the allocation functions and keeps its own under other names; operator new of the

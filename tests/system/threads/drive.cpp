@@ -1,4 +1,4 @@
-// Door: tests/system/threads/CMakeLists.txt. Test: itself.
+// Header: tests/system/threads/CMakeLists.txt. Test: itself.
 // SPDX-License-Identifier: MIT
 //
 // The random programs of tests/system/api/drive.hpp while other threads post to both behaviours and look at a snapshot. Built

@@ -1,4 +1,4 @@
-// Door: tests/system/threads/CMakeLists.txt. Test: itself.
+// Header: tests/system/threads/CMakeLists.txt. Test: itself.
 // SPDX-License-Identifier: MIT
 //
 // Several threads hammer `post` of a generated behaviour while another one steps it. Built with the thread sanitizer,

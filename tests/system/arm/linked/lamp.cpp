@@ -1,4 +1,4 @@
-// Door: none; what `size` says of the program counts, which is linked and never run. Test: tests/system/arm/CMakeLists.txt.
+// Header: none; what `size` says of the program counts, which is linked and never run. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // The bodies are left out, as a program has its own: where a module would be, there is only a place.

@@ -1,4 +1,4 @@
-// Door: tests/system/arm/target/board.hpp. Test: tests/system/arm/CMakeLists.txt.
+// Header: tests/system/arm/target/board.hpp. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // Start-up of a Cortex-M: the vector table, memory as the language expects it, main. What is not used of the stack

@@ -1,4 +1,4 @@
-// Door: what the compiler calls for std::atomic. Test: tests/system/arm/CMakeLists.txt.
+// Header: what the compiler calls for std::atomic. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // A Cortex-M0 has no compare-and-swap, so the compiler calls functions of these names for what the inbox does. There is

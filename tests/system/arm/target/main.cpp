@@ -1,4 +1,4 @@
-// Door: tests/system/arm/target/board.hpp. Test: tests/system/arm/CMakeLists.txt.
+// Header: tests/system/arm/target/board.hpp. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // Plays all plans that fit into the board's memory. Lines that begin with `#` tell of the program and not of a

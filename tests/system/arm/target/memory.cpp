@@ -1,4 +1,4 @@
-// Door: what the compiler calls by itself. Test: tests/system/arm/CMakeLists.txt.
+// Header: what the compiler calls by itself. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-// Door: tests/system/arm/target/player.hpp. Test: tests/system/arm/CMakeLists.txt.
+// Header: tests/system/arm/target/player.hpp. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
 // A second player beside compiler/play, on constants and without heap: the two agree on every line, or the test fails.

@@ -1,4 +1,4 @@
-// Door: runtime/core/task.hpp. Test: itself.
+// Header: runtime/core/task.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 // Message: `data: void`: a task without data has no `data`
 #ifdef MISTAKE

@@ -1,4 +1,4 @@
-// Door: runtime/core/task.hpp. Test: itself.
+// Header: runtime/core/task.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 // Message: the data of a task are kept without heap: their destructor must be public and noexcept
 #ifdef MISTAKE

@@ -1,4 +1,4 @@
-// Door: runtime/core/behaviour.hpp. Test: itself.
+// Header: runtime/core/behaviour.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 // Message: this is not a trigger of the behaviour
 #include "porter.hpp"

@@ -1,4 +1,4 @@
-// Door: runtime/core/api/saved_data.hpp. Test: itself.
+// Header: runtime/core/api/saved_data.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 // Message: unused-result
 #include "porter.hpp"

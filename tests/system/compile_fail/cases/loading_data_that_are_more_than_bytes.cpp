@@ -1,4 +1,4 @@
-// Door: runtime/core/api/saved_data.hpp. Test: itself.
+// Header: runtime/core/api/saved_data.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 // Message: the data of each of its tasks must be trivially copyable
 #ifdef MISTAKE

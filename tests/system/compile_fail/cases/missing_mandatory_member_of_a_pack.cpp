@@ -1,4 +1,4 @@
-// Door: runtime/core/behaviour.hpp. Test: itself.
+// Header: runtime/core/behaviour.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 // Message: bring must be given its task Grip
 #include "porter.hpp"

@@ -1,4 +1,4 @@
-// Door: runtime/core/behaviour.hpp. Test: itself.
+// Header: runtime/core/behaviour.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 // Message: no matching function for call|no matching constructor
 #include "porter.hpp"

@@ -1,4 +1,4 @@
-// Door: runtime/core/behaviour.hpp. Test: itself.
+// Header: runtime/core/behaviour.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 // Message: `causing` and `sets` of this provider or handler do not name this state
 #include "porter.hpp"

@@ -1,4 +1,4 @@
-// Door: runtime/core/behaviour.hpp. Test: itself.
+// Header: runtime/core/behaviour.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
 // Message: this_value_is_not_declared_in_causing_or_sets
 #include "porter.hpp"

@@ -10,7 +10,7 @@ using namespace director::tests;
 
 namespace {
 
-/// The files that the first line of a source names, as in `Door: a/b.hpp. Test: tests/a/b_test.cpp, tests/c_test.cpp.`
+/// The files that the first line of a source names, as in `Header: a/b.hpp. Test: tests/a/b_test.cpp, tests/c_test.cpp.`
 std::vector<std::string> files_named(const std::string& line) {
   std::vector<std::string> out;
   std::istringstream words(line);
@@ -25,7 +25,7 @@ std::vector<std::string> files_named(const std::string& line) {
 
 } // namespace
 
-TEST_CASE("the door and the test that a source names in its first line are there") {
+TEST_CASE("the header and the test that a source names in its first line are there") {
   std::set<std::string> there;
   for (const ProjectFile& file : project_files()) {
     there.insert(file.path);
@@ -35,7 +35,7 @@ TEST_CASE("the door and the test that a source names in its first line are there
     }
   }
   for (const ProjectFile& file : project_files()) {
-    if (!file.path.ends_with(".cpp") || file.lines.empty() || !file.lines.front().starts_with("// Door: ")) continue;
+    if (!file.path.ends_with(".cpp") || file.lines.empty() || !file.lines.front().starts_with("// Header: ")) continue;
     for (const std::string& named : files_named(file.lines.front())) {
       INFO(file.path << ":1: there is no " << named);
       CHECK(there.count(named) == 1);
@@ -44,7 +44,7 @@ TEST_CASE("the door and the test that a source names in its first line are there
 }
 
 TEST_CASE("the files in a first line are told from its words") {
-  CHECK(files_named("// Door: a/b.hpp. Test: tests/a/b_test.cpp, tests/c_test.cpp.") ==
+  CHECK(files_named("// Header: a/b.hpp. Test: tests/a/b_test.cpp, tests/c_test.cpp.") ==
         std::vector<std::string>{"a/b.hpp", "tests/a/b_test.cpp", "tests/c_test.cpp"});
-  CHECK(files_named("// Door: itself. Test: every test of this folder, tests/x/*.cpp.").empty());
+  CHECK(files_named("// Header: itself. Test: every test of this folder, tests/x/*.cpp.").empty());
 }
