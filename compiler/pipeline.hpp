@@ -21,8 +21,8 @@ struct SearchProgress;
 
 struct CheckOptions {
   checks::Selection selection;
-  bool decide = false;         ///< also whether the assertions are true
-  std::size_t explore = 0;     ///< also what never runs, as far as so many states tell; 0: not
+  bool decide = false;     ///< also whether the assertions are true
+  std::size_t explore = 0; ///< also what never runs, as far as so many states tell; 0: not
   std::function<void(const SearchProgress& so_far)> progress{}; ///< of exploring, now and then
   TypeReader* types = nullptr; ///< what C++ is read with; nothing: it cannot be read here
 };

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/verify.hpp"
 
+#include "compiler/base/version.hpp"
 #include "compiler/checks/code_check.hpp"
-#include "compiler/emit/emit.hpp"
 #include "compiler/emit/artefact/notice.hpp"
+#include "compiler/emit/emit.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/facts/includes.hpp"
 #include "compiler/facts/scanner.hpp"
 #include "compiler/lower/lower.hpp"
-#include "compiler/base/version.hpp"
 #include "dsl/load_file.hpp"
 
 #include <fmt/format.h>

@@ -102,7 +102,8 @@ private:
     else if (text_[end] == '|' && text_.substr(end, 2) != "||")
       ++end;
     else
-      while (end < text_.size() && !is_in_word(text_[end]) && !is_space(text_[end]) && (end == begin || text_[end] != '-'))
+      while (end < text_.size() && !is_in_word(text_[end]) && !is_space(text_[end]) &&
+             (end == begin || text_[end] != '-'))
         ++end;
     return {begin, end};
   }

@@ -48,10 +48,7 @@ Happening happening_of(const Model& model, const Decisions& decisions) {
 
 class Telling {
 public:
-  Telling(const Input& input, const Decisions& decisions)
-      : input_(input),
-        model_(input.model),
-        decisions_(decisions) {}
+  Telling(const Input& input, const Decisions& decisions) : input_(input), model_(input.model), decisions_(decisions) {}
 
   std::vector<dsl::Diagnostic> run(const Untold& untold) {
     for (const PackOf& pack : untold.packs) tell(pack);
@@ -111,14 +108,15 @@ private:
     if (!kept.taken.empty()) reasons.push_back("what it needs is held");
     dsl::Diagnostic& finding =
         add("shadowed_provider", provider.span,
-            reasons.empty() ? fmt::format("{} never runs: no decision about {} ever comes to it", name, group)
-                            : fmt::format("{} never runs: whenever {} is requested, {}", name, group,
-                                          list_of(reasons, "or")));
+            reasons.empty()
+                ? fmt::format("{} never runs: no decision about {} ever comes to it", name, group)
+                : fmt::format("{} never runs: whenever {} is requested, {}", name, group, list_of(reasons, "or")));
     for (const ProviderId first : kept.first)
       finding.notes.push_back({model_.providers[first].span, fmt::format("{} comes first", name_of(model_, first))});
     add_notes(kept, provider.span, {id}, finding);
-    finding.help = kept.first.empty() ? fmt::format("request {} where it can have what it lacks, or leave {} out", group, name)
-                                      : fmt::format("leave {} something before the others, or leave it out", name);
+    finding.help = kept.first.empty()
+                       ? fmt::format("request {} where it can have what it lacks, or leave {} out", group, name)
+                       : fmt::format("leave {} something before the others, or leave it out", name);
   }
 
   void tell(EdgeId id) {
@@ -132,11 +130,11 @@ private:
     if (!kept.taken.empty()) reasons.push_back("what it takes is held");
     if (!kept.lacking.empty()) reasons.push_back("a condition does not hold");
     if (!kept.together.empty()) reasons.push_back("what is granted only together with it cannot be");
-    dsl::Diagnostic& finding = add(
-        optional ? "optional_never_runs" : "starved_task", entries.front()->span,
-        reasons.empty() ? fmt::format("{} never runs for {}: no decision ever comes to it", name, requester_of(id))
-                        : fmt::format("{} never runs for {}: whenever it is requested, {}", name, requester_of(id),
-                                      list_of(reasons, "or")));
+    dsl::Diagnostic& finding =
+        add(optional ? "optional_never_runs" : "starved_task", entries.front()->span,
+            reasons.empty() ? fmt::format("{} never runs for {}: no decision ever comes to it", name, requester_of(id))
+                            : fmt::format("{} never runs for {}: whenever it is requested, {}", name, requester_of(id),
+                                          list_of(reasons, "or")));
     add_together(kept, finding);
     add_notes(kept, entries.front()->span, model_.groups[edge.target].providers, finding);
     for (std::size_t i = 1; i < entries.size(); ++i)
@@ -203,9 +201,9 @@ private:
       for (const EdgeId holder : kept.holders) {
         if (model_.edges[holder].target == group) holders.push_back(requester_of(holder));
       }
-      finding.notes.push_back(
-          {span, holders.empty() ? fmt::format("{} is held then", name_of(model_, group))
-                                 : fmt::format("{} is held then, for {}", name_of(model_, group), few_of(holders, "or"))});
+      finding.notes.push_back({span, holders.empty() ? fmt::format("{} is held then", name_of(model_, group))
+                                                     : fmt::format("{} is held then, for {}", name_of(model_, group),
+                                                                   few_of(holders, "or"))});
     }
     for (const ConditionId condition : kept.lacking) {
       for (const ProviderId id : all) {
@@ -244,8 +242,7 @@ private:
 
 std::vector<dsl::Diagnostic> tell_decisions(const Input& input, const std::vector<dsl::Diagnostic>& told) {
   const Decisions& decisions = input.shared.decisions();
-  return Telling(input, decisions)
-      .run(find_untold(input.model, happening_of(input.model, decisions), told));
+  return Telling(input, decisions).run(find_untold(input.model, happening_of(input.model, decisions), told));
 }
 
 } // namespace director::checks

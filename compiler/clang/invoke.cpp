@@ -1,5 +1,5 @@
-// Header: compiler/clang/invoke.hpp. Test: tests/compiler/clang/faults_test.cpp, tests/compiler/clang/stubs/command_test.cpp.
-// SPDX-License-Identifier: MIT
+// Header: compiler/clang/invoke.hpp. Test: tests/compiler/clang/faults_test.cpp,
+// tests/compiler/clang/stubs/command_test.cpp. SPDX-License-Identifier: MIT
 #include "compiler/clang/invoke.hpp"
 
 #include <clang/Frontend/CompilerInstance.h>

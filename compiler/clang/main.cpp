@@ -3,8 +3,8 @@
 //
 // Reads C++ for directorc, which calls it; nobody else has to. A word says what is asked, the rest is JSON on standard
 // input and output.
-#include "compiler/clang/subcommands.hpp"
 #include "compiler/base/version.hpp"
+#include "compiler/clang/subcommands.hpp"
 
 #include <array>
 #include <exception>

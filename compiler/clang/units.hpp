@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Units in JSON: as requests name them, and what is told of how one was read.
 
-#include "compiler/clang/parse.hpp"
 #include "compiler/base/json.hpp"
+#include "compiler/clang/parse.hpp"
 
 namespace director::scanning {
 

@@ -85,8 +85,7 @@ ChangeNotices::Woken ChangeNotices::sleep(std::chrono::milliseconds most, int en
   if (wanted[0].revents != 0) return Woken::by_end;
   // What is told does not matter, only that something is: who is woken compares the files.
   alignas(inotify_event) std::array<char, 16384> told{};
-  while (::read(queue_, told.data(), told.size()) > 0) {
-  }
+  while (::read(queue_, told.data(), told.size()) > 0) {}
   return Woken::by_change;
 }
 

@@ -25,8 +25,8 @@ struct Check {
   std::string file;
   Format format = Format::text;
   checks::Selection selection;
-  std::string reachable;   ///< empty: nothing is asked; else `Kick`, `Walk.halting`, `Pose == standing`
-  bool verbose = false;    ///< also memory and bounds
+  std::string reachable; ///< empty: nothing is asked; else `Kick`, `Walk.halting`, `Pose == standing`
+  bool verbose = false;  ///< also memory and bounds
   double work_ns = analysis::nanoseconds_of_work; ///< what a unit of work costs
   std::string build;       ///< folder with compile_commands.json, for the types that it names; empty: looked for
   std::size_t explore = 0; ///< states to explore for what never runs; 0: none

@@ -11,9 +11,9 @@ namespace director::compiler::cli {
 namespace fs = std::filesystem;
 
 Console with_files(const Console& console, dsl::FileAccess& files, Outputs& outputs) {
-  return {console.out,      console.err,     console.out_colours, console.err_colours, files,
-          outputs,          console.programs, console.scanner,    console.headers,     console.out_width,
-          console.err_width, console.out_clears};
+  return {console.out,     console.err,       console.out_colours, console.err_colours,
+          files,           outputs,           console.programs,    console.scanner,
+          console.headers, console.out_width, console.err_width,   console.out_clears};
 }
 
 std::optional<std::string> DiskOutputs::write(const std::vector<Output>& outputs) { return write_on_disk(outputs); }

@@ -41,7 +41,7 @@ struct Console {
   std::string headers = {};               ///< the folder of the runtime's, as they are installed; empty: unknown
   std::size_t out_width = 0;              ///< columns of the terminal; 0: it is none, so text stays as it is written
   std::size_t err_width = 0;
-  bool out_clears = false;                ///< it is a terminal that can be cleared
+  bool out_clears = false; ///< it is a terminal that can be cleared
 };
 
 /// The same world with other files behind it.

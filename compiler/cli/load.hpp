@@ -29,7 +29,8 @@ std::optional<Checked> load(const std::string& file, const CheckOptions& options
 Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console,
                    const CppSource& cpp = {});
 
-/// To the stream, or nothing where there is no finding. `width`: of its terminal, for the source that is shown; 0: none.
+/// To the stream, or nothing where there is no finding. `width`: of its terminal, for the source that is shown; 0:
+/// none.
 void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, std::ostream& out,
                     bool colours, std::size_t width = 0);
 

@@ -66,7 +66,8 @@ RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::strin
 
 bool say_end(const TraceLines& lines, const std::string& file, Console& console) {
   if (lines.cut_off())
-    console.err << fmt::format("{}:{}: note: the last line is cut off, and was left out\n", shown_path(file), lines.number());
+    console.err << fmt::format("{}:{}: note: the last line is cut off, and was left out\n", shown_path(file),
+                               lines.number());
   if (lines.problem().empty()) return true;
   say_problem(file, lines.number(), lines.problem(), console);
   return false;

@@ -18,13 +18,13 @@ struct LoadedTrace {
 LoadedTrace load_trace(const std::string& file, Console& console);
 
 struct RecordedBehaviour {
-  int status = clean;   ///< not clean: it has been said why, and nothing else is good
-  std::string file;     ///< as it is shown to people
-  Checked checked{};    ///< it can be played
+  int status = clean; ///< not clean: it has been said why, and nothing else is good
+  std::string file;   ///< as it is shown to people
+  Checked checked{};  ///< it can be played
 };
 
-/// From the file `named`; empty: where the trace says, else a file of the behaviour's name; as seen from here, or beside
-/// the trace.
+/// From the file `named`; empty: where the trace says, else a file of the behaviour's name; as seen from here, or
+/// beside the trace.
 RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::string& trace, const std::string& named,
                                  dsl::Sources& sources, Console& console);
 

@@ -80,7 +80,10 @@ bool prints_prose(const Command& command) {
 /// As long as this lives, long lines are broken between words; `width` 0: they are not.
 class Wrapped {
 public:
-  Wrapped(std::ostream& stream, std::size_t width) : stream_(stream), terminal_(*stream.rdbuf()), buffer_(terminal_, width) {
+  Wrapped(std::ostream& stream, std::size_t width)
+      : stream_(stream),
+        terminal_(*stream.rdbuf()),
+        buffer_(terminal_, width) {
     if (width != 0) stream_.rdbuf(&buffer_);
   }
   ~Wrapped() {
@@ -115,9 +118,17 @@ int main(int count, char** words) {
     const std::size_t out_width = width_of(STDOUT_FILENO), err_width = width_of(STDERR_FILENO);
     const bool is_prose = std::visit([](const auto& command) { return prints_prose(command); }, request);
     const Wrapped out(std::cout, is_prose ? out_width : 0), err(std::cerr, err_width);
-    Console console{std::cout,     std::cerr,  wants_colours(STDOUT_FILENO), wants_colours(STDERR_FILENO),
-                    files,         outputs,    programs,                     scanner(),
-                    find_headers(own_path()),  out_width,                    err_width,
+    Console console{std::cout,
+                    std::cerr,
+                    wants_colours(STDOUT_FILENO),
+                    wants_colours(STDERR_FILENO),
+                    files,
+                    outputs,
+                    programs,
+                    scanner(),
+                    find_headers(own_path()),
+                    out_width,
+                    err_width,
                     is_screen(STDOUT_FILENO)};
     const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
     std::cout.flush();

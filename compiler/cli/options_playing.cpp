@@ -14,16 +14,18 @@ Make simulate_options(CLI::App& app) {
   add_format(app, request->format, {"text", "json"});
   app.add_flag("--decisions", request->decisions, "also print what is queued, pushed, released and set");
   app.add_flag("--times", request->times, "also print when, in seconds; in JSON, in microseconds");
-  app.add_option("--trace", request->trace, "also write all that happens, as a robot's recorder does")->type_name("FILE");
+  app.add_option("--trace", request->trace, "also write all that happens, as a robot's recorder does")
+      ->type_name("FILE");
   return [=]() -> Request { return *request; };
 }
 
 Make trace_options(CLI::App& app) {
   auto request = std::make_shared<Trace>();
   app.add_option("FILE", request->file, "what was recorded, JSON lines")->required();
-  app.add_option("--to", request->to,
-                 "text, as `simulate --decisions --times` prints it; json, line by line; perfetto, for ui.perfetto.dev; "
-                 "html, the page of `directorc docs` with a timeline")
+  app.add_option(
+         "--to", request->to,
+         "text, as `simulate --decisions --times` prints it; json, line by line; perfetto, for ui.perfetto.dev; "
+         "html, the page of `directorc docs` with a timeline")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"text", "json", "perfetto", "html"}))
       ->capture_default_str();
@@ -34,7 +36,8 @@ Make trace_options(CLI::App& app) {
   add_link(app, request->link);
   return [=]() -> Request {
     if (request->to != "html" && !(request->behaviour.empty() && request->link.empty()))
-      return Say{fmt::format("directorc: {} is for --to=html\n", request->behaviour.empty() ? "--link" : "--behaviour"), true};
+      return Say{fmt::format("directorc: {} is for --to=html\n", request->behaviour.empty() ? "--link" : "--behaviour"),
+                 true};
     if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
     return *request;
   };

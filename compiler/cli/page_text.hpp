@@ -16,7 +16,8 @@ std::size_t columns_of(std::string_view text);
 std::string in_lines(std::string_view text, std::size_t width, std::size_t begin, std::size_t indent);
 
 /// A page as `directorc explain` prints it on a terminal: paragraphs and items of lists broken at `width`, code four
-/// columns to the right, with the comment of a line that is too wide below it, tables as they stand, of a link its text.
+/// columns to the right, with the comment of a line that is too wide below it, tables as they stand, of a link its
+/// text.
 std::string page_text(std::string_view markdown, std::size_t width, bool colours);
 
 } // namespace director::compiler::cli

@@ -16,8 +16,8 @@ struct Say {
   bool wrong = false;
 };
 
-using Request = std::variant<Say, Check, Generate, DrawGraph, Docs, Explain, ListChecks, Simulate, Trace, Replay, Why, Test, Dump,
-                             Explore, Stubs, Verify, Diff>;
+using Request = std::variant<Say, Check, Generate, DrawGraph, Docs, Explain, ListChecks, Simulate, Trace, Replay, Why,
+                             Test, Dump, Explore, Stubs, Verify, Diff>;
 
 /// `arguments`: without the program's name. `schemas`: the folder of the JSON schemas, which the help names; empty:
 /// unknown.

@@ -17,7 +17,9 @@ namespace {
 constexpr std::int64_t work_budget = 2000;
 
 /// The nearest whole number.
-std::int64_t whole(double number) { return number < 9e18 ? std::llround(number) : std::numeric_limits<std::int64_t>::max(); }
+std::int64_t whole(double number) {
+  return number < 9e18 ? std::llround(number) : std::numeric_limits<std::int64_t>::max();
+}
 
 /// In its unit, with two digits: `1.2 us`, `450 ms`. As long as anybody would wait, in hours.
 std::string rounded_time(double nanoseconds) {
@@ -56,11 +58,13 @@ std::string bounds_text(const analysis::Bounds& bounds, const Model& model, cons
   const auto time = [&](std::string_view what, std::int64_t work, const std::string& of) {
     out += fmt::format("  {:<16}{:>9} {}\n", what, in_time(work), of);
   };
-  time("time", bounds.work_in_a_pass, fmt::format("at most for one pass, at {:g} ns a unit of work; `--work-ns` says another", work_ns));
+  time("time", bounds.work_in_a_pass,
+       fmt::format("at most for one pass, at {:g} ns a unit of work; `--work-ns` says another", work_ns));
   time("", bounds.work_in_a_micro_step, "at most to decide in one micro-step; bodies and observers come on top");
-  time("", bounds.work_in_a_micro_step > std::numeric_limits<std::int64_t>::max() - work_budget
-               ? bounds.work_in_a_micro_step
-               : bounds.work_in_a_micro_step + work_budget,
+  time("",
+       bounds.work_in_a_micro_step > std::numeric_limits<std::int64_t>::max() - work_budget
+           ? bounds.work_in_a_micro_step
+           : bounds.work_in_a_micro_step + work_budget,
        fmt::format("at most to decide in one step with `set_work_budget({})`", work_budget));
   line("repeated passes", bounds.repetitions, "at most after one micro-step", "");
   line("micro-steps", bounds.to_first_run, "at most from a root request that is granted at once to its run", handlers);
@@ -71,22 +75,22 @@ std::string bounds_text(const analysis::Bounds& bounds, const Model& model, cons
 }
 
 Json bounds_json(const analysis::Bounds& bounds, double work_ns) {
-  Json out = Json::object({{"decision_state_bytes", Json::number(bounds.decision_bytes)},
-                           {"engine_bytes", Json::number(bounds.engine_bytes)},
-                           {"waiting_runs", Json::number(bounds.runs_waiting)},
-                           {"trials_for_a_decision", Json::number(bounds.trials)},
-                           {"trials_in_a_pass", Json::number(bounds.trials_in_a_pass)},
-                           {"trials_counted", Json::boolean(bounds.counted)},
-                           {"work_in_a_pass", Json::number(bounds.work_in_a_pass)},
-                           {"work_in_a_micro_step", Json::number(bounds.work_in_a_micro_step)},
-                           {"nanoseconds_of_a_pass", Json::number(whole(static_cast<double>(bounds.work_in_a_pass) * work_ns))},
-                           {"nanoseconds_of_a_micro_step",
-                            Json::number(whole(static_cast<double>(bounds.work_in_a_micro_step) * work_ns))},
-                           {"repeated_passes", Json::number(bounds.repetitions)},
-                           {"micro_steps_to_first_run", Json::number(bounds.to_first_run)},
-                           {"micro_steps_for_a_calm_input", Json::number(bounds.calm_input)},
-                           {"micro_steps_in_a_step", Json::number(Engine::default_budget)},
-                           {"handlers_add_inputs", Json::boolean(bounds.handlers_set)}});
+  Json out = Json::object(
+      {{"decision_state_bytes", Json::number(bounds.decision_bytes)},
+       {"engine_bytes", Json::number(bounds.engine_bytes)},
+       {"waiting_runs", Json::number(bounds.runs_waiting)},
+       {"trials_for_a_decision", Json::number(bounds.trials)},
+       {"trials_in_a_pass", Json::number(bounds.trials_in_a_pass)},
+       {"trials_counted", Json::boolean(bounds.counted)},
+       {"work_in_a_pass", Json::number(bounds.work_in_a_pass)},
+       {"work_in_a_micro_step", Json::number(bounds.work_in_a_micro_step)},
+       {"nanoseconds_of_a_pass", Json::number(whole(static_cast<double>(bounds.work_in_a_pass) * work_ns))},
+       {"nanoseconds_of_a_micro_step", Json::number(whole(static_cast<double>(bounds.work_in_a_micro_step) * work_ns))},
+       {"repeated_passes", Json::number(bounds.repetitions)},
+       {"micro_steps_to_first_run", Json::number(bounds.to_first_run)},
+       {"micro_steps_for_a_calm_input", Json::number(bounds.calm_input)},
+       {"micro_steps_in_a_step", Json::number(Engine::default_budget)},
+       {"handlers_add_inputs", Json::boolean(bounds.handlers_set)}});
   return out;
 }
 

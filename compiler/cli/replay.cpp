@@ -17,19 +17,21 @@ namespace {
 
 std::string seconds(Time time) { return fmt::format("{:.6f} s", static_cast<double>(time) / 1e6); }
 
-
-void print(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other, Console& console) {
+void print(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other,
+           Console& console) {
   const std::string version = other ? fmt::format(" by `{}`, another version than the one recorded", behaviour) : "";
   if (replayed.difference) {
     const Replayed::Difference& it = *replayed.difference;
-    console.out << fmt::format("{}:{}: event {}, at {}, is decided otherwise{}\n", trace, it.line, it.event, seconds(it.time), version);
+    console.out << fmt::format("{}:{}: event {}, at {}, is decided otherwise{}\n", trace, it.line, it.event,
+                               seconds(it.time), version);
     const bool same_words = it.recorded == it.replayed;
     console.out << fmt::format("  recorded: {}\n  replayed: {}\n", same_words ? it.recorded_line : it.recorded,
                                same_words ? it.replayed_line : it.replayed);
-    console.out << fmt::format("  {} before it {} the same\n", counted(replayed.events, "event"), replayed.events == 1 ? "is" : "are");
+    console.out << fmt::format("  {} before it {} the same\n", counted(replayed.events, "event"),
+                               replayed.events == 1 ? "is" : "are");
   } else if (replayed.dropped != 0) {
-    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace, counted(replayed.events, "event"), version,
-                               counted(replayed.dropped, "event") + (replayed.dropped == 1 ? " is" : " are"));
+    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace, counted(replayed.events, "event"),
+                               version, counted(replayed.dropped, "event") + (replayed.dropped == 1 ? " is" : " are"));
   } else {
     console.out << fmt::format("{}: {}, all the same{}\n", trace, counted(replayed.events, "event"), version);
   }

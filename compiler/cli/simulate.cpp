@@ -40,7 +40,8 @@ int run(const Simulate& request, Console& console) {
   if (loaded.status != clean) return loaded.status;
   const ShowTimes times = request.times ? ShowTimes::yes : ShowTimes::no;
   const Sink sink = [&](const Happening& happening) {
-    console.out << (request.format == Format::json ? to_json(happening, times) : to_text(happening, times, console.out_colours))
+    console.out << (request.format == Format::json ? to_json(happening, times)
+                                                   : to_text(happening, times, console.out_colours))
                 << '\n';
   };
   PlayOptions options;

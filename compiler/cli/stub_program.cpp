@@ -89,8 +89,7 @@ bool add_heirs(Program& program, const std::vector<stubs::FoundClass>& classes) 
   for (const auto& [path, text] : program.texts) {
     const auto same = [&wanted = path](const stubs::Unit& unit) { return unit.path == wanted; };
     const bool is_known = has_notice(text) || std::any_of(program.units.begin(), program.units.end(), same);
-    if (!is_known && stubs::derives(text, names))
-      heirs.push_back(unit_for(program, path));
+    if (!is_known && stubs::derives(text, names)) heirs.push_back(unit_for(program, path));
   }
   // A source may include the header that is meant.
   std::stable_partition(heirs.begin(), heirs.end(),

@@ -32,8 +32,9 @@ std::string end_of(const Waits& waits) {
     return fmt::format("{} missing before: why something waits is not known from there on",
                        counted(replayed.dropped, "event") + (replayed.dropped == 1 ? " is" : " are"));
   if (replayed.difference)
-    return fmt::format("from {} s on it is decided otherwise when it is played again, so why something waits is not known",
-                       in_seconds(replayed.difference->time));
+    return fmt::format(
+        "from {} s on it is decided otherwise when it is played again, so why something waits is not known",
+        in_seconds(replayed.difference->time));
   return {};
 }
 
@@ -52,7 +53,8 @@ public:
     while (const std::optional<TraceLine> line = lines.next()) {
       if (line->dropped != 0) {
         recording_.dropped(line->dropped, unused);
-        tell(recording_.ends(), counted(line->dropped, "event") + (line->dropped == 1 ? " is missing" : " are missing"));
+        tell(recording_.ends(),
+             counted(line->dropped, "event") + (line->dropped == 1 ? " is missing" : " are missing"));
         continue;
       }
       const Lookup::Found event = lookup_.event(line->json);
@@ -90,9 +92,10 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   const Lowered lowered = lower(of.checked.model);
   const RowNames rows(of.checked.model, lowered);
   if (fingerprint_text(rows.names()) != trace.recorded->fingerprint) {
-    console.err << fmt::format("{}:1: error: this is a trace of another version of `{}`\n  help: --behaviour names the version "
-                               "that was recorded; `directorc replay` says what this one decides otherwise\n",
-                               shown_path(request.file), of.file);
+    console.err << fmt::format(
+        "{}:1: error: this is a trace of another version of `{}`\n  help: --behaviour names the version "
+        "that was recorded; `directorc replay` says what this one decides otherwise\n",
+        shown_path(request.file), of.file);
     return {{}, found};
   }
   TraceLines replayed(trace.text), lines(trace.text);
@@ -104,7 +107,8 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   PageRecording page;
   const bool whole = Reading(rows.names(), recording, page).read(lines, request.file, console);
   if (whole && waits.replayed.difference) // else it is the line that is wrong
-    console.err << fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line, why_ends);
+    console.err << fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line,
+                               why_ends);
   page.about = fmt::format("{} in {}, from {}{}.", counted(recording.events(), "event"),
                            in_seconds(recording.ends() - recording.begins()) + " s", shown_path(request.file),
                            lines.cut_off() ? ", whose last line is cut off" : "");

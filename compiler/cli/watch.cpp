@@ -171,7 +171,8 @@ private:
   void print_end(int status, const World& world) {
     const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - began_);
     std::string what = counted(world.files.paths().size(), "file");
-    if (const std::size_t folders = world.folders.paths().size(); folders != 0) what += " and " + counted(folders, "folder");
+    if (const std::size_t folders = world.folders.paths().size(); folders != 0)
+      what += " and " + counted(folders, "folder");
     line(fmt::format("status {} after {} ms; watching {}, Ctrl-C ends", status, took.count(), what));
   }
 

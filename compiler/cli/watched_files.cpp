@@ -43,11 +43,9 @@ std::vector<std::string> keys_of(const std::map<std::string, Seen>& seen) {
 } // namespace
 
 FileStamp stamp_of(const std::string& path) {
-  struct stat status{};
+  struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return {};
-  return {true,           status.st_dev,
-          status.st_ino,  status.st_size,
-          nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
+  return {true, status.st_dev, status.st_ino, status.st_size, nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
 }
 
 dsl::Result<std::string, dsl::FileError> WatchedFiles::read(const std::string& path, std::size_t most) {
@@ -69,7 +67,7 @@ std::vector<FileChange> WatchedFiles::changes() const {
       const auto text = files_.read(path, dsl::largest_file);
       if (!text || sum_of(text.value()) == *seen.sum) continue;
     }
-    const FileChange::Kind kind = !now.exists          ? FileChange::Kind::removed
+    const FileChange::Kind kind = !now.exists         ? FileChange::Kind::removed
                                   : seen.stamp.exists ? FileChange::Kind::written
                                                       : FileChange::Kind::created;
     out.push_back({path, kind, now});

@@ -32,7 +32,8 @@ std::string wrapped_line(std::string_view line, std::size_t width) {
     if (column <= width / 2) begin = last, indent = column;
   }
   if (indent + further >= width) return std::string(line);
-  return std::string(line.substr(0, begin)) + in_lines(line.substr(begin), width, columns_of(line.substr(0, begin)), indent);
+  return std::string(line.substr(0, begin)) +
+         in_lines(line.substr(begin), width, columns_of(line.substr(0, begin)), indent);
 }
 
 bool WrappingBuffer::put(std::string_view text) {

@@ -83,8 +83,6 @@ static_assert(std::all_of(pages.begin(), pages.end(), [](const ChangeKindPage& p
 
 std::span<const ChangeKindPage> change_kinds() { return pages; }
 
-const ChangeKindPage& page_of(ChangeKind kind) {
-  return pages[static_cast<std::size_t>(kind)];
-}
+const ChangeKindPage& page_of(ChangeKind kind) { return pages[static_cast<std::size_t>(kind)]; }
 
 } // namespace director::compiler

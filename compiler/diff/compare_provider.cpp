@@ -129,8 +129,7 @@ private:
     const auto text = [](std::optional<Microseconds> time) {
       return time ? "within " + dsl::time_text(*time) : std::string("at no time in particular");
     };
-    add(bound_change(before, after),
-        fmt::format("{} {}; before {}", what, text(after), text(before)), from, to);
+    add(bound_change(before, after), fmt::format("{} {}; before {}", what, text(after), text(before)), from, to);
   }
 
   void sets() {

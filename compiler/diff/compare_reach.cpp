@@ -63,11 +63,12 @@ public:
     for (const auto& [name, may] : is_.providers) {
       const auto old = was_.providers.find(name);
       if (old == was_.providers.end() || old->second == may) continue;
-      const Provider *const before = find_provider(pair_.old_model, name), *const after = find_provider(pair_.new_model, name);
+      const Provider *const before = find_provider(pair_.old_model, name), *const after =
+                                                                               find_provider(pair_.new_model, name);
       if (told.count(name_of(pair_.new_model, after->group)) != 0) continue;
       changes_.add(may ? ChangeKind::became_reachable : ChangeKind::became_dead, name,
-                   fmt::format("`{}` {}", name, may ? "may run now" : "can never run any more"),
-                   before->span, after->span);
+                   fmt::format("`{}` {}", name, may ? "may run now" : "can never run any more"), before->span,
+                   after->span);
     }
     for (const auto& push : is_.pushes) {
       if (was_.pushes.count(push) == 0) pushed(push, true);
@@ -80,7 +81,8 @@ public:
 private:
   void pushed(const std::pair<std::string, std::string>& push, bool now) {
     const auto& [waiter, causer] = push;
-    const Provider *const old = find_provider(pair_.old_model, causer), *const fresh = find_provider(pair_.new_model, causer);
+    const Provider *const old = find_provider(pair_.old_model, causer), *const fresh =
+                                                                            find_provider(pair_.new_model, causer);
     const std::optional<Span> before = old ? std::optional(old->span) : std::nullopt,
                               after = fresh ? std::optional(fresh->span) : std::nullopt;
     changes_.add(now ? ChangeKind::push_gained : ChangeKind::push_lost, causer,

@@ -154,7 +154,8 @@ void compare_requests(const Pair& pair, Changes& changes) {
   for (const ProviderId after : pair.new_model.providers.ids()) {
     const auto group = pair.old_model.find_group(pair.new_model.group_of(after).name.value);
     if (!group) continue;
-    const auto before = find_provider(pair.old_model, pair.old_model.groups[*group], pair.new_model.providers[after].name);
+    const auto before =
+        find_provider(pair.old_model, pair.old_model.groups[*group], pair.new_model.providers[after].name);
     if (before) compare_packs(pair, *before, after, changes);
   }
 }

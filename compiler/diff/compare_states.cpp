@@ -89,15 +89,15 @@ private:
   void expires() {
     if (before_.expires.has_value() != after_.expires.has_value()) {
       const State::Expires& one = after_.expires ? *after_.expires : *before_.expires;
-      add(ChangeKind::state_source,
-          fmt::format("{} {} expires after {}", name_, after_.expires ? "now" : "no longer", dsl::time_text(one.after)));
+      add(ChangeKind::state_source, fmt::format("{} {} expires after {}", name_, after_.expires ? "now" : "no longer",
+                                                dsl::time_text(one.after)));
       return;
     }
     if (!before_.expires) return;
     const State::Expires &was = *before_.expires, &is = *after_.expires;
     if (was.after != is.after)
-      add(bound_change(was.after, is.after),
-          fmt::format("{} expires after {}, before after {}", name_, dsl::time_text(is.after), dsl::time_text(was.after)));
+      add(bound_change(was.after, is.after), fmt::format("{} expires after {}, before after {}", name_,
+                                                         dsl::time_text(is.after), dsl::time_text(was.after)));
     if (text_of(before_, was.to) != text_of(after_, is.to))
       add(ChangeKind::state_source, fmt::format("{} is {} when it has expired, before {}", name_,
                                                 text_of(after_, is.to), text_of(before_, was.to)));

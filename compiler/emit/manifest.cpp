@@ -4,9 +4,9 @@
 
 #include "compiler/analysis/plans/bounds.hpp"
 #include "compiler/base/json.hpp"
-#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/base/sha256.hpp"
 #include "compiler/base/version.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "runtime/core/base/state.hpp"
 
 namespace director::compiler {

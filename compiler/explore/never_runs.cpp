@@ -88,8 +88,11 @@ NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vect
   NeverRuns out{{}, searched.complete, searched.states};
   if (!out.complete) return out;
   const Happened& happened = searched.happened;
-  const analysis::Happening happening{
-      set_of<ProviderId>(happened.ran), set_of<EdgeId>(happened.requested), set_of<EdgeId>(happened.granted), nullptr, {}};
+  const analysis::Happening happening{set_of<ProviderId>(happened.ran),
+                                      set_of<EdgeId>(happened.requested),
+                                      set_of<EdgeId>(happened.granted),
+                                      nullptr,
+                                      {}};
   out.findings = Reports(model).run(analysis::find_untold(model, happening, told), happening);
   return out;
 }

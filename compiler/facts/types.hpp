@@ -27,7 +27,7 @@ struct CppType {
 struct Types {
   std::string fault; ///< why nothing is known of any; else empty
   std::map<std::string, CppType, std::less<>>
-      by_name;                    ///< as the behaviour writes it; those of which nothing is known are missing
+      by_name;                      ///< as the behaviour writes it; those of which nothing is known are missing
   std::vector<std::string> files;   ///< the user's headers that were read
   std::vector<std::string> missing; ///< headers that no file of the program could include
   const CppType* find(std::string_view name) const;

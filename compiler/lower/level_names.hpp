@@ -10,8 +10,8 @@
 
 namespace director::compiler {
 
-/// Of the rows of all edges, one after another; empty for the first of a task. What one pack calls its level another may
-/// call otherwise: the first counts.
+/// Of the rows of all edges, one after another; empty for the first of a task. What one pack calls its level another
+/// may call otherwise: the first counts.
 std::vector<std::string> level_names(const Model& model, const Lowered& lowered);
 
 } // namespace director::compiler

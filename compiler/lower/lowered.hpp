@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The tables of runtime/core/base/tables.hpp as values that own their rows, and what leads from a row back to the Model.
-// Rows of groups, providers, edges, states and triggers have the numbers that the Model's ids have.
+// The tables of runtime/core/base/tables.hpp as values that own their rows, and what leads from a row back to the
+// Model. Rows of groups, providers, edges, states and triggers have the numbers that the Model's ids have.
 
 #include "compiler/model/ids.hpp"
 #include "runtime/core/base/tables.hpp"

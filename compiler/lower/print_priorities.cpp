@@ -28,9 +28,7 @@ bool goes_before(const Ranked& a, const Ranked& b) {
 
 class PrioritiesPrinter {
 public:
-  explicit PrioritiesPrinter(const Model& model)
-      : model_(model),
-        contentions_(model) {}
+  explicit PrioritiesPrinter(const Model& model) : model_(model), contentions_(model) {}
 
   std::string print() {
     out_ += "priorities\n";
@@ -85,8 +83,7 @@ private:
       }
     }
     if (!complete) {
-      fmt::format_to(std::back_inserter(out_), "    cut after {} pairs of tasks: there may be more\n",
-                     most_edge_pairs);
+      fmt::format_to(std::back_inserter(out_), "    cut after {} pairs of tasks: there may be more\n", most_edge_pairs);
     }
   }
 

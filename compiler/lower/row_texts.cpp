@@ -10,7 +10,7 @@ const char* text_at(const std::vector<std::string>& texts, std::size_t place) {
   return place < texts.size() ? texts[place].c_str() : "";
 }
 
-template <std::vector<std::string> RowTexts::* all>
+template <std::vector<std::string> RowTexts::*all>
 const char* find(const void* self, Index row) {
   return text_at(static_cast<const RowTexts*>(self)->*all, row);
 }

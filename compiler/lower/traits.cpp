@@ -1,8 +1,8 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/traits_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What the engine asks so often that it is worked out once: how simple a group is, and where two edges can be equal (docs/semantics.md, 4.1,
-// rule 5): only where a requester has two that go by one priority.
+// What the engine asks so often that it is worked out once: how simple a group is, and where two edges can be equal
+// (docs/semantics.md, 4.1, rule 5): only where a requester has two that go by one priority.
 
 #include "compiler/lower/steps.hpp"
 
@@ -39,7 +39,8 @@ public:
   bool add(Index edge) {
     bool found = look(edge, out_.edges[edge].need_urgency);
     const Range levels = out_.edges[edge].levels;
-    for (Index level = levels.begin; level != levels.end; ++level) found = look(edge, out_.levels[level].urgency) || found;
+    for (Index level = levels.begin; level != levels.end; ++level)
+      found = look(edge, out_.levels[level].urgency) || found;
     return found;
   }
 
@@ -72,7 +73,8 @@ void lower_traits(Lowered& out) {
       const director::Group& group = out.groups[out.lists[i]];
       component.alternatives = component.alternatives || !group.slots.empty();
       equals.begin();
-      for (Index edge = group.edges.begin; edge != group.edges.end; ++edge) component.equals = equals.add(edge) || component.equals;
+      for (Index edge = group.edges.begin; edge != group.edges.end; ++edge)
+        component.equals = equals.add(edge) || component.equals;
     }
     component.compared = component.compared || component.equals;
   }

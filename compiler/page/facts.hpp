@@ -21,8 +21,8 @@ std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph);
 /// them. The behaviour must be one that can run.
 Graph with_possible_pushes(const Model& model, Graph graph);
 
-/// Adds `pushes`, `takes`, `ranks`, `verdicts` and `transitions` to what graph_json() made. The behaviour must be one that can run.
-/// `file`: what scenarios call it. `transitions`: of these groups only; empty: of all.
+/// Adds `pushes`, `takes`, `ranks`, `verdicts` and `transitions` to what graph_json() made. The behaviour must be one
+/// that can run. `file`: what scenarios call it. `transitions`: of these groups only; empty: of all.
 void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file,
                     const std::vector<GroupId>& transitions = {});
 

@@ -4,6 +4,7 @@
 // All of the page stands in it as text; the script only moves, hides and marks. Nothing is loaded: the policy allows
 // the one script and the one style whose check sums it names, and nothing else.
 #include "compiler/base/html.hpp"
+
 #include "compiler/base/packed.hpp"
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/artefact/notice.hpp"

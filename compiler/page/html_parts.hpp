@@ -26,8 +26,8 @@ std::string doc_html(const Json& thing);
 /// A group's name as a link to its section.
 std::string group_link(const std::string& name);
 
-/// What Graphviz wrote, without what a page has once: the heads of files, numbers of nodes as ids, and the font, which is
-/// in page.css; without what is so anyway, links within the same link, and hundredths of points.
+/// What Graphviz wrote, without what a page has once: the heads of files, numbers of nodes as ids, and the font, which
+/// is in page.css; without what is so anyway, links within the same link, and hundredths of points.
 std::string svg_part(std::string svg);
 std::string pictures_html(const HtmlInput& input);
 std::string timeline_html(const HtmlInput& input);

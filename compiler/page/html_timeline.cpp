@@ -1,10 +1,10 @@
 // Header: compiler/page/html_parts.hpp. Test: tests/compiler/page/timeline_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The script decodes the recording and draws it. What stands here is for who has none: what the recording is, and how it
-// begins.
-#include "compiler/page/html_parts.hpp"
+// The script decodes the recording and draws it. What stands here is for who has none: what the recording is, and how
+// it begins.
 #include "compiler/base/html.hpp"
+#include "compiler/page/html_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -20,10 +20,11 @@ std::string timeline_html(const HtmlInput& input) {
                                 "JavaScript. {}</p>\n",
                                 html(recording.about), rows.empty() ? "" : "These are the first events:");
   if (!rows.empty())
-    out += fmt::format("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"First events\"><table>\n<thead><tr>"
-                       "<th scope=\"col\">s</th><th scope=\"col\">event</th></tr></thead>\n<tbody>\n{}</tbody>\n</table>"
-                       "</div>\n",
-                       rows);
+    out += fmt::format(
+        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"First events\"><table>\n<thead><tr>"
+        "<th scope=\"col\">s</th><th scope=\"col\">event</th></tr></thead>\n<tbody>\n{}</tbody>\n</table>"
+        "</div>\n",
+        rows);
   if (recording.more != 0)
     out += fmt::format("<p>There are {} more; <code>directorc trace</code> prints all of the trace.</p>\n",
                        recording.more);

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // Where the data of tasks are while a scenario is played: what a generated behaviour keeps in typed slots are values
-// that can be printed and compared here. The engine says when they move. Source: runtime/core/engine/run.hpp (Bodies::Data).
+// that can be printed and compared here. The engine says when they move. Source: runtime/core/engine/run.hpp
+// (Bodies::Data).
 
 #include "dsl/data.hpp"
 #include "runtime/core/engine/run.hpp"

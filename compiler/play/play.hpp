@@ -24,7 +24,7 @@ struct PlayOptions {
   std::uint64_t most_stops = stops_of_advance;
   std::uint32_t steps = 0;                  ///< play no more than so many; 0: all
   std::optional<Time> until{};              ///< play no further than this time
-  Observer events{};                  ///< told of every event of the engine, before `sink` hears of it
+  Observer events{};                        ///< told of every event of the engine, before `sink` hears of it
   std::function<void(const Engine&)> end{}; ///< shown the engine as it is in the end
 };
 

@@ -24,8 +24,7 @@ ScriptedBodies::ScriptedBodies(const Scenario& scenario, const Tables& tables, c
       data_(tables.groups.size(), tables.edges.size()),
       runs_(tables.providers.size()),
       starts_(tables.groups.size()),
-      stops_(tables.groups.size()) {
-}
+      stops_(tables.groups.size()) {}
 
 Bodies ScriptedBodies::table() {
   Bodies bodies;

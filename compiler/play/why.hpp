@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Why a group runs, or does not: what the engine finds (runtime/core/inspect/why.hpp), in the words of the specification and
-// with its places.
+// Why a group runs, or does not: what the engine finds (runtime/core/inspect/why.hpp), in the words of the
+// specification and with its places.
 
 #include "compiler/base/json.hpp"
 #include "compiler/lower/lowered.hpp"

@@ -3,8 +3,8 @@
 // What director-clang is asked about a program, and what it answers: `declarations` and `format`. The other end is in
 // compiler/clang. Texts of the user do not travel: they may be in any encoding, and both ends count their bytes.
 
-#include "compiler/emit/artefact/artefact.hpp"
 #include "compiler/base/json.hpp"
+#include "compiler/emit/artefact/artefact.hpp"
 #include "compiler/stubs/found.hpp"
 #include "compiler/stubs/insertion.hpp"
 

@@ -65,20 +65,34 @@ private:
   static Lookup::Found fail(std::string problem) { return {{}, std::move(problem)}; }
 
   void member(const std::string& key, const Json& value) {
-    if (key == "t") e_.time = value.as_number();
-    else if (key == "until") e_.until = value.as_number();
-    else if (key == "n") e_.micro_step = static_cast<std::uint64_t>(value.as_number());
-    else if (key == "input") word(key, value, e_.input, Event::Input::every);
-    else if (key == "why") word(key, value, e_.why, Why::deferred);
-    else if (key == "answer") word(key, value, e_.outcome, Outcome::Kind::fault);
-    else if (key == "group") row(key, value, l_.groups_, e_.group);
-    else if (key == "state") row(key, value, l_.states_, e_.state);
-    else if (key == "trigger") row(key, value, l_.triggers_, e_.trigger);
-    else if (key == "condition") row(key, value, l_.conditions_, e_.condition);
-    else if (key == "pack") e_.pack = static_cast<std::uint16_t>(value.as_number());
-    else if (key == "count") e_.count = static_cast<std::uint32_t>(value.as_number());
-    else if (key == "due") e_.due = value.as_number();
-    else if (key == "reasons") reasons(value);
+    if (key == "t")
+      e_.time = value.as_number();
+    else if (key == "until")
+      e_.until = value.as_number();
+    else if (key == "n")
+      e_.micro_step = static_cast<std::uint64_t>(value.as_number());
+    else if (key == "input")
+      word(key, value, e_.input, Event::Input::every);
+    else if (key == "why")
+      word(key, value, e_.why, Why::deferred);
+    else if (key == "answer")
+      word(key, value, e_.outcome, Outcome::Kind::fault);
+    else if (key == "group")
+      row(key, value, l_.groups_, e_.group);
+    else if (key == "state")
+      row(key, value, l_.states_, e_.state);
+    else if (key == "trigger")
+      row(key, value, l_.triggers_, e_.trigger);
+    else if (key == "condition")
+      row(key, value, l_.conditions_, e_.condition);
+    else if (key == "pack")
+      e_.pack = static_cast<std::uint16_t>(value.as_number());
+    else if (key == "count")
+      e_.count = static_cast<std::uint32_t>(value.as_number());
+    else if (key == "due")
+      e_.due = value.as_number();
+    else if (key == "reasons")
+      reasons(value);
     else if (key != "event" && key != "edge" && key != "from" && key != "provider" && key != "value" && key != "level")
       problem_ = fmt::format("unknown key `{}`", key);
   }
@@ -131,16 +145,18 @@ private:
     const auto is = [&](auto... kinds) { return ((e_.kind == kinds) || ...); };
     const bool in = e_.kind == Kind::input;
     missing(e_.group == nil &&
-            is(Kind::run, Kind::start, Kind::stop, Kind::done, Kind::failed, Kind::grant, Kind::lose, Kind::push,
-               Kind::release, Kind::broken, Kind::fault, Kind::answer, Kind::assign, Kind::wait, Kind::refused),
+                is(Kind::run, Kind::start, Kind::stop, Kind::done, Kind::failed, Kind::grant, Kind::lose, Kind::push,
+                   Kind::release, Kind::broken, Kind::fault, Kind::answer, Kind::assign, Kind::wait, Kind::refused),
             "group");
-    missing(in && (e_.input == Event::Input::wait || e_.input == Event::Input::within || e_.input == Event::Input::every) &&
-                e_.group == nil, "group");
+    missing(
+        in && (e_.input == Event::Input::wait || e_.input == Event::Input::within || e_.input == Event::Input::every) &&
+            e_.group == nil,
+        "group");
     missing(e_.provider == nil && (is(Kind::run, Kind::push, Kind::broken, Kind::answer) ||
                                    (in && (e_.input == Event::Input::enable || e_.input == Event::Input::disable))),
             "provider");
-    const bool asked = is(Kind::queue, Kind::push, Kind::ask, Kind::keep, Kind::withdraw) ||
-                       (in && e_.input == Event::Input::request);
+    const bool asked =
+        is(Kind::queue, Kind::push, Kind::ask, Kind::keep, Kind::withdraw) || (in && e_.input == Event::Input::request);
     missing(asked && e_.edge >= l_.tables_.edges.size(), "edge");
     missing(e_.state == nil && (is(Kind::set, Kind::refused, Kind::assign, Kind::given) ||
                                 (in && (e_.input == Event::Input::set || e_.input == Event::Input::expire))),
@@ -148,7 +164,8 @@ private:
     missing(in && e_.input == Event::Input::fire && e_.trigger == nil, "trigger");
     missing(in && e_.input == Event::Input::none, "kind");
     missing(in && (e_.input == Event::Input::request || (e_.input == Event::Input::cancel && e_.edge != nil)) &&
-                e_.edge >= l_.tables_.root_edges, "edge of root");
+                e_.edge >= l_.tables_.root_edges,
+            "edge of root");
   }
 
   void edge(std::string_view key, Index& out) {

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A recording as a page has it in itself: small, and read without looking for anything. compiler/page/web/embedded.ts is
-// its other half. The bytes, before they are packed:
+// A recording as a page has it in itself: small, and read without looking for anything. compiler/page/web/embedded.ts
+// is its other half. The bytes, before they are packed:
 //
 //   length        4 bytes, the lowest first
 //   head          JSON of that length:

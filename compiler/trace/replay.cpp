@@ -1,9 +1,9 @@
 // Header: compiler/trace/replay.hpp. Test: tests/property/replay_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The engine is stepped one micro-step at a time. Each event says in which micro-step it was told, so an input is posted
-// where the next micro-step is the one that took it, and `until` says what time the step was given then. Nothing else
-// decides what a micro-step does: how many of them a step had made no difference.
+// The engine is stepped one micro-step at a time. Each event says in which micro-step it was told, so an input is
+// posted where the next micro-step is the one that took it, and `until` says what time the step was given then. Nothing
+// else decides what a micro-step does: how many of them a step had made no difference.
 #include "compiler/trace/replay.hpp"
 
 #include "compiler/trace/lookup.hpp"
@@ -22,7 +22,7 @@ namespace director::compiler {
 
 namespace {
 
-constexpr std::size_t most_records = 4096;         ///< of one input
+constexpr std::size_t most_records = 4096;           ///< of one input
 constexpr std::uint32_t most_silent_steps = 100'000; ///< micro-steps without an event
 
 using Kind = Event::Kind;
@@ -72,8 +72,8 @@ private:
 
   // The trace.
 
-  /// The event so many places ahead; null: there is none. What the recorder missed, or the inbox lost, or a budget ended,
-  /// decides nothing.
+  /// The event so many places ahead; null: there is none. What the recorder missed, or the inbox lost, or a budget
+  /// ended, decides nothing.
   const Recorded* ahead(std::size_t places) {
     while (waiting_.size() <= places) {
       std::optional<TraceLine> line = lines_.next();
@@ -168,7 +168,8 @@ private:
     for (; is(ahead(place), Kind::input) && from_outside(ahead(place)->event) && ahead(place)->event.micro_step == step;
          ++place) {
       records.push_back(record(ahead(place)->event));
-      if (records.front().kind == Input::Kind::cancel || records.size() == most_records) break; // of all: each is told besides
+      if (records.front().kind == Input::Kind::cancel || records.size() == most_records)
+        break; // of all: each is told besides
     }
     for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
     if (!records.empty()) inbox_.post(records);

@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // A trace played again on the engine: what was recorded of the outside comes in as it came then, bodies and handlers
-// answer what they answered, and every event that the engine tells must be the one that was recorded. Where a version of
-// the behaviour decides otherwise the replay ends, because from there on nobody recorded what bodies would have answered.
+// answer what they answered, and every event that the engine tells must be the one that was recorded. Where a version
+// of the behaviour decides otherwise the replay ends, because from there on nobody recorded what bodies would have
+// answered.
 
 #include "compiler/trace/trace_lines.hpp"
 #include "runtime/core/base/observer.hpp"
@@ -21,7 +22,7 @@ struct Replayed {
     std::size_t event = 1; ///< counts from 1
     std::size_t line = 0;  ///< of the trace; counts from 1
     Time time = 0;
-    std::string recorded, replayed;             ///< in words; of what simulate says nothing about, the line
+    std::string recorded, replayed;           ///< in words; of what simulate says nothing about, the line
     std::string recorded_line, replayed_line; ///< empty: the behaviour came to rest, or the trace has something else
   };
 

@@ -28,9 +28,9 @@ public:
   /// The next line; nothing at the end, or where something is wrong.
   std::optional<TraceLine> next();
 
-  std::size_t number() const { return number_; }             ///< of the line that was read last
-  const std::string& problem() const { return problem_; }    ///< of that line; empty: there is none
-  bool cut_off() const { return cut_off_; }                   ///< the last line was, and was left out
+  std::size_t number() const { return number_; }          ///< of the line that was read last
+  const std::string& problem() const { return problem_; } ///< of that line; empty: there is none
+  bool cut_off() const { return cut_off_; }               ///< the last line was, and was left out
 
 private:
   std::string_view rest_;

@@ -55,7 +55,8 @@ private:
   };
 
   static bool is_decision(Kind kind) {
-    return kind == Kind::grant || kind == Kind::lose || kind == Kind::queue || kind == Kind::push || kind == Kind::release;
+    return kind == Kind::grant || kind == Kind::lose || kind == Kind::queue || kind == Kind::push ||
+           kind == Kind::release;
   }
   /// An answer names values, who asks, at which priority, and who is disabled.
   static bool may_change_notes(const Event& event) {

@@ -211,8 +211,8 @@ private:
   const Judge judge_;
   std::string behaviour_;
   TransitionMatrix out_;
-  std::vector<Beginning> beginnings_;                         ///< by row
-  std::map<GroupId, std::optional<std::size_t>> row_of_;      ///< where rows are made when somebody asks for them
+  std::vector<Beginning> beginnings_;                    ///< by row
+  std::map<GroupId, std::optional<std::size_t>> row_of_; ///< where rows are made when somebody asks for them
   std::unordered_map<std::string, std::size_t> numbers_;
 };
 

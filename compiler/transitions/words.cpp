@@ -87,8 +87,9 @@ std::string words_of(const TransitionMatrix::Row& row, const Model& model) {
   std::vector<std::string> names;
   for (const GroupId group : row.chain) names.push_back(model.groups[group].name.value);
   names.push_back(model.groups[row.group].name.value);
-  const std::string given =
-      row.given.empty() ? std::string{} : fmt::format(" It begins with {}, which only bodies set.", and_list(row.given));
+  const std::string given = row.given.empty()
+                                ? std::string{}
+                                : fmt::format(" It begins with {}, which only bodies set.", and_list(row.given));
   return fmt::format("Requested by way of {}.{}{}", fmt::join(names, " \u2192 "), outside(row.states), given);
 }
 
@@ -101,10 +102,9 @@ std::string words_of(const Transition& cell, const Told& told) {
     return fmt::format("{} and {} run beside each other.{}{}", first, second, pushes(cell, told.model),
                        outside(cell.states));
   case Kind::soft: {
-    const std::string all =
-        cell.pushes.size() > 1 && cell.bound
-            ? fmt::format(" All of that is promised within {}.", dsl::time_text(*cell.bound))
-            : std::string{};
+    const std::string all = cell.pushes.size() > 1 && cell.bound
+                                ? fmt::format(" All of that is promised within {}.", dsl::time_text(*cell.bound))
+                                : std::string{};
     const std::string bound = cell.bound ? all : " No time is promised for that.";
     return fmt::format("{} waits.{}{} Then {} takes over.{}{}", second, pushes(cell, told.model), bound, second,
                        stops(cell, told), outside(cell.states));

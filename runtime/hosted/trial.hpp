@@ -294,8 +294,8 @@ public:
     state.last[target].holder = granted ? edge : nil;
     state.last[target].flags = granted ? flag::granted : 0;
     state.run_queue[target].done = fares == Fares::done     ? result::done
-                              : fares == Fares::failed ? static_cast<std::uint8_t>(result::done | result::failed)
-                                                       : std::uint8_t{0};
+                                   : fares == Fares::failed ? static_cast<std::uint8_t>(result::done | result::failed)
+                                                            : std::uint8_t{0};
     return *this;
   }
 

@@ -18,7 +18,8 @@ void Backlog::add(Block block) {
 }
 
 const Block* Backlog::from(std::uint64_t event) const {
-  const auto found = std::partition_point(blocks_.begin(), blocks_.end(), [&](const Block& each) { return each.begin < event; });
+  const auto found =
+      std::partition_point(blocks_.begin(), blocks_.end(), [&](const Block& each) { return each.begin < event; });
   return found == blocks_.end() ? nullptr : &*found;
 }
 

@@ -51,8 +51,8 @@ private:
   const Names names_;
   Backlog backlog_;
   const Moment* moment_;
-  std::string header_; ///< as a message's line
-  std::string text_;   ///< of the block that is being made
+  std::string header_;      ///< as a message's line
+  std::string text_;        ///< of the block that is being made
   std::uint64_t begin_ = 0; ///< its first event
   std::uint64_t last_ = 0;  ///< its last one
   std::uint64_t taken_ = 0; ///< from the queue, so far

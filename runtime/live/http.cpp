@@ -75,8 +75,12 @@ private:
 
   void take(const httplib::Request& from, httplib::Response& to) {
     const auto header = [&](const char* name) { return from.get_header_value(name); };
-    Request request{.method = from.method, .path = from.path, .parameters = from.params, .host = header("Host"),
-                    .origin = header("Origin"), .last_event = header("Last-Event-ID"),
+    Request request{.method = from.method,
+                    .path = from.path,
+                    .parameters = from.params,
+                    .host = header("Host"),
+                    .origin = header("Origin"),
+                    .last_event = header("Last-Event-ID"),
                     .has_body = from.has_header("Transfer-Encoding") ||
                                 (from.has_header("Content-Length") && header("Content-Length") != "0")};
     reply_ = handler_(request);

@@ -16,7 +16,8 @@ namespace director::live {
 
 namespace {
 
-constexpr int waiting = SOMAXCONN; ///< connections that nobody has taken yet: who finds no place tries again after a second
+constexpr int waiting =
+    SOMAXCONN; ///< connections that nobody has taken yet: who finds no place tries again after a second
 
 std::string words(int error) { return std::generic_category().message(error); }
 
@@ -51,11 +52,13 @@ Listener listen_at(const std::string& address, std::uint16_t port) {
   addrinfo* found = nullptr;
   Listener out;
   if (const int error = getaddrinfo(address.c_str(), std::to_string(port).c_str(), &wanted, &found); error != 0) {
-    out.error = "there is no address \"" + address + "\" (" + gai_strerror(error) + "): name one of this computer, such as 127.0.0.1";
+    out.error = "there is no address \"" + address + "\" (" + gai_strerror(error) +
+                "): name one of this computer, such as 127.0.0.1";
     return out;
   }
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, freeaddrinfo);
-  const std::string host = found->ai_family == AF_INET6 && address.find(':') != std::string::npos ? "[" + address + "]" : address;
+  const std::string host =
+      found->ai_family == AF_INET6 && address.find(':') != std::string::npos ? "[" + address + "]" : address;
   out.socket = open_at(*found);
   if (out.socket >= 0) {
     out.authority = host + ":" + port_of(out.socket);

@@ -8,9 +8,9 @@
 namespace director::live {
 
 struct Listener {
-  int socket = -1;        ///< does not block; -1: there is none
-  std::string authority;  ///< `127.0.0.1:8080`, `[::1]:8080`
-  std::string error;      ///< why there is none, in words
+  int socket = -1;       ///< does not block; -1: there is none
+  std::string authority; ///< `127.0.0.1:8080`, `[::1]:8080`
+  std::string error;     ///< why there is none, in words
 };
 
 /// `port`: 0: any that is free.

@@ -28,14 +28,17 @@ std::optional<live::Page> page_of(const LiveView::Options& options, std::string&
   std::optional<std::string> read;
   if (!options.page.empty()) {
     read = text_of(options.page);
-    if (!read) error = "cannot read the page " + options.page + ": " + std::generic_category().message(errno) + "; `directorc docs` writes one";
+    if (!read)
+      error = "cannot read the page " + options.page + ": " + std::generic_category().message(errno) +
+              "; `directorc docs` writes one";
     if (!read) return std::nullopt;
   }
   const std::string_view html = read ? std::string_view(*read) : options.html;
   if (html.empty() && !read) return std::nullopt;
   std::optional<live::Page> page = live::to_send(html);
   if (!page)
-    error = (read ? options.page : std::string("the page")) + " is not one that `directorc docs` wrote, in HTML: it has no policy of its own";
+    error = (read ? options.page : std::string("the page")) +
+            " is not one that `directorc docs` wrote, in HTML: it has no policy of its own";
   return page;
 }
 
@@ -65,7 +68,8 @@ LiveView::LiveView(const Names& names, const Options& options) : queue_(options.
   server_ = std::make_unique<live::Server>(
       listener.socket, std::make_unique<live::Feed>(queue_, moments_, names, options.memory),
       std::make_unique<live::Site>(names, std::move(page), *token, std::move(own_names)),
-      live::Server::Options{.connections = options.connections, .interval = options.interval, .patience = options.patience});
+      live::Server::Options{
+          .connections = options.connections, .interval = options.interval, .patience = options.patience});
 }
 
 LiveView::~LiveView() = default;

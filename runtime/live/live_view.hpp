@@ -37,15 +37,17 @@ class LiveView {
 public:
   /// What is shown, where, and within which bounds.
   struct Options {
-    std::string page = {};            ///< the file that `directorc docs` wrote; empty: `html`
-    std::string_view html = {};       ///< that page itself, as director_embed_page has it; empty: there is no page, only what it reads
+    std::string page = {}; ///< the file that `directorc docs` wrote; empty: `html`
+    std::string_view html =
+        {}; ///< that page itself, as director_embed_page has it; empty: there is no page, only what it reads
     std::string address = "127.0.0.1"; ///< of this computer; another one than of loopback lets others in
-    std::uint16_t port = 0;           ///< 0: any that is free
-    std::size_t queue = 65'536;       ///< events that can wait for the view's thread
-    std::size_t memory = 4 << 20;     ///< bytes of events that are kept for viewers who are late; together, not for each
-    std::size_t connections = 64;     ///< at a time
-    std::chrono::milliseconds interval{20};      ///< how often viewers are told
-    std::chrono::milliseconds patience{10'000};  ///< a viewer who takes nothing for so long is let go; a request gets half of it
+    std::uint16_t port = 0;            ///< 0: any that is free
+    std::size_t queue = 65'536;        ///< events that can wait for the view's thread
+    std::size_t memory = 4 << 20; ///< bytes of events that are kept for viewers who are late; together, not for each
+    std::size_t connections = 64; ///< at a time
+    std::chrono::milliseconds interval{20}; ///< how often viewers are told
+    std::chrono::milliseconds patience{
+        10'000}; ///< a viewer who takes nothing for so long is let go; a request gets half of it
   };
 
   /// `names`: `all()` of the behaviour's `names`.
@@ -67,8 +69,8 @@ public:
   void tell(const Event& event) {
     if (!queue_.put(event)) queue_.drop();
   }
-  /// After a step: what holds now. Without it viewers who come late know of what happened before only what happens again,
-  /// and `why` has no answer.
+  /// After a step: what holds now. Without it viewers who come late know of what happened before only what happens
+  /// again, and `why` has no answer.
   template <class Behaviour>
   void show(const Behaviour& behaviour) {
     show(behaviour.seen().view());
@@ -79,7 +81,8 @@ public:
   // From any thread.
 
   /// Lets viewers request and cancel root tasks that have no data, and set external states. Without it they only look.
-  /// `post`: `behaviour.post()`; the behaviour must live as long as the view does, or `forbid_commands` be called before.
+  /// `post`: `behaviour.post()`; the behaviour must live as long as the view does, or `forbid_commands` be called
+  /// before.
   template <class Post>
   void allow_commands(const Post& post) {
     allow({.request = [post](Index edge, Index level) { return post.request_row(edge, level); },

@@ -15,7 +15,11 @@ namespace {
 
 class MomentLines {
 public:
-  MomentLines(const View& view, const Names& names, std::string& out) : v_(view), t_(*view.tables), n_(names), out_(out) {}
+  MomentLines(const View& view, const Names& names, std::string& out)
+      : v_(view),
+        t_(*view.tables),
+        n_(names),
+        out_(out) {}
 
   void write() {
     for (Index row = 0; row < t_.states.size(); ++row) given(row);

@@ -56,7 +56,8 @@ private:
   static constexpr std::uint8_t place = 3, fresh = 4;
 
   std::array<Buffer, 3> buffers_;
-  std::uint64_t shown_ = ~std::uint64_t{0}; ///< the micro-step of the last moment; of the thread that steps, as is the next
+  std::uint64_t shown_ =
+      ~std::uint64_t{0}; ///< the micro-step of the last moment; of the thread that steps, as is the next
   std::uint8_t written_ = 0;
   std::uint8_t read_ = 1; ///< of the thread that shows
   std::atomic<std::uint8_t> between_{2};

@@ -28,7 +28,9 @@ constexpr auto sign_of_life = 1s;
 constexpr auto leaving_takes = 1s; ///< for what is still on its way, so that it does not cut off the answer
 constexpr auto no_socket_left = 100ms;
 
-bool has_ended(ssize_t moved) { return moved == 0 || (moved < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR); }
+bool has_ended(ssize_t moved) {
+  return moved == 0 || (moved < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
+}
 
 /// Viewers are less urgent than what they look at.
 void yield_to_others() { setpriority(PRIO_PROCESS, 0, 10); }
@@ -91,7 +93,8 @@ void Server::wait() {
   }
   std::erase_if(connections_, [](const auto& each) { return each->socket < 0; });
   if ((sockets[0].revents & POLLIN) != 0) take_connections();
-  viewers_.store(static_cast<std::size_t>(std::ranges::count(connections_, Connection::Stage::viewing, [](const auto& each) { return each->stage; })),
+  viewers_.store(static_cast<std::size_t>(std::ranges::count(connections_, Connection::Stage::viewing,
+                                                             [](const auto& each) { return each->stage; })),
                  std::memory_order_relaxed);
 }
 
@@ -100,12 +103,15 @@ void Server::take_connections() {
     const int taken = accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (taken < 0) {
       // Without a free descriptor the connection stays where it is, and would be told of again and again.
-      if (errno != EAGAIN && errno != EWOULDBLOCK && errno != ECONNABORTED && errno != EINTR) accepts_again_ = now_ + no_socket_left;
+      if (errno != EAGAIN && errno != EWOULDBLOCK && errno != ECONNABORTED && errno != EINTR)
+        accepts_again_ = now_ + no_socket_left;
       return;
     }
     if (connections_.size() >= options_.connections && !make_room()) {
-      const std::string full = bare_answer("503 Service Unavailable", "All " + std::to_string(options_.connections) +
-                                                                          " connections are taken: close a page, or give LiveView more `connections`.\n");
+      const std::string full =
+          bare_answer("503 Service Unavailable",
+                      "All " + std::to_string(options_.connections) +
+                          " connections are taken: close a page, or give LiveView more `connections`.\n");
       std::ignore = send(taken, full.data(), full.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
       ::close(taken);
       continue;
@@ -117,7 +123,8 @@ void Server::take_connections() {
   }
 }
 
-/// Of those who look at nothing yet, the one that is there longest goes: who connects and says nothing keeps nobody out.
+/// Of those who look at nothing yet, the one that is there longest goes: who connects and says nothing keeps nobody
+/// out.
 bool Server::make_room() {
   const auto oldest = std::ranges::min_element(connections_, {}, [](const auto& each) {
     const bool idle = each->stage == Connection::Stage::asking || each->stage == Connection::Stage::leaving;
@@ -147,7 +154,8 @@ bool Server::read(Connection& connection) {
   std::array<char, 4096> buffer;
   const ssize_t count = recv(connection.socket, buffer.data(), buffer.size(), 0);
   if (has_ended(count)) return false;
-  if (count > 0 && connection.stage == Connection::Stage::asking) connection.in.append(buffer.data(), static_cast<std::size_t>(count));
+  if (count > 0 && connection.stage == Connection::Stage::asking)
+    connection.in.append(buffer.data(), static_cast<std::size_t>(count));
   return true;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// All connections of all viewers, in one thread. Nothing here ever waits for one of them: a socket that cannot be read or
-// written now is left for the next round, and one that moves nothing for too long is closed.
+// All connections of all viewers, in one thread. Nothing here ever waits for one of them: a socket that cannot be read
+// or written now is left for the next round, and one that moves nothing for too long is closed.
 
 #include "runtime/live/feed.hpp"
 #include "runtime/live/http.hpp"

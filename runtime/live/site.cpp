@@ -86,10 +86,12 @@ Reply Site::look(std::string_view what, const Request& request, const Moment& mo
   if (what == "why") return why(request, moment);
   if (what.empty() && page_ != nullptr) return {.type = "text/html; charset=utf-8", .body = page_};
   if (what.empty())
-    return say(404, "The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What happens is at events, and why at why.");
+    return say(404, "The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What "
+                    "happens is at events, and why at why.");
   if (what == "request" || what == "cancel" || what == "cancel_all" || what == "set")
     return say(405, "A command is posted: curl -X POST ...");
-  return say(404, "There is nothing here: the page is at the address that ends behind the token, what happens at events, and why at why.");
+  return say(404, "There is nothing here: the page is at the address that ends behind the token, what happens at "
+                  "events, and why at why.");
 }
 
 Reply Site::why(const Request& request, const Moment& moment) const {
@@ -124,11 +126,14 @@ Reply Site::command(std::string_view what, const Request& request) const {
     return say(403, "A command is not taken from the page of another server, " + request.origin + ".");
   if (request.has_body) return say(413, "A command has no body: all stands in the address, as in request?task=NAME.");
   const std::lock_guard lock(mutex_);
-  if (!commands_) return say(403, "Commands are not allowed: the program has not called allow_commands(behaviour.post()) of its LiveView.");
+  if (!commands_)
+    return say(
+        403, "Commands are not allowed: the program has not called allow_commands(behaviour.post()) of its LiveView.");
   if (what == "request") return request_task(request);
   if (what == "cancel") return cancel_task(request);
   if (what == "set") return set_state(request);
-  if (what == "cancel_all") return commands_.cancel_all() ? say(202, "posted: cancel all") : say(503, "not posted: the inbox is full");
+  if (what == "cancel_all")
+    return commands_.cancel_all() ? say(202, "posted: cancel all") : say(503, "not posted: the inbox is full");
   return say(404, "There is no such command: there are request, cancel, cancel_all and set.");
 }
 
@@ -139,8 +144,9 @@ std::optional<Index> Site::root_edge(const Request& request, Reply& problem) con
   for (Index edge = 0; task && edge < t.root_edges; ++edge) {
     if (*task == name(edge)) return edge;
   }
-  problem = say(task ? 404 : 400, (task ? "\"" + *task + "\" is not a root task" : std::string("The task is missing: task=NAME")) +
-                                      "; there are: " + quoted_list(t.root_edges, name) + ".");
+  problem = say(task ? 404 : 400,
+                (task ? "\"" + *task + "\" is not a root task" : std::string("The task is missing: task=NAME")) +
+                    "; there are: " + quoted_list(t.root_edges, name) + ".");
   return std::nullopt;
 }
 
@@ -151,10 +157,11 @@ Reply Site::request_task(const Request& request) const {
   const Range levels = names_.tables->edges[*edge].levels;
   Index level = levels.begin;
   const std::optional<std::string> wanted = parameter(request, "level");
-  const auto name = [&](Index row) { return names_.level == nullptr ? "" : names_.level(names_.self, static_cast<Index>(levels.begin + row)); };
+  const auto name = [&](Index row) {
+    return names_.level == nullptr ? "" : names_.level(names_.self, static_cast<Index>(levels.begin + row));
+  };
   while (wanted && level != levels.end && *wanted != name(static_cast<Index>(level - levels.begin))) ++level;
-  if (level == levels.end)
-    return say(404, "\"" + wanted.value_or("") + "\" is no level of this root task.");
+  if (level == levels.end) return say(404, "\"" + wanted.value_or("") + "\" is no level of this root task.");
   if (!commands_.request(*edge, level))
     return say(409, "not posted: the task carries data, which only the program can give");
   return say(202, "posted: request " + *parameter(request, "task") + (wanted ? " at " + *wanted : ""));
@@ -175,12 +182,15 @@ Reply Site::set_state(const Request& request) const {
   Index row = 0;
   while (row < t.states.size() && *state != names_.state(names_.self, row)) ++row;
   if (row == t.states.size()) return say(404, "There is no state \"" + *state + "\".");
-  if (!t.states[row].external) return say(409, "\"" + *state + "\" is set by the behaviour itself: only external states are set from outside.");
+  if (!t.states[row].external)
+    return say(409, "\"" + *state + "\" is set by the behaviour itself: only external states are set from outside.");
   std::int32_t number = 0;
   const bool named = *names_.value(names_.self, row, 0) != '\0';
   if (named) {
-    while (*names_.value(names_.self, row, number) != '\0' && *value != names_.value(names_.self, row, number)) ++number;
-    if (*names_.value(names_.self, row, number) == '\0') return say(404, "\"" + *value + "\" is no value of " + *state + ".");
+    while (*names_.value(names_.self, row, number) != '\0' && *value != names_.value(names_.self, row, number))
+      ++number;
+    if (*names_.value(names_.self, row, number) == '\0')
+      return say(404, "\"" + *value + "\" is no value of " + *state + ".");
   } else if (const auto [end, error] = std::from_chars(value->data(), value->data() + value->size(), number);
              error != std::errc{} || end != value->data() + value->size()) {
     return say(400, "\"" + *value + "\" is not a whole number.");

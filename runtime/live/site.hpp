@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // What is at which address, behind the token: `/` is the page, `/events` all that happens, `/why` why groups wait, and
-// to `/request`, `/cancel`, `/cancel_all` and `/set` is posted what the behaviour is to do. Every error says what to do.
+// to `/request`, `/cancel`, `/cancel_all` and `/set` is posted what the behaviour is to do. Every error says what to
+// do.
 
 #include "runtime/core/inspect/why_text.hpp"
 #include "runtime/live/commands.hpp"

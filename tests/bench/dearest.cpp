@@ -18,7 +18,7 @@ using director::Input;
 namespace {
 
 constexpr int replays = 3;
-constexpr std::uint64_t some_work = 20; ///< with less, most of the time of a micro-step is not for deciding
+constexpr std::uint64_t some_work = 20;          ///< with less, most of the time of a micro-step is not for deciding
 constexpr std::size_t most_micro_steps = 10'000; ///< after one input
 
 using Clock = std::chrono::steady_clock;
@@ -76,7 +76,8 @@ Input Wanderer::draw() {
     out.value = static_cast<std::int32_t>(row.low + random_.below(static_cast<std::size_t>(row.high - row.low + 1)));
     return out;
   }
-  if (kind < 60 && !triggers_.empty()) return {.kind = Input::Kind::fire, .thing = triggers_[random_.below(triggers_.size())]};
+  if (kind < 60 && !triggers_.empty())
+    return {.kind = Input::Kind::fire, .thing = triggers_[random_.below(triggers_.size())]};
   const Index root = roots_[random_.below(roots_.size())];
   if (kind < 65) {
     const auto provider = random_.below(robot_.model().providers.size());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tests/bench/dearest.hpp"
-
 #include "compiler/analysis/plans/work.hpp"
+#include "tests/bench/dearest.hpp"
 #include "tests/bench/report.hpp"
 
 #include <catch2/catch.hpp>
@@ -38,19 +37,27 @@ TEST_CASE("a wanderer does the same again") {
 TEST_CASE("what exceeds its bound is a fault, and the table has the shares") {
   const Search search{"dearest/a", "behaviours/a", {}, 1, 1};
   DearestRow row{search, {}, 61};
-  row.found = {.micro_steps = 12'345, .work = 120, .work_bound = 4'800, .nanoseconds = 5'000, .nanoseconds_bound = 240'000, .share = 0.025, .nanoseconds_of_work = 41.66};
+  row.found = {.micro_steps = 12'345,
+               .work = 120,
+               .work_bound = 4'800,
+               .nanoseconds = 5'000,
+               .nanoseconds_bound = 240'000,
+               .share = 0.025,
+               .nanoseconds_of_work = 41.66};
   CHECK(table(std::vector{row}) ==
         "| dearest micro-step at random | of | work | bound | share | ns | bound | ns a unit | instructions a unit |\n"
         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n"
         "| behaviours/a | 12,345 | 120 | 4,800 | 2.5 % | 5,000 | 240,000 | 41.7 | 61 |\n");
   CHECK(faults_of(std::vector{row}).empty());
   row.found.work = 4'801;
-  CHECK(faults_of(std::vector{row}) == "dearest/a: a micro-step took 4801 units of work, more than 4800: that is no bound\n");
+  CHECK(faults_of(std::vector{row}) ==
+        "dearest/a: a micro-step took 4801 units of work, more than 4800: that is no bound\n");
 }
 
 TEST_CASE("observing has a row for each observer, and events that were dropped are a fault") {
   const Observed all{"a recorder", 123'456, 27.56, 0}, few{"a recorder", 123'456, 2, 5};
-  CHECK(table(std::vector{all}) == "| observing soccer | events | ns an event |\n| --- | ---: | ---: |\n| a recorder | 123,456 | 27.6 |\n");
+  CHECK(table(std::vector{all}) ==
+        "| observing soccer | events | ns an event |\n| --- | ---: | ---: |\n| a recorder | 123,456 | 27.6 |\n");
   CHECK(faults_of(std::vector{all}).empty());
   CHECK(faults_of(std::vector{few}) == "a recorder: 5 events were dropped, which costs less than to record them\n");
 }

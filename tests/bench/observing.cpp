@@ -18,12 +18,14 @@ namespace bench {
 namespace {
 
 constexpr int replays = 7;
-constexpr std::size_t steps = 12'000;  ///< two minutes of the game
-constexpr std::size_t drained = 3'000; ///< after so many steps the recorder, whose queue would be full, has time to write
+constexpr std::size_t steps = 12'000; ///< two minutes of the game
+constexpr std::size_t drained =
+    3'000; ///< after so many steps the recorder, whose queue would be full, has time to write
 
 using Clock = std::chrono::steady_clock;
 
-/// Of a game with this observer, how long each step took; the least of it and of what was there. `pause`: between steps.
+/// Of a game with this observer, how long each step took; the least of it and of what was there. `pause`: between
+/// steps.
 void play(const director::Observer& observer, std::vector<double>& least, std::chrono::milliseconds pause = {}) {
   const Workload& soccer = workloads().front();
   const std::unique_ptr<Playing> playing = soccer.make(soccer.size, 1, observer);
@@ -45,7 +47,8 @@ std::vector<Observed> observe() {
   std::vector<double> alone(steps, std::numeric_limits<double>::max());
   std::vector<double> counted = alone, recorded = alone;
   std::uint64_t events = 0, dropped = 0;
-  const director::Observer counting{[](void* self, const director::Event&) { ++*static_cast<std::uint64_t*>(self); }, &events};
+  const director::Observer counting{[](void* self, const director::Event&) { ++*static_cast<std::uint64_t*>(self); },
+                                    &events};
   for (int replay = 0; replay < replays; ++replay) { // in turn: what else the machine does is a part of each
     play({}, alone);
     events = 0;
@@ -54,7 +57,9 @@ std::vector<Observed> observe() {
     play(recorder.observer(), recorded, std::chrono::milliseconds(200));
     dropped = recorder.dropped();
   }
-  const auto each = [&](const std::vector<double>& times) { return (total(times) - total(alone)) / static_cast<double>(events); };
+  const auto each = [&](const std::vector<double>& times) {
+    return (total(times) - total(alone)) / static_cast<double>(events);
+  };
   return {{"an observer that counts", events, each(counted), 0},
           {"`director::Recorder`", events, each(recorded), dropped}};
 }

@@ -9,9 +9,9 @@
 namespace bench {
 
 struct Observed {
-  std::string title;        ///< who listens
-  std::uint64_t events = 0; ///< in the game
-  double nanoseconds = 0;   ///< more, for each event
+  std::string title;         ///< who listens
+  std::uint64_t events = 0;  ///< in the game
+  double nanoseconds = 0;    ///< more, for each event
   std::uint64_t dropped = 0; ///< events that the recorder's queue had no room for
 };
 

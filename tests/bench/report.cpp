@@ -57,8 +57,9 @@ std::string table(const std::vector<WorkloadRow>& rows) {
 }
 
 std::string table(const std::vector<DearestRow>& rows) {
-  std::string out = "| dearest micro-step at random | of | work | bound | share | ns | bound | ns a unit | instructions a unit |\n"
-                    "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+  std::string out =
+      "| dearest micro-step at random | of | work | bound | share | ns | bound | ns a unit | instructions a unit |\n"
+      "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
   for (const auto& [search, found, instructions] : rows) {
     out += fmt::format("| {} | {} | {} | {} | {:.2g} % | {} | {} | {} | {} |\n", search.title,
                        whole(static_cast<double>(found.micro_steps)), whole(static_cast<double>(found.work)),
@@ -72,7 +73,8 @@ std::string table(const std::vector<DearestRow>& rows) {
 std::string table(const std::vector<Observed>& rows) {
   std::string out = "| observing soccer | events | ns an event |\n| --- | ---: | ---: |\n";
   for (const Observed& row : rows)
-    out += fmt::format("| {} | {} | {} |\n", row.title, whole(static_cast<double>(row.events)), number(row.nanoseconds));
+    out +=
+        fmt::format("| {} | {} | {} |\n", row.title, whole(static_cast<double>(row.events)), number(row.nanoseconds));
   return out;
 }
 
@@ -89,7 +91,8 @@ std::string faults_of(const std::vector<DearestRow>& rows) {
 std::string faults_of(const std::vector<Observed>& rows) {
   std::string out;
   for (const Observed& row : rows) {
-    if (row.dropped > 0) out += fmt::format("{}: {} events were dropped, which costs less than to record them\n", row.title, row.dropped);
+    if (row.dropped > 0)
+      out += fmt::format("{}: {} events were dropped, which costs less than to record them\n", row.title, row.dropped);
   }
   return out;
 }

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // speed [--instructions=FILE] [OPTION OF GOOGLE BENCHMARK...]: takes the times of each workload, and of each small case
-// and its floor; looks for the dearest micro-steps; takes the time of observing; and prints a table of each. Fails where the floor of a case is none (more than 5 ns a provider call), where
-// the two do not call as many providers, where a micro-step exceeds its bound, and where anything is allocated.
+// and its floor; looks for the dearest micro-steps; takes the time of observing; and prints a table of each. Fails
+// where the floor of a case is none (more than 5 ns a provider call), where the two do not call as many providers,
+// where a micro-step exceeds its bound, and where anything is allocated.
 #include "tests/bench/case.hpp"
 #include "tests/bench/report.hpp"
 #include "tests/system/no_heap/heap_trap.hpp"

@@ -1,8 +1,8 @@
 // Header: tests/browser/CMakeLists.txt. Test: tests/browser/live.mjs.
 // SPDX-License-Identifier: MIT
 //
-// live_program [flood]: a courier that never gets through the door, so that it waits as long as somebody looks. `flood`: more happens than its queue has
-// place for. Ends with its standard input.
+// live_program [flood]: a courier that never gets through the door, so that it waits as long as somebody looks.
+// `flood`: more happens than its queue has place for. Ends with its standard input.
 #include "courier_page.hpp"
 #include "runtime/live/live_view.hpp"
 #include "tests/system/api/office.hpp"

@@ -44,7 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const compiler::Lowered lowered = compiler::lower(checked.model);
   (void)compiler::print_tables(checked.model, lowered);
   if (dsl::has_errors(checked.findings)) return 0;
-  if (!checked.model.assertions.empty()) (void)compiler::decide_assertions(compiler::Ground(checked.model), most_states);
+  if (!checked.model.assertions.empty())
+    (void)compiler::decide_assertions(compiler::Ground(checked.model), most_states);
   (void)compiler::emit({sources, checked.model, lowered});
   return 0;
 }

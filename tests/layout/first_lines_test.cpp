@@ -10,7 +10,8 @@ using namespace director::tests;
 
 namespace {
 
-/// The files that the first line of a source names, as in `Header: a/b.hpp. Test: tests/a/b_test.cpp, tests/c_test.cpp.`
+/// The files that the first line of a source names, as in `Header: a/b.hpp. Test: tests/a/b_test.cpp,
+/// tests/c_test.cpp.`
 std::vector<std::string> files_named(const std::string& line) {
   std::vector<std::string> out;
   std::istringstream words(line);

@@ -38,7 +38,9 @@ const std::vector<Component>& components() {
       {"generated/", {"runtime/core/", "behaviours/"}},
       {"behaviours/", {"behaviours/", "runtime/core/", "runtime/hosted/", "runtime/live/", "runtime/dds/"}},
       {"tests/oracle/", {"tests/oracle/", "tests/support/", "dsl/", "compiler/model/"}},
-      {"tests/", {"tests/", "compiler/", "dsl/", "runtime/core/", "runtime/hosted/", "runtime/live/", "runtime/dds/", "behaviours/"}},
+      {"tests/",
+       {"tests/", "compiler/", "dsl/", "runtime/core/", "runtime/hosted/", "runtime/live/", "runtime/dds/",
+        "behaviours/"}},
   };
   return all;
 }

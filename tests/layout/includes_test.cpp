@@ -84,10 +84,12 @@ TEST_CASE("the include rules know where each library lives") {
   CHECK(angled("runtime/dds/entity.hpp", "dds/dds.h").empty());
   CHECK(angled("behaviours/team/main.cpp", "dds/dds.h") == "<dds/dds.h> may be included only in runtime/dds/");
   CHECK(angled("compiler/cli/child.cpp", "sys/wait.h").empty());
-  CHECK(angled("dsl/spec.cpp", "unistd.h") == "<unistd.h> is of no library among the allowed dependencies of this component");
+  CHECK(angled("dsl/spec.cpp", "unistd.h") ==
+        "<unistd.h> is of no library among the allowed dependencies of this component");
 }
 
 TEST_CASE("a fault names the file and the line") {
   CHECK(include_faults("dsl/spec.cpp", {"// one", "#include <vector>", "#  include \"runtime/core/ids.hpp\""}) ==
-        std::vector<std::string>{"dsl/spec.cpp:3: \"runtime/core/ids.hpp\" is not among the allowed dependencies of dsl"});
+        std::vector<std::string>{
+            "dsl/spec.cpp:3: \"runtime/core/ids.hpp\" is not among the allowed dependencies of dsl"});
 }

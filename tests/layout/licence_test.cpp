@@ -21,8 +21,8 @@ bool is_source(const ProjectFile& file) {
   return is_script(file);
 }
 
-/// Projects as users have them, with what a user would write and no more. Beside those of tests/system/cmake lies what runs
-/// them.
+/// Projects as users have them, with what a user would write and no more. Beside those of tests/system/cmake lies what
+/// runs them.
 bool is_a_users(const std::string& path) {
   const std::string cmake = "tests/system/cmake/";
   if (path.starts_with(cmake)) return path.find('/', cmake.size()) != std::string::npos;

@@ -105,7 +105,8 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
               "common_type_t decay_t has_unique_object_representations_v integral_constant is_abstract_v is_array_v "
               "is_class_v is_const_v "
               "is_floating_point_v is_nothrow_destructible_v is_nothrow_move_constructible_v is_object_v is_same_v "
-              "is_trivially_copyable_v is_trivially_default_constructible_v is_void_v is_volatile_v make_unsigned_t remove_cvref_t"},
+              "is_trivially_copyable_v is_trivially_default_constructible_v is_void_v is_volatile_v make_unsigned_t "
+              "remove_cvref_t"},
              {"unordered_map", "unordered_map"},
              {"unordered_set", "unordered_set"},
              {"utility", "move exchange pair swap forward declval as_const"},
@@ -190,7 +191,8 @@ private:
     if (!is_title(word) && behind != "(") return {};
     const auto definers = definers_.find(word);
     if (definers == definers_.end()) return {};
-    if (i + 3 < tokens.size() && is_word(tokens[i + 2]) && tokens[i + 3].text == "::" && namespaces_.count(tokens[i + 2].text) == 0)
+    if (i + 3 < tokens.size() && is_word(tokens[i + 2]) && tokens[i + 3].text == "::" &&
+        namespaces_.count(tokens[i + 2].text) == 0)
       return {}; // found by what it is given, which is of a library
     for (const std::string& each : reached.files) {
       // A function of a class is called without naming the class only in what belongs to it, and that is one folder.

@@ -1,10 +1,10 @@
 // Header: tests/property/compare.hpp. Test: tests/property/property_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "runtime/core/inspect/view.hpp"
 #include "tests/property/compare.hpp"
 
 #include "compiler/analysis/plans/bounds.hpp"
 #include "compiler/play/play.hpp"
+#include "runtime/core/inspect/view.hpp"
 #include "tests/oracle/scripted.hpp"
 #include "tests/property/engine_run.hpp"
 #include "tests/property/invariants.hpp"
@@ -80,7 +80,8 @@ private:
       if (work - before > static_cast<std::uint64_t>(bounds_.work_in_a_micro_step))
         return fail("a micro-step takes " + std::to_string(work - before) + " units of work, and its bound is " +
                     std::to_string(bounds_.work_in_a_micro_step));
-      out_.dearest = std::max(out_.dearest, static_cast<double>(work - before) / static_cast<double>(bounds_.work_in_a_micro_step));
+      out_.dearest = std::max(out_.dearest,
+                              static_cast<double>(work - before) / static_cast<double>(bounds_.work_in_a_micro_step));
       add(course, engine_.snapshot());
       if (!obeys(course.back(), false)) return;
       const std::size_t at = course.size() - 1;

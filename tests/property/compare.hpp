@@ -26,16 +26,8 @@ enum class Show {
   count
 };
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Show::count)> show_names{
-    "a push",
-    "a ladder",
-    "a denial by an equal",
-    "a repeated pass",
-    "limbo",
-    "an alternative plan",
-    "a level change",
-    "a dropped push",
-    "a deferral",
-    "a broken promise"};
+    "a push",         "a ladder",       "a denial by an equal", "a repeated pass", "limbo", "an alternative plan",
+    "a level change", "a dropped push", "a deferral",           "a broken promise"};
 
 struct Verdict {
   std::string difference; ///< empty: engine and oracle agree

@@ -8,7 +8,7 @@ namespace director::property {
 
 namespace {
 
-constexpr std::size_t inbox_cells = 64; ///< more than the inputs of any step have records
+constexpr std::size_t inbox_cells = 64;  ///< more than the inputs of any step have records
 constexpr std::uint64_t fingerprint = 1; ///< of all behaviours: each test has one
 
 director::Input record(director::Input::Kind kind, std::uint32_t thing) {
@@ -158,7 +158,8 @@ Snapshot EngineRun::snapshot() const {
     const std::int32_t value = engine().value(v);
     out.values.push_back(value == unset ? std::nullopt : std::optional<std::int64_t>(value));
   }
-  for (Index g = s.counters->queue_first; g != nil; g = s.run_queue[g].runs_before) out.queue.push_back(oracle::GroupId{g});
+  for (Index g = s.counters->queue_first; g != nil; g = s.run_queue[g].runs_before)
+    out.queue.push_back(oracle::GroupId{g});
   return out;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The robot's engine on lowered tables, with the bodies that `directorc simulate` uses, one micro-step at a time. What it decides
-// by can be saved and put into a new engine at any micro-step.
+// The robot's engine on lowered tables, with the bodies that `directorc simulate` uses, one micro-step at a time. What
+// it decides by can be saved and put into a new engine at any micro-step.
 
 #include "compiler/play/recorder.hpp"
 #include "compiler/play/scripted_bodies.hpp"
@@ -33,8 +33,8 @@ public:
   /// The next micro-step decides everything again.
   void forget_trail() { robot_->engine.forget_trail(); }
 
-  /// Goes on with a new engine, which stands at a time that is later by so much and knows only what was saved. If nothing could be
-  /// saved or loaded, all stays as it is. `bytes`: what was saved.
+  /// Goes on with a new engine, which stands at a time that is later by so much and knows only what was saved. If
+  /// nothing could be saved or loaded, all stays as it is. `bytes`: what was saved.
   SaveResult cut(Time later, std::vector<std::byte>& bytes);
   /// What waits in the inbox is lost, and it goes on from these bytes instead; false: they are refused.
   LoadResult load(std::span<const std::byte> bytes);

@@ -80,7 +80,8 @@ struct Shares {
   }
   void print(std::uint64_t first) const {
     std::cout << cases << " cases from seed " << first << ", " << micro_steps << " micro-steps, at most " << settling
-              << " in a row that only settle, at most " << 100 * dearest << " % of the work that is their bound. Scenarios with\n"
+              << " in a row that only settle, at most " << 100 * dearest
+              << " % of the work that is their bound. Scenarios with\n"
               << std::fixed << std::setprecision(1);
     for (std::size_t i = 0; i < shown.size(); ++i)
       std::cout << std::setw(7) << percent(static_cast<Show>(i)) << " %  " << show_names[i] << "\n";

@@ -75,7 +75,8 @@ std::string mutated(std::string behaviour, Random& random) {
   return behaviour.replace(at, end - at, std::to_string(random.below(60)));
 }
 
-TEST_CASE("what was recorded of random scenarios is the same when it is played again, and otherwise where it is decided otherwise") {
+TEST_CASE("what was recorded of random scenarios is the same when it is played again, and otherwise where it is "
+          "decided otherwise") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases);
   std::size_t events = 0, others = 0, differing = 0;
@@ -88,7 +89,8 @@ TEST_CASE("what was recorded of random scenarios is the same when it is played a
     const std::string recorded = record(*result.compiled);
     const auto replayed = replay(recorded, *result.compiled);
     if (replayed.difference)
-      FAIL("line " << replayed.difference->line << "\n" << replayed.difference->recorded_line << "\n"
+      FAIL("line " << replayed.difference->line << "\n"
+                   << replayed.difference->recorded_line << "\n"
                    << replayed.difference->replayed_line);
     REQUIRE(replayed.problem.empty());
     const std::vector<std::string> before = lines_of(recorded);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A behaviour that is saved and loaded into a new engine goes on as if it had never been cut: random behaviours and scenarios, cut
-// at random micro-steps, at the same time and at others. And bytes that nobody saved do no harm.
+// A behaviour that is saved and loaded into a new engine goes on as if it had never been cut: random behaviours and
+// scenarios, cut at random micro-steps, at the same time and at others. And bytes that nobody saved do no harm.
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_LONG   set: 100,000 cuts, and ten times as many bytes
@@ -58,8 +58,8 @@ struct Cuts {
   std::uint64_t other_reasons = 0; ///< scenarios in which a task was queued for another reason
 };
 
-/// Of the decision state, all that a decision depends on is the same again. What is made anew may lie there otherwise: edges of root are
-/// linked in the order of declaration until the next pass brings them into the right one.
+/// Of the decision state, all that a decision depends on is the same again. What is made anew may lie there otherwise:
+/// edges of root are linked in the order of declaration until the next pass brings them into the right one.
 bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
   const State& s = engine.memory();
   const Shape n = Shape::of(engine.tables());
@@ -80,8 +80,8 @@ bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
   return before == after;
 }
 
-/// Without why tasks are queued: an engine that forgot what its decisions rest on decides all again, and may give a better reason for
-/// what stays as it is.
+/// Without why tasks are queued: an engine that forgot what its decisions rest on decides all again, and may give a
+/// better reason for what stays as it is.
 std::vector<tests::EventNumbers> decisions_in(const std::vector<tests::EventNumbers>& events) {
   std::vector<tests::EventNumbers> out;
   std::ranges::copy_if(events, std::back_inserter(out), [](const tests::EventNumbers& each) {
@@ -99,11 +99,12 @@ std::string difference(const EngineRun& whole, const EngineRun& other) {
   };
   const auto wanted = decisions_in(whole.events()), got = decisions_in(other.events());
   const auto [a, b] = std::mismatch(wanted.begin(), wanted.end(), got.begin(), got.end());
-  const auto [c, d] = std::mismatch(whole.trace().begin(), whole.trace().end(), other.trace().begin(), other.trace().end());
+  const auto [c, d] =
+      std::mismatch(whole.trace().begin(), whole.trace().end(), other.trace().begin(), other.trace().end());
   if (a == wanted.end() && b == got.end() && c == whole.trace().end() && d == other.trace().end()) return {};
-  return "the traces part at event " + std::to_string(a - wanted.begin()) + " of " + std::to_string(wanted.size()) + "," +
-         numbers(wanted, a) + " and" + numbers(got, b) + ", line `" + (c == whole.trace().end() ? "" : *c) + "` and `" +
-         (d == other.trace().end() ? "" : *d) + "`";
+  return "the traces part at event " + std::to_string(a - wanted.begin()) + " of " + std::to_string(wanted.size()) +
+         "," + numbers(wanted, a) + " and" + numbers(got, b) + ", line `" + (c == whole.trace().end() ? "" : *c) +
+         "` and `" + (d == other.trace().end() ? "" : *d) + "`";
 }
 
 void cut_at_random(std::uint64_t seed, Cuts& cuts) {
@@ -146,8 +147,8 @@ TEST_CASE("a behaviour that is cut at random and goes on in a new engine has the
     stop_watching();
   }
   std::cout << cuts.made << " cuts in " << cases << " scenarios, " << cuts.in_the_middle
-            << " of them with something left to do; not cut as inputs waited: " << cuts.with_inputs << "; scenarios with other reasons for queued tasks: " << cuts.other_reasons
-            << "\n";
+            << " of them with something left to do; not cut as inputs waited: " << cuts.with_inputs
+            << "; scenarios with other reasons for queued tasks: " << cuts.other_reasons << "\n";
   CHECK(cuts.other_reasons * 100 <= cases);
   CHECK(cuts.in_the_middle > wanted / 4);
   CHECK(cuts.with_inputs > 0);
@@ -164,7 +165,8 @@ TEST_CASE("an engine that decides everything again in each micro-step decides th
     play(*documents, whole, [](EngineRun&) {});
     play(*documents, again, [](EngineRun& run) { run.forget_trail(); });
     other_reasons += whole.events() == again.events() ? 0 : 1;
-    if (const std::string found = difference(whole, again); !found.empty()) FAIL("DIRECTOR_SEED=" << seed << ": " << found);
+    if (const std::string found = difference(whole, again); !found.empty())
+      FAIL("DIRECTOR_SEED=" << seed << ": " << found);
     stop_watching();
   }
   std::cout << "in " << other_reasons << " of " << cases << " scenarios a task was queued for another reason\n";

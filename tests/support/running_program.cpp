@@ -110,8 +110,7 @@ void RunningProgram::type(const std::string& keys) const {
 }
 
 std::string RunningProgram::rest() {
-  while (read_some()) {
-  }
+  while (read_some()) {}
   return std::move(unread_);
 }
 

@@ -4,8 +4,8 @@
 // it takes nothing away.
 
 #include "compiler/analysis/causing/wants.hpp"
-#include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/input.hpp"
+#include "compiler/analysis/states/sources.hpp"
 #include "dsl/diagnostic.hpp"
 
 #include <optional>

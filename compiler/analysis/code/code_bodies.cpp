@@ -4,8 +4,8 @@
 // Two walks from each body over the calls. What it may ask for: over all calls, also of a lambda that somebody may
 // call; too much is no harm there, since the rules ask for what is never said. Whether it blocks: only over calls that
 // are made where they stand, and breadth first, so that the chain that is shown is a shortest one.
-#include "compiler/analysis/words/words.hpp"
 #include "compiler/analysis/code/code.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/model/cpp_names.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // What a granted task is certain to take, and whether it may have to wait for a condition.
 
-#include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/input.hpp"
+#include "compiler/analysis/states/region.hpp"
 
 #include <map>
 #include <unordered_map>

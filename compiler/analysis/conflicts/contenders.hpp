@@ -3,8 +3,8 @@
 // Who may keep a group from a provider that asks for it when it has begun: somebody who meets it above, does not go
 // after it, and may come to hold the group by a chain of its own.
 
-#include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/input.hpp"
+#include "compiler/analysis/shared/shared.hpp"
 #include "dsl/diagnostic.hpp"
 
 #include <optional>

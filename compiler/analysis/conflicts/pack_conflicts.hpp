@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 // Members of a pack that can never be granted together, and why.
 
-#include "compiler/analysis/needs/units.hpp"
-#include "compiler/analysis/plans/plans.hpp"
 #include "compiler/analysis/findings.hpp"
 #include "compiler/analysis/input.hpp"
+#include "compiler/analysis/needs/units.hpp"
+#include "compiler/analysis/plans/plans.hpp"
 
 #include <vector>
 

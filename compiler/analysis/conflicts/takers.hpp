@@ -3,9 +3,9 @@
 // What tasks are certain to hold when others are tried, and what may keep them from it.
 
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/input.hpp"
 #include "compiler/analysis/plans/plans.hpp"
 #include "compiler/analysis/states/region.hpp"
-#include "compiler/analysis/input.hpp"
 
 #include <map>
 #include <optional>

@@ -12,8 +12,8 @@ namespace {
 
 class Maker {
 public:
-  Maker(const Model& model, const Facts& facts, Reported reported,
-        const IdTable<StateId, std::vector<Source>>& sources, const std::vector<GroupId>& groups)
+  Maker(const Model& model, const Facts& facts, Reported reported, const IdTable<StateId, std::vector<Source>>& sources,
+        const std::vector<GroupId>& groups)
       : model_(model),
         facts_(facts),
         reported_(reported),

@@ -130,9 +130,8 @@ private:
     if ((run_goal_ & ~ran_) != 0 || (grant_goal_ & ~granted_) != 0) return false;
     const auto is_whole = [&](const PackOf& pack) { return whole_.count(pack) != 0; };
     const auto is_pushed = [&](const std::pair<Row, Row>& goal) {
-      return std::any_of(gathered_.found.begin(), gathered_.found.end(), [&](const PossiblePush& push) {
-        return push.to == goal.first && push.unmet == goal.second;
-      });
+      return std::any_of(gathered_.found.begin(), gathered_.found.end(),
+                         [&](const PossiblePush& push) { return push.to == goal.first && push.unmet == goal.second; });
     };
     return std::all_of(whole_goal_.begin(), whole_goal_.end(), is_whole) &&
            std::all_of(push_goal_.begin(), push_goal_.end(), is_pushed);

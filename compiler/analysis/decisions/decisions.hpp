@@ -8,9 +8,9 @@
 // and the pushes that stand: of these only which ones may ever stand is kept, for all moments together (PossiblePush).
 // The order is inclusion of sets of moments.
 //
-// Steps. From a moment whatever inputs may come at rest, or several before a run; whatever the body of any group that is
-// granted may answer; what handlers set. Then the pass of semantics.md, 4.4, with every outcome that what is left out
-// could lead to. So each moment of each real run has its image among those that are found: what is not found never
+// Steps. From a moment whatever inputs may come at rest, or several before a run; whatever the body of any group that
+// is granted may answer; what handlers set. Then the pass of semantics.md, 4.4, with every outcome that what is left
+// out could lead to. So each moment of each real run has its image among those that are found: what is not found never
 // happens. Where an order is known, as by priorities, it decides; among equals each one may be first.
 //
 // Fixed point. All moments from the start, again while new pushes turn up, which can only be finitely many. A bound on
@@ -32,9 +32,9 @@ namespace director::analysis {
 struct Kept {
   std::vector<ConditionId> lacking;
   std::vector<GroupId> taken;
-  std::vector<EdgeId> holders;    ///< for whom those were held
-  std::vector<ProviderId> first;  ///< of a provider: others of its group that came before it
-  std::vector<EdgeId> together;   ///< of a task: others without which it is not granted
+  std::vector<EdgeId> holders;   ///< for whom those were held
+  std::vector<ProviderId> first; ///< of a provider: others of its group that came before it
+  std::vector<EdgeId> together;  ///< of a task: others without which it is not granted
 };
 
 struct Decisions {

@@ -224,11 +224,10 @@ void Pass::add_lacking(Row provider, const Chain& edge, std::vector<Row>& out) {
   if (!last_.has(row.group, Moment::in_force) || last_.active[row.group] != provider) return;
   const PossiblePush* push = standing(row.group);
   if (push == nullptr || push->to != provider || !applies(push->by, edge)) return;
-  out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
-                           [&](Row condition) {
-                             return (row.causes_states & bit(part_.conditions[condition].state)) != 0;
-                           }),
-            out.end());
+  out.erase(
+      std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
+                     [&](Row condition) { return (row.causes_states & bit(part_.conditions[condition].state)) != 0; }),
+      out.end());
 }
 
 void Pass::note_taken(Row group, Reasons& reasons) const {
@@ -380,7 +379,7 @@ Row Pass::first_candidate() {
     if (!same_unit) first.push_back(edge);
   }
   if (first.empty()) return all.front().first; // "equal" is not transitive; it cannot be
-  const auto below = [&](Row edge) { // with its unit
+  const auto below = [&](Row edge) {           // with its unit
     Rows out = 0;
     for (const auto& [other, chain] : all) {
       if (other == edge || (!alone(edge) && !alone(other) && requester(edge) == requester(other)))
@@ -486,8 +485,7 @@ void Pass::grant(const Combination& combination) {
 
 void Pass::claim(Row edge, Row group, Row provider, Row plan, bool granted) {
   now_.by[group] = edge;
-  now_.flags[group] =
-      static_cast<Row>((now_.flags[group] & Moment::needed) | (granted ? Moment::granted : 0));
+  now_.flags[group] = static_cast<Row>((now_.flags[group] & Moment::needed) | (granted ? Moment::granted : 0));
   now_.active[group] = provider;
   now_.plan[group] = plan;
   follow(group);
@@ -553,9 +551,8 @@ void Pass::hand_over() {
     if (!heir) continue;
     const std::vector<Component::Plan>& plans = part_.providers[last_.active[group]].plans;
     const Row plan = last_.plan[group] != nothing ? last_.plan[group] : static_cast<Row>(picks_.pick(plans.size()));
-    const bool is_free = std::all_of(plans[plan].begin(), plans[plan].end(), [&](const Component::Planned& entry) {
-      return now_.by[entry.group] == nothing;
-    });
+    const bool is_free = std::all_of(plans[plan].begin(), plans[plan].end(),
+                                     [&](const Component::Planned& entry) { return now_.by[entry.group] == nothing; });
     if (!is_free) continue;
     claim(static_cast<Row>(Moment::limbo + group), group, last_.active[group], plan, false);
     take_candidates();
@@ -581,8 +578,8 @@ Moment Pass::finish() {
       }
     }
     if (is_granted) {
-      news = news || last_.active[group] != active || last_.by[group] != holder ||
-             !last_.has(group, Moment::granted) || (anew_ & bit(holder)) != 0;
+      news = news || last_.active[group] != active || last_.by[group] != holder || !last_.has(group, Moment::granted) ||
+             (anew_ & bit(holder)) != 0;
     } else {
       news = false;
     }

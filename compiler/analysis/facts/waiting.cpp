@@ -3,7 +3,6 @@
 #include "compiler/analysis/facts/waiting.hpp"
 
 #include "compiler/analysis/plans/trials.hpp"
-
 #include "compiler/analysis/states/covering.hpp"
 
 #include <algorithm>
@@ -89,14 +88,13 @@ bool Waiting::can_do_without(GroupId group, const Region& context, std::set<Grou
   for (const ProviderId id : all) {
     if (fewest == nullptr || model_.providers[id].needs.size() < fewest->needs.size()) fewest = &model_.providers[id];
   }
-  const bool common = std::all_of(all.begin(), all.end(),
-                                  [&](ProviderId id) { return needs_no_more(*fewest, model_.providers[id]); });
+  const bool common =
+      std::all_of(all.begin(), all.end(), [&](ProviderId id) { return needs_no_more(*fewest, model_.providers[id]); });
   for (const ProviderId id : all) {
     const Provider& provider = model_.providers[id];
-    const bool serves =
-        common && facts_.plans[id] == PlanVerdict::found && needs_no_more(provider, *fewest) &&
-        std::all_of(provider.needs.begin(), provider.needs.end(),
-                    [&](const Use<GroupId>& need) { return can_do_without(need.id, context, above); });
+    const bool serves = common && facts_.plans[id] == PlanVerdict::found && needs_no_more(provider, *fewest) &&
+                        std::all_of(provider.needs.begin(), provider.needs.end(),
+                                    [&](const Use<GroupId>& need) { return can_do_without(need.id, context, above); });
     if (serves) serving.push_back(region_of(model_, provider.when));
   }
   above.erase(group);

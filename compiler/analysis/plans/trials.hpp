@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // How many combinations of providers and plans the engine may have to try (semantics.md 4.4, as
-// runtime/core/arbitration/combination.cpp does it). Members of a unit that can never claim the same group are chosen one by one, and
-// add up; those that can are combined, and multiply.
+// runtime/core/arbitration/combination.cpp does it). Members of a unit that can never claim the same group are chosen
+// one by one, and add up; those that can are combined, and multiply.
 
 #include "compiler/analysis/plans/plans.hpp"
 

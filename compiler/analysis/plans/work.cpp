@@ -1,5 +1,5 @@
-// Header: compiler/analysis/plans/work.hpp. Test: tests/compiler/analysis/plans/bounds_test.cpp, tests/property/property_test.cpp.
-// SPDX-License-Identifier: MIT
+// Header: compiler/analysis/plans/work.hpp. Test: tests/compiler/analysis/plans/bounds_test.cpp,
+// tests/property/property_test.cpp. SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/work.hpp"
 
 #include <algorithm>
@@ -49,13 +49,14 @@ private:
     return count.count;
   }
 
-  /// All choices of a member, once: a provider that is looked at, a plan that is found, and one that is left for the next.
+  /// All choices of a member, once: a provider that is looked at, a plan that is found, and one that is left for the
+  /// next.
   std::int64_t choices(GroupId group) {
     return sum(static_cast<std::int64_t>(model_.groups[group].providers.size()), product(2, ways(group)));
   }
 
-  /// Decided for itself: where an equal may deny it something all choices, and then up to the first; with its conditions, without
-  /// them, and, as what is new is deferred, once more. Then it searches for somebody to push.
+  /// Decided for itself: where an equal may deny it something all choices, and then up to the first; with its
+  /// conditions, without them, and, as what is new is deferred, once more. Then it searches for somebody to push.
   std::int64_t alone(const Task& task) {
     const std::int64_t scans = t_.components[t_.groups[task.target.value].component].equals ? 2 : 1;
     return sum(product(scans * (attempts + 1), choices(task.target)), pushes(task.target));
@@ -106,7 +107,8 @@ private:
     return known = dearest;
   }
 
-  /// Of a chain that makes the condition true: all plans of each provider that may stand in it, again until nothing gets shorter.
+  /// Of a chain that makes the condition true: all plans of each provider that may stand in it, again until nothing
+  /// gets shorter.
   std::int64_t search(Index condition) {
     std::int64_t& out = searches_[condition];
     if (out >= 0) return out;
@@ -128,7 +130,8 @@ private:
         }
       }
     }
-    // After as many rounds as there are conditions no length changes any more; then who is declared earlier counts, and then nothing.
+    // After as many rounds as there are conditions no length changes any more; then who is declared earlier counts, and
+    // then nothing.
     const auto rounds = static_cast<std::int64_t>(lacking.size()) + 2;
     return out = product(rounds, plans);
   }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 // What never happens, and no finding speaks of: it has one of its own. Not where it could not have happened without
 // something else that never does either: a requester of its group, or whoever sets what it waits for. Where no provider
-// of a requested group ever runs, it is the group; where a pack is never granted whole, the pack stands for its members.
+// of a requested group ever runs, it is the group; where a pack is never granted whole, the pack stands for its
+// members.
 
 #include "compiler/model/model.hpp"
 #include "dsl/diagnostic.hpp"

@@ -9,7 +9,8 @@
 
 namespace director::analysis {
 
-/// A chain: one note for each step, of a long one for the first and last few. `begins`: whether it goes on from the note before.
+/// A chain: one note for each step, of a long one for the first and last few. `begins`: whether it goes on from the
+/// note before.
 void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vector<dsl::Note>& notes,
                dsl::Note::Link begins = dsl::Note::Link::first);
 

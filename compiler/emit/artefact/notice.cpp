@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/artefact/notice.hpp"
 
-#include "compiler/emit/artefact/code.hpp"
 #include "compiler/base/version.hpp"
+#include "compiler/emit/artefact/code.hpp"
 
 #include <fmt/format.h>
 

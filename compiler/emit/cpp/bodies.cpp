@@ -123,8 +123,8 @@ void call_handlers(Code& code, const CppEmission& e, std::string_view word, std:
   code.close("}");
 }
 
-/// How many bodies one function calls: a function for each takes the C++ compiler several times as long, and so does one
-/// for thousands.
+/// How many bodies one function calls: a function for each takes the C++ compiler several times as long, and so does
+/// one for thousands.
 constexpr std::uint32_t block = 32;
 
 /// What is thrown is caught here and not for each provider, which costs the C++ compiler a third of the time.

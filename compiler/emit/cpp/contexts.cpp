@@ -1,7 +1,8 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The contexts that bodies and handlers get: what all have in common is in runtime/core/api/body.hpp, here are the packs.
+// The contexts that bodies and handlers get: what all have in common is in runtime/core/api/body.hpp, here are the
+// packs.
 #include "compiler/base/and_list.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "dsl/duration.hpp"
@@ -21,8 +22,7 @@ std::string groups_text(const Model& model, const std::vector<Use<GroupId>>& use
 std::string triggers_text(const Model& model, const Provider& provider) {
   std::string out;
   for (const Use<TriggerId>& use : provider.triggers) out += (out.empty() ? "" : ", ") + model.triggers[use.id].name;
-  if (provider.every)
-    out += fmt::format("{}every {}", out.empty() ? "" : ", ", dsl::time_text(*provider.every));
+  if (provider.every) out += fmt::format("{}every {}", out.empty() ? "" : ", ", dsl::time_text(*provider.every));
   return out;
 }
 
@@ -57,8 +57,8 @@ void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId 
   code.line(fmt::format("using Pack = {};", packed));
   std::vector<std::string> names;
   for (const Task& task : pack.tasks) names.push_back(group_name(e.model, task.target));
-  code.line(fmt::format("static_assert(Pack::takes<{}...>, \"{} asks for {} only\");", given, pack.name,
-                        and_list(names)));
+  code.line(
+      fmt::format("static_assert(Pack::takes<{}...>, \"{} asks for {} only\");", given, pack.name, and_list(names)));
   code.line(fmt::format("static_assert(Pack::once<{}...>, \"{} is given a task twice\");", given, pack.name));
   for (const Task& task : pack.tasks) {
     if (may_be_omitted(e.model, task)) continue;

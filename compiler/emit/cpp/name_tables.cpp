@@ -3,7 +3,6 @@
 //
 // What the numbers in an observer's events are called.
 #include "compiler/emit/cpp/parts.hpp"
-
 #include "compiler/lower/level_names.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/names.hpp"
 
-#include "compiler/emit/cpp/parts.hpp"
 #include "compiler/emit/artefact/notice.hpp"
+#include "compiler/emit/cpp/parts.hpp"
 
 #include <fmt/format.h>
 
@@ -17,11 +17,11 @@ namespace {
 /// What begins with a capital letter and is declared in `detail`, in what generated classes derive from, or as a
 /// parameter of a template around the code that names a thing of the specification.
 constexpr std::array<std::string_view, 37> inner_names{
-    "Behaviour", "BehaviourView", "Bodies", "Body", "Call", "Context", "Core", "Data",
-    "Edge", "Event", "Facts", "Fault", "Given", "Groups", "Handler", "Module",
-    "More", "NothingDeclared", "Now", "Of", "Pack", "Packs", "Post", "Program",
-    "Providers", "Roots", "Row", "Slots", "Snapshot", "States", "Table", "Task",
-    "Tasks", "Triggers", "Uses", "Waiting", "Whole"};
+    "Behaviour", "BehaviourView",   "Bodies", "Body",    "Call",     "Context", "Core",    "Data",
+    "Edge",      "Event",           "Facts",  "Fault",   "Given",    "Groups",  "Handler", "Module",
+    "More",      "NothingDeclared", "Now",    "Of",      "Pack",     "Packs",   "Post",    "Program",
+    "Providers", "Roots",           "Row",    "Slots",   "Snapshot", "States",  "Table",   "Task",
+    "Tasks",     "Triggers",        "Uses",   "Waiting", "Whole"};
 static_assert(std::is_sorted(inner_names.begin(), inner_names.end()));
 
 std::string from_outside(const Model& model, const std::string& name) {

@@ -5,8 +5,8 @@
 // body.hpp, post.hpp, seen.hpp, program.hpp.
 
 #include "compiler/emit/artefact/code.hpp"
-#include "compiler/model/cpp_names.hpp"
 #include "compiler/emit/artefact/deployment.hpp"
+#include "compiler/model/cpp_names.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The tables of runtime/core/base/tables.hpp as constants. A row names the columns that say something; its comment says what
-// the row is.
+// The tables of runtime/core/base/tables.hpp as constants. A row names the columns that say something; its comment says
+// what the row is.
 #include "compiler/emit/cpp/parts.hpp"
 
 #include <fmt/format.h>
@@ -73,8 +73,8 @@ std::vector<std::uint32_t> owners_of(const Owners& owners, Range range, std::siz
 // Each takes its row apart, so that a column which is new there is an error here until it is written too.
 
 Row group_row(const director::Group& all) {
-  const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop,
-              simple, flat, conditional, component] = all;
+  const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop, simple, flat, conditional,
+               component] = all;
   Row row;
   row.range("providers", providers);
   row.range("edges", edges);

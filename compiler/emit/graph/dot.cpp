@@ -105,7 +105,8 @@ private:
   }
 
   static std::string name_of(bool grey, const std::string& name) {
-    return grey ? fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::grey, html_attribute(name)) : html_attribute(name);
+    return grey ? fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::grey, html_attribute(name))
+                : html_attribute(name);
   }
 
   static std::string lines(bool grey, const std::vector<PictureLine>& all) {
@@ -114,7 +115,8 @@ private:
       const bool is_flaw = line.kind == PictureLine::Kind::wrong || line.kind == PictureLine::Kind::doubtful;
       const std::string_view colour = grey && !is_flaw ? palette::grey : colour_of(line.kind);
       out += fmt::format("<BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"9\" COLOR=\"{}\"><B>{}&#160;</B>{}</FONT>", colour,
-                         html_attribute(line.key), is_flaw ? palette::wrapped(line.text, line.key.size()) : html_attribute(line.text));
+                         html_attribute(line.key),
+                         is_flaw ? palette::wrapped(line.text, line.key.size()) : html_attribute(line.text));
     }
     return out;
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // A picture in the formats that other programs draw or read.
 
-#include "compiler/emit/graph/picture.hpp"
 #include "compiler/base/json.hpp"
+#include "compiler/emit/graph/picture.hpp"
 #include "dsl/diagnostic.hpp"
 
 #include <string>

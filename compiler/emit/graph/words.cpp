@@ -65,8 +65,7 @@ PictureRow PictureWords::row(ProviderId id) const {
   for (const Use<TriggerId>& use : provider.triggers)
     triggers += (triggers.empty() ? "" : ", ") + model_.triggers[use.id].name;
   if (!triggers.empty()) out.lines.push_back({LineKind::runs, "on", triggers});
-  if (provider.every)
-    out.lines.push_back({LineKind::runs, "every", dsl::time_text(*provider.every)});
+  if (provider.every) out.lines.push_back({LineKind::runs, "every", dsl::time_text(*provider.every)});
   if (provider.packs.size() > 1) {
     for (const Pack& pack : provider.packs) {
       const std::string name = fmt::format("{}, pack {}", model_.full_name(id), pack.name);

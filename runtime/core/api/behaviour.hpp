@@ -3,13 +3,13 @@
 // What generated code stands on: include this, and everything that it needs is there.
 
 #include "runtime/core/api/body.hpp"
-#include "runtime/core/engine/engine.hpp"
 #include "runtime/core/api/event_names.hpp"
 #include "runtime/core/api/modules.hpp"
 #include "runtime/core/api/pack.hpp"
 #include "runtime/core/api/program.hpp"
 #include "runtime/core/api/slots.hpp"
 #include "runtime/core/api/task.hpp"
+#include "runtime/core/engine/engine.hpp"
 #include "runtime/core/inspect/why_text.hpp"
 
 // A function of the user that may end without its answer does not compile, whatever warnings are asked for: a body that

@@ -10,8 +10,8 @@
 //   Tasks, flat             of providers: Pack of the flat `tasks`; whether there are no named packs
 //   Packs, pack_names       of providers: the named packs, and what they are called
 
-#include "runtime/core/base/duration.hpp"
 #include "runtime/core/api/pack.hpp"
+#include "runtime/core/base/duration.hpp"
 
 namespace director {
 

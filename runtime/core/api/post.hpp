@@ -4,9 +4,9 @@
 // program.hpp.
 
 #include "runtime/core/api/body.hpp"
+#include "runtime/core/api/overflow_slot_of.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/core/engine/inbox.hpp"
-#include "runtime/core/api/overflow_slot_of.hpp"
 
 #include <array>
 #include <utility>
@@ -17,7 +17,8 @@ namespace director {
 /// the next step(). False: nothing was posted, since the inbox is full or a value is outside its state's domain. Root
 /// tasks are requested and cancelled, and single states set, even so: for what finds no room each has a slot of its
 /// own, where the last call counts, and which is taken after what the inbox held then. What the inbox refuses, and what
-/// a slot held when a later call took it over, is counted (BehaviourView::lost), and the observer is told at the next step.
+/// a slot held when a later call took it over, is counted (BehaviourView::lost), and the observer is told at the next
+/// step.
 template <class Facts>
 class Post {
   using States = typename Facts::States;
@@ -169,7 +170,8 @@ private:
   static Input record(const Task& task) {
     using Root = typename Roots::template For<Task>;
     const TaskBase<Task>& base = task;
-    return {.kind = Input::Kind::request, .thing = Root::edge, .value = static_cast<std::int32_t>(Root::row(base.level))};
+    return {
+        .kind = Input::Kind::request, .thing = Root::edge, .value = static_cast<std::int32_t>(Root::row(base.level))};
   }
 
   /// Puts the data where they wait for the inbox to be taken. False: no place is left, and they stay where they are.

@@ -15,10 +15,10 @@
 //   called_from_inside()  fails an assertion, where assertions count: a body, handler or observer called what only
 //                     `post` may do
 
-#include "runtime/core/engine/engine.hpp"
-#include "runtime/core/api/post.hpp"
 #include "runtime/core/api/behaviour_view.hpp"
+#include "runtime/core/api/post.hpp"
 #include "runtime/core/api/saved_data.hpp"
+#include "runtime/core/engine/engine.hpp"
 
 #include <array>
 #include <utility>
@@ -110,21 +110,24 @@ public:
   /// last, and there is room for two.
   bool show(Snapshot& snapshot) const { return snapshot.show(view_of(engine_)); }
 
-  // The state of the behaviour as bytes: all that it decides by, and the data of its tasks. For simulators, debuggers, and programs
-  // whose bodies keep nothing of their own: members of modules and what hardware does are not saved. The data of every task must be
-  // trivially copyable, else save and load do not compile. For the thread that calls step(), between steps.
+  // The state of the behaviour as bytes: all that it decides by, and the data of its tasks. For simulators, debuggers,
+  // and programs whose bodies keep nothing of their own: members of modules and what hardware does are not saved. The
+  // data of every task must be trivially copyable, else save and load do not compile. For the thread that calls step(),
+  // between steps.
 
   /// Bytes that save() writes.
   static constexpr std::size_t saved_bytes() { return saved::bytes_of_behaviour<Facts>; }
 
-  /// Writes the state into the first saved_bytes() of these bytes. Not if anything waits in the inbox: to_text(result) says what to do.
+  /// Writes the state into the first saved_bytes() of these bytes. Not if anything waits in the inbox: to_text(result)
+  /// says what to do.
   [[nodiscard]] SaveResult save(std::span<std::byte> to) {
     return outside() ? saved::save<Facts>(engine_, data_, to) : SaveResult::refused;
   }
 
-  /// Goes on from a state that was saved by the same behaviour, in this program or another. All timers are moved, so that what was due
-  /// in 3 s is due 3 s after `now`, the time (as step() has it) that the state is to stand at. Nobody is called: no start handler of what is live then, no stop handler of
-  /// what was live before. What waits in the inbox stays there for the next step. Unless the result is `loaded`, nothing has changed.
+  /// Goes on from a state that was saved by the same behaviour, in this program or another. All timers are moved, so
+  /// that what was due in 3 s is due 3 s after `now`, the time (as step() has it) that the state is to stand at. Nobody
+  /// is called: no start handler of what is live then, no stop handler of what was live before. What waits in the inbox
+  /// stays there for the next step. Unless the result is `loaded`, nothing has changed.
   template <Duration Now>
   [[nodiscard]] LoadResult load(std::span<const std::byte> from, Now now) {
     return outside() ? saved::load<Facts>(engine_, data_, from, microseconds_begun(now)) : LoadResult::refused;
@@ -133,8 +136,8 @@ public:
   /// Micro-steps that one step() may take before it answers budget_exhausted.
   void set_budget(std::uint32_t micro_steps) { engine_.set_budget(micro_steps); }
 
-  /// Work that one step() may do before it answers budget_exhausted: groups placed, tasks decided, choices tried. Looked
-  /// at between micro-steps, so the last one may go beyond by what one micro-step takes at most. 0: any.
+  /// Work that one step() may do before it answers budget_exhausted: groups placed, tasks decided, choices tried.
+  /// Looked at between micro-steps, so the last one may go beyond by what one micro-step takes at most. 0: any.
   void set_work_budget(std::uint64_t work) { engine_.set_work_budget(work); }
 
   /// For whoever looks deeper: what holds between steps, by number (the generated `names` tell what a number is
@@ -144,7 +147,8 @@ public:
 protected:
   /// By generated code.
   explicit Program(const Bodies& bodies)
-      : inbox_(cells_, words_), engine_(Facts::tables(), State::in(memory_.data(), layout), bodies, inbox_) {}
+      : inbox_(cells_, words_),
+        engine_(Facts::tables(), State::in(memory_.data(), layout), bodies, inbox_) {}
   ~Program() = default;
 
   /// A step to this time; generated code has the typed one.

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A behaviour's state as bytes, with the data of its tasks; what behaviour.save() and load() do. What of the engine is written:
-// engine/saved_state.hpp. Behind it, for each task with data, in the order of Facts::Groups: the slot of each way of requesting it, and that
-// of its group, each as a byte that says whether it is full and the bytes of the value. `Facts`: see program.hpp; and fingerprint(),
-// a number that tells the behaviour from others.
+// A behaviour's state as bytes, with the data of its tasks; what behaviour.save() and load() do. What of the engine is
+// written: engine/saved_state.hpp. Behind it, for each task with data, in the order of Facts::Groups: the slot of each
+// way of requesting it, and that of its group, each as a byte that says whether it is full and the bytes of the value.
+// `Facts`: see program.hpp; and fingerprint(), a number that tells the behaviour from others.
 
 #include "runtime/core/api/task.hpp"
 #include "runtime/core/engine/engine.hpp"
@@ -41,10 +41,11 @@ class Data {
   /// Of one task.
   template <class Task>
   static constexpr std::size_t bytes_of_slots() {
-    static_assert(std::is_trivially_copyable_v<DataOf<Task>>,
-                  "a behaviour is saved as bytes, so the data of each of its tasks must be trivially copyable: no "
-                  "std::string, no std::vector, no copy constructor or destructor of its own (numbers, enums, arrays and "
-                  "structs of these are)");
+    static_assert(
+        std::is_trivially_copyable_v<DataOf<Task>>,
+        "a behaviour is saved as bytes, so the data of each of its tasks must be trivially copyable: no "
+        "std::string, no std::vector, no copy constructor or destructor of its own (numbers, enums, arrays and "
+        "structs of these are)");
     using Slots = std::remove_cvref_t<decltype(slots_of<Task>(std::declval<typename Facts::Data&>()))>;
     return Slots::lasting * (1 + sizeof(DataOf<Task>));
   }
@@ -52,7 +53,8 @@ class Data {
 public:
   static constexpr std::size_t bytes = [] {
     std::size_t all = 0;
-    each_task(static_cast<typename Facts::Groups*>(nullptr), [&]<class Task, Index row>() { all += bytes_of_slots<Task>(); });
+    each_task(static_cast<typename Facts::Groups*>(nullptr),
+              [&]<class Task, Index row>() { all += bytes_of_slots<Task>(); });
     return all;
   }();
 
@@ -80,8 +82,8 @@ public:
     });
   }
 
-  /// Every body that reads its task's data finds some: of what is live, and of what is requested. `from`: a whole state whose other
-  /// numbers are possible.
+  /// Every body that reads its task's data finds some: of what is live, and of what is requested. `from`: a whole state
+  /// whose other numbers are possible.
   static bool is_possible(const Tables& tables, const std::byte* from) {
     const Layout at(Shape::of(tables));
     const std::byte* slots = from + at.data;

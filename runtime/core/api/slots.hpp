@@ -4,9 +4,9 @@
 // and a staging slot, its group one more for the data of a request that has been replaced while the group lives on it.
 // Root requests wait in slots of their own until the engine takes them.
 
+#include "runtime/core/api/task.hpp"
 #include "runtime/core/engine/overflow_slots.hpp"
 #include "runtime/core/engine/run.hpp"
-#include "runtime/core/api/task.hpp"
 
 #include <array>
 #include <atomic>

@@ -24,8 +24,8 @@ inline bool available(Context& x, Index group, Index edge, bool record) {
   const Index claimant = holder_now(x, group);
   if (claimant != nil) return claimant == edge;
   const Index before = x.s.last[group].holder;
-  return before == nil || before == edge || is_limbo(x, before) ||
-         !x.row.equals || !kept_by_equal(x, group, edge, record);
+  return before == nil || before == edge || is_limbo(x, before) || !x.row.equals ||
+         !kept_by_equal(x, group, edge, record);
 }
 
 } // namespace director::arbitration

@@ -1,5 +1,5 @@
-// docs/semantics.md, section 4.3: how groups can be granted to edges: a provider whose conditions hold, and a plan, for each.
-// SPDX-License-Identifier: MIT
+// docs/semantics.md, section 4.3: how groups can be granted to edges: a provider whose conditions hold, and a plan, for
+// each. SPDX-License-Identifier: MIT
 //
 // A plan is searched, not enumerated: it is a stack of entries (group, provider, who needs it), extended depth first;
 // the next plan changes the last entry that has another provider. The plans of all members of a unit lie on one stack,
@@ -142,7 +142,8 @@ void sort_by_cluster(Context& x, Index count) {
   for (Index i = 1; i < count; ++i) {
     const Index edge = x.s.member[i].edge, cluster = x.t.cluster(edge);
     Index at = i;
-    for (; at > 0 && x.t.cluster(x.s.member[at - 1].edge) > cluster; --at) x.s.member[at].edge = x.s.member[at - 1].edge;
+    for (; at > 0 && x.t.cluster(x.s.member[at - 1].edge) > cluster; --at)
+      x.s.member[at].edge = x.s.member[at - 1].edge;
     x.s.member[at].edge = edge;
   }
 }
@@ -168,8 +169,8 @@ bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, 
 
 } // namespace
 
-/// Lexicographically over the members. Which holders stood in the way counts over all choices of each member, also those
-/// that are never needed: so, where there can be any, each member's are looked at once, and then combined.
+/// Lexicographically over the members. Which holders stood in the way counts over all choices of each member, also
+/// those that are never needed: so, where there can be any, each member's are looked at once, and then combined.
 bool search_combination(Context& x, Index count, bool with_conditions) {
   if (count == 1 && x.t.groups[target(x, x.s.member[0].edge)].single_choice())
     return next_choice(x, 0, true, with_conditions, true);
@@ -187,7 +188,8 @@ bool search_combination(Context& x, Index count, bool with_conditions) {
     } else if (at == 0) {
       return false;
     } else if (sorted) {
-      if (x.t.cluster(x.s.member[at - 1].edge) != x.t.cluster(x.s.member[at].edge)) { // no choice of another cluster helps
+      if (x.t.cluster(x.s.member[at - 1].edge) !=
+          x.t.cluster(x.s.member[at].edge)) { // no choice of another cluster helps
         leave_combination(x, at);
         return false;
       }

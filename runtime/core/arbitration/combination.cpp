@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/choices.hpp"
-
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"

@@ -12,8 +12,8 @@
 
 namespace director::arbitration {
 
-/// Those who stood behind the holder of a group in the last pass, where that may be another now. They stay behind unless the
-/// group is free when the walk comes to them.
+/// Those who stood behind the holder of a group in the last pass, where that may be another now. They stay behind
+/// unless the group is free when the walk comes to them.
 struct WaitingLine {
   Index group;
   Index first; ///< the place of the first of them, in the last order, that is not looked at yet; nil: there is none
@@ -28,9 +28,9 @@ struct Context {
 
   // What is known from pass to pass.
   Index most_decided_whole = director::most_decided_whole;
-  Index flipped_count = 0;       ///< rows of State::flipped in use
-  Index rerequested_count = 0;   ///< rows of State::rerequested in use
-  std::uint64_t decided = 0;     ///< units so far, again where a pass is repeated
+  Index flipped_count = 0;     ///< rows of State::flipped in use
+  Index rerequested_count = 0; ///< rows of State::rerequested in use
+  std::uint64_t decided = 0;   ///< units so far, again where a pass is repeated
   std::uint64_t work =
       0; ///< so far: groups placed, units decided, choices and plans tried, also in searches for pushes
 
@@ -68,10 +68,10 @@ struct Context {
   Index kept_count = 0;    ///< rows of State::news that were left alone when the pass began
   Index stale_kept = 0;    ///< those of them whose orders are outdated
   std::array<WaitingLine, 4> lines{};
-  Index line_count = 0;    ///< of them in use
-  Index opened_end = 0;    ///< behind what was opened, in the last order
-  Index rest = nil;        ///< the first edge of root, in order, that the walk did not come to
-  Index undecided = nil;   ///< an edge of root that the walk has to come to
+  Index line_count = 0;  ///< of them in use
+  Index opened_end = 0;  ///< behind what was opened, in the last order
+  Index rest = nil;      ///< the first edge of root, in order, that the walk did not come to
+  Index undecided = nil; ///< an edge of root that the walk has to come to
 };
 
 } // namespace director::arbitration

@@ -1,8 +1,8 @@
 // docs/semantics.md, 4.1, rule 3: what is optional waits in a heap until all else was tried.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/walk.hpp"
 #include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/walk.hpp"
 #include "runtime/core/base/parts.hpp"
 
 namespace director::part {

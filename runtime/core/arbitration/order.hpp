@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The order between two edges, each with the chain of its holders up to root: by the claims of the pass in hand, or by the last
-// assignment. Rules 1 to 4 compare static ranks along these chains: the priority table of each requester (Level::urgency,
-// Level::optional). docs/semantics.md, section 4.1.
+// The order between two edges, each with the chain of its holders up to root: by the claims of the pass in hand, or by
+// the last assignment. Rules 1 to 4 compare static ranks along these chains: the priority table of each requester
+// (Level::urgency, Level::optional). docs/semantics.md, section 4.1.
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/fault_injection.hpp"
@@ -40,9 +40,9 @@ struct Verdict {
   int order;
 };
 
-/// Along both chains from the bottom up at equal height, the pair of different places nearest to root is where they part:
-/// all below it belongs to one side only. Cost: the length of the longer chain. `above(place)`: the next one of its chain;
-/// its edge is nil behind the last.
+/// Along both chains from the bottom up at equal height, the pair of different places nearest to root is where they
+/// part: all below it belongs to one side only. Cost: the length of the longer chain. `above(place)`: the next one of
+/// its chain; its edge is nil behind the last.
 template <class Above, class Optional>
 Parting parting(Place a, Place b, Index length_a, Index length_b, const Above& above, const Optional& optional) {
   bool optional_a = false, optional_b = false;

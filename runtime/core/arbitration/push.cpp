@@ -64,7 +64,8 @@ void keep_serving_pushes(Context& x, Index count) {
   const auto want_all = [&](std::uint8_t bits) {
     for (Index at = 0; at < count; ++at) {
       want_provider(x.s.member[at].provider, bits);
-      for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i) want_provider(x.s.entry[i].provider, bits);
+      for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i)
+        want_provider(x.s.entry[i].provider, bits);
     }
   };
   const auto serves = [&](Index provider) {
@@ -274,7 +275,8 @@ void push_for(Context& x, Index count, Index unmet) {
       continue;
     }
     const Index group = x.t.providers[push.provider].group;
-    if ((x.s.group_marks[group] & mark::listed) == 0) list_push(x, group), begin(static_cast<Index>(x.pushed_count - 1));
+    if ((x.s.group_marks[group] & mark::listed) == 0)
+      list_push(x, group), begin(static_cast<Index>(x.pushed_count - 1));
     Index at = 0;
     while (pushed[at] != group) ++at;
     if (x.s.first[at].edge == nil) x.s.first[at] = push; // one group serves one condition after the other

@@ -3,11 +3,10 @@
 //
 // What changed is an input, or a group whose claim, plan, push or place in the order is another than in the last pass.
 
-#include "runtime/core/arbitration/trail.hpp"
-
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/arbitration/trail.hpp"
 
 namespace director::arbitration {
 
@@ -54,19 +53,21 @@ void each_user_edge(Context& x, Index group, Take&& take) {
 
 bool stands_behind(const Context& x, Index edge) { return (x.s.edge_trail[edge] & trail::behind) != 0; }
 
-/// Those behind the holder of the group whose requesters are not looked at: take(edge, place of the requester in the last order).
+/// Those behind the holder of the group whose requesters are not looked at: take(edge, place of the requester in the
+/// last order).
 template <class Take>
 void each_in_line(Context& x, Index group, Take&& take) {
   for (const Index e : x.t.list(x.t.groups[group].requesters)) {
     const Index from = x.t.edges[e].requester;
-    if (stands_behind(x, e) && from != nil && x.s.last[from].holder != nil && !is_opened(x, from)) take(e, x.s.place[from]);
+    if (stands_behind(x, e) && from != nil && x.s.last[from].holder != nil && !is_opened(x, from))
+      take(e, x.s.place[from]);
   }
 }
 
 } // namespace
 
-/// The walk is about to pass by this group. Of those behind who holds a group that is free by now, who lies below it is looked at; and
-/// if it is not the first one to be, all others.
+/// The walk is about to pass by this group. Of those behind who holds a group that is free by now, who lies below it is
+/// looked at; and if it is not the first one to be, all others.
 void look_at_lines(Context& x, Index group) {
   const auto end = static_cast<Index>(x.s.place[group] + x.s.extent[group]);
   for (WaitingLine& line : std::span(x.lines).first(x.line_count)) {

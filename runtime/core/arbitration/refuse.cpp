@@ -1,9 +1,8 @@
 // docs/semantics.md, section 4.4, Refuse: a unit is queued, for a reason.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/grant.hpp"
-
 #include "runtime/core/arbitration/choices.hpp"
+#include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
@@ -33,7 +32,8 @@ Index collect_unmet(Context& x, Index count) {
       }
     };
     add(x.s.member[at].provider, x.s.member[at].edge);
-    for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i) add(x.s.entry[i].provider, x.s.entry[i].need);
+    for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i)
+      add(x.s.entry[i].provider, x.s.entry[i].need);
   }
   return found;
 }

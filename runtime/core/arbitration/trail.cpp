@@ -46,14 +46,15 @@ void take_own(Context& x, Index* list, Index& count, ComponentOf&& component_of,
 
 template <class Take>
 void take_flipped(Context& x, Take&& take) {
-  take_own(x, x.s.flipped, x.flipped_count, [&](Index g) { return x.s.run_queue[g].component; }, take);
+  take_own(
+      x, x.s.flipped, x.flipped_count, [&](Index g) { return x.s.run_queue[g].component; }, take);
 }
 
 template <class Take>
 void take_rerequested(Context& x, Take&& take) {
   take_own(
-      x, x.s.rerequested, x.rerequested_count,
-      [&](Index e) { return x.s.run_queue[x.s.request[e].target].component; }, take);
+      x, x.s.rerequested, x.rerequested_count, [&](Index e) { return x.s.run_queue[x.s.request[e].target].component; },
+      take);
 }
 
 /// What has to be looked at if something differs from the last pass, or when it has run, is left alone until then.
@@ -250,10 +251,12 @@ bool stand_as_before(Context& x, Index edge, std::uint8_t marks) {
   return was_held;
 }
 
-/// Nothing that is to be looked at lies at or behind this edge of root: all of that stands as it stood, and is put down.
+/// Nothing that is to be looked at lies at or behind this edge of root: all of that stands as it stood, and is put
+/// down.
 bool rest_stands(Context& x, Index root) {
   if (x.had_pushes || x.pushing || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
-    x.undecided = static_cast<Index>(x.t.edges.size()); // no edge: it is not asked again, which costs more than it helps
+    x.undecided =
+        static_cast<Index>(x.t.edges.size()); // no edge: it is not asked again, which costs more than it helps
     return false;
   }
   for (const WaitingLine& line : std::span(x.lines).first(x.line_count)) {

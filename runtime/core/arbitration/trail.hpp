@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a pass looks at, and what it leaves as it is: from what is another than in the last pass (reach.cpp) to the units that
-// are decided again. docs/semantics.md, section 4.4.
+// What a pass looks at, and what it leaves as it is: from what is another than in the last pass (reach.cpp) to the
+// units that are decided again. docs/semantics.md, section 4.4.
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/context.hpp"
@@ -69,9 +69,7 @@ inline std::span<const Index> opened(const Context& x) {
 }
 
 /// What changes about the group is noted for the next pass.
-inline bool is_noted(const Context& x, Index group) {
-  return (x.s.run_queue[group].flags & group_flag::followed) != 0;
-}
+inline bool is_noted(const Context& x, Index group) { return (x.s.run_queue[group].flags & group_flag::followed) != 0; }
 
 /// A condition of one of its providers flipped, or it is to be looked at as if one had.
 inline void touch_group(Context& x, Index group) {

@@ -1,6 +1,5 @@
-// docs/semantics.md, section 4.4: units. What a group that is claimed asks for and needs stands ahead in the walk; the members of a unit get what
-// they ask for together or not at all.
-// SPDX-License-Identifier: MIT
+// docs/semantics.md, section 4.4: units. What a group that is claimed asks for and needs stands ahead in the walk; the
+// members of a unit get what they ask for together or not at all. SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/choices.hpp"

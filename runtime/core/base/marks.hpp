@@ -48,18 +48,19 @@ inline constexpr std::uint8_t touched = 4;   ///< since the last pass a conditio
 inline constexpr std::uint8_t stale = 8;     ///< its orders were outdated in the last pass
 inline constexpr std::uint8_t asks = 16;     ///< what it requests was looked at in the last pass
 inline constexpr std::uint8_t opened = 32;   ///< this pass looks at it; otherwise it stands as it stood
-inline constexpr std::uint8_t passed = 64;   ///< it, and all below it, stands as it stood and goes before the edge in hand
-inline constexpr std::uint8_t again = 128;   ///< the next pass has to look at it, whatever happens
+inline constexpr std::uint8_t passed =
+    64; ///< it, and all below it, stands as it stood and goes before the edge in hand
+inline constexpr std::uint8_t again = 128; ///< the next pass has to look at it, whatever happens
 } // namespace trail
 
 /// Bits of RunQueueEntry::flags. What else there is to tell of the group stands there too.
 namespace group_flag {
-inline constexpr std::uint8_t queue = 1;   ///< it is to run
-inline constexpr std::uint8_t touched = 2; ///< it stands in State::touched
-inline constexpr std::uint8_t waits = 4;   ///< its wait may be on
-inline constexpr std::uint8_t listens = 8; ///< to some trigger
+inline constexpr std::uint8_t queue = 1;     ///< it is to run
+inline constexpr std::uint8_t touched = 2;   ///< it stands in State::touched
+inline constexpr std::uint8_t waits = 4;     ///< its wait may be on
+inline constexpr std::uint8_t listens = 8;   ///< to some trigger
 inline constexpr std::uint8_t followed = 32; ///< its component is not decided whole (arbitration/trail.hpp)
-inline constexpr std::uint8_t ends = 16;   ///< it has what begins or ends with it: states, a handler, a period
+inline constexpr std::uint8_t ends = 16;     ///< it has what begins or ends with it: states, a handler, a period
 } // namespace group_flag
 
 } // namespace director

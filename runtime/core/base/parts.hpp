@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a behaviour may do without. A part of the engine is a source of its own, which the rest calls by weak references:
-// the linker takes it from the library only where something else names it. Generated code names the parts that its
-// tables use; where a part is missing nothing gets as far as a call of it. Only ELF has such references: elsewhere all
-// parts are linked.
+// What a behaviour may do without. A part of the engine is a source of its own, which the rest calls by weak
+// references: the linker takes it from the library only where something else names it. Generated code names the parts
+// that its tables use; where a part is missing nothing gets as far as a call of it. Only ELF has such references:
+// elsewhere all parts are linked.
 
 #include "runtime/core/base/tables.hpp"
 

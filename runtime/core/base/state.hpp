@@ -49,13 +49,13 @@ inline constexpr Index serving = 8;  ///< and the condition that the push was ma
 
 /// Bits of State::component: what the next arbitration has to know about it.
 namespace work {
-inline constexpr std::uint8_t changed = 1;        ///< a request, value or flag that it depends on is another one
-inline constexpr std::uint8_t unsettled = 2;      ///< the last pass may decide differently on its own result
-inline constexpr std::uint8_t stale_counts = 4;   ///< whose orders are outdated made a difference in the last pass
-inline constexpr std::uint8_t stale_changed = 8;  ///< and may be another since
-inline constexpr std::uint8_t listed = 16;        ///< it stands in State::work
-inline constexpr std::uint8_t passed = 32;        ///< it was decided again in this micro-step
-inline constexpr std::uint8_t reordered = 64;     ///< an edge of root may be in another place among its like
+inline constexpr std::uint8_t changed = 1;       ///< a request, value or flag that it depends on is another one
+inline constexpr std::uint8_t unsettled = 2;     ///< the last pass may decide differently on its own result
+inline constexpr std::uint8_t stale_counts = 4;  ///< whose orders are outdated made a difference in the last pass
+inline constexpr std::uint8_t stale_changed = 8; ///< and may be another since
+inline constexpr std::uint8_t listed = 16;       ///< it stands in State::work
+inline constexpr std::uint8_t passed = 32;       ///< it was decided again in this micro-step
+inline constexpr std::uint8_t reordered = 64;    ///< an edge of root may be in another place among its like
 inline constexpr std::uint8_t kept = stale_counts | reordered; ///< also where nothing is to be decided
 } // namespace work
 
@@ -132,8 +132,8 @@ struct Requested {
   Index target = 0;        ///< as Edge::target
 };
 
-/// Where a group stands in the run queue, and why. Behind GroupAssignment, what most micro-steps look at; so with it lies which
-/// component it is of.
+/// Where a group stands in the run queue, and why. Behind GroupAssignment, what most micro-steps look at; so with it
+/// lies which component it is of.
 struct RunQueueEntry {
   Index runs_after = nil;  ///< group that is to run: the one before it in the queue; nil
   Index runs_before = nil; ///< and the one behind it
@@ -240,7 +240,7 @@ struct State {
   Index* place = nullptr;                 ///< group that is held: where it stands in that order
   Index* first_root = nullptr;            ///< component: its first edge of root, in order; nil
   Index* next_root = nullptr;             ///< edge of root: the next one of its component; nil
-  RunQueueEntry* run_queue = nullptr;                   ///< group
+  RunQueueEntry* run_queue = nullptr;     ///< group
   Index* data_from = nullptr;             ///< group: edge whose slot holds its data; nil: its own slot
   Promised* promised = nullptr;           ///< group; no rows where nobody promises anything
   Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
@@ -331,7 +331,8 @@ struct State {
     visit(s.edge_trail, n.edges), visit(s.group_trail, n.groups), visit(s.reached, n.edges);
     visit(s.rerequested, n.edges), visit(s.flipped, n.groups), visit(s.opened, n.groups), visit(s.news, n.groups);
     visit(s.news_count, n.components), visit(s.on_last, n.components);
-    visit(s.pushed, n.groups), visit(s.pushed_count, n.components), visit(s.lacked, n.conditions), visit(s.causers, n.providers);
+    visit(s.pushed, n.groups), visit(s.pushed_count, n.components), visit(s.lacked, n.conditions),
+        visit(s.causers, n.providers);
     visit(s.provider_marks, n.providers);
   }
 

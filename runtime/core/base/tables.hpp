@@ -48,10 +48,10 @@ struct Level {
 
 /// requester -> target. Edges of root come first, then those of each group; among siblings in order of declaration.
 struct Edge {
-  Index requester = nil;  ///< group, or nil for root
-  Index target = 0;       ///< group
-  Range levels{};         ///< of Tables::levels; empty where it is needed only
-  Index need_urgency = 0; ///< as Level::urgency: of an edge that holds without a request
+  Index requester = nil;    ///< group, or nil for root
+  Index target = 0;         ///< group
+  Range levels{};           ///< of Tables::levels; empty where it is needed only
+  Index need_urgency = 0;   ///< as Level::urgency: of an edge that holds without a request
   Index cluster_offset = 0; ///< its cluster begins so many edges before it; edges of two clusters never claim the same
                             ///< group
 };
@@ -82,7 +82,7 @@ struct Group {
   bool simple = false;      ///< it has one provider, which needs nothing
   bool flat = false;        ///< whatever its providers need is simple
   bool conditional = false; ///< a provider has `when` or `stay`
-  Index component = 0; ///< of Tables::components
+  Index component = 0;      ///< of Tables::components
 
   /// It and all that it needs, transitively, have one provider each.
   constexpr bool single_choice() const { return providers.size() == 1 && slots.empty(); }
@@ -92,9 +92,9 @@ struct Group {
 /// groups are in one if one requests or needs the other, or if a provider of one may be pushed for a condition of the
 /// other.
 struct Component {
-  Range groups{};     ///< lists: ascending
-  Range edges{};      ///< lists: that lead to its groups, ascending; those of root come first
-  Index order = 0;    ///< where its rows of State::order begin; there are as many as it has groups
+  Range groups{};            ///< lists: ascending
+  Range edges{};             ///< lists: that lead to its groups, ascending; those of root come first
+  Index order = 0;           ///< where its rows of State::order begin; there are as many as it has groups
   bool equals = false;       ///< two edges in it may be equal
   bool alternatives = false; ///< a group has slots
   bool compared = false;     ///< edges below different ones of root are often compared

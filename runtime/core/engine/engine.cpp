@@ -33,7 +33,8 @@ void Engine::reset() {
   State::each(
       x_.s, Shape::of(x_.t),
       []<class T>(T*& array, std::size_t count) {
-        if constexpr (!std::is_trivially_default_constructible_v<T>) fill(array, count); // what else there is begins with 0
+        if constexpr (!std::is_trivially_default_constructible_v<T>)
+          fill(array, count); // what else there is begins with 0
       },
       [] {});
   timers_.clear();

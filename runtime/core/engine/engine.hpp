@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration/pass.hpp) and
-// acts on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
+// The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration/pass.hpp)
+// and acts on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
 
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/pass.hpp"
@@ -21,8 +21,8 @@ class Engine {
 public:
   static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
 
-  /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8, better to State::alignment. Begins as after reset().
-  /// Whatever the tables are: all parts (base/parts.hpp) are linked.
+  /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8, better to State::alignment. Begins as after
+  /// reset(). Whatever the tables are: all parts (base/parts.hpp) are linked.
   Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {});
   /// The same for generated code, which names the parts that its tables use.
   Engine(const Tables& tables, const State& memory, const Bodies& bodies, Inbox& inbox);
@@ -101,9 +101,11 @@ public:
   Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it does not run
   Time now() const { return x_.s.counters->now; }
   std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< so far
-  std::uint64_t passes() const { return passes_; } ///< of arbitration over a component, so far
-  bool inside() const { return inside_; }          ///< a body, handler or observer is running; for the thread that calls step()
-  bool inputs_wait() const { return inbox_.waits(); } ///< something was posted that no step has taken yet; for that thread too
+  std::uint64_t passes() const { return passes_; }                        ///< of arbitration over a component, so far
+  bool inside() const { return inside_; } ///< a body, handler or observer is running; for the thread that calls step()
+  bool inputs_wait() const {
+    return inbox_.waits();
+  } ///< something was posted that no step has taken yet; for that thread too
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs so far; from any thread
   std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
   /// So far: groups placed, units decided, and choices and plans tried, those of searches for pushes among them.

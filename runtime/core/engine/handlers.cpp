@@ -1,6 +1,5 @@
-// docs/semantics.md, section 5: what begins and ends with a group or a provider: handlers are called, states of the group's own go back to their
-// initial values, periods run.
-// SPDX-License-Identifier: MIT
+// docs/semantics.md, section 5: what begins and ends with a group or a provider: handlers are called, states of the
+// group's own go back to their initial values, periods run. SPDX-License-Identifier: MIT
 
 #include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/engine/notes.hpp"
@@ -49,7 +48,8 @@ void Engine::begin_what_it_has(Index group) {
   if (every != 0) timers_.arm({Timers::Kind::every, group}, later(x_.s.counters->now, every));
 }
 
-/// One that is late runs once, and is due again at the first multiple after it. Two times may be further apart than a Time can say.
+/// One that is late runs once, and is due again at the first multiple after it. Two times may be further apart than a
+/// Time can say.
 void Engine::end_period(Index group, Time when) {
   const Time period = x_.t.providers[x_.s.last[group].active].every, until = x_.s.counters->until;
   const auto late = static_cast<std::uint64_t>(until) - static_cast<std::uint64_t>(when);

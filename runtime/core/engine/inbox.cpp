@@ -1,10 +1,10 @@
 // docs/semantics.md, section 7: the queue of posted inputs.
 // SPDX-License-Identifier: MIT
 //
-// A cell's sequence number says who may use it: equal to a writer's position, it is free for that writer; one more, it is full
-// for the reader of that position. The reader frees cells in order, so the last cell of a claim being free means that
-// all of the claim are. A writer publishes its records from the last to the first: who sees the first sees the whole
-// input.
+// A cell's sequence number says who may use it: equal to a writer's position, it is free for that writer; one more, it
+// is full for the reader of that position. The reader frees cells in order, so the last cell of a claim being free
+// means that all of the claim are. A writer publishes its records from the last to the first: who sees the first sees
+// the whole input.
 
 #include "runtime/core/engine/inbox.hpp"
 

@@ -3,8 +3,8 @@
 // The way in: a bounded queue of inputs with many writers and one reader, without locks and without memory of its own.
 // An input may take several records (several states set at once, several root tasks): it goes in whole or not at all.
 // What requests or cancels root tasks, or sets one state, is never refused: where the queue is full it goes by
-// OverflowSlots, and is taken after all that was in the queue then. What is refused, or replaced there before it was taken,
-// is counted. Needs 32-bit compare-and-swap and nothing more; on a core without it the program supplies what the
+// OverflowSlots, and is taken after all that was in the queue then. What is refused, or replaced there before it was
+// taken, is counted. Needs 32-bit compare-and-swap and nothing more; on a core without it the program supplies what the
 // compiler calls for it (GCC: __atomic_compare_exchange_4), as a critical section. Source: D. Vyukov's bounded queue,
 // with several cells claimed at once.
 
@@ -24,8 +24,8 @@ public:
     Input input;
   };
 
-  /// `cells`: a power of two of them, at least 2. `words`: a slot for each root edge, then one for each other that `put` names;
-  /// without them a full inbox refuses everything. Both are owned by the caller, who must keep them.
+  /// `cells`: a power of two of them, at least 2. `words`: a slot for each root edge, then one for each other that
+  /// `put` names; without them a full inbox refuses everything. Both are owned by the caller, who must keep them.
   explicit Inbox(std::span<Cell> cells, std::span<OverflowSlots::Slot> words = {});
   Inbox(const Inbox&) = delete;
   Inbox& operator=(const Inbox&) = delete;
@@ -42,8 +42,8 @@ public:
   // The two halves of insist, for requests with data.
   /// False: a request or cancel of one of these root tasks waits outside the queue, and this one must wait behind it.
   bool post_in_turn(std::span<const Input> records);
-  /// Reserves a place of OverflowSlots for each record, as its handle: there its data go before they are published. Nil: this
-  /// record does not count, as a later one about the same root task does. False: there are no overflow slots.
+  /// Reserves a place of OverflowSlots for each record, as its handle: there its data go before they are published.
+  /// Nil: this record does not count, as a later one about the same root task does. False: there are no overflow slots.
   bool reserve(std::span<Input> records);
   void publish(std::span<const Input> records);
 
@@ -84,8 +84,8 @@ public:
 
   /// Records claimed by writers and not taken yet, as seen by the reader.
   std::uint32_t waiting() const { return tail_.load(std::memory_order_acquire) - head_; }
-  /// But for what was put first, and for overflow slots in hand: these stay there behind a record that is claimed and was
-  /// not taken, or where a step ended before they were taken, and then the next one looks for them anyway.
+  /// But for what was put first, and for overflow slots in hand: these stay there behind a record that is claimed and
+  /// was not taken, or where a step ended before they were taken, and then the next one looks for them anyway.
   bool empty() const { return waiting() == 0 && words_.none_spoken(); }
   /// Something is in it, wherever.
   bool waits() const { return !empty() || due(); }

@@ -36,7 +36,9 @@ inline void Engine::touch(Index group) {
   x_.s.touched[x_.s.counters->touched_count++] = group;
 }
 
-inline void Engine::untouch(Index group) { x_.s.run_queue[group].flags &= static_cast<std::uint8_t>(~group_flag::touched); }
+inline void Engine::untouch(Index group) {
+  x_.s.run_queue[group].flags &= static_cast<std::uint8_t>(~group_flag::touched);
+}
 
 /// Bits of Reason. True if one of them is news.
 inline bool Engine::note_reasons(Index group, std::uint8_t bits) {

@@ -1,10 +1,10 @@
 // docs/semantics.md, section 7: what a full inbox does not refuse.
 // SPDX-License-Identifier: MIT
 //
-// A place is free, then being filled by one writer, then published (at most one in a slot, the newest record), then in the
-// reader's hands, then free again. Each step is a compare-and-swap of the slot's one word of states. To publish frees
-// the record before it in the same step. Only a writer that finds no free place takes the newest record away before it has
-// its own ready.
+// A place is free, then being filled by one writer, then published (at most one in a slot, the newest record), then in
+// the reader's hands, then free again. Each step is a compare-and-swap of the slot's one word of states. To publish
+// frees the record before it in the same step. Only a writer that finds no free place takes the newest record away
+// before it has its own ready.
 //
 // The records of one input are published from the last to the first, the leader, and all places are reserved before:
 // who sees a record whose leader is still to come leaves it where it is, so that they are taken together.

@@ -57,8 +57,7 @@ void Engine::report_answer(Index group, Index provider, Outcome::Kind outcome, s
   if (outcome == Outcome::Kind::pack) answer.pack = pack;
   tell(answer);
   for (Index i = 0; i < x_.s.counters->staged_count && outcome != Outcome::Kind::fault; ++i)
-    report_value(Event::Kind::assign, group, provider, x_.s.staged[i],
-                 x_.s.values[x_.s.staged[i]].staged);
+    report_value(Event::Kind::assign, group, provider, x_.s.staged[i], x_.s.values[x_.s.staged[i]].staged);
 }
 
 /// What a body or handler sets, or may not set.

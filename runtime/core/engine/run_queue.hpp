@@ -6,8 +6,8 @@
 
 namespace director {
 
-/// The groups that have a reason to run, in the order in which they came to have it. They are linked in State::run_queue, so
-/// one that is not granted any more leaves without a look at the others.
+/// The groups that have a reason to run, in the order in which they came to have it. They are linked in
+/// State::run_queue, so one that is not granted any more leaves without a look at the others.
 class RunQueue {
 public:
   explicit RunQueue(const State& memory) : counters_(memory.counters), entries_(memory.run_queue) {}

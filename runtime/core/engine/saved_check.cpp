@@ -1,9 +1,9 @@
-// Header: runtime/core/engine/saved_check.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp, tests/property/saved_test.cpp.
-// SPDX-License-Identifier: MIT
+// Header: runtime/core/engine/saved_check.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp,
+// tests/property/saved_test.cpp. SPDX-License-Identifier: MIT
 //
-// What the engine takes for granted of its own memory has to be looked at here: it reads rows by these numbers, and follows
-// holders, plans and the queue, without a look at where they lead. Cost: the rows, and for each group the chain of its holders
-// and its plan.
+// What the engine takes for granted of its own memory has to be looked at here: it reads rows by these numbers, and
+// follows holders, plans and the queue, without a look at where they lead. Cost: the rows, and for each group the chain
+// of its holders and its plan.
 
 #include "runtime/core/engine/saved_check.hpp"
 
@@ -69,8 +69,7 @@ private:
   bool push(Index g, const Push& push) const {
     if (push.edge == nil) return push == Push{};
     return push.edge < t_.edges.size() && push.condition < t_.conditions.size() && push.provider != nil &&
-           provider_of(g, push.provider) &&
-           t_.groups[t_.edges[push.edge].target].component == t_.groups[g].component;
+           provider_of(g, push.provider) && t_.groups[t_.edges[push.edge].target].component == t_.groups[g].component;
   }
 
   bool group(Index g) const {
@@ -84,7 +83,8 @@ private:
     if (!holder(g, row.holder) || !provider_of(g, row.active) || !provider_of(g, row.planned) || !push(g, row.push))
       return false;
     if (row.active != nil && row.holder == nil) return false;
-    if (granted && (row.active == nil || row.holder >= t_.edges.size() || request(row.holder).level == nil)) return false;
+    if (granted && (row.active == nil || row.holder >= t_.edges.size() || request(row.holder).level == nil))
+      return false;
     if (row.queue_place != nil && (!granted || row.pending == 0)) return false;
     if (pushed && row.push.edge == nil) return false;
     if (row.wait != never && row.active == nil) return false;

@@ -1,11 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The bytes of a saved decision state: what is written, in which order. A head, then a row for each row of the tables, each
-// number with its lowest byte first, without gaps; then the data of tasks (api/saved_data.hpp). What follows from the tables
-// or from the rest (places in the order, conditions, the tree of timers) is not written but made again.
+// The bytes of a saved decision state: what is written, in which order. A head, then a row for each row of the tables,
+// each number with its lowest byte first, without gaps; then the data of tasks (api/saved_data.hpp). What follows from
+// the tables or from the rest (places in the order, conditions, the tree of timers) is not written but made again.
 
-#include "runtime/core/base/tables.hpp"
 #include "runtime/core/base/state.hpp"
+#include "runtime/core/base/tables.hpp"
 
 #include <bit>
 #include <type_traits>
@@ -16,9 +16,9 @@ namespace director::saved {
 inline constexpr std::uint32_t format = 1;
 
 /// A `D`, the format, whether the data of tasks have their lowest byte first, and the bytes of an Index.
-inline constexpr std::uint32_t version_word =
-    0x44000000U | format << 16 | (std::endian::native == std::endian::little ? 0U : 0x100U) |
-    static_cast<std::uint32_t>(sizeof(Index));
+inline constexpr std::uint32_t version_word = 0x44000000U | format << 16 |
+                                              (std::endian::native == std::endian::little ? 0U : 0x100U) |
+                                              static_cast<std::uint32_t>(sizeof(Index));
 
 /// Bits of HeadRow::flags.
 namespace head {
@@ -37,7 +37,8 @@ struct HeadRow {
   std::uint8_t flags = 0;
   template <class Visit>
   constexpr void each(Visit visit) {
-    visit(version), visit(check_sum), visit(size), visit(behaviour), visit(now), visit(until), visit(micro_step), visit(flags);
+    visit(version), visit(check_sum), visit(size), visit(behaviour), visit(now), visit(until), visit(micro_step),
+        visit(flags);
   }
 };
 
@@ -106,7 +107,7 @@ struct FlagRow {
 };
 
 struct ComponentRow {
-  std::uint8_t bits = 0; ///< of `work`, without those that last no longer than a micro-step
+  std::uint8_t bits = 0;  ///< of `work`, without those that last no longer than a micro-step
   Index work_place = nil; ///< among those that are to be decided next
   template <class Visit>
   constexpr void each(Visit visit) {
@@ -146,7 +147,8 @@ template <class Number>
 void get(const std::byte*& at, Number& number) {
   std::make_unsigned_t<Number> bits = 0;
   for (std::size_t i = 0; i < sizeof number; ++i)
-    bits = static_cast<std::make_unsigned_t<Number>>(bits | std::make_unsigned_t<Number>{std::to_integer<std::uint8_t>(*at++)} << 8 * i);
+    bits = static_cast<std::make_unsigned_t<Number>>(
+        bits | std::make_unsigned_t<Number>{std::to_integer<std::uint8_t>(*at++)} << 8 * i);
   number = static_cast<Number>(bits);
 }
 

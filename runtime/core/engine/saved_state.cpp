@@ -1,5 +1,5 @@
-// Header: runtime/core/engine/saved_state.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp, tests/property/saved_test.cpp.
-// SPDX-License-Identifier: MIT
+// Header: runtime/core/engine/saved_state.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp,
+// tests/property/saved_test.cpp. SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/saved_state.hpp"
 
@@ -79,7 +79,8 @@ void write_decisions(const Engine& engine, std::span<std::byte> to, std::uint64_
   write(begin, 0, head_of(engine, to.size(), behaviour));
   for (Index e = 0; e < t.edges.size(); ++e) {
     write(begin + at.edges, e,
-          EdgeRow{s.request[e].stamp, s.request[e].level, static_cast<std::uint8_t>(s.queued[e].why), s.queued[e].condition});
+          EdgeRow{s.request[e].stamp, s.request[e].level, static_cast<std::uint8_t>(s.queued[e].why),
+                  s.queued[e].condition});
   }
   for (Index g = 0; g < t.groups.size(); ++g) {
     GroupRow row = group_of(s, timers, g);
@@ -209,7 +210,8 @@ private:
   void queue() {
     Index count = 0;
     for (Index g = 0; g < t_.groups.size(); ++g)
-      count = static_cast<Index>(count + (saved::read<saved::GroupRow>(from_ + at_.groups, g).queue_place != nil ? 1 : 0));
+      count =
+          static_cast<Index>(count + (saved::read<saved::GroupRow>(from_ + at_.groups, g).queue_place != nil ? 1 : 0));
     for (Index i = 0; i < count; ++i) engine_.queue().enter(s_.reach[i]);
   }
 

@@ -1,14 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The decision state of an engine as bytes, to be put into another engine, or into the same one later: a program, a simulator
-// or a debugger goes on from there as if nothing had been between. Written are requests, values, timers, who holds what and
-// why not, who is to run: all that decides, and why requests are queued. Not written are the inbox, which has to be empty, what was lost so far, budgets,
-// counters of work, and the observer; those of the engine that loads stay as they are.
+// The decision state of an engine as bytes, to be put into another engine, or into the same one later: a program, a
+// simulator or a debugger goes on from there as if nothing had been between. Written are requests, values, timers, who
+// holds what and why not, who is to run: all that decides, and why requests are queued. Not written are the inbox,
+// which has to be empty, what was lost so far, budgets, counters of work, and the observer; those of the engine that
+// loads stay as they are.
 //
-// Whatever the bytes are, reading them is safe: the check sum finds what was damaged by chance, the fingerprint finds the state of another
-// behaviour, and besides every number is compared with the tables before anything is changed (saved_check.cpp), so that a
-// state made by hand with a right check sum can make the engine decide what it would not have decided, but never read or
-// write elsewhere, and never go round without end.
+// Whatever the bytes are, reading them is safe: the check sum finds what was damaged by chance, the fingerprint finds
+// the state of another behaviour, and besides every number is compared with the tables before anything is changed
+// (saved_check.cpp), so that a state made by hand with a right check sum can make the engine decide what it would not
+// have decided, but never read or write elsewhere, and never go round without end.
 
 #include "runtime/core/engine/saved_rows.hpp"
 
@@ -56,7 +57,8 @@ constexpr const char* to_text(LoadResult result) {
   case LoadResult::other_version:
     return "not loaded: no saved state, or one of another version of Director, another byte order or another "
            "DIRECTOR_SMALL_INDEX; save it again with this program";
-  case LoadResult::damaged: return "not loaded: the check sum does not fit, the bytes have changed since they were saved";
+  case LoadResult::damaged:
+    return "not loaded: the check sum does not fit, the bytes have changed since they were saved";
   case LoadResult::other_behaviour:
     return "not loaded: saved by another behaviour, by another version of it, or with data of other types; save it "
            "again with this program";
@@ -95,8 +97,8 @@ constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t number) {
 
 } // namespace saved
 
-// For engines without generated code, which keep the data of tasks, if there are any, themselves. `behaviour`: a number that
-// tells it from others, such as director::fingerprint of runtime/hosted.
+// For engines without generated code, which keep the data of tasks, if there are any, themselves. `behaviour`: a number
+// that tells it from others, such as director::fingerprint of runtime/hosted.
 
 /// Bytes that a state without data takes.
 constexpr std::size_t saved_bytes(const Shape& shape) { return saved::Layout(shape).data; }

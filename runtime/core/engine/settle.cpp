@@ -54,7 +54,8 @@ bool Engine::changed(Index component, bool& stops) {
 bool Engine::other_plan(Index group) const {
   const Range slots = x_.t.groups[group].slots;
   bool other = false;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) other = other || x_.s.now.plan[slot] != x_.s.last.plan[slot];
+  for (Index slot = slots.begin; slot != slots.end; ++slot)
+    other = other || x_.s.now.plan[slot] != x_.s.last.plan[slot];
   return other;
 }
 

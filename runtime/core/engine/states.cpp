@@ -57,7 +57,8 @@ void Engine::look_at_conditions(Index state) {
   if (value == unset) unchanged = {unset, unset};
   for (const Index condition : x_.t.list(x_.t.states[state].conditions)) {
     const Condition& row = x_.t.conditions[condition];
-    const bool now = value != unset && narrow(unchanged, x_.t.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
+    const bool now =
+        value != unset && narrow(unchanged, x_.t.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
     if (now == arbitration::holds(x_, condition)) continue;
     x_.s.truth[condition] = now ? 1 : 0;
     if (!x_.s.counters->begun || injected(Fault::conditions_are_overlooked)) continue;

@@ -16,7 +16,8 @@ void Engine::take_first_step(Time now) {
   x_.s.counters->until = x_.s.counters->now = now;
   if (observed()) report_begin();
   for (Index i = 0; i < x_.t.states.size(); ++i) {
-    if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset) timers_.arm({Timers::Kind::expiry, i}, later(now, x_.t.states[i].expires));
+    if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset)
+      timers_.arm({Timers::Kind::expiry, i}, later(now, x_.t.states[i].expires));
   }
 }
 
@@ -83,10 +84,12 @@ DIRECTOR_INLINE Index Engine::run_next() {
   if (!pushed) reasons &= static_cast<std::uint8_t>(~reason::pushed);
   if (reasons == 0) return nil; // nobody pushes it any more
 
-  if (pushed && !x_.t.promises.empty() && x_.s.promised[group].provider == nil) { // section 7: its first run on that push
+  if (pushed && !x_.t.promises.empty() &&
+      x_.s.promised[group].provider == nil) { // section 7: its first run on that push
     x_.s.promised[group] = {x_.s.last[group].push.edge, provider};
     const Range own = x_.t.providers[provider].promises;
-    for (Index i = own.begin; i != own.end; ++i) timers_.arm({Timers::Kind::promise, i}, later(c.now, x_.t.promises[i].within));
+    for (Index i = own.begin; i != own.end; ++i)
+      timers_.arm({Timers::Kind::promise, i}, later(c.now, x_.t.promises[i].within));
   }
   Run run(*this, x_.s, x_.t.groups[group].edges.begin, group, provider, Reasons{reasons});
   report(Event::Kind::run, group, provider, run.reasons());

@@ -30,14 +30,17 @@ public:
   Timer take_first();
 
 private:
-  Index number(Timer timer) const { return static_cast<Index>(begin_[static_cast<std::size_t>(timer.kind)] + timer.row); }
+  Index number(Timer timer) const {
+    return static_cast<Index>(begin_[static_cast<std::size_t>(timer.kind)] + timer.row);
+  }
   Index soonest(std::size_t node) const { return node < count_ ? soonest_[node] : static_cast<Index>(node - count_); }
   Index sooner(std::size_t node) const;
   void set(Index index, Time due);
 
   Counters* counters_;
   Time* due_;      ///< timers, kind by kind, by declaration
-  Index* soonest_; ///< node n of a tree, 2n and 2n+1 being the nodes below it and the timers its leaves: which one is due first
+  Index* soonest_; ///< node n of a tree, 2n and 2n+1 being the nodes below it and the timers its leaves: which one is
+                   ///< due first
   Index begin_[4]; ///< of each kind
   Index count_;
 };

@@ -7,8 +7,8 @@ namespace director {
 
 namespace {
 
-[[gnu::used]] const Parts all{&part::units,    &part::limbo,  &part::order,    &part::conditions, &part::pushes,
-                              &part::equals,   &part::search, &part::optional, &part::trail,      &part::states,
+[[gnu::used]] const Parts all{&part::units,    &part::limbo,    &part::order,    &part::conditions, &part::pushes,
+                              &part::equals,   &part::search,   &part::optional, &part::trail,      &part::states,
                               &part::handlers, &part::promises, &part::data};
 
 } // namespace

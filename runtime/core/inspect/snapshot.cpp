@@ -24,8 +24,8 @@ Index DoubleBuffer::begin() {
 
 void DoubleBuffer::finish(Index buffer) {
   std::uint32_t now = state_.load(std::memory_order_relaxed);
-  while (
-      !state_.compare_exchange_weak(now, with_last(now, buffer), std::memory_order_acq_rel, std::memory_order_relaxed)) {}
+  while (!state_.compare_exchange_weak(now, with_last(now, buffer), std::memory_order_acq_rel,
+                                       std::memory_order_relaxed)) {}
 }
 
 Index DoubleBuffer::enter() {
@@ -34,7 +34,8 @@ Index DoubleBuffer::enter() {
     if (last(now) == 0) return nil;
     const auto buffer = static_cast<Index>(last(now) - 1);
     if (readers(now, buffer) == 0xFF) return nil;
-    if (state_.compare_exchange_weak(now, now + one_reader(buffer), std::memory_order_acquire, std::memory_order_relaxed))
+    if (state_.compare_exchange_weak(now, now + one_reader(buffer), std::memory_order_acquire,
+                                     std::memory_order_relaxed))
       return buffer;
   }
 }

@@ -42,7 +42,7 @@ struct View {
   Index holder(Index group) const { return assignment[group].holder; }
   bool granted(Index group) const { return assignment[group].granted(); }
   bool requested(Index edge) const { return request[edge].level != nil; }
-  RunState state(Index edge) const; ///< of a request: running, queued or none
+  RunState state(Index edge) const;                             ///< of a request: running, queued or none
   Queued queued(Index edge) const { return queued_edge[edge]; } ///< why it does not run
   Holding holding(Index group) const;
 

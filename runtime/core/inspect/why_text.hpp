@@ -17,8 +17,8 @@ struct Names {
   const char* (*value)(const void* self, Index state, std::int32_t number) = nullptr; ///< empty for a number of a range
   const char* (*trigger)(const void* self, Index row) = nullptr;                      ///< `Sensors`
   const char* (*level)(const void* self, Index row) = nullptr; ///< empty for the first of a task; may be null
-  const Tables* tables = nullptr;  ///< whose rows they are; only recorders ask
-  const char* behaviour = nullptr; ///< what it is called; likewise
+  const Tables* tables = nullptr;                              ///< whose rows they are; only recorders ask
+  const char* behaviour = nullptr;                             ///< what it is called; likewise
 };
 
 /// One line without an end of line, such as `Kick waits (root>Kick): until Stability == standing, which Walk.halting

@@ -46,9 +46,7 @@ public:
   void drop() { dropped_.store(dropped_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
   /// How many events were put or dropped so far.
-  std::uint64_t told() const {
-    return end_.load(std::memory_order_relaxed) + dropped_.load(std::memory_order_relaxed);
-  }
+  std::uint64_t told() const { return end_.load(std::memory_order_relaxed) + dropped_.load(std::memory_order_relaxed); }
 
   /// For the thread that writes: calls `use(entry)` for each entry that waits, and gives their places back at the end.
   template <class Use>
@@ -64,7 +62,7 @@ public:
 
 private:
   std::vector<Entry> ring_;
-  std::uint64_t seen_begin_ = 0;                 ///< of the thread that steps: where the reader was when it looked last
+  std::uint64_t seen_begin_ = 0; ///< of the thread that steps: where the reader was when it looked last
   alignas(64) std::atomic<std::uint64_t> begin_{0}; ///< only the reader moves it
   alignas(64) std::atomic<std::uint64_t> end_{0};   ///< only the thread that steps moves it
   std::atomic<std::uint64_t> dropped_{0};

@@ -40,7 +40,9 @@ public:
   void operator()(const Level& l) { all(l.priority, l.rank, l.urgency, l.optional, l.apart); }
   void operator()(const Condition& c) { all(c.state, c.accepts, c.causers, c.components, c.groups); }
   void operator()(const Interval& i) { all(i.low, i.high); }
-  void operator()(const StateVariable& s) { all(s.initial, s.expires, s.expires_to, s.owner, s.external, s.conditions); }
+  void operator()(const StateVariable& s) {
+    all(s.initial, s.expires, s.expires_to, s.owner, s.external, s.conditions);
+  }
   void operator()(const Trigger& t) { all(t.listeners); }
   void operator()(const Promise& p) { all(p.provider, p.condition, p.within, p.trigger); }
   void operator()(const Component& c) { all(c.groups, c.edges, c.order); }
@@ -66,8 +68,8 @@ private:
 std::uint64_t fingerprint(const Names& names) {
   const Tables& t = *names.tables;
   Hash hash;
-  hash.all(t.groups, t.providers, t.edges, t.levels, t.conditions, t.intervals, t.states, t.triggers, t.promises, t.lists,
-           t.components, t.plan_groups, t.listened, t.root_edges, t.most_edges);
+  hash.all(t.groups, t.providers, t.edges, t.levels, t.conditions, t.intervals, t.states, t.triggers, t.promises,
+           t.lists, t.components, t.plan_groups, t.listened, t.root_edges, t.most_edges);
   const auto words = [&](const char* (*name)(const void*, Index), std::size_t count) {
     for (Index row = 0; row < count; ++row) hash(std::string_view(name(names.self, row)));
   };

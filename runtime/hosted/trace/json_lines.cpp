@@ -154,7 +154,8 @@ void append_header(const Names& names, std::string_view file, std::string& out) 
     row.text("name", names.edge(names.self, edge)).text("target", names.group(names.self, t.edges[edge].target));
     row.key("levels");
     const Range levels = t.edges[edge].levels;
-    list(levels.size(), [&](Index i) { append_text(names.level(names.self, static_cast<Index>(levels.begin + i)), out); });
+    list(levels.size(),
+         [&](Index i) { append_text(names.level(names.self, static_cast<Index>(levels.begin + i)), out); });
     row.end();
   });
   header.key("states");

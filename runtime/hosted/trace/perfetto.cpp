@@ -1,9 +1,10 @@
 // Header: runtime/hosted/trace/trace_format.hpp. Test: tests/runtime/hosted/trace/perfetto_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A process track for the behaviour; below it one track for what comes from outside, one for each group, with a slice for each time that a
-// provider is in charge, and counters. Flows lead from who waits to who is pushed for it, and from who loses a group to who takes it over.
-// Numbers of fields: protos/perfetto/trace of https://github.com/google/perfetto; those used are in tests/support/perfetto.proto.
+// A process track for the behaviour; below it one track for what comes from outside, one for each group, with a slice
+// for each time that a provider is in charge, and counters. Flows lead from who waits to who is pushed for it, and from
+// who loses a group to who takes it over. Numbers of fields: protos/perfetto/trace of
+// https://github.com/google/perfetto; those used are in tests/support/perfetto.proto.
 #include "runtime/core/api/event_names.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/protobuf.hpp"
@@ -60,7 +61,8 @@ public:
   void begin(std::string& out) override {
     const char* const behaviour = n_.behaviour == nullptr ? "behaviour" : n_.behaviour;
     Message root;
-    root.number(track_uuid, process).message(track_process, Message().number(process_pid, 1).text(process_name, behaviour));
+    root.number(track_uuid, process)
+        .message(track_process, Message().number(process_pid, 1).text(process_name, behaviour));
     describe(root, out);
     describe(below(outside, "outside"), out);
     for (Index g = 0; g < t_.groups.size(); ++g) describe(below(first_group + g, n_.group(n_.self, g)), out);

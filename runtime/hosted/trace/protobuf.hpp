@@ -39,7 +39,9 @@ public:
   const std::string& bytes() const { return bytes_; }
 
 private:
-  void tag(std::uint32_t field, std::uint32_t wire_type) { append_varint(std::uint64_t{field} << 3 | wire_type, bytes_); }
+  void tag(std::uint32_t field, std::uint32_t wire_type) {
+    append_varint(std::uint64_t{field} << 3 | wire_type, bytes_);
+  }
   std::string bytes_;
 };
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/hosted/trace/recorder.hpp"
 
-#include <cerrno>
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <utility>
 
 namespace director {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The soccer player's behaviour is saved in the middle of a game and goes on in a new object: what its tasks carry comes along.
+// The soccer player's behaviour is saved in the middle of a game and goes on in a new object: what its tasks carry
+// comes along.
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
@@ -30,8 +31,8 @@ struct Player {
       Player& player = *static_cast<Player*>(self);
       player.events.push_back(director::tests::numbers_of(event, player.shift.count() * 1000));
     };
-    return std::make_unique<soccer::Behaviour>(recovery, safety, locomotion, kicking, looking, planning, strategy, limbs, legs,
-                                               director::Observer{tell, this});
+    return std::make_unique<soccer::Behaviour>(recovery, safety, locomotion, kicking, looking, planning, strategy,
+                                               limbs, legs, director::Observer{tell, this});
   }
   std::chrono::milliseconds now() const { return std::chrono::milliseconds(world.now()) + shift; }
   director::StepResult step() { return behaviour->step(now()); }
@@ -121,7 +122,8 @@ TEST_CASE("a slot of data that is neither full nor empty, or empty where somebod
   Bytes bytes = some_state(player);
   const std::size_t data = director::saved_bytes(soccer::detail::Whole::shape);
   const director::saved::Layout at(soccer::detail::Whole::shape);
-  const auto walk = director::saved::read<director::saved::GroupRow>(bytes.data() + at.groups, soccer::detail::Whole::Groups::row<soccer::Walk>);
+  const auto walk = director::saved::read<director::saved::GroupRow>(bytes.data() + at.groups,
+                                                                     soccer::detail::Whole::Groups::row<soccer::Walk>);
   REQUIRE(walk.active != director::nil);
   REQUIRE(walk.data_from != director::nil);
   // The first slots are those of Walk, one for each way of requesting it, then its own.
@@ -146,8 +148,11 @@ TEST_CASE("a game that goes on from bytes that nobody saved does no harm") {
   for (int i = 0; i < 2000; ++i) {
     Bytes bytes = state;
     for (std::size_t changes = 1 + random.below(3); changes > 0; --changes) {
-      std::byte& each = bytes[head + random.below(decisions - head)]; // what bodies make of other data is theirs to check
-      each = random.chance(0.5) ? static_cast<std::byte>(random.below(30)) : random.chance(0.5) ? std::byte{0xFF} : each ^ std::byte{1};
+      std::byte& each =
+          bytes[head + random.below(decisions - head)]; // what bodies make of other data is theirs to check
+      each = random.chance(0.5)   ? static_cast<std::byte>(random.below(30))
+             : random.chance(0.5) ? std::byte{0xFF}
+                                  : each ^ std::byte{1};
     }
     director::saved::seal(bytes);
     Player player(2);

@@ -31,7 +31,8 @@ TEST_CASE("a value stands behind its name or behind an equals sign") {
   CHECK(parse({"--seed=18446744073709551615"}).play->seed == 18446744073709551615u);
 }
 
-TEST_CASE("a browser may look at any port, or at one that is given, at a game that is played in real time for an hour") {
+TEST_CASE(
+    "a browser may look at any port, or at one that is given, at a game that is played in real time for an hour") {
   const CommandLine any = parse({"--live"});
   REQUIRE(any.play);
   CHECK(any.play->live == std::uint16_t{0});
@@ -70,6 +71,7 @@ TEST_CASE("what is no argument is refused with its reason") {
   CHECK(refused({"--live", "web"}) == "soccer: unknown argument web");
   CHECK(refused({"--speed"}) == "soccer: --speed needs a number");
   for (const std::string_view speed : {"0", "-1", "0.001", "1001", "nan", "fast", ""})
-    CHECK(refused({"--speed", speed}) == "soccer: --speed takes a number from 0.01 to 1000, not \"" + std::string(speed) + "\"");
+    CHECK(refused({"--speed", speed}) ==
+          "soccer: --speed takes a number from 0.01 to 1000, not \"" + std::string(speed) + "\"");
   CHECK(refused({"--seconds", "1.5"}) == "soccer: --seconds takes a whole number from 1 to 3600, not \"1.5\"");
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// moments FIRST COUNT: random scenarios as traces, each with its header, and behind the events of each micro-step a line {"moment": …} with what the
-// engine's own view says then. tests/browser/moments.mjs compares what the page's script finds from the events alone.
+// moments FIRST COUNT: random scenarios as traces, each with its header, and behind the events of each micro-step a
+// line {"moment": …} with what the engine's own view says then. tests/browser/moments.mjs compares what the page's
+// script finds from the events alone.
 #include "compiler/base/json.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "compiler/play/moment.hpp"
 #include "compiler/play/play.hpp"
-#include "compiler/lower/row_names.hpp"
 #include "compiler/trace/waits.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "tests/property/compiled.hpp"

@@ -48,7 +48,8 @@ Seen look(std::string functions, bool errors = false) {
   for (const dsl::Diagnostic& each : checks::run_code_checks(input))
     out.findings += each.message + " [" + each.id + "]\n";
   for (const analysis::Body& each : input.bodies) {
-    for (const analysis::Unseen& one : each.unseen) out.unseen += one.what + (one.carries ? " with the context\n" : "\n");
+    for (const analysis::Unseen& one : each.unseen)
+      out.unseen += one.what + (one.carries ? " with the context\n" : "\n");
   }
   return out;
 }

@@ -43,7 +43,8 @@ std::string rivals(std::size_t size, const std::string& asked_for) {
 
 using Counts = std::map<std::string, std::pair<std::size_t, std::size_t>>;
 
-TEST_CASE("of a hundred tasks of a list that want one group each but the first is told of once, and their equal rank once") {
+TEST_CASE(
+    "of a hundred tasks of a list that want one group each but the first is told of once, and their equal rank once") {
   CHECK(count(rivals(100, "tasks: [" + names(0, 100) + "]")) ==
         Counts{{"equal_priority", {1, 1}}, {"possible_pack_conflict", {99, 99}}});
 }

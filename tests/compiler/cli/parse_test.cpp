@@ -12,8 +12,9 @@ TEST_CASE("a wrong command line is told, with what was probably meant") {
   CHECK(world.directorc({"chek", "x.yaml"}) == 2);
   CHECK(world.err == "directorc: there is no subcommand `chek`; did you mean `check`?\n");
   CHECK(world.directorc({"xyzzy"}) == 2);
-  CHECK(world.err == "directorc: there is no subcommand `xyzzy`; there are check, generate, graph, docs, diff, explain, checks, "
-                     "simulate, trace, replay, why, test, explore, stubs, verify, dump\n");
+  CHECK(world.err ==
+        "directorc: there is no subcommand `xyzzy`; there are check, generate, graph, docs, diff, explain, checks, "
+        "simulate, trace, replay, why, test, explore, stubs, verify, dump\n");
   CHECK(world.directorc({"check"}) == 2);
   CHECK(world.err == "directorc check: FILE is required\nTry `directorc check --help`.\n");
   CHECK(world.directorc({"check", "x.yaml", "--werror=needs_cycel"}) == 2);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `directorc trace --to=html`: what it needs, what it says, what it ends with. The bytes of a recording: tests/compiler/trace; the page: tests/browser.
+// `directorc trace --to=html`: what it needs, what it says, what it ends with. The bytes of a recording:
+// tests/compiler/trace; the page: tests/browser.
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>
@@ -81,7 +82,8 @@ TEST_CASE("of another version of the behaviour there is no page") {
   world.files.add("other.yaml", recorded_lamp + "  Ring: {}\n");
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=html", "--behaviour=other.yaml", "-o", "run.html"}) == 1);
   CHECK(world.err == "runs/run.jsonl:1: error: this is a trace of another version of `other.yaml`\n"
-                     "  help: --behaviour names the version that was recorded; `directorc replay` says what this one decides otherwise\n");
+                     "  help: --behaviour names the version that was recorded; `directorc replay` says what this one "
+                     "decides otherwise\n");
   CHECK(world.outputs.files.count("run.html") == 0);
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=html", "--behaviour=none.yaml"}) == 2);
   CHECK(world.err == "directorc: cannot read `none.yaml`: No such file or directory\n");
@@ -98,14 +100,15 @@ TEST_CASE("of a trace with events missing, cut off or with a wrong line, the pag
                                          whole.substr(whole.find("{\"t\":1000000")));
   CHECK(world.directorc({"trace", "runs/some.jsonl", "--to=html", "-o", "some.html"}) == 0);
   CHECK(world.err.empty());
-  CHECK(section(world.outputs.files.at("some.html")).find("<tr><td class=\"time\">0.000000</td><td>1 event is missing</td></tr>") !=
-        std::string::npos);
+  CHECK(section(world.outputs.files.at("some.html"))
+            .find("<tr><td class=\"time\">0.000000</td><td>1 event is missing</td></tr>") != std::string::npos);
 
   world.files.add("runs/cut.jsonl", whole.substr(0, whole.size() - 9));
   CHECK(world.directorc({"trace", "runs/cut.jsonl", "--to=html", "-o", "cut.html"}) == 0);
   CHECK(world.err == "runs/cut.jsonl:8: note: the last line is cut off, and was left out\n");
   CHECK(section(world.outputs.files.at("cut.html"))
-            .starts_with("<p class=\"about\">6 events in 1.000000 s, from runs/cut.jsonl, whose last line is cut off.</p>\n"));
+            .starts_with(
+                "<p class=\"about\">6 events in 1.000000 s, from runs/cut.jsonl, whose last line is cut off.</p>\n"));
 
   world.files.add("runs/bad.jsonl", whole + "{\"event\":\"run\",\"group\":\"Nobody\"}\n");
   CHECK(world.directorc({"trace", "runs/bad.jsonl", "--to=html", "-o", "bad.html"}) == 1);
@@ -120,8 +123,9 @@ TEST_CASE("where a replay goes another way the page says so, and is written") {
   other.replace(other.find(set), set.size(), "\"state\":\"Power\",\"value\":\"off\"}");
   world.files.add("runs/other.jsonl", other);
   CHECK(world.directorc({"trace", "runs/other.jsonl", "--to=html", "-o", "other.html"}) == 0);
-  CHECK(world.err == "runs/other.jsonl:6: note: from 1.000000 s on it is decided otherwise when it is played again, so why "
-                     "something waits is not known\n");
+  CHECK(world.err ==
+        "runs/other.jsonl:6: note: from 1.000000 s on it is decided otherwise when it is played again, so why "
+        "something waits is not known\n");
 }
 
 TEST_CASE("what is for pages only is refused for the others, and Graphviz is asked for") {
@@ -134,8 +138,9 @@ TEST_CASE("what is for pages only is refused for the others, and Graphviz is ask
   CHECK(world.err == "directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n");
   world.programs.answer.started = false;
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=html"}) == 2);
-  CHECK(world.err == "directorc: --to=html needs the program `dot` of Graphviz, which is not installed (on Debian: apt-get "
-                     "install graphviz); --to=text needs nothing\n");
+  CHECK(world.err ==
+        "directorc: --to=html needs the program `dot` of Graphviz, which is not installed (on Debian: apt-get "
+        "install graphviz); --to=text needs nothing\n");
 }
 
 } // namespace

@@ -127,7 +127,8 @@ TEST_CASE("the same behaviour decides the same") {
   CHECK(world.directorc({"replay", "run.jsonl"}) == 0);
   CHECK(world.out == "run.jsonl: 37 events, all the same\n");
   CHECK(world.directorc({"replay", "run.jsonl", "--format=json"}) == 0);
-  CHECK(world.out == "{\"trace\":\"run.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":37,\"dropped\":0}\n");
+  CHECK(world.out ==
+        "{\"trace\":\"run.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":37,\"dropped\":0}\n");
 }
 
 TEST_CASE("another version decides otherwise, and it is said where") {
@@ -136,7 +137,9 @@ TEST_CASE("another version decides otherwise, and it is said where") {
   other.replace(other.find("priority: 20"), 12, "priority: 5");
   world.files.add("other.yaml", other);
   CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml"}) == 1);
-  CHECK(world.out == R"(run.jsonl:18: event 17, at 0.000000 s, is decided otherwise by `other.yaml`, another version than the one recorded
+  CHECK(
+      world.out ==
+      R"(run.jsonl:18: event 17, at 0.000000 s, is decided otherwise by `other.yaml`, another version than the one recorded
   recorded: push Drive.braking for root>Photograph
   replayed: queue root>Photograph: waiting for Motion == still
   16 events before it are the same
@@ -154,9 +157,12 @@ TEST_CASE("a version without something that was recorded") {
   World world = with_trace();
   world.files.add("other.yaml", "behaviour: rover\nlanguage: 1\nroots: [Explore]\ngroups:\n  Explore: {}\n");
   CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml"}) == 1);
-  CHECK(world.out == R"(run.jsonl:7: event 6, at 0.000000 s, is decided otherwise by `other.yaml`, another version than the one recorded
-  recorded: )" + traced_line(trace_in(world), 7) +
-                         R"(
+  CHECK(
+      world.out ==
+      R"(run.jsonl:7: event 6, at 0.000000 s, is decided otherwise by `other.yaml`, another version than the one recorded
+  recorded: )" +
+          traced_line(trace_in(world), 7) +
+          R"(
   replayed: the behaviour has no edge called `Explore>Drive`
   5 events before it are the same
 )");
@@ -166,7 +172,8 @@ TEST_CASE("a trace with events missing is played up to there") {
   World world = with_trace();
   std::string some;
   for (std::size_t i = 1; i <= 10; ++i) some += traced_line(trace_in(world), i) + "\n";
-  world.files.add("some.jsonl", some + "{\"event\":\"dropped\",\"count\":3}\n" + traced_line(trace_in(world), 14) + "\n");
+  world.files.add("some.jsonl",
+                  some + "{\"event\":\"dropped\",\"count\":3}\n" + traced_line(trace_in(world), 14) + "\n");
   CHECK(world.directorc({"replay", "some.jsonl"}) == 0);
   CHECK(world.out == "some.jsonl: 9 events the same, up to where 3 events are missing\n");
   CHECK(world.directorc({"trace", "some.jsonl"}) == 0);

@@ -99,8 +99,8 @@ TEST_CASE("a file that vanishes and comes back, and an editor that removes befor
   RunningProgram program({"directorc", "check", "--watch", "robot.yaml"}, folder.path());
   CHECK(next_run(program) == run_of("", "", 0));
   fs::remove(folder.path("robot.yaml"));
-  CHECK(next_run(program) == run_of(" robot.yaml is gone",
-                                    "directorc: cannot read `robot.yaml`: No such file or directory\n", 2));
+  CHECK(next_run(program) ==
+        run_of(" robot.yaml is gone", "directorc: cannot read `robot.yaml`: No such file or directory\n", 2));
   folder.write("robot.yaml", robot("Legs"));
   CHECK(next_run(program) == run_of(" robot.yaml is new", "", 0));
   // No run sees the moment in which there is no file, or an empty one.
@@ -125,8 +125,9 @@ TEST_CASE("a file that vanishes and comes back, and an editor that removes befor
 
 TEST_CASE("what is imported is watched, also where it does not exist yet, nor its folder") {
   const SavedFiles folder;
-  folder.write("robot.yaml",
-               "behaviour: robot\nlanguage: 1\nimports: [parts/legs.yaml]\nroots: [Walk]\ngroups: {Walk: {needs: [Legs]}}\n");
+  folder.write(
+      "robot.yaml",
+      "behaviour: robot\nlanguage: 1\nimports: [parts/legs.yaml]\nroots: [Walk]\ngroups: {Walk: {needs: [Legs]}}\n");
   RunningProgram program({"directorc", "check", "--watch", "robot.yaml"}, folder.path());
   CHECK(next_run(program) ==
         run_of("",
@@ -180,8 +181,7 @@ TEST_CASE("scenarios of a folder are played again: one that changes, its behavio
   folder.write("robot.yaml", robot("Legs") + "  Arms: {}\n");
   CHECK(next_run(program).starts_with("== TIME robot.yaml has changed\nholds tests/a.scenario.yaml\n"));
   fs::remove(folder.path("tests/deep/b.scenario.yaml"));
-  CHECK(next_run(program) ==
-        run_of(" tests/deep/b.scenario.yaml is gone", "holds tests/a.scenario.yaml\n", 0, two));
+  CHECK(next_run(program) == run_of(" tests/deep/b.scenario.yaml is gone", "holds tests/a.scenario.yaml\n", 0, two));
   folder.write("tests/a.scenario.yaml", scenario("      run Legs new_task\n"));
   CHECK(next_run(program).starts_with("== TIME tests/a.scenario.yaml has changed\nfails tests/a.scenario.yaml\n"));
 }
@@ -228,7 +228,8 @@ TEST_CASE("what is watched is text, of files that can be read again, and nothing
         "directorc: --watch prints text, run after run: leave out --format\n");
   CHECK(said("test --watch --format=json robot.scenario.yaml") ==
         "directorc: --watch prints text, run after run: leave out --format\n");
-  CHECK(said("check --watch - < /dev/null") == "directorc: `-` cannot be watched: it is no file that can be read again\n");
+  CHECK(said("check --watch - < /dev/null") ==
+        "directorc: `-` cannot be watched: it is no file that can be read again\n");
   CHECK(said("check --watch /dev/stdin") ==
         "directorc: `/dev/stdin` cannot be watched: it is no file that can be read again\n");
   CHECK(said("test --watch --update robot.scenario.yaml") ==

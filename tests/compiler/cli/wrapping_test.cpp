@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/wrapping.hpp"
-
 #include "tests/support/command.hpp"
 #include "tests/support/running_program.hpp"
 
@@ -71,7 +70,8 @@ TEST_CASE("on a terminal of 80 columns no line of sentences is wider, and a pipe
       CHECK((line.size() <= 80 || line.find(' ', line.find_first_not_of(' ')) == std::string::npos));
     }
   }
-  const Ran piped = run_command("directorc check '" + (source / "tests/docs/tutorial/4_equal/gardener.yaml").string() + "'", source);
+  const Ran piped =
+      run_command("directorc check '" + (source / "tests/docs/tutorial/4_equal/gardener.yaml").string() + "'", source);
   CHECK(piped.output.find("who asks first keeps it, and if both ask at once `Tend` does [equal_priority]\n") !=
         std::string::npos);
 }

@@ -6,7 +6,6 @@
 #include "dsl/file_access.hpp"
 
 #include <catch2/catch.hpp>
-
 #include <fmt/format.h>
 
 namespace {

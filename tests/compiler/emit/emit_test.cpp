@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "compiler/base/sha256.hpp"
+#include "compiler/base/version.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/depfile.hpp"
 #include "compiler/emit/emit.hpp"
-#include "compiler/emit/artefact/notice.hpp"
-#include "compiler/base/sha256.hpp"
 #include "compiler/lower/lower.hpp"
-#include "compiler/base/version.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
 #include <algorithm>

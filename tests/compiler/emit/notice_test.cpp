@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/base/version.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/facts/scanner.hpp"
 #include "compiler/base/version.hpp"
+#include "compiler/facts/scanner.hpp"
 
 #include <catch2/catch.hpp>
 #include <unistd.h>

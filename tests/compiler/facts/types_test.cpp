@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/facts/scanned_types.hpp"
 #include "compiler/base/version.hpp"
+#include "compiler/facts/scanned_types.hpp"
 #include "tests/compiler/support/memory_facts.hpp"
 
 #include <catch2/catch.hpp>
@@ -80,8 +80,7 @@ TEST_CASE("a header that no file of the program could include is missing") {
   world.files.add("/v/more.hpp", "");
   const auto missing = [&](const std::vector<std::string>& headers) {
     Scanner scanner("director-clang", world.child);
-    const TypeFlags flags{
-        {{"/u/a.cpp", "/b", {"g++", "-I/u"}}, {"/u/b.cpp", "/b", {"g++", "-I/v"}}}, {}, "`build`"};
+    const TypeFlags flags{{{"/u/a.cpp", "/b", {"g++", "-I/u"}}, {"/u/b.cpp", "/b", {"g++", "-I/v"}}}, {}, "`build`"};
     const Types types = ScannedTypes(flags, scanner, world.child, world.files, world.store).read({headers, {}, "x"});
     return std::pair(types.missing, types.fault);
   };

@@ -128,6 +128,6 @@ groups:
   B: {packs: {with: {A: {priority: 3}, Leg: {priority: 7}}}}
   Leg: {}
 )");
-  CHECK(decided(c, "Leg") == Texts{"A>Leg and B>Leg", "  root>A 0, root>B 0: 0", "  A>Leg 5, A>B 0?: -1",
-                                   "  B>A 3, B>Leg 7: 1"});
+  CHECK(decided(c, "Leg") ==
+        Texts{"A>Leg and B>Leg", "  root>A 0, root>B 0: 0", "  A>Leg 5, A>B 0?: -1", "  B>A 3, B>Leg 7: 1"});
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// 2,000 orders, read by the cheap stand-in for Clang; tests/compiler/clang does the same ones with Clang itself, and compares.
+// 2,000 orders, read by the cheap stand-in for Clang; tests/compiler/clang does the same ones with Clang itself, and
+// compares.
 #include "compiler/stubs/merge.hpp"
 #include "tests/compiler/stubs/cheap_cpp.hpp"
 #include "tests/compiler/stubs/orders.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/trace/recording.cpp: the bytes are read by a decoder that knows nothing but the format in recording.hpp. The page's own decoder:
-// tests/browser.
-#include "compiler/trace/recording.hpp"
-
+// Tests compiler/trace/recording.cpp: the bytes are read by a decoder that knows nothing but the format in
+// recording.hpp. The page's own decoder: tests/browser.
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recorded_names.hpp"
+#include "compiler/trace/recording.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -88,10 +87,11 @@ Decoded recorded(const std::vector<std::string>& lines, Waits waits = {}, std::s
 using Events = std::vector<std::pair<std::int64_t, std::string>>;
 
 TEST_CASE("events come back without their times, each shape once, in order and never earlier than the one before") {
-  const Decoded out = recorded({R"({"t":-5,"n":0,"event":"begin"})", R"({"t":-5,"n":1,"event":"input","input":"request","edge":"root>A"})",
-                                R"({"t":300000000,"until":300000100,"n":2,"event":"run","group":"A","provider":"x","reasons":["new_task"]})",
-                                R"({"t":200000000,"n":3,"event":"set","state":"S","value":"off"})",
-                                R"({"t":300000200,"n":4,"event":"run","group":"A","provider":"x","reasons":["new_task"]})"});
+  const Decoded out = recorded(
+      {R"({"t":-5,"n":0,"event":"begin"})", R"({"t":-5,"n":1,"event":"input","input":"request","edge":"root>A"})",
+       R"({"t":300000000,"until":300000100,"n":2,"event":"run","group":"A","provider":"x","reasons":["new_task"]})",
+       R"({"t":200000000,"n":3,"event":"set","state":"S","value":"off"})",
+       R"({"t":300000200,"n":4,"event":"run","group":"A","provider":"x","reasons":["new_task"]})"});
   const std::string run = R"({"event":"run","group":"A","provider":"x","reasons":["new_task"]})";
   CHECK(out.events == Events{{-5, R"({"event":"begin"})"},
                              {-5, R"({"event":"input","input":"request","edge":"root>A"})"},
@@ -104,12 +104,12 @@ TEST_CASE("events come back without their times, each shape once, in order and n
 }
 
 TEST_CASE("what bodies answer and which timer was due is left out; what is missing is told at its place") {
-  const Decoded out = recorded({R"({"t":1,"n":1,"event":"input","input":"wait","group":"A"})",
-                                R"({"t":1,"n":1,"event":"answer","group":"A","provider":"x","answer":"pack"})",
-                                R"({"t":1,"n":1,"event":"ask","edge":"A>B"})",
-                                R"({"t":1,"n":1,"event":"wait","group":"A","due":7})",
-                                R"({"t":1,"n":1,"event":"assign","group":"A","provider":"x","state":"S","value":"on"})",
-                                R"({"event":"dropped","count":12})", R"({"t":9,"n":4,"event":"lose","group":"B","from":"A>B"})"});
+  const Decoded out =
+      recorded({R"({"t":1,"n":1,"event":"input","input":"wait","group":"A"})",
+                R"({"t":1,"n":1,"event":"answer","group":"A","provider":"x","answer":"pack"})",
+                R"({"t":1,"n":1,"event":"ask","edge":"A>B"})", R"({"t":1,"n":1,"event":"wait","group":"A","due":7})",
+                R"({"t":1,"n":1,"event":"assign","group":"A","provider":"x","state":"S","value":"on"})",
+                R"({"event":"dropped","count":12})", R"({"t":9,"n":4,"event":"lose","group":"B","from":"A>B"})"});
   CHECK(out.events == Events{{1, R"({"event":"ask","edge":"A>B"})"},
                              {1, R"({"event":"dropped","count":12})"},
                              {9, R"({"event":"lose","group":"B","from":"A>B"})"}});
@@ -121,11 +121,12 @@ TEST_CASE("answers hold from the event in their line on, or from the one before 
   waits.changes = {{2, 1, 1}, {4, 1, 2}, {5, 1, 0}};
   waits.held = {{4, 0}};
   waits.last_line = 5;
-  const Decoded out = recorded({R"({"t":1,"n":1,"event":"done","group":"A"})", R"({"t":2,"n":2,"event":"done","group":"B"})",
-                                R"({"t":3,"n":3,"event":"done","group":"A"})",
-                                R"({"t":3,"n":3,"event":"answer","group":"A","provider":"x","answer":"done"})",
-                                R"({"t":4,"n":4,"event":"done","group":"B"})"},
-                               waits, "something is missing");
+  const Decoded out =
+      recorded({R"({"t":1,"n":1,"event":"done","group":"A"})", R"({"t":2,"n":2,"event":"done","group":"B"})",
+                R"({"t":3,"n":3,"event":"done","group":"A"})",
+                R"({"t":3,"n":3,"event":"answer","group":"A","provider":"x","answer":"done"})",
+                R"({"t":4,"n":4,"event":"done","group":"B"})"},
+               waits, "something is missing");
   CHECK(out.events.size() == 5);
   CHECK(out.events[3] == std::pair<std::int64_t, std::string>{3, R"({"event":"held","group":"A"})"});
   CHECK(out.head["texts"].as_texts() == waits.texts);

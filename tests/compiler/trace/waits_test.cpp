@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/trace/waits.cpp. That an answer is the one of `directorc why` follows from where it comes from; when it becomes another is told here.
-#include "compiler/trace/waits.hpp"
-
+// Tests compiler/trace/waits.cpp. That an answer is the one of `directorc why` follows from where it comes from; when
+// it becomes another is told here.
 #include "compiler/lower/lower.hpp"
+#include "compiler/trace/waits.hpp"
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>
@@ -40,7 +40,8 @@ std::ostream& operator<<(std::ostream& out, const Told& told) {
 
 } // namespace
 
-TEST_CASE("the answers of a recording change where what keeps a group does, and end where it runs or nothing is known") {
+TEST_CASE(
+    "the answers of a recording change where what keeps a group does, and end where it runs or nothing is known") {
   World world;
   world.files.add("kicker.yaml", kicker_yaml);
   world.files.add("s.yaml", R"(scenario: a kick
@@ -79,16 +80,17 @@ steps:
   };
 
   const auto [whole, waits] = told(trace);
-  CHECK(whole == std::vector<Told>{
-                     {"push root>Kick", "Kick",
-                      "Kick waits (root>Kick): until Pose == still, which Walk.halting could cause\n"
-                      "  Pose is moving (kicker.yaml:9)\n"
-                      "  Walk.halting is to cause it: pushed for root>Kick (kicker.yaml:13)\n"},
-                     {"queue root>Walk", "Kick", ""},
-                     {"queue root>Walk", "Walk",
-                      "Walk waits (root>Walk): Legs, which it needs, is held by Kick>Legs, and root>Kick (priority 20) goes "
-                      "before root>Walk (priority 10)\n  it is held for Kick, priority 0, that for the program, priority 20 "
-                      "(kicker.yaml:9)\n"}});
+  CHECK(whole ==
+        std::vector<Told>{
+            {"push root>Kick", "Kick",
+             "Kick waits (root>Kick): until Pose == still, which Walk.halting could cause\n"
+             "  Pose is moving (kicker.yaml:9)\n"
+             "  Walk.halting is to cause it: pushed for root>Kick (kicker.yaml:13)\n"},
+            {"queue root>Walk", "Kick", ""},
+            {"queue root>Walk", "Walk",
+             "Walk waits (root>Walk): Legs, which it needs, is held by Kick>Legs, and root>Kick (priority 20) goes "
+             "before root>Walk (priority 10)\n  it is held for Kick, priority 0, that for the program, priority 20 "
+             "(kicker.yaml:9)\n"}});
   CHECK_FALSE(waits.replayed.difference);
   CHECK(waits.held.empty());
   CHECK(waits.last_line == static_cast<std::size_t>(std::count(trace.begin(), trace.end(), '\n')));
@@ -97,5 +99,4 @@ steps:
   const auto [some, cut] = told(trace.substr(0, push) + "{\"event\":\"dropped\",\"count\":2}\n" + trace.substr(push));
   CHECK(some.empty());
   CHECK(cut.replayed.dropped == 2);
-
 }

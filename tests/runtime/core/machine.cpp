@@ -166,7 +166,8 @@ void Machine::tell(const Event& event) {
     constexpr std::array outcomes{"pack", "done", "failed", "keep", "fault"};
     switch (event.kind) {
     case Event::Kind::answer:
-      lines_.push_back("answer " + provider_name(event.provider) + " " + outcomes[static_cast<std::size_t>(event.outcome)]);
+      lines_.push_back("answer " + provider_name(event.provider) + " " +
+                       outcomes[static_cast<std::size_t>(event.outcome)]);
       break;
     case Event::Kind::assign:
       lines_.push_back("assign " + value_text() + " by " +
@@ -175,8 +176,9 @@ void Machine::tell(const Event& event) {
     case Event::Kind::begin: lines_.push_back("begin " + std::to_string(event.time)); break;
     case Event::Kind::given: lines_.push_back("given " + value_text()); break;
     case Event::Kind::input:
-      lines_.push_back("input at " + std::to_string(event.time) + " of " + std::to_string(event.until) +
-                       (event.input == Event::Input::cancel ? " cancel " + (event.edge == nil ? "all" : group_name()) : ""));
+      lines_.push_back(
+          "input at " + std::to_string(event.time) + " of " + std::to_string(event.until) +
+          (event.input == Event::Input::cancel ? " cancel " + (event.edge == nil ? "all" : group_name()) : ""));
       break;
     default: break;
     }

@@ -58,8 +58,9 @@ public:
 
   bool decisions = false; ///< also queue, push, release, grant and lose
   bool requests = false;  ///< also what runs ask for
-  bool answers = false;   ///< also what runs answer and set, what was given before the first step, and inputs with their times
-  Lines data_moves;       ///< `settle root>Kick`
+  bool answers =
+      false; ///< also what runs answer and set, what was given before the first step, and inputs with their times
+  Lines data_moves; ///< `settle root>Kick`
 
 private:
   void handle(Handling& handling, const char* which); ///< `.start`

@@ -3,8 +3,8 @@
 // A robot with the courier's behaviour (tests/system/api) and a bridge, and what a test waits for.
 
 #include "runtime/dds/bridge.hpp"
-#include "tests/system/api/office.hpp"
 #include "tests/runtime/dds/loopback.hpp"
+#include "tests/system/api/office.hpp"
 
 #include <chrono>
 #include <functional>

@@ -21,22 +21,26 @@ TEST_CASE("no two tokens are the same, and each has 32 digits") {
 
 TEST_CASE("a token is the same letter by letter, and nothing more or less") {
   CHECK(is_token("abcd", "abcd"));
-  for (const char* other : {"", "a", "abc", "abce", "bbcd", "abcde", "abcdabcd", "ABCD"}) CHECK_FALSE(is_token(other, "abcd"));
+  for (const char* other : {"", "a", "abc", "abce", "bbcd", "abcde", "abcdabcd", "ABCD"})
+    CHECK_FALSE(is_token(other, "abcd"));
   CHECK_FALSE(is_token(std::string("abcd\0", 5), "abcd"));
 }
 
 TEST_CASE("this computer is called by an address, as localhost, or by its own names, with any port") {
   const std::vector<std::string> names{"robot7", "robot7.local"};
-  for (const char* host : {"127.0.0.1", "127.0.0.1:8080", "10.0.0.3:1", "[::1]", "[::1]:8080", "localhost", "LocalHost:9", "robot7", "Robot7.local:80"})
+  for (const char* host : {"127.0.0.1", "127.0.0.1:8080", "10.0.0.3:1", "[::1]", "[::1]:8080", "localhost",
+                           "LocalHost:9", "robot7", "Robot7.local:80"})
     CHECK(is_own_host(host, names));
-  for (const char* host : {"", ":80", "evil.example", "127.0.0.1.evil.example", "localhost.evil.example", "robot8", "robot7.", "[::1", "[::1]x", "::1",
-                           "[evil]", "127.0.0.1 ", "127.0.0.1@evil", "127.0.0.1:80:80"})
+  for (const char* host :
+       {"", ":80", "evil.example", "127.0.0.1.evil.example", "localhost.evil.example", "robot8", "robot7.", "[::1",
+        "[::1]x", "::1", "[evil]", "127.0.0.1 ", "127.0.0.1@evil", "127.0.0.1:80:80"})
     CHECK_FALSE(is_own_host(host, names));
 }
 
 TEST_CASE("a page of this server is one of the same host and port, and a program has none") {
   CHECK(is_own_origin("", "localhost:80"));
   CHECK(is_own_origin("http://localhost:80", "localhost:80"));
-  for (const char* origin : {"null", "http://localhost", "http://localhost:81", "https://localhost:80", "http://evil", "localhost:80"})
+  for (const char* origin :
+       {"null", "http://localhost", "http://localhost:81", "https://localhost:80", "http://evil", "localhost:80"})
     CHECK_FALSE(is_own_origin(origin, "localhost:80"));
 }

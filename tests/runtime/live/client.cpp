@@ -68,8 +68,15 @@ bool Caller::hear(std::string& into) const {
 
 std::string get(const std::string& url, std::string_view path, std::string_view more, std::string_view method) {
   std::string out(method);
-  return out.append(" /").append(token_of(url)).append("/").append(path).append(" HTTP/1.1\r\nHost: ").append(authority_of(url)).append("\r\n")
-      .append(more).append("\r\n");
+  return out.append(" /")
+      .append(token_of(url))
+      .append("/")
+      .append(path)
+      .append(" HTTP/1.1\r\nHost: ")
+      .append(authority_of(url))
+      .append("\r\n")
+      .append(more)
+      .append("\r\n");
 }
 
 Heard split(const std::string& answer) {
@@ -108,11 +115,13 @@ std::string Follower::follow(const std::vector<Message>& messages, const std::ve
     std::size_t line = 0;
     bool moment = false;
     if (!begun_) {
-      if (message.data.empty() || !message.data[0].starts_with("{\"director_trace\":1,")) return "it does not begin with a header";
+      if (message.data.empty() || !message.data[0].starts_with("{\"director_trace\":1,"))
+        return "it does not begin with a header";
       begun_ = moment = true;
       ++line;
     }
-    if (const std::string dropped = R"({"event":"dropped","count":)"; line < message.data.size() && message.data[line].starts_with(dropped)) {
+    if (const std::string dropped = R"({"event":"dropped","count":)";
+        line < message.data.size() && message.data[line].starts_with(dropped)) {
       const std::size_t count = std::stoul(message.data[line].substr(dropped.size()));
       at_ += count;
       missed_ += count;
@@ -125,7 +134,8 @@ std::string Follower::follow(const std::vector<Message>& messages, const std::ve
         if (message.data[line] != happened[at_]) return "instead of " + happened[at_] + " comes " + message.data[line];
       }
     }
-    if (message.id != std::to_string(at_)) return "the message has the id " + message.id + " and ends at " + std::to_string(at_);
+    if (message.id != std::to_string(at_))
+      return "the message has the id " + message.id + " and ends at " + std::to_string(at_);
   }
   return {};
 }

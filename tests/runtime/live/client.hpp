@@ -33,7 +33,8 @@ private:
 };
 
 /// `GET`, with what belongs to it. `path`: behind the token, `events`.
-std::string get(const std::string& url, std::string_view path, std::string_view more = "", std::string_view method = "GET");
+std::string get(const std::string& url, std::string_view path, std::string_view more = "",
+                std::string_view method = "GET");
 
 struct Heard {
   int status = 0; ///< 0: no answer of HTTP
@@ -60,8 +61,8 @@ class Follower {
 public:
   /// Empty: all is well so far.
   std::string follow(const std::vector<Message>& messages, const std::vector<std::string>& happened);
-  std::size_t at() const { return at_; }      ///< events that are behind it
-  std::size_t gaps() const { return gaps_; }  ///< how often some were missing
+  std::size_t at() const { return at_; }     ///< events that are behind it
+  std::size_t gaps() const { return gaps_; } ///< how often some were missing
   std::size_t missed() const { return missed_; }
   bool begun() const { return begun_; }
 

@@ -1,8 +1,9 @@
 // Header: tests/runtime/live/CMakeLists.txt. Test: none, it prints what docs/performance.md says.
 // SPDX-License-Identifier: MIT
 //
-// live_cost [GAMES]: what a live view takes of the thread that steps, in processor time an event: ten minutes of soccer, some thirty times as fast as the
-// world, with as many viewers as are named. Of several games the one that took least counts.
+// live_cost [GAMES]: what a live view takes of the thread that steps, in processor time an event: ten minutes of
+// soccer, some thirty times as fast as the world, with as many viewers as are named. Of several games the one that took
+// least counts.
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
 #include "behaviours/soccer/world/world.hpp"
@@ -105,11 +106,12 @@ int main(int count, char** values) {
     return play({[](void* self, const Event&) { ++*static_cast<std::uint64_t*>(self); }, &told}, nullptr, told);
   });
   const auto events = static_cast<double>(counted.events);
-  std::printf("ten minutes of soccer: 60000 steps, %.0f events, %.0f ns a step that nobody observes\n", events, alone.nanoseconds / 60'000);
+  std::printf("ten minutes of soccer: 60000 steps, %.0f events, %.0f ns a step that nobody observes\n", events,
+              alone.nanoseconds / 60'000);
   std::printf("an observer that counts:   %5.1f ns an event\n", (counted.nanoseconds - alone.nanoseconds) / events);
   for (const std::size_t viewers : {std::size_t{0}, std::size_t{1}, std::size_t{200}}) {
     const Game game = least([&] { return play_with(viewers); });
-    std::printf("a view with %3zu viewers:    %5.1f ns an event; %llu dropped\n", viewers, (game.nanoseconds - alone.nanoseconds) / events,
-                static_cast<unsigned long long>(game.dropped));
+    std::printf("a view with %3zu viewers:    %5.1f ns an event; %llu dropped\n", viewers,
+                (game.nanoseconds - alone.nanoseconds) / events, static_cast<unsigned long long>(game.dropped));
   }
 }

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 // A courier whose moments and events go to whom a test says.
 
-#include "tests/system/api/office.hpp"
-
 #include "runtime/hosted/trace/event_queue.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/live/moments.hpp"
+#include "tests/system/api/office.hpp"
 
 #include <chrono>
 #include <string>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests runtime/live/feed.hpp, backlog.hpp and moments.hpp.
 #include "runtime/live/feed.hpp"
-
 #include "tests/runtime/live/client.hpp"
 #include "tests/runtime/live/courier_moments.hpp"
 

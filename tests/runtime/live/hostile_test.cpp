@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Who wants nothing good of a live view: whatever they send, others go on looking, and the view is there afterwards.
+#include "tests/property/random.hpp"
 #include "tests/runtime/live/client.hpp"
 #include "tests/runtime/live/soccer_game.hpp"
-#include "tests/property/random.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -70,7 +70,8 @@ TEST_CASE("requests that are nearly right: a letter replaced, lost or doubled") 
       }
     }
     const int status = attacked.status(wrong + "\r\n\r\n");
-    if (status != 200 && status != 400 && status != 403 && status != 404 && status != 405) FAIL(status << " for " << wrong);
+    if (status != 200 && status != 400 && status != 403 && status != 404 && status != 405)
+      FAIL(status << " for " << wrong);
   }
   CHECK(attacked.is_there());
 }
@@ -93,8 +94,8 @@ TEST_CASE("a request that is too long is refused, however it is made long") {
 TEST_CASE("nothing but what is there can be reached, by whatever way") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
-  for (const char* path : {"../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "....//etc/passwd", "why%00.html", "//etc/passwd",
-                           "..\\..\\etc", "why/../../etc/passwd"}) {
+  for (const char* path : {"../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "....//etc/passwd",
+                           "why%00.html", "//etc/passwd", "..\\..\\etc", "why/../../etc/passwd"}) {
     CAPTURE(path);
     CHECK(attacked.status(get(url, path)) == 404);
   }
@@ -109,7 +110,8 @@ TEST_CASE("without the token, or with nearly the right one, nothing is told") {
   const Heard refused = call(url, "GET /" + nearly + "/events" + host);
   CHECK(refused.status == 403);
   CHECK(refused.body == "The address needs the token that the program printed when it began: http://.../TOKEN/\n");
-  for (const std::string& path : {std::string("/"), std::string("/events"), "/" + token.substr(1) + "/", "/" + token + token + "/", "/?" + token, "/x/" + token + "/"})
+  for (const std::string& path : {std::string("/"), std::string("/events"), "/" + token.substr(1) + "/",
+                                  "/" + token + token + "/", "/?" + token, "/x/" + token + "/"})
     CHECK(attacked.status("GET " + path + host) == 403);
   for (const char* name : {"evil.example", "localhost.evil.example", ""})
     CHECK(attacked.status("GET /" + token + "/ HTTP/1.1\r\nHost: " + name + "\r\n\r\n") == 403);
@@ -119,11 +121,13 @@ TEST_CASE("without the token, or with nearly the right one, nothing is told") {
 TEST_CASE("other methods, and bodies of any size, do nothing") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
-  for (const char* method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"}) CHECK(attacked.status(get(url, "", "", method)) == 405);
+  for (const char* method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"})
+    CHECK(attacked.status(get(url, "", "", method)) == 405);
   CHECK(attacked.status(get(url, "", "", "BREW")) == 400);
   CHECK(call(url, get(url, "why", "", "HEAD")).body.empty());
   CHECK(attacked.status(get(url, "set", "Content-Length: 99999999999999999999\r\n", "POST")) == 413);
-  CHECK(attacked.status(get(url, "set", "Transfer-Encoding: chunked\r\n", "POST") + "fffffff\r\n" + std::string(1'000'000, 'x')) == 413);
+  CHECK(attacked.status(get(url, "set", "Transfer-Encoding: chunked\r\n", "POST") + "fffffff\r\n" +
+                        std::string(1'000'000, 'x')) == 413);
   CHECK(attacked.is_there());
 }
 

@@ -13,7 +13,8 @@ struct Asked {
   Reply reply{.body = std::make_shared<const std::string>("text")};
   std::string line;
   Http http{[this](const Request& request) {
-    line = request.method + " " + request.path + " host=" + request.host + " origin=" + request.origin + " last=" + request.last_event;
+    line = request.method + " " + request.path + " host=" + request.host + " origin=" + request.origin +
+           " last=" + request.last_event;
     for (const auto& [name, value] : request.parameters) line += " " + name + "=" + value;
     if (request.has_body) line += " with a body";
     return reply;
@@ -26,9 +27,11 @@ std::string first_line(const Answer& answer) { return answer.head.substr(0, answ
 
 TEST_CASE("a request has its path and parameters decoded, and its headers by any spelling") {
   Asked asked;
-  const Answer answer = asked.http.answer("GET /a%20b/why?group=Kick&x=%2b HTTP/1.1\r\nhOST: robot:80\r\nOrigin: http://o\r\nLAST-event-id: 7\r\n\r\n");
+  const Answer answer = asked.http.answer(
+      "GET /a%20b/why?group=Kick&x=%2b HTTP/1.1\r\nhOST: robot:80\r\nOrigin: http://o\r\nLAST-event-id: 7\r\n\r\n");
   CHECK(asked.line == "GET /a b/why host=robot:80 origin=http://o last=7 group=Kick x=+");
-  CHECK(answer.head == "HTTP/1.1 200 OK\r\nConnection: close\r\nContent-Length: 4\r\nContent-Type: text/plain; charset=utf-8\r\n\r\n");
+  CHECK(answer.head ==
+        "HTTP/1.1 200 OK\r\nConnection: close\r\nContent-Length: 4\r\nContent-Type: text/plain; charset=utf-8\r\n\r\n");
   CHECK(*answer.body == "text");
   CHECK_FALSE(answer.stream);
 }
@@ -46,7 +49,8 @@ TEST_CASE("a stream has no length, and ends with the connection") {
   Asked asked;
   asked.reply = {.type = "text/event-stream", .headers = {{"Cache-Control", "no-store"}}, .stream = true};
   const Answer answer = asked.http.answer("GET /events HTTP/1.1\r\nHost: a\r\n\r\n");
-  CHECK(answer.head == "HTTP/1.1 200 OK\r\nCache-Control: no-store\r\nConnection: close\r\nContent-Type: text/event-stream\r\n\r\n");
+  CHECK(answer.head ==
+        "HTTP/1.1 200 OK\r\nCache-Control: no-store\r\nConnection: close\r\nContent-Type: text/event-stream\r\n\r\n");
   CHECK(answer.stream);
 }
 
@@ -55,7 +59,8 @@ TEST_CASE("neither parts nor compression are answered, nor is anybody told to go
   const std::string plain = asked.http.answer("GET / HTTP/1.1\r\nHost: a\r\n\r\n").head;
   std::string parts = "Range: bytes=0-1";
   while (parts.size() < 8000) parts += ",0-1";
-  for (const std::string& more : {parts, std::string("Accept-Encoding: gzip, br"), std::string("Expect: 100-continue")}) {
+  for (const std::string& more :
+       {parts, std::string("Accept-Encoding: gzip, br"), std::string("Expect: 100-continue")}) {
     CHECK(asked.http.answer("GET / HTTP/1.1\r\nHost: a\r\n" + more + "\r\n\r\n").head == plain);
   }
 }
@@ -72,8 +77,8 @@ TEST_CASE("a body is told of, and nobody reads it") {
 
 TEST_CASE("what is no request is refused without asking") {
   Asked asked;
-  for (const char* request : {"\r\n\r\n", "nonsense\r\n\r\n", "BREW / HTTP/1.1\r\n\r\n", "GET / HTTP/3.0\r\n\r\n", "PRI * HTTP/2.0\r\n\r\n", "GET /\r\n\r\n",
-                              "\x16\x03\x01\r\n\r\n"}) {
+  for (const char* request : {"\r\n\r\n", "nonsense\r\n\r\n", "BREW / HTTP/1.1\r\n\r\n", "GET / HTTP/3.0\r\n\r\n",
+                              "PRI * HTTP/2.0\r\n\r\n", "GET /\r\n\r\n", "\x16\x03\x01\r\n\r\n"}) {
     CAPTURE(request);
     CHECK(first_line(asked.http.answer(request)) == "HTTP/1.1 400 Bad Request");
   }

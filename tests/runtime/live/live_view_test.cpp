@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Tests runtime/live/live_view.hpp: with viewers who read, who read nothing, and who come and go.
 #include "runtime/live/live_view.hpp"
-
 #include "tests/runtime/live/client.hpp"
 #include "tests/runtime/live/soccer_game.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
-
 #include <malloc.h>
 #include <poll.h>
 
@@ -65,7 +63,10 @@ public:
   bool all_begun() const {
     return std::ranges::all_of(viewers_, [](const Viewer& viewer) { return !viewer.messages.empty(); });
   }
-  std::size_t gaps() const { return std::accumulate(viewers_.begin(), viewers_.end(), std::size_t{0}, [](std::size_t sum, const Viewer& each) { return sum + each.follower.gaps(); }); }
+  std::size_t gaps() const {
+    return std::accumulate(viewers_.begin(), viewers_.end(), std::size_t{0},
+                           [](std::size_t sum, const Viewer& each) { return sum + each.follower.gaps(); });
+  }
 
   std::string wrong;
 
@@ -97,8 +98,8 @@ void wait_for_viewers(const LiveView& view, std::size_t count) {
 std::string times(std::vector<double> took) {
   std::ranges::sort(took);
   char text[200];
-  std::snprintf(text, sizeof(text), "half of the steps within %5.2f us, 99 %% within %6.2f us, the longest %8.1f us", took[took.size() / 2],
-                took[took.size() * 99 / 100], took.back());
+  std::snprintf(text, sizeof(text), "half of the steps within %5.2f us, 99 %% within %6.2f us, the longest %8.1f us",
+                took[took.size() / 2], took[took.size() * 99 / 100], took.back());
   return text;
 }
 
@@ -142,7 +143,8 @@ TEST_CASE("200 viewers, half of whom read nothing: the others get every event in
               "  nobody can look:                       %s\n"
               "  nobody looks:                          %s\n"
               "  200 viewers, 100 of them read nothing: %s; %zu gaps\n",
-              steps, game.count(), times(alone.took).c_str(), times(unseen.took).c_str(), times(game.took).c_str(), readers.gaps());
+              steps, game.count(), times(alone.took).c_str(), times(unseen.took).c_str(), times(game.took).c_str(),
+              readers.gaps());
 }
 
 TEST_CASE("what viewers who read nothing keep of the memory does not grow") {
@@ -215,7 +217,9 @@ TEST_CASE("a view ends while its viewers are stuck, and in the middle of request
 
 TEST_CASE("the page, why, and what is not there") {
   const TemporaryFolder folder;
-  REQUIRE(run_command("directorc docs behaviours/soccer/soccer.yaml -o " + folder.path().string(), source_dir()).status == 0);
+  REQUIRE(
+      run_command("directorc docs behaviours/soccer/soccer.yaml -o " + folder.path().string(), source_dir()).status ==
+      0);
   const std::string file = (folder.path() / "soccer.html").string(), html = read_file(file);
   LiveView from_file{soccer::names::all(), {.page = file}}, from_text{soccer::names::all(), {.html = html}};
   SoccerGame game(&from_file);
@@ -226,7 +230,8 @@ TEST_CASE("the page, why, and what is not there") {
   CHECK(page.body == call(from_text.url(), get(from_text.url(), "")).body);
   CHECK(page.head.find("\r\nContent-Length: " + std::to_string(page.body.size()) + "\r\n") != std::string::npos);
   CHECK(page.body.ends_with("</html>\n"));
-  CHECK(call(from_file.url(), get(from_file.url(), "why?group=Walk")).body.find(R"("kind":"running")") != std::string::npos);
+  CHECK(call(from_file.url(), get(from_file.url(), "why?group=Walk")).body.find(R"("kind":"running")") !=
+        std::string::npos);
   CHECK(call(from_file.url(), get(from_file.url(), "nothing")).status == 404);
   CHECK(call(from_file.url(), get(from_text.url(), "")).status == 403); // the token of another program
   CHECK(call(from_text.url(), get(from_text.url(), "why")).status == 503);
@@ -283,15 +288,18 @@ TEST_CASE("at any address of this computer a view is called by the computer's ow
   LiveView view{soccer::names::all(), {.address = "0.0.0.0"}};
   REQUIRE(view.good());
   CHECK(view.url().find("0.0.0.0") == std::string::npos);
-  const std::string at = authority_of(view.url()), local = "http://127.0.0.1" + at.substr(at.find(':')) + "/" + token_of(view.url()) + "/";
+  const std::string at = authority_of(view.url()),
+                    local = "http://127.0.0.1" + at.substr(at.find(':')) + "/" + token_of(view.url()) + "/";
   CHECK(call(local, get(view.url(), "why")).status == 503);
   CHECK(call(local, get(local, "why")).status == 503);
 }
 
 TEST_CASE("an address of IPv6 stands in brackets") {
   const LiveView view{soccer::names::all(), {.address = "::1"}};
-  if (view.good()) CHECK(view.url().starts_with("http://[::1]:"));
-  else CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // of a system without IPv6
+  if (view.good())
+    CHECK(view.url().starts_with("http://[::1]:"));
+  else
+    CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // of a system without IPv6
 }
 
 TEST_CASE("what cannot be shown is said in words, and the behaviour runs on") {
@@ -307,13 +315,17 @@ TEST_CASE("what cannot be shown is said in words, and the behaviour runs on") {
   const TemporaryFolder folder;
   const std::string other = (folder.path() / "other.html").string();
   std::ofstream(other) << "<html></html>";
-  CHECK(error({.page = "/nowhere/soccer.html"}) == "cannot read the page /nowhere/soccer.html: No such file or directory; `directorc docs` writes one");
-  CHECK(error({.page = other}) == other + " is not one that `directorc docs` wrote, in HTML: it has no policy of its own");
-  CHECK(error({.html = "text"}) == "the page is not one that `directorc docs` wrote, in HTML: it has no policy of its own");
+  CHECK(error({.page = "/nowhere/soccer.html"}) ==
+        "cannot read the page /nowhere/soccer.html: No such file or directory; `directorc docs` writes one");
+  CHECK(error({.page = other}) ==
+        other + " is not one that `directorc docs` wrote, in HTML: it has no policy of its own");
+  CHECK(error({.html = "text"}) ==
+        "the page is not one that `directorc docs` wrote, in HTML: it has no policy of its own");
   const LiveView first{soccer::names::all()};
   const std::string port = authority_of(first.url()).substr(10);
   CHECK(error({.port = static_cast<std::uint16_t>(std::stoi(port))}) ==
-        "cannot listen at 127.0.0.1:" + port + ": Address already in use; another program has the port: give another one, or 0 for any that is free");
+        "cannot listen at 127.0.0.1:" + port +
+            ": Address already in use; another program has the port: give another one, or 0 for any that is free");
   CHECK(error({.address = "203.0.113.1"}) == "cannot listen at 203.0.113.1:0: Cannot assign requested address");
   CHECK(error({.address = "no such name"}).starts_with("there is no address \"no such name\" ("));
 }

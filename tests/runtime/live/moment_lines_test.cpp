@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests runtime/live/moment_lines.hpp, and runtime/hosted/why_notes.hpp where names are compiled in.
 #include "runtime/live/moment_lines.hpp"
-
 #include "tests/system/api/office.hpp"
 
 #include <catch2/catch.hpp>
@@ -64,8 +63,10 @@ TEST_CASE("why is answered with what the state is worth that is missing, and who
     while (courier::names::group(row) != group) ++row;
     return waiting.why(row);
   };
-  CHECK(why("Open") ==
-        R"({"group":"Open","kind":"condition","text":"Open waits (Deliver>Open): until Door == open, which only the outside can make true","notes":["Door is shut","Open.unlocking could cause it, and is disabled"]})");
-  CHECK(why("Walk") ==
-        R"({"group":"Walk","kind":"running","text":"Walk runs (Rest>Walk) in default","notes":["it runs for Rest, priority 0, that for the program, priority 1"]})");
+  CHECK(
+      why("Open") ==
+      R"({"group":"Open","kind":"condition","text":"Open waits (Deliver>Open): until Door == open, which only the outside can make true","notes":["Door is shut","Open.unlocking could cause it, and is disabled"]})");
+  CHECK(
+      why("Walk") ==
+      R"({"group":"Walk","kind":"running","text":"Walk runs (Rest>Walk) in default","notes":["it runs for Rest, priority 0, that for the program, priority 1"]})");
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests runtime/live/site.hpp.
 #include "runtime/live/site.hpp"
-
 #include "tests/runtime/live/courier_moments.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,16 +12,21 @@ using live::Reply, live::Request, live::Site;
 namespace {
 
 struct Shown {
-  explicit Shown(bool shown = true) : source{16}, site{source.names, live::Page{"<html>", "default-src 'none'"}, "token", {"robot7"}} {
+  explicit Shown(bool shown = true)
+      : source{16},
+        site{source.names, live::Page{"<html>", "default-src 'none'"}, "token", {"robot7"}} {
     if (shown) source.show();
   }
   /// As `200 text`.
-  std::string ask(const std::string& method, const std::string& path, std::multimap<std::string, std::string> parameters = {},
-                  const std::string& origin = "") {
-    Request request{.method = method, .path = path, .parameters = std::move(parameters), .host = "localhost", .origin = origin};
+  std::string ask(const std::string& method, const std::string& path,
+                  std::multimap<std::string, std::string> parameters = {}, const std::string& origin = "") {
+    Request request{
+        .method = method, .path = path, .parameters = std::move(parameters), .host = "localhost", .origin = origin};
     return text(site.answer(request, source.moments.look()));
   }
-  static std::string text(const Reply& reply) { return std::to_string(reply.status) + (reply.body ? " " + *reply.body : ""); }
+  static std::string text(const Reply& reply) {
+    return std::to_string(reply.status) + (reply.body ? " " + *reply.body : "");
+  }
   void allow() {
     const auto post = source.behaviour.post();
     site.allow({.request = [post](Index edge, Index level) { return post.request_row(edge, level); },
@@ -34,7 +38,8 @@ struct Shown {
   Site site;
 };
 
-constexpr const char* no_token = "403 The address needs the token that the program printed when it began: http://.../TOKEN/\n";
+constexpr const char* no_token =
+    "403 The address needs the token that the program printed when it began: http://.../TOKEN/\n";
 
 } // namespace
 
@@ -43,7 +48,8 @@ TEST_CASE("behind the token is the page, and nothing without it") {
   CHECK(shown.ask("GET", "/token/") == "200 <html>");
   CHECK(shown.ask("GET", "/token") == "308 The address ends with a slash.\n");
   CHECK(shown.ask("GET", "/favicon.ico") == "204");
-  for (const char* path : {"", "/", "/tokem/", "/toke/", "/tokens/", "//token/", "/./token/", "/x/../token/", "/TOKEN/", "*", "http://localhost/token/"})
+  for (const char* path : {"", "/", "/tokem/", "/toke/", "/tokens/", "//token/", "/./token/", "/x/../token/", "/TOKEN/",
+                           "*", "http://localhost/token/"})
     CHECK(shown.ask("GET", path) == no_token);
   for (const char* path : {"/token//", "/token/../token/", "/token/etc/passwd", "/token/index.html", "/token/events/"})
     CHECK(shown.ask("GET", path).starts_with("404 There is nothing here: "));
@@ -52,7 +58,8 @@ TEST_CASE("behind the token is the page, and nothing without it") {
 TEST_CASE("other methods are refused, and say which there are") {
   Shown shown;
   for (const char* method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"}) {
-    CHECK(shown.ask(method, "/token/") == "405 " + std::string(method) + " is not understood here, only GET, HEAD and POST.\n");
+    CHECK(shown.ask(method, "/token/") ==
+          "405 " + std::string(method) + " is not understood here, only GET, HEAD and POST.\n");
     CHECK(shown.ask(method, "/") == no_token);
   }
   CHECK(shown.ask("GET", "/token/cancel_all") == "405 A command is posted: curl -X POST ...\n");
@@ -62,7 +69,8 @@ TEST_CASE("who calls this computer by a name of others is refused, token or not"
   Shown shown;
   Request request{.method = "GET", .path = "/token/", .host = "evil.example:80"};
   const Reply reply = shown.site.answer(request, shown.source.moments.look());
-  CHECK(Shown::text(reply) == "403 This is not called \"evil.example:80\": use the address that the program printed.\n");
+  CHECK(Shown::text(reply) ==
+        "403 This is not called \"evil.example:80\": use the address that the program printed.\n");
   request.host = "robot7:80";
   CHECK(shown.site.answer(request, shown.source.moments.look()).status == 200);
 }
@@ -71,40 +79,47 @@ TEST_CASE("every answer forbids to keep it, to show it elsewhere, and to tell ot
   Shown shown;
   const auto headers = [&](const char* path) {
     std::string out;
-    for (const auto& [name, value] : shown.site.answer({.method = "GET", .path = path, .host = "localhost"}, shown.source.moments.look()).headers)
+    for (const auto& [name, value] :
+         shown.site.answer({.method = "GET", .path = path, .host = "localhost"}, shown.source.moments.look()).headers)
       out += name + ": " + value + "\n";
     return out;
   };
-  const std::string common = "Cache-Control: no-store\nReferrer-Policy: no-referrer\nX-Content-Type-Options: nosniff\nCross-Origin-Resource-Policy: "
+  const std::string common = "Cache-Control: no-store\nReferrer-Policy: no-referrer\nX-Content-Type-Options: "
+                             "nosniff\nCross-Origin-Resource-Policy: "
                              "same-origin\nContent-Security-Policy: default-src 'none'";
   CHECK(headers("/token/") == common + "\n");
-  for (const char* path : {"/", "/token/events", "/token/why", "/favicon.ico"}) CHECK(headers(path) == common + "; frame-ancestors 'none'\n");
+  for (const char* path : {"/", "/token/events", "/token/why", "/favicon.ico"})
+    CHECK(headers(path) == common + "; frame-ancestors 'none'\n");
 }
 
 TEST_CASE("why one group waits, or all that do") {
   Shown shown;
-  CHECK(shown.ask("GET", "/token/why", {{"group", "Sing"}}) ==
-        R"(200 {"t":0,"n":1,"groups":[{"group":"Sing","kind":"not_requested","text":"nobody asks for Sing","notes":["Deliver may, and does not run","Rest may, and does not run"]}]})"
-        "\n");
+  CHECK(
+      shown.ask("GET", "/token/why", {{"group", "Sing"}}) ==
+      R"(200 {"t":0,"n":1,"groups":[{"group":"Sing","kind":"not_requested","text":"nobody asks for Sing","notes":["Deliver may, and does not run","Rest may, and does not run"]}]})"
+      "\n");
   CHECK(shown.ask("GET", "/token/why") == "200 {\"t\":0,\"n\":1,\"groups\":[]}\n");
   CHECK(shown.ask("GET", "/token/why", {{"group", "Sin\"g"}}) == "404 There is no group \"Sin\"g\".\n");
   Shown silent(false);
-  CHECK(silent.ask("GET", "/token/why") == "503 The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.\n");
+  CHECK(silent.ask("GET", "/token/why") ==
+        "503 The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.\n");
 }
 
 TEST_CASE("without a page there is still what happens") {
   CourierMoments source{16};
   const Site site{source.names, std::nullopt, "token", {}};
   CHECK(Shown::text(site.answer({.method = "GET", .path = "/token/", .host = "localhost"}, source.moments.look())) ==
-        "404 The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What happens is at events, and why at why.\n");
+        "404 The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What happens is "
+        "at events, and why at why.\n");
   CHECK(site.answer({.method = "GET", .path = "/token/events", .host = "localhost"}, source.moments.look()).stream);
 }
 
 TEST_CASE("commands are refused until the program allows them, and then do what they say") {
   Shown shown;
   for (const char* command : {"request", "cancel", "cancel_all", "set", "nothing"})
-    CHECK(shown.ask("POST", "/token/" + std::string(command), {{"task", "Rest"}}) ==
-          "403 Commands are not allowed: the program has not called allow_commands(behaviour.post()) of its LiveView.\n");
+    CHECK(
+        shown.ask("POST", "/token/" + std::string(command), {{"task", "Rest"}}) ==
+        "403 Commands are not allowed: the program has not called allow_commands(behaviour.post()) of its LiveView.\n");
   CHECK(shown.ask("POST", "/tokem/cancel_all") == no_token);
   shown.allow();
   CHECK(shown.ask("POST", "/token/request", {{"task", "Rest"}}) == "202 posted: request Rest\n");
@@ -128,18 +143,25 @@ TEST_CASE("a command that cannot be done says why") {
   };
   CHECK(post("request", {}) == "400 The task is missing: task=NAME; there are: Deliver, Rest.\n");
   CHECK(post("cancel", {{"task", "Sing"}}) == "404 \"Sing\" is not a root task; there are: Deliver, Rest.\n");
-  CHECK(post("request", {{"task", "Deliver"}}) == "409 not posted: the task carries data, which only the program can give\n");
+  CHECK(post("request", {{"task", "Deliver"}}) ==
+        "409 not posted: the task carries data, which only the program can give\n");
   CHECK(post("request", {{"task", "Deliver"}, {"level", "soon"}}) == "404 \"soon\" is no level of this root task.\n");
-  CHECK(post("request", {{"task", "Rest"}, {"task", "Deliver"}}) == "400 The task is missing: task=NAME; there are: Deliver, Rest.\n");
+  CHECK(post("request", {{"task", "Rest"}, {"task", "Deliver"}}) ==
+        "400 The task is missing: task=NAME; there are: Deliver, Rest.\n");
   CHECK(post("set", {{"state", "Mood"}}) == "400 A state and a value are needed: set?state=NAME&value=VALUE.\n");
   CHECK(post("set", {{"state", "Moot"}, {"value", "calm"}}) == "404 There is no state \"Moot\".\n");
-  CHECK(post("set", {{"state", "Door"}, {"value", "open"}}) == "409 \"Door\" is set by the behaviour itself: only external states are set from outside.\n");
+  CHECK(post("set", {{"state", "Door"}, {"value", "open"}}) ==
+        "409 \"Door\" is set by the behaviour itself: only external states are set from outside.\n");
   CHECK(post("set", {{"state", "Mood"}, {"value", "angry"}}) == "404 \"angry\" is no value of Mood.\n");
   for (const char* number : {"", "x", "1.5", "7 ", "99999999999"})
-    CHECK(post("set", {{"state", "Battery"}, {"value", number}}) == "400 \"" + std::string(number) + "\" is not a whole number.\n");
-  CHECK(post("set", {{"state", "Battery"}, {"value", "101"}}) == "409 not posted: 101 is not within the range of Battery\n");
+    CHECK(post("set", {{"state", "Battery"}, {"value", number}}) ==
+          "400 \"" + std::string(number) + "\" is not a whole number.\n");
+  CHECK(post("set", {{"state", "Battery"}, {"value", "101"}}) ==
+        "409 not posted: 101 is not within the range of Battery\n");
   CHECK(post("jump", {}) == "404 There is no such command: there are request, cancel, cancel_all and set.\n");
-  CHECK(shown.ask("POST", "/token/cancel_all", {}, "http://evil.example") == "403 A command is not taken from the page of another server, http://evil.example.\n");
+  CHECK(shown.ask("POST", "/token/cancel_all", {}, "http://evil.example") ==
+        "403 A command is not taken from the page of another server, http://evil.example.\n");
   Request body{.method = "POST", .path = "/token/cancel_all", .host = "localhost", .has_body = true};
-  CHECK(Shown::text(shown.site.answer(body, shown.source.moments.look())) == "413 A command has no body: all stands in the address, as in request?task=NAME.\n");
+  CHECK(Shown::text(shown.site.answer(body, shown.source.moments.look())) ==
+        "413 A command has no body: all stands in the address, as in request?task=NAME.\n");
 }

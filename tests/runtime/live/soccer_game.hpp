@@ -46,7 +46,8 @@ private:
   LiveView* view_;
   std::vector<Event> events_;
   sim::World world_{1};
-  player::Player<player::Servos> player_{world_, {[](void* self, const Event& event) { static_cast<SoccerGame*>(self)->tell(event); }, this}};
+  player::Player<player::Servos> player_{
+      world_, {[](void* self, const Event& event) { static_cast<SoccerGame*>(self)->tell(event); }, this}};
 };
 
 } // namespace director::tests

@@ -6,8 +6,8 @@
 // way, and `wrong` says what did not. Equal seeds do the same, unless other threads post.
 
 #include "night_watch.hpp"
-#include "tests/system/api/office.hpp"
 #include "tests/property/random.hpp"
+#include "tests/system/api/office.hpp"
 
 #include <atomic>
 #include <cstdint>

@@ -39,7 +39,8 @@ struct Guard final : watch::Guard {
 };
 
 TEST_CASE("what was due in three seconds is due in three seconds, at whatever time it is loaded") {
-  for (const auto now : {std::chrono::microseconds(2s), std::chrono::microseconds(-5h), std::chrono::microseconds(1000h)}) {
+  for (const auto now :
+       {std::chrono::microseconds(2s), std::chrono::microseconds(-5h), std::chrono::microseconds(1000h)}) {
     Guard guard;
     watch::Behaviour first{guard}, second{guard};
     first.request<watch::Round>();
@@ -165,20 +166,19 @@ TEST_CASE("each answer is told in a line of its own") {
   std::vector<std::string> lines;
   for (int i = 0; i <= static_cast<int>(SaveResult::refused); ++i) lines.push_back(to_text(static_cast<SaveResult>(i)));
   for (int i = 0; i <= static_cast<int>(LoadResult::refused); ++i) lines.push_back(to_text(static_cast<LoadResult>(i)));
-  CHECK(lines == std::vector<std::string>{
-                     "saved",
-                     "not saved: the span is smaller than Behaviour::saved_bytes()",
-                     "not saved: inputs wait in the inbox; call step() first, and post nothing until the state is saved",
-                     "not saved: called from inside a body, handler or observer; save between two calls of step()",
-                     "loaded",
-                     "not loaded: bytes are missing at the end; give all that save() wrote",
-                     "not loaded: no saved state, or one of another version of Director, another byte order or another "
-                     "DIRECTOR_SMALL_INDEX; save it again with this program",
-                     "not loaded: the check sum does not fit, the bytes have changed since they were saved",
-                     "not loaded: saved by another behaviour, by another version of it, or with data of other types; save "
-                     "it again with this program",
-                     "not loaded: the behaviour cannot be in such a state, the bytes were not made by save()",
-                     "not loaded: called from inside a body, handler or observer; load between two calls of step()"});
+  CHECK(lines ==
+        std::vector<std::string>{
+            "saved", "not saved: the span is smaller than Behaviour::saved_bytes()",
+            "not saved: inputs wait in the inbox; call step() first, and post nothing until the state is saved",
+            "not saved: called from inside a body, handler or observer; save between two calls of step()", "loaded",
+            "not loaded: bytes are missing at the end; give all that save() wrote",
+            "not loaded: no saved state, or one of another version of Director, another byte order or another "
+            "DIRECTOR_SMALL_INDEX; save it again with this program",
+            "not loaded: the check sum does not fit, the bytes have changed since they were saved",
+            "not loaded: saved by another behaviour, by another version of it, or with data of other types; save "
+            "it again with this program",
+            "not loaded: the behaviour cannot be in such a state, the bytes were not made by save()",
+            "not loaded: called from inside a body, handler or observer; load between two calls of step()"});
 }
 
 } // namespace

@@ -164,8 +164,8 @@ private:
     case Kind::request:
       for (std::size_t i = 0; i < each.requests.size(); ++i)
         row(i + 1 < each.requests.size(),
-            fmt::format(".thing = {}, .handle = {}, .value = {}", each.requests[i].edge.value, data(each.requests[i].data),
-                        level(each.requests[i])));
+            fmt::format(".thing = {}, .handle = {}, .value = {}", each.requests[i].edge.value,
+                        data(each.requests[i].data), level(each.requests[i])));
       return;
     case Kind::set:
       for (std::size_t i = 0; i < each.set.size(); ++i)

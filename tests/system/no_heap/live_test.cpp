@@ -10,7 +10,6 @@
 #include "tests/system/no_heap/heap_trap.hpp"
 
 #include <catch2/catch.hpp>
-
 #include <dlfcn.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -47,8 +46,9 @@ using namespace std::chrono_literals;
 
 /// From now on this thread gets nothing of the operating system but its own end, and a name for each try: ENOSYS.
 bool forbid_system_calls() {
-  constexpr std::array<unsigned, 9> allowed{SYS_exit,   SYS_exit_group,     SYS_munmap, SYS_madvise,     SYS_rt_sigprocmask,
-                                            SYS_rt_sigreturn, SYS_write, SYS_rt_sigaction, SYS_set_robust_list};
+  constexpr std::array<unsigned, 9> allowed{SYS_exit,    SYS_exit_group,     SYS_munmap,
+                                            SYS_madvise, SYS_rt_sigprocmask, SYS_rt_sigreturn,
+                                            SYS_write,   SYS_rt_sigaction,   SYS_set_robust_list};
   std::vector<sock_filter> filter{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))};
   for (const unsigned call : allowed) {
     filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 1));

@@ -30,8 +30,9 @@ TEST_CASE("to record a game of soccer takes no heap from the thread that steps")
     CHECK(recorder.good());
     CHECK(recorder.dropped() == 0);
   }
-  const auto replayed = run_command(
-      "directorc replay " + (folder.path() / "run.jsonl").string() + " --behaviour behaviours/soccer/soccer.yaml", source_dir());
+  const auto replayed = run_command("directorc replay " + (folder.path() / "run.jsonl").string() +
+                                        " --behaviour behaviours/soccer/soccer.yaml",
+                                    source_dir());
   CAPTURE(replayed.output);
   CHECK(replayed.output.find("events, all the same\n") != std::string::npos);
 }

@@ -11,8 +11,8 @@
 #include "dsl/read_behaviour.hpp"
 #include "dsl/read_scenario.hpp"
 #include "runtime/core/engine/engine.hpp"
-#include "tests/system/no_heap/heap_trap.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/system/no_heap/heap_trap.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -133,7 +133,8 @@ TEST_CASE("no scenario makes the engine use the heap") {
     INFO(path);
     const std::size_t before = heap_uses(), steps = watched_steps, players = watched_players;
     play_file(path);
-    REQUIRE(watched_players == players + 2); // else the linker found these functions where they are called, in one source
+    REQUIRE(watched_players ==
+            players + 2); // else the linker found these functions where they are called, in one source
     CHECK(heap_uses() == before);
     CHECK(watched_steps > steps);
   }

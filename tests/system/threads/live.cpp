@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A behaviour that is stepped, shown, and posted to by commands, while viewers come, read, read nothing and go, under the thread sanitizer.
+// A behaviour that is stepped, shown, and posted to by commands, while viewers come, read, read nothing and go, under
+// the thread sanitizer.
 #include "courier.hpp"
 #include "runtime/live/live_view.hpp"
 #include "tests/runtime/live/client.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A thread that tells events and the recorder's own that writes them, under the thread sanitizer; the queue is full now and then.
+// A thread that tells events and the recorder's own that writes them, under the thread sanitizer; the queue is full now
+// and then.
 #include "courier.hpp"
 #include "runtime/hosted/trace/recorder.hpp"
 
@@ -10,7 +11,8 @@ int main() {
   constexpr int events = 200'000;
   std::uint64_t dropped = 0;
   {
-    director::Recorder recorder{post::courier::names::all(), "/dev/null", {.queue = 64, .interval = std::chrono::milliseconds(1)}};
+    director::Recorder recorder{
+        post::courier::names::all(), "/dev/null", {.queue = 64, .interval = std::chrono::milliseconds(1)}};
     director::Event event;
     event.kind = director::Event::Kind::exhausted;
     for (event.time = 0; event.time < events; ++event.time) {

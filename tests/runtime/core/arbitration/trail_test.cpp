@@ -15,7 +15,8 @@ std::string player_in_a_crowd(int others) {
   for (int i = 0; i < others; ++i) {
     const std::string number = std::to_string(i);
     all += ", Other" + number + ": {apart: true}";
-    groups += "  Other" + number + ": {when: [Phase == on], needs: [Part" + number + "], tasks: [Part" + number + "]}\n";
+    groups +=
+        "  Other" + number + ": {when: [Phase == on], needs: [Part" + number + "], tasks: [Part" + number + "]}\n";
     groups += "  Part" + number + ": {}\n";
   }
   return R"(

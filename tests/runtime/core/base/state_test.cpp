@@ -51,7 +51,8 @@ TEST_CASE("the decision state is the smaller part, and its size is known at comp
   CHECK(State::decision_bytes(some) % 8 == 0);
 }
 
-TEST_CASE("what a combination can lack is the most that one provider of each group can, and who causes something can be pushed") {
+TEST_CASE("what a combination can lack is the most that one provider of each group can, and who causes something can "
+          "be pushed") {
   const std::vector<Provider> providers = [] {
     std::vector<Provider> rows(3);
     rows[0].when = {0, 2};

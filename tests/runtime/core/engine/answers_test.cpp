@@ -32,21 +32,21 @@ groups:
 TEST_CASE("an answer is told before what comes of it, and what is set although it is so") {
   Machine machine(rover);
   machine.answers = true;
-  machine.handler("Explore.start", [&](Handling& handling) {
-    handling.set(machine.state("Motion"), machine.value("Motion", "still"));
-  });
+  machine.handler("Explore.start",
+                  [&](Handling& handling) { handling.set(machine.state("Motion"), machine.value("Motion", "still")); });
   machine.body("Explore", [&](Run& run) {
     run.set(machine.state("Motion"), machine.value("Motion", "rolling"));
     return run.reasons().has(Reason::trigger) ? run.keep() : run.pack();
   });
   machine.engine().preset(machine.state("Light"), machine.value("Light", "bright"));
   machine.request("Explore");
-  CHECK(machine.step(1'000'000) == Lines{"begin 1000000", "given Light bright", "input at 1000000 of 1000000", "start Explore",
-                                         "assign Motion still by Explore", "run Explore new_task", "answer Explore pack",
-                                         "assign Motion rolling by Explore", "set Motion rolling"});
-  CHECK(machine.step(4'500'000) == Lines{"input at 3000000 of 4500000", "set Motion still", "input at 4000000 of 4500000",
-                                         "run Explore trigger", "answer Explore keep", "assign Motion rolling by Explore",
+  CHECK(machine.step(1'000'000) == Lines{"begin 1000000", "given Light bright", "input at 1000000 of 1000000",
+                                         "start Explore", "assign Motion still by Explore", "run Explore new_task",
+                                         "answer Explore pack", "assign Motion rolling by Explore",
                                          "set Motion rolling"});
+  CHECK(machine.step(4'500'000) == Lines{"input at 3000000 of 4500000", "set Motion still",
+                                         "input at 4000000 of 4500000", "run Explore trigger", "answer Explore keep",
+                                         "assign Motion rolling by Explore", "set Motion rolling"});
   machine.engine().step(4'600'000);
 }
 
@@ -73,6 +73,6 @@ TEST_CASE("a run that throws is told as its answer, without what it set") {
     return run.fault();
   });
   machine.request("Explore");
-  CHECK(machine.step() == Lines{"begin 0", "input at 0 of 0", "start Explore", "run Explore new_task", "answer Explore fault",
-                                "fault Explore"});
+  CHECK(machine.step() == Lines{"begin 0", "input at 0 of 0", "start Explore", "run Explore new_task",
+                                "answer Explore fault", "fault Explore"});
 }

@@ -82,7 +82,8 @@ void ask_for_all(Machine& machine, const std::vector<std::pair<std::string, std:
   std::vector<Input> input;
   for (const auto& [group, level] : tasks) {
     const Index edge = machine.edge("root>" + group);
-    input.push_back({.kind = Input::Kind::request, .thing = edge, .value = static_cast<std::int32_t>(machine.level(edge, level))});
+    input.push_back(
+        {.kind = Input::Kind::request, .thing = edge, .value = static_cast<std::int32_t>(machine.level(edge, level))});
     input.back().more = input.size() < tasks.size();
   }
   REQUIRE(machine.inbox().post(input));

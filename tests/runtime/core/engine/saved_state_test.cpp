@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is refused of a saved state, number by number. That what is accepted goes on as before: tests/property/saved_test.cpp.
+// What is refused of a saved state, number by number. That what is accepted goes on as before:
+// tests/property/saved_test.cpp.
 #include "runtime/core/engine/saved_state.hpp"
 #include "tests/runtime/core/machine.hpp"
 
@@ -15,7 +16,8 @@ using namespace saved;
 
 /// Lift is pushed to sinking, as Kneel waits for it; Arm has two ways, each of which needs a joint.
 constexpr const char* crane =
-    "{behaviour: b, language: 1, states: {Hook: {values: [high, low], initial: high}, Wind: {values: [calm, storm], initial: calm, "
+    "{behaviour: b, language: 1, states: {Hook: {values: [high, low], initial: high}, Wind: {values: [calm, storm], "
+    "initial: calm, "
     "external: true, expires: {after: 1 s, to: calm}}}, triggers: [Bell],"
     " roots: {Lift: {priority: {low: 1, high: 5}}, Kneel: {priority: 9}, Clock: {}},"
     " groups: {Lift: {providers: [{name: lifting, needs: [Arm], tasks: [Arm]},"
@@ -68,7 +70,8 @@ TEST_CASE("the check sum is that of zlib") {
   CHECK(check_sum(std::as_bytes(std::span(text))) == 0xCBF43926);
 }
 
-TEST_CASE("a saved state is as long as the sum of its rows, and has a version, its length and the behaviour at its beginning") {
+TEST_CASE("a saved state is as long as the sum of its rows, and has a version, its length and the behaviour at its "
+          "beginning") {
   Saved saved;
   const auto head = read<HeadRow>(saved.bytes.data(), 0);
   CHECK(head.version == version_word);
@@ -109,9 +112,10 @@ TEST_CASE("a row that is not there, or that may not stand there, is refused") {
   CHECK(saved.with_group("Lift", [](GroupRow& row) { row.push.provider = nil; }) == impossible);
   CHECK(saved.with_group("Lift", [](GroupRow& row) { row.push.condition = nil; }) == impossible);
   // What it is to do.
-  CHECK(saved.with_group("Left", [](GroupRow& row) { row.queue_place = 0; }) == impossible); // it is not granted
+  CHECK(saved.with_group("Left", [](GroupRow& row) { row.queue_place = 0; }) == impossible);  // it is not granted
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.queue_place = 0; }) == impossible); // it has no reason
-  CHECK(saved.with_group("Clock", [](GroupRow& row) { row.queue_place = 1, row.pending = 1; }) == impossible); // the second of one
+  CHECK(saved.with_group("Clock", [](GroupRow& row) { row.queue_place = 1, row.pending = 1; }) ==
+        impossible); // the second of one
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.pending = 32; }) == impossible);
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.done = 2; }) == impossible);
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.counts = 2; }) == impossible);
@@ -119,7 +123,10 @@ TEST_CASE("a row that is not there, or that may not stand there, is refused") {
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.promised = {0, 0}; }) == impossible);
   CHECK(saved.with_group("Lift", [](GroupRow& row) { row.promised.edge = nil; }) == impossible);
   CHECK(saved.with_group("Arm", [](GroupRow& row) { row.every = 5; }) == impossible); // no provider asks for that
-  CHECK(saved.with_group("Left", [](GroupRow& row) { row.wait = 5; row.holder = row.active = nil; }) == impossible);
+  CHECK(saved.with_group("Left", [](GroupRow& row) {
+    row.wait = 5;
+    row.holder = row.active = nil;
+  }) == impossible);
   // Of an edge.
   CHECK(saved.with_edge("root>Lift", [](EdgeRow& row) { row.level = 99; }) == impossible);
   CHECK(saved.with_edge("root>Lift", [](EdgeRow& row) { row.stamp = 99; }) == impossible);
@@ -128,7 +135,8 @@ TEST_CASE("a row that is not there, or that may not stand there, is refused") {
   CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.condition = nil; }) == impossible); // it waits for one
   CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.condition = 99; }) == impossible);
   // The rest.
-  CHECK(saved.with<StateRow>(saved.at.states, 0, [](StateRow& row) { row.expiry = 5; }) == impossible); // it does not expire
+  CHECK(saved.with<StateRow>(saved.at.states, 0, [](StateRow& row) { row.expiry = 5; }) ==
+        impossible); // it does not expire
   CHECK(saved.with<StateRow>(saved.at.states, 1, [](StateRow& row) { row.by_handler = 0; }) == impossible);
   CHECK(saved.with<FlagRow>(saved.at.providers, 1, [](FlagRow& row) { row.set = 2; }) == impossible);
   CHECK(saved.with<FlagRow>(saved.at.listens, 0, [](FlagRow& row) { row.set = 2; }) == impossible);
@@ -145,7 +153,8 @@ TEST_CASE("a plan that lacks a provider, and a length that is another, are refus
   REQUIRE(saved.shape.plan_slots > 0);
   bool refused = false;
   for (std::size_t slot = 0; slot < saved.shape.plan_slots; ++slot) {
-    refused = refused || saved.with<PlanRow>(saved.at.plan, slot, [](PlanRow& row) { row.provider = nil; }) == LoadResult::impossible;
+    refused = refused || saved.with<PlanRow>(saved.at.plan, slot, [](PlanRow& row) { row.provider = nil; }) ==
+                             LoadResult::impossible;
     CHECK(saved.with<PlanRow>(saved.at.plan, slot, [](PlanRow& row) { row.provider = 99; }) == LoadResult::impossible);
   }
   CHECK(refused); // of those that are planned

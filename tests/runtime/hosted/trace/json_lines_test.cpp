@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests runtime/hosted/trace/json_lines.hpp. That what is written can be read and played: tests/compiler/trace.
-#include "runtime/hosted/trace/json_lines.hpp"
-
 #include "runtime/hosted/trace/fingerprint.hpp"
+#include "runtime/hosted/trace/json_lines.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"
 
 #include <catch2/catch.hpp>
@@ -42,8 +41,7 @@ TEST_CASE("each event is a line, with names instead of numbers") {
   request.input = Event::Input::request;
   request.group = 1;
   request.edge = request.level = 1;
-  CHECK(line(request, lamp.names) ==
-        R"({"t":1500000,"n":7,"event":"input","input":"request","edge":"root>Signal"})");
+  CHECK(line(request, lamp.names) == R"({"t":1500000,"n":7,"event":"input","input":"request","edge":"root>Signal"})");
   Event push = lamp.event(Event::Kind::push, 10);
   push.until = 20;
   push.group = 2;

@@ -38,11 +38,11 @@ std::vector<Packet> packets_of(const std::string& text) {
 std::string decoded(const std::string& scenario, std::string& slices) {
   const TemporaryFolder folder;
   const std::string in = folder.path().string();
-  const auto ran = run_command("directorc simulate " + scenario + " --trace " + in + "/t.jsonl >/dev/null && directorc trace " + in +
-                                   "/t.jsonl --to=perfetto -o " + in +
-                                   "/t.pftrace && protoc --decode=perfetto.protos.Trace tests/support/perfetto.proto <" + in +
-                                   "/t.pftrace",
-                               source_dir());
+  const auto ran = run_command(
+      "directorc simulate " + scenario + " --trace " + in + "/t.jsonl >/dev/null && directorc trace " + in +
+          "/t.jsonl --to=perfetto -o " + in +
+          "/t.pftrace && protoc --decode=perfetto.protos.Trace tests/support/perfetto.proto <" + in + "/t.pftrace",
+      source_dir());
   slices = scenario;
   REQUIRE(ran.status == 0);
   return ran.output;

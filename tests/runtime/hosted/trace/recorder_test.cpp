@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Tests runtime/hosted/trace/recorder.hpp and the queue in it.
-#include "runtime/hosted/trace/recorder.hpp"
-
 #include "runtime/hosted/trace/json_lines.hpp"
+#include "runtime/hosted/trace/recorder.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <csignal>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <semaphore>
 #include <thread>
 
@@ -82,7 +80,8 @@ TEST_CASE("what finds the queue full is counted, and said in the file at its pla
   const Lamp lamp;
   std::binary_semaphore begun{0}, go{0};
   {
-    Recorder recorder{std::make_unique<Held>(begun, go, lamp.names), file, {.queue = 8, .interval = std::chrono::milliseconds(1)}};
+    Recorder recorder{
+        std::make_unique<Held>(begun, go, lamp.names), file, {.queue = 8, .interval = std::chrono::milliseconds(1)}};
     recorder.tell(lamp.event(Event::Kind::exhausted, 0));
     begun.acquire(); // its place is still taken
     for (int i = 1; i < 13; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
@@ -104,7 +103,8 @@ TEST_CASE("what is missing at the end is said too") {
   const Lamp lamp;
   std::binary_semaphore begun{0}, go{0};
   {
-    Recorder recorder{std::make_unique<Held>(begun, go, lamp.names), file, {.queue = 2, .interval = std::chrono::milliseconds(1)}};
+    Recorder recorder{
+        std::make_unique<Held>(begun, go, lamp.names), file, {.queue = 2, .interval = std::chrono::milliseconds(1)}};
     recorder.tell(lamp.event(Event::Kind::exhausted, 0));
     begun.acquire();
     for (int i = 1; i < 4; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));

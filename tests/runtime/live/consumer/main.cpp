@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lamp.hpp"
 #include "lamp_page.hpp"
-
 #include "runtime/live/live_view.hpp"
 
 #include <chrono>

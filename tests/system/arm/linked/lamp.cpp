@@ -1,5 +1,5 @@
-// Header: none; what `size` says of the program counts, which is linked and never run. Test: tests/system/arm/CMakeLists.txt.
-// SPDX-License-Identifier: MIT
+// Header: none; what `size` says of the program counts, which is linked and never run. Test:
+// tests/system/arm/CMakeLists.txt. SPDX-License-Identifier: MIT
 //
 // The bodies are left out, as a program has its own: where a module would be, there is only a place.
 #include "lamp.hpp"

@@ -1,11 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A scenario as constants: what tests/system/arm/write_plans.cpp writes from a scenario file, and what the player of the
-// target plays. The rows of a plan lie in tables of its own; a Range is of the table that its comment names.
+// A scenario as constants: what tests/system/arm/write_plans.cpp writes from a scenario file, and what the player of
+// the target plays. The rows of a plan lie in tables of its own; a Range is of the table that its comment names.
 
-#include "runtime/core/engine/inbox.hpp"
 #include "runtime/core/base/tables.hpp"
 #include "runtime/core/base/words.hpp"
+#include "runtime/core/engine/inbox.hpp"
 
 #include <cstdint>
 #include <span>

@@ -43,7 +43,6 @@ private:
   std::size_t used_ = 0;
 };
 
-
 struct Memory {
   Memory(const Plan& plan, std::byte* at) {
     Arena arena(at);
