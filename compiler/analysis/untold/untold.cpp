@@ -75,7 +75,10 @@ private:
       const Provider& provider = model_.providers[id];
       for (const ConditionUse& use : provider.when) add(use.span, condition);
       for (const ConditionUse& use : provider.causing) add(use.span, promise);
-      for (const Use<GroupId>& use : provider.needs) add(use.span, need);
+      for (const Use<GroupId>& use : provider.needs) {
+        add(use.span, need);
+        needed_by_.emplace(use.span, id);
+      }
       for (std::size_t i = 0; i < provider.packs.size(); ++i) {
         for (const Task& task : provider.packs[i].tasks) add(task.span, entry);
         const std::vector<EdgeId> members = members_of(model_, id, i);
@@ -119,14 +122,11 @@ private:
 
   /// A provider that its pack has no use for, as the finding says at its need.
   void take_named(const Diagnostic& finding) {
-    for (const ProviderId id : model_.providers.ids()) {
-      const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
-      const bool is_named = has(finding, "`" + model_.full_name(id) + "`");
-      if (is_named && std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
-            return std::any_of(finding.notes.begin(), finding.notes.end(),
-                               [&](const dsl::Note& note) { return note.span == need.span; });
-          }))
-        told_.insert(model_.providers[id].span);
+    for (const dsl::Note& note : finding.notes) {
+      const auto [first, last] = needed_by_.equal_range(note.span);
+      for (auto at = first; at != last; ++at) {
+        if (has(finding, "`" + model_.full_name(at->second) + "`")) told_.insert(model_.providers[at->second].span);
+      }
     }
   }
 
@@ -239,6 +239,7 @@ private:
   const Happening& happening_;
   IdTable<StateId, std::vector<Source>> sources_;
   std::map<dsl::Span, unsigned> places_;
+  std::multimap<dsl::Span, ProviderId> needed_by_; ///< whose need stands at a place
   std::set<dsl::Span> told_;
   std::set<dsl::Span> told_in_packs_; ///< entries that are never granted together
   std::set<dsl::Span> whole_only_;    ///< entries that are granted only together with others

@@ -244,7 +244,9 @@ TEST_CASE("a browser that comes back goes on where it was") {
   const std::string id = std::to_string(game.count());
   {
     Readers reader(view.url(), 1);
-    while (!reader.all_begun()) reader.hear();
+    const std::vector<std::string> before = game.happened(); // all of which the view has taken, when the reader has it
+    while (!reader.are_at(before)) reader.hear();
+    REQUIRE(reader.wrong.empty());
   }
   for (int i = 0; i < 50; ++i) game.step();
   const std::vector<std::string> happened = game.happened();
