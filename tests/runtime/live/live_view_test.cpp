@@ -60,9 +60,6 @@ public:
       return !wrong.empty() || (viewer.follower.begun() && viewer.follower.at() == happened.size());
     });
   }
-  bool all_begun() const {
-    return std::ranges::all_of(viewers_, [](const Viewer& viewer) { return !viewer.messages.empty(); });
-  }
   std::size_t gaps() const {
     return std::accumulate(viewers_.begin(), viewers_.end(), std::size_t{0},
                            [](std::size_t sum, const Viewer& each) { return sum + each.follower.gaps(); });
