@@ -14,4 +14,9 @@ inline std::string counted(std::uint64_t count, std::string_view one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : one.ends_with('s') || one.ends_with("sh") ? "es" : "s");
 }
 
+/// "1 push is", "3 pushes are".
+inline std::string counted_are(std::uint64_t count, std::string_view one) {
+  return counted(count, one) + (count == 1 ? " is" : " are");
+}
+
 } // namespace director::compiler

@@ -3,6 +3,7 @@
 #include "compiler/trace/replay.hpp"
 
 #include "compiler/base/counted.hpp"
+#include "compiler/base/seconds.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/load_trace.hpp"
 #include "compiler/lower/lower.hpp"
@@ -15,15 +16,13 @@ namespace director::compiler::cli {
 
 namespace {
 
-std::string seconds(Time time) { return fmt::format("{:.6f} s", static_cast<double>(time) / 1e6); }
-
 void print(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other,
            Console& console) {
   const std::string version = other ? fmt::format(" by `{}`, another version than the one recorded", behaviour) : "";
   if (replayed.difference) {
     const Replayed::Difference& it = *replayed.difference;
-    console.out << fmt::format("{}:{}: event {}, at {}, is decided otherwise{}\n", trace, it.line, it.event,
-                               seconds(it.time), version);
+    console.out << fmt::format("{}:{}: event {}, at {} s, is decided otherwise{}\n", trace, it.line, it.event,
+                               in_seconds(it.time), version);
     const bool same_words = it.recorded == it.replayed;
     console.out << fmt::format("  recorded: {}\n  replayed: {}\n", same_words ? it.recorded_line : it.recorded,
                                same_words ? it.replayed_line : it.replayed);
@@ -31,7 +30,7 @@ void print(const Replayed& replayed, const std::string& trace, const std::string
                                replayed.events == 1 ? "is" : "are");
   } else if (replayed.dropped != 0) {
     console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace, counted(replayed.events, "event"),
-                               version, counted(replayed.dropped, "event") + (replayed.dropped == 1 ? " is" : " are"));
+                               version, counted_are(replayed.dropped, "event"));
   } else {
     console.out << fmt::format("{}: {}, all the same{}\n", trace, counted(replayed.events, "event"), version);
   }

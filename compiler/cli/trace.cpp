@@ -1,5 +1,6 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/trace_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/base/counted.hpp"
 #include "compiler/cli/load_trace.hpp"
 #include "compiler/cli/trace_page.hpp"
 #include "compiler/emit/artefact/notice.hpp"
@@ -25,7 +26,7 @@ public:
     out.append(time_text(event.time, time)).append(line.data()).append("\n");
   }
   void dropped(std::uint64_t count, std::string& out) override {
-    out += "... " + std::to_string(count) + (count == 1 ? " event is missing\n" : " events are missing\n");
+    out += "... " + counted_are(count, "event") + " missing\n";
   }
 
 private:

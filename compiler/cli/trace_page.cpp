@@ -4,6 +4,7 @@
 
 #include "compiler/base/counted.hpp"
 #include "compiler/base/packed.hpp"
+#include "compiler/base/seconds.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/make_page.hpp"
 #include "compiler/lower/lower.hpp"
@@ -23,14 +24,12 @@ namespace {
 
 constexpr std::size_t first_events = 40; ///< that stand in the page as text
 
-std::string in_seconds(Time time) { return fmt::format("{:.6f}", static_cast<double>(time) / 1e6); }
-
 /// Why the answers of `why` end somewhere; empty: they do not.
 std::string end_of(const Waits& waits) {
   const Replayed& replayed = waits.replayed;
   if (replayed.dropped != 0)
     return fmt::format("{} missing before: why something waits is not known from there on",
-                       counted(replayed.dropped, "event") + (replayed.dropped == 1 ? " is" : " are"));
+                       counted_are(replayed.dropped, "event"));
   if (replayed.difference)
     return fmt::format(
         "from {} s on it is decided otherwise when it is played again, so why something waits is not known",
@@ -53,8 +52,7 @@ public:
     while (const std::optional<TraceLine> line = lines.next()) {
       if (line->dropped != 0) {
         recording_.dropped(line->dropped, unused);
-        tell(recording_.ends(),
-             counted(line->dropped, "event") + (line->dropped == 1 ? " is missing" : " are missing"));
+        tell(recording_.ends(), counted_are(line->dropped, "event") + " missing");
         continue;
       }
       const Lookup::Found event = lookup_.event(line->json);

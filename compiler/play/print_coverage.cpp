@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/print_coverage.hpp"
 
+#include "compiler/base/counted.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -102,8 +104,8 @@ std::vector<Missing> coverage_texts(const Coverage& coverage, const Model& model
 std::string to_text(const CoverageReport& report) {
   const Coverage& coverage = report.coverage;
   std::string out =
-      fmt::format("coverage of {} by {} scenario{}: {} % ({} of {})\n", report.behaviour, report.scenarios,
-                  report.scenarios == 1 ? "" : "s", coverage.percent(), coverage.covered(), coverage.points.size());
+      fmt::format("coverage of {} by {}: {} % ({} of {})\n", report.behaviour, counted(report.scenarios, "scenario"),
+                  coverage.percent(), coverage.covered(), coverage.points.size());
   for (const CoverageClass of : all_coverage_classes) {
     const std::size_t all = count(report, of, false);
     if (all == 0) continue;
