@@ -20,7 +20,7 @@ fail() {
 # The packages, by what needs them. A name before a colon is a command that makes the package superfluous where another one provides it.
 packages_main=(g++:g++ cmake:cmake ninja:ninja-build dot:graphviz
                libyaml-cpp-dev libfmt-dev libcli11-dev nlohmann-json3-dev libboost1.74-dev zlib1g-dev libcpp-httplib-dev pkg-config:pkgconf)
-packages_test=(doxygen:doxygen protoc:protobuf-compiler catch2 librapidcheck-dev nm:binutils make:make xz:xz-utils ccache:ccache)
+packages_test=(git:git doxygen:doxygen protoc:protobuf-compiler catch2 librapidcheck-dev nm:binutils make:make xz:xz-utils ccache:ccache)
 packages_arm=(arm-none-eabi-g++:gcc-arm-none-eabi libstdc++-arm-none-eabi-dev libnewlib-dev qemu-system-arm:qemu-system-arm)
 packages_schemas=(node:nodejs npm:npm)
 packages_browser=(node:nodejs npm:npm chromium:chromium)
