@@ -5,7 +5,7 @@
 #include "compiler/base/version.hpp"
 #include "compiler/checks/code_check.hpp"
 #include "compiler/emit/artefact/notice.hpp"
-#include "compiler/emit/emit.hpp"
+#include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/facts/includes.hpp"
 #include "compiler/facts/scanner.hpp"
@@ -73,7 +73,7 @@ private:
     if (!loaded.was_read) loaded.fault += "; CMake writes it with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON";
     if (!loaded.fault.empty()) return fail(std::move(loaded.fault));
     commands_ = std::move(loaded.commands);
-    const std::string name = checked_.model.name + ".hpp";
+    const std::string name = header_name(checked_.model.name);
     const std::string only =
         scope.generated.empty() ? std::string{} : (fs::absolute(scope.generated) / name).lexically_normal().string();
     std::vector<fs::path> excluded;
@@ -147,15 +147,15 @@ private:
   /// False: what was generated is old, and all that follows from it would be told in vain.
   bool compare_generated() {
     const Lowered lowered = lower(checked_.model);
-    std::string expected;
-    for (const Artefact& artefact : emit({sources_, checked_.model, lowered})) {
-      if (artefact.path == checked_.model.name + ".hpp") expected = artefact.text;
-    }
+    const Deployment deployment{sources_, checked_.model, lowered};
+    const std::string expected = header(deployment).text(), expected_facts = facts(deployment).text();
     std::set<std::string> told;
     bool all_fresh = true;
     for (const Candidate& each : candidates_) {
       if (each.header.empty() || !told.insert(each.header).second) continue;
-      const bool fresh = headers_[each.header] == expected;
+      const auto found = world_.files.read(
+          fs::path(each.header).replace_filename(facts_name(checked_.model.name)).string(), dsl::largest_file);
+      const bool fresh = headers_[each.header] == expected && found && found.value() == expected_facts;
       all_fresh = all_fresh && fresh;
       if (!fresh) code_.headers.push_back({code_files_.of(each.header), false});
     }

@@ -117,13 +117,17 @@ private:
   Structure structure_;
 };
 
-/// The disk, with the header, the insertions and the new files of the request.
+/// Where a generated file is found that need not be on the disk.
+std::string in_memory(const Json& file) { return std::string(virtual_folder) + "/" + file["path"].as_text(); }
+
+/// The disk, with the header and its facts, the insertions and the new files of the request.
 Files files_of(const Json& request, const std::string& header) {
   auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();
   const auto add = [&](const std::string& path, const std::string& text) {
     memory->addFile(path, 0, llvm::MemoryBuffer::getMemBufferCopy(text, path));
   };
   add(header, request["header"]["text"].as_text());
+  add(in_memory(request["facts"]), request["facts"]["text"].as_text());
   for (const Json& file : request["fresh"].items()) add(file["path"].as_text(), file["text"].as_text());
   const std::vector<compiler::stubs::Insertion> insertions = insertions_in(request["insertions"]);
   for (auto begin = insertions.begin(); begin != insertions.end();) {
@@ -194,7 +198,7 @@ Json answer(const Json& request, Frontend& frontend) {
   std::map<Findings::Place, Unknown> unknown;
   const std::vector<std::string> names = request["interfaces"].as_texts();
   const std::set<std::string> interfaces(names.begin(), names.end());
-  const std::string header = std::string(virtual_folder) + "/" + request["header"]["path"].as_text();
+  const std::string header = in_memory(request["header"]);
   const Files files = files_of(request, header);
   for (const Json& unit : request["units"].items()) {
     const std::string& path = unit["path"].as_text();

@@ -46,10 +46,11 @@ std::string shown(const SourcePlace& place) {
 
 class Run {
 public:
-  Run(const Stubs& request, const Wanted& wanted, std::string header, Console& console)
+  Run(const Stubs& request, const Wanted& wanted, const Deployment& deployment, Console& console)
       : request_(request),
         wanted_(wanted),
-        header_(std::move(header)),
+        header_{wanted.header, header(deployment).text()},
+        facts_{facts_name(wanted.behaviour), facts(deployment).text()},
         console_(console),
         scanner_(console.scanner, console.programs) {}
 
@@ -76,7 +77,7 @@ private:
 
   /// What the program has, as if the plan had been carried out.
   Found found_with(const Merge& added) {
-    DeclarationsRequest question{{wanted_.header, header_}, {}, program_.units, added.insertions, added.sources};
+    DeclarationsRequest question{header_, facts_, {}, program_.units, added.insertions, added.sources};
     for (const WantedModule& module : wanted_.modules) question.interfaces.push_back(module.interface);
     for (const Artefact& file : added.sources) question.units.push_back(unit_for(program_, file.path));
     return found_in(ask("declarations", to_json(question)));
@@ -232,7 +233,7 @@ private:
 
   const Stubs& request_;
   const Wanted& wanted_;
-  const std::string header_;
+  const Artefact header_, facts_;
   Console& console_;
   Scanner scanner_;
   Program program_;
@@ -256,7 +257,7 @@ int run(const Stubs& request, Console& console) {
   }
   const Lowered lowered = lower(checked->model);
   const Deployment deployment{sources, checked->model, lowered};
-  return Run(request, wanted(deployment), header(deployment).text(), console).run();
+  return Run(request, wanted(deployment), deployment, console).run();
 }
 
 } // namespace director::compiler::cli

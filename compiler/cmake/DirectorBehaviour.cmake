@@ -100,7 +100,7 @@ function(director_add_behaviour)
 
   # directorc leaves a file alone that says the same already, so what tells that it ran is a file of its own.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/director/${target}/${behaviour})
-  set(outputs ${folder}/${behaviour}.hpp ${folder}/${behaviour}.cpp ${folder}/manifest.json)
+  set(outputs ${folder}/${behaviour}.hpp ${folder}/${behaviour}.facts.hpp ${folder}/${behaviour}.cpp ${folder}/manifest.json)
   set(stamp ${folder}/generated)
   set(flags ${folder}/flags)
   if(CMAKE_CONFIGURATION_TYPES) # several builds in one tree, and flags for each

@@ -9,7 +9,9 @@ namespace director::compiler {
 
 std::vector<Artefact> emit(const Deployment& deployment) {
   const std::string& name = deployment.model.name;
-  const std::vector<Written> code{{name + ".hpp", header(deployment)}, {name + ".cpp", source(deployment)}};
+  const std::vector<Written> code{{header_name(name), header(deployment)},
+                                  {facts_name(name), facts(deployment)},
+                                  {name + ".cpp", source(deployment)}};
   std::vector<Artefact> artefacts;
   for (const Written& file : code) artefacts.push_back({file.path, file.code.text()});
   artefacts.push_back({"manifest.json", manifest(deployment, code)});

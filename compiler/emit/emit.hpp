@@ -8,7 +8,7 @@
 
 namespace director::compiler {
 
-/// Everything that `directorc generate` writes: header, source, manifest. Equal input, equal bytes.
+/// Everything that `directorc generate` writes: header, facts, source, manifest. Equal input, equal bytes.
 std::vector<Artefact> emit(const Deployment& deployment);
 
 } // namespace director::compiler

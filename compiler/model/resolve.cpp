@@ -17,12 +17,14 @@ namespace {
 
 /// What is generated includes the headers, and `#include` looks beside it first.
 void check_header(Resolver& r, const Word& header) {
-  const std::string name = r.main.name.value + ".hpp";
-  if (std::filesystem::path(header.value).lexically_normal() == name)
+  for (const char* const end : {".hpp", ".facts.hpp"}) {
+    const std::string name = r.main.name.value + end;
+    if (std::filesystem::path(header.value).lexically_normal() != name) continue;
     r.error("reserved_name", header.span,
-            fmt::format("a header cannot be called `{}`: the generated one of `{}` is, and would include itself", name,
-                        r.main.name.value),
+            fmt::format("a header cannot be called `{}`: a generated one of `{}` is, and would be found in its place",
+                        name, r.main.name.value),
             "give it another name, or name it with a folder in front");
+  }
   if (r.options.types == nullptr) return;
   const std::vector<std::string>& missing = r.options.types->missing;
   if (std::find(missing.begin(), missing.end(), header.value) == missing.end()) return;

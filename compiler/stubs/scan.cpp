@@ -74,6 +74,7 @@ Json to_json(const DeclarationsRequest& request) {
                             {"only_unseen", Json::boolean(unit.only_unseen)}}));
   for (const Artefact& file : request.fresh) fresh.add(to_json(file));
   return Json::object({{"header", to_json(request.header)},
+                       {"facts", to_json(request.facts)},
                        {"interfaces", Json::texts(request.interfaces)},
                        {"units", std::move(units)},
                        {"insertions", to_json(request.insertions)},

@@ -24,6 +24,7 @@ struct Unit {
 
 struct DeclarationsRequest {
   Artefact header;                     ///< the generated one, which need not be on the disk
+  Artefact facts;                      ///< which it includes
   std::vector<std::string> interfaces; ///< `soccer::Locomotion`
   std::vector<Unit> units;
   std::vector<Insertion> insertions; ///< files are read as if they were in them already

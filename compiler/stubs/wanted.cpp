@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/wanted.hpp"
 
+#include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "dsl/names.hpp"
 
@@ -71,7 +72,7 @@ std::string_view name_of(Kind kind) {
 
 Wanted wanted(const Deployment& deployment) {
   const Model& model = deployment.model;
-  Wanted out{model.name, model.name + ".hpp", model.name_space, {}, {}};
+  Wanted out{model.name, header_name(model.name), model.name_space, {}, {}};
   for (const ModuleId id : model.modules.ids()) {
     const Module& module = model.modules[id];
     WantedModule row{module.name,

@@ -129,8 +129,6 @@ std::vector<std::string> words_of(const Model& model, const Provider& provider) 
 
 Code contexts_part(const CppEmission& e) {
   Code code;
-  code.line(fmt::format("}} // namespace {}", e.model.name_space));
-  code.blank();
   code.comment("What the bodies of providers, and start and stop handlers, get. Defined from outside of the namespace: "
                "GCC walks all names of one that is open each time that it instantiates a template.",
                "//");
@@ -141,8 +139,6 @@ Code contexts_part(const CppEmission& e) {
     define_handler(code, e, id, group.stop, "Stop");
     for (const ProviderId provider : group.providers) define_context(code, e, provider);
   }
-  code.line(fmt::format("namespace {} {{", e.model.name_space));
-  code.blank();
   return code;
 }
 

@@ -1,7 +1,8 @@
-// Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // What the C++ compiler must know of the specification: numbers of rows, and what each body may ask for.
+#include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "runtime/core/base/state.hpp"
 
@@ -222,10 +223,21 @@ void provider_facts(Code& code, const CppEmission& e, ProviderId id) {
 
 } // namespace
 
-Code facts_part(const CppEmission& e) {
+Code facts(const Deployment& deployment) {
+  const CppEmission e{deployment};
   Code code;
-  code.comment("What the C++ compiler must know of the specification: rows of tables, and what each body may ask for.",
-               "//");
+  code.line(first_line(e));
+  code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
+  code.comment("", "//");
+  code.comment(
+      fmt::format("What the C++ compiler must know of the specification: rows of tables, and what each body may "
+                  "ask for. Only {} includes it, behind the types that it is about.",
+                  header_name(e.model.name)),
+      "//");
+  code.line("#pragma once");
+  code.blank();
+  code.line(fmt::format("namespace {} {{", e.model.name_space));
+  code.blank();
   for (const ModuleId id : e.model.modules.ids()) code.line(fmt::format("class {};", module_type(e.model, id)));
   code.blank();
   code.line("namespace detail {");
@@ -244,6 +256,7 @@ Code facts_part(const CppEmission& e) {
   code.blank();
   code.line("} // namespace detail");
   code.blank();
+  code.line(fmt::format("}} // namespace {}", e.model.name_space));
   return code;
 }
 

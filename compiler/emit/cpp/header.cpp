@@ -7,6 +7,9 @@
 
 namespace director::compiler {
 
+std::string header_name(const std::string& behaviour) { return behaviour + ".hpp"; }
+std::string facts_name(const std::string& behaviour) { return behaviour + ".facts.hpp"; }
+
 Code header(const Deployment& deployment) {
   const CppEmission e{deployment};
   const Model& model = e.model;
@@ -15,8 +18,8 @@ Code header(const Deployment& deployment) {
   code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
   code.comment("", "//");
   code.comment(
-      "In this order: states, triggers and tasks; what the C++ compiler must know of the specification (detail); "
-      "what the body of each provider gets; the modules that a program implements; the behaviour itself.",
+      "In this order: states, triggers and tasks; what the body of each provider gets; the modules that a program "
+      "implements; the behaviour itself.",
       "//");
   code.line("#pragma once");
   code.blank();
@@ -28,15 +31,24 @@ Code header(const Deployment& deployment) {
   code.line("#include <exception>");
   code.line("#endif");
   code.blank();
-  code.line(fmt::format("namespace {} {{", model.name_space));
+  const std::string opened = fmt::format("namespace {} {{", model.name_space);
+  const std::string closed = fmt::format("}} // namespace {}", model.name_space);
+  code.line(opened);
   code.blank();
-  for (const Code& part : {states_part(e), triggers_part(e), tasks_part(e), facts_part(e), contexts_part(e),
-                           modules_part(e), behaviour_part(e)})
-    code.append(part);
+  for (const Code& part : {states_part(e), triggers_part(e), tasks_part(e)}) code.append(part);
+  code.line(closed);
+  code.blank();
+  code.comment("What the C++ compiler must know of the specification; there is nothing to read.", "//");
+  code.line(fmt::format("#include \"{}\"", facts_name(model.name)));
+  code.blank();
+  code.append(contexts_part(e));
+  code.line(opened);
+  code.blank();
+  for (const Code& part : {modules_part(e), behaviour_part(e)}) code.append(part);
   code.blank();
   code.append(name_declarations(e));
   code.blank();
-  code.line(fmt::format("}} // namespace {}", model.name_space));
+  code.line(closed);
   return code;
 }
 

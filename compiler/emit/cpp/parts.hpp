@@ -51,7 +51,6 @@ std::string first_line(const CppEmission& e);
 Code states_part(const CppEmission& e);
 Code triggers_part(const CppEmission& e);
 Code tasks_part(const CppEmission& e);
-Code facts_part(const CppEmission& e);
 Code contexts_part(const CppEmission& e);
 Code modules_part(const CppEmission& e);
 Code behaviour_part(const CppEmission& e);

@@ -12,7 +12,7 @@ Code source(const Deployment& deployment) {
   Code code;
   code.line(first_line(e));
   code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
-  code.line(fmt::format("#include \"{}.hpp\"", e.model.name));
+  code.line(fmt::format("#include \"{}\"", header_name(e.model.name)));
   code.blank();
   code.line("#if __STDC_HOSTED__");
   code.line("#include <cassert>");

@@ -19,13 +19,14 @@ World lit() {
   return world;
 }
 
-TEST_CASE("header, source, manifest and what they depend on are written, the header last") {
+TEST_CASE("header, facts, source, manifest and what they depend on are written, the header last") {
   World world = lit();
   CHECK(world.directorc({"generate", "lamp.yaml", "-o", "out", "--depfile", "out/lamp.d"}) == 0);
   // Who is killed between two of them leaves an old header, which `verify` and a build tell.
-  CHECK(world.outputs.written == Paths{"out/lamp.cpp", "out/manifest.json", "out/lamp.d", "out/lamp.hpp"});
+  CHECK(world.outputs.written ==
+        Paths{"out/lamp.facts.hpp", "out/lamp.cpp", "out/manifest.json", "out/lamp.d", "out/lamp.hpp"});
   CHECK(world.outputs.files.at("out/lamp.d") ==
-        "out/lamp.hpp out/lamp.cpp out/manifest.json: \\\n  lamp.yaml \\\n  parts/my\\ bulb.yaml\n");
+        "out/lamp.hpp out/lamp.facts.hpp out/lamp.cpp out/manifest.json: \\\n  lamp.yaml \\\n  parts/my\\ bulb.yaml\n");
   CHECK(world.out.empty());
   CHECK(world.err.empty());
 }

@@ -10,16 +10,18 @@ using namespace director::compiler::stubs;
 TEST_CASE("a question names the generated header, the files with their flags, and what is not on the disk yet") {
   const DeclarationsRequest request{
       {"b.hpp", "// b"},
+      {"b.facts.hpp", "// facts"},
       {"b::Legs"},
       {{"/p/legs.cpp", "/p", {"-std=c++20", "-DX=\"y\""}, false}, {"/p/l.hpp", "/p", {}, true}},
       {{"/p/legs.cpp", 3, "\nx"}},
       {{"/p/new.cpp", "// new"}}};
-  CHECK(to_line(to_json(request)) ==
-        R"({"header":{"path":"b.hpp","text":"// b"},"interfaces":["b::Legs"],"units":[)"
-        R"({"path":"/p/legs.cpp","directory":"/p","flags":["-std=c++20","-DX=\"y\""],"only_unseen":false},)"
-        R"({"path":"/p/l.hpp","directory":"/p","flags":[],"only_unseen":true}],)"
-        R"("insertions":[{"path":"/p/legs.cpp","offset":3,"text":"\nx"}],)"
-        R"("fresh":[{"path":"/p/new.cpp","text":"// new"}]})");
+  CHECK(
+      to_line(to_json(request)) ==
+      R"({"header":{"path":"b.hpp","text":"// b"},"facts":{"path":"b.facts.hpp","text":"// facts"},"interfaces":["b::Legs"],"units":[)"
+      R"({"path":"/p/legs.cpp","directory":"/p","flags":["-std=c++20","-DX=\"y\""],"only_unseen":false},)"
+      R"({"path":"/p/l.hpp","directory":"/p","flags":[],"only_unseen":true}],)"
+      R"("insertions":[{"path":"/p/legs.cpp","offset":3,"text":"\nx"}],)"
+      R"("fresh":[{"path":"/p/new.cpp","text":"// new"}]})");
 }
 
 TEST_CASE("an answer tells of classes, functions and problems with their places") {

@@ -19,6 +19,7 @@
 #include <iostream>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 
 namespace {
 
@@ -37,6 +38,14 @@ std::string without_includes(const std::string& text) {
   for (std::string line; std::getline(lines, line);)
     if (!line.starts_with("#include") && !line.starts_with("#pragma once")) out += line + "\n";
   return out;
+}
+
+/// The header with its facts where it includes them.
+std::string with_facts(const std::string& header, const std::string& name, const std::string& facts) {
+  const std::string include = fmt::format("#include \"{}\"\n", name);
+  const std::size_t at = header.find(include);
+  if (at == header.npos) throw std::runtime_error("the header does not include " + name);
+  return header.substr(0, at) + facts + header.substr(at + include.size());
 }
 
 std::string type_in(const Model& model, GroupId group) {
@@ -113,7 +122,9 @@ void take(std::uint32_t number, const std::vector<std::string>& words, Batch& ba
   std::ofstream(kept / fmt::format("b{}.yaml", number)) << text;
   const Lowered lowered = lower(checked.model);
   const Deployment deployment{sources, checked.model, lowered};
-  batch.add(fmt::format("b{}.hpp", number), without_includes(header(deployment).text()));
+  batch.add(fmt::format("b{}.hpp", number),
+            without_includes(
+                with_facts(header(deployment).text(), facts_name(checked.model.name), facts(deployment).text())));
   batch.add(fmt::format("b{}.cpp", number), without_includes(source(deployment).text()) + uses_of(checked.model));
   ++tally.compiled;
 }

@@ -38,7 +38,8 @@ public:
   }
 
   Json question() {
-    DeclarationsRequest out{{order.wanted().header, small_header(order.wanted())}, {}, {}, {}, {}};
+    DeclarationsRequest out{
+        {order.wanted().header, small_header(order.wanted())}, {"no.facts.hpp", ""}, {}, {}, {}, {}};
     for (const WantedModule& module : order.wanted().modules) out.interfaces.push_back(module.interface);
     for (const bool headers : {false, true}) {
       for (const auto& [path, text] : order.texts()) {
