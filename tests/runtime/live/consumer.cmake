@@ -1,21 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P consumer.cmake
 # A project of its own with an installed Director: its page is compiled in, is sent, and what is commanded is done.
-file(REMOVE_RECURSE ${WORK})
-foreach(component runtime compiler live)
-  execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --component ${component} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-endforeach()
-file(GLOB private ${WORK}/prefix/include/director/runtime/live/*)
-list(FILTER private EXCLUDE REGEX "/(commands|live_view|moments)\\.hpp$")
-if(private)
-  message(FATAL_ERROR "installed, but nobody's business: ${private}")
-endif()
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/prefix
-                        "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wconversion -Wshadow -Werror" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "the project does not build:\n${output}")
-endif()
+include(${CMAKE_CURRENT_LIST_DIR}/../installed.cmake)
+build_with_installed(live "commands|live_view|moments")
 
 execute_process(COMMAND sh -c "'${WORK}/build/lamp' >'${WORK}/said' 2>&1 & echo $!" OUTPUT_VARIABLE pid OUTPUT_STRIP_TRAILING_WHITESPACE)
 set(url "")
