@@ -24,10 +24,12 @@ const std::vector<Component>& components() {
       {"runtime/core/base/", {"runtime/core/base/"}},
       {"runtime/core/arbitration/", {"runtime/core/base/", "runtime/core/arbitration/"}},
       {"runtime/core/engine/", {"runtime/core/base/", "runtime/core/arbitration/", "runtime/core/engine/"}},
+      {"runtime/core/saved/", {"runtime/core/base/", "runtime/core/engine/", "runtime/core/saved/"}},
       {"runtime/core/inspect/",
        {"runtime/core/base/", "runtime/core/arbitration/", "runtime/core/engine/", "runtime/core/inspect/"}},
       {"runtime/core/api/",
-       {"runtime/core/base/", "runtime/core/engine/", "runtime/core/inspect/", "runtime/core/api/"}},
+       {"runtime/core/base/", "runtime/core/engine/", "runtime/core/saved/", "runtime/core/inspect/",
+        "runtime/core/api/"}},
       {"runtime/core/", {"runtime/core/"}}, // headers that forward
       {"runtime/hosted/", {"runtime/core/", "runtime/hosted/"}},
       {"runtime/live/", {"runtime/core/", "runtime/hosted/", "runtime/live/"}},

@@ -6,7 +6,7 @@
 #include "compiler/play/recorder.hpp"
 #include "compiler/play/scripted_bodies.hpp"
 #include "runtime/core/engine/engine.hpp"
-#include "runtime/core/engine/saved_state.hpp"
+#include "runtime/core/saved/saved_state.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 #include "tests/property/compiled.hpp"
 #include "tests/property/snapshot.hpp"

@@ -4,6 +4,7 @@
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_LONG   set: 100,000 cuts, and ten times as many bytes
+#include "runtime/core/saved/saved_rows.hpp"
 #include "tests/property/compare.hpp"
 #include "tests/property/engine_run.hpp"
 #include "tests/property/generate.hpp"
@@ -188,11 +189,11 @@ void forget(std::vector<std::byte>& bytes, const Shape& shape, std::size_t place
     auto row = saved::read<Row>(rows, i);
     std::int64_t plain = 0;
     std::size_t at = 0;
-    Row{}.each([&](const auto& member) {
+    Row{}.each([&](const auto& member, auto...) {
       if (at++ == place) plain = static_cast<std::int64_t>(member);
     });
     at = 0;
-    row.each([&](auto& member) {
+    row.each([&](auto& member, auto...) {
       if (at++ == place) member = static_cast<std::remove_reference_t<decltype(member)>>(plain);
     });
     saved::write(rows, i, row);
@@ -202,7 +203,7 @@ void forget(std::vector<std::byte>& bytes, const Shape& shape, std::size_t place
 void forget_in_head(std::vector<std::byte>& bytes, const Shape&, std::size_t place) {
   auto row = saved::read<saved::HeadRow>(bytes.data(), 0);
   std::size_t at = 0;
-  row.each([&](auto& member) {
+  row.each([&](auto& member, auto...) {
     if (at++ == place) member = 0;
   });
   saved::write(bytes.data(), 0, row);
@@ -211,7 +212,7 @@ void forget_in_head(std::vector<std::byte>& bytes, const Shape&, std::size_t pla
 template <class Row>
 void add_members(std::vector<Member>& out, const char* kind, decltype(Member::forget) forget, std::size_t first = 0) {
   std::size_t count = 0;
-  Row{}.each([&](const auto&) { ++count; });
+  Row{}.each([&](const auto&, auto...) { ++count; });
   for (std::size_t place = first; place < count; ++place) out.push_back({kind, place, forget});
 }
 
@@ -224,8 +225,8 @@ std::vector<Member> members() {
   add_members<PlanRow>(out, "plan", forget<PlanRow, &Layout::plan, &Shape::plan_slots>);
   add_members<StateRow>(out, "state", forget<StateRow, &Layout::states, &Shape::states>);
   add_members<PromiseRow>(out, "promise", forget<PromiseRow, &Layout::promises, &Shape::promises>);
-  add_members<FlagRow>(out, "provider", forget<FlagRow, &Layout::providers, &Shape::providers>);
-  add_members<FlagRow>(out, "listening slot", forget<FlagRow, &Layout::listens, &Shape::listen_slots>);
+  add_members<EnabledRow>(out, "provider", forget<EnabledRow, &Layout::providers, &Shape::providers>);
+  add_members<FiredRow>(out, "listening slot", forget<FiredRow, &Layout::listens, &Shape::listen_slots>);
   add_members<ComponentRow>(out, "component", forget<ComponentRow, &Layout::components, &Shape::components>);
   return out;
 }

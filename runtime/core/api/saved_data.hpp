@@ -1,13 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // A behaviour's state as bytes, with the data of its tasks; what behaviour.save() and load() do. What of the engine is
-// written: engine/saved_state.hpp. Behind it, for each task with data, in the order of Facts::Groups: the slot of each
+// written: saved/saved_state.hpp. Behind it, for each task with data, in the order of Facts::Groups: the slot of each
 // way of requesting it, and that of its group, each as a byte that says whether it is full and the bytes of the value.
 // `Facts`: see program.hpp; and fingerprint(), a number that tells the behaviour from others.
 
 #include "runtime/core/api/task.hpp"
 #include "runtime/core/engine/engine.hpp"
-#include "runtime/core/engine/saved_state.hpp"
+#include "runtime/core/saved/saved_state.hpp"
 
 namespace director::saved {
 

@@ -123,7 +123,7 @@ public:
 private:
   friend class Run;
   friend class Handling;
-  friend class LoadedState; // saved_state.cpp
+  friend class LoadedState; // saved/saved_state.cpp
 
   /// What a micro-step found to do.
   enum class Taken : std::uint8_t { nothing, no_change, change };

@@ -5,7 +5,7 @@
 #include "tests/system/arm/target/player.hpp"
 
 #include "runtime/core/engine/engine.hpp"
-#include "runtime/core/engine/saved_state.hpp"
+#include "runtime/core/saved/saved_state.hpp"
 #include "tests/system/arm/target/text.hpp"
 
 #include <new>

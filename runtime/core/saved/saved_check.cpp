@@ -1,13 +1,12 @@
-// Header: runtime/core/engine/saved_check.hpp. Test: tests/runtime/core/engine/saved_state_test.cpp,
+// Header: runtime/core/saved/saved_rows.hpp. Test: tests/runtime/core/saved/saved_state_test.cpp,
 // tests/property/saved_test.cpp. SPDX-License-Identifier: MIT
 //
 // What the engine takes for granted of its own memory has to be looked at here: it reads rows by these numbers, and
 // follows holders, plans and the queue, without a look at where they lead. Cost: the rows, and for each group the chain
 // of its holders and its plan.
 
-#include "runtime/core/engine/saved_check.hpp"
-
 #include "runtime/core/engine/engine.hpp"
+#include "runtime/core/saved/saved_rows.hpp"
 
 namespace director::saved {
 
@@ -25,17 +24,15 @@ public:
         head_(read<HeadRow>(from, 0)) {}
 
   bool all() const {
-    bool good = (head_.flags & ~head::all) == 0 && head_.now <= head_.until && head_.until <= last_time;
-    for (Index e = 0; e < t_.edges.size() && good; ++e) good = edge(e);
-    for (Index i = 0; i < t_.states.size() && good; ++i) good = state(i);
-    for (Index p = 0; p < t_.providers.size() && good; ++p) good = read<FlagRow>(from_ + at_.providers, p).set <= 1;
-    for (Index slot = 0; slot < t_.listened.size() && good; ++slot)
-      good = read<FlagRow>(from_ + at_.listens, slot).set <= 1;
-    for (Index slot = 0; slot < t_.plan_groups.size() && good; ++slot)
-      good = provider_of(t_.plan_groups[slot], planned_in(slot));
-    for (Index g = 0; g < t_.groups.size() && good; ++g) good = group(g);
+    if ((head_.flags & ~head::all) != 0 || head_.now > head_.until || head_.until > last_time) return false;
+    bool good = true;
+    Layout::each_kind(Shape::of(t_), [&]<class Row>(std::size_t Layout::*kind, std::size_t count) {
+      for (std::size_t i = 0; i < count && good; ++i)
+        good = fits(read<Row>(from_ + at_.*kind, i), static_cast<Index>(i));
+    });
     for (Index g = 0; g < t_.groups.size() && good; ++g) good = ends_at_root(g) && has_its_plan(g);
-    return good && places<GroupRow>(at_.groups, t_.groups.size(), &GroupRow::queue_place) && components();
+    return good && places<GroupRow>(at_.groups, t_.groups.size(), &GroupRow::queue_place) &&
+           places<ComponentRow>(at_.components, t_.components.size(), &ComponentRow::work_place);
   }
 
 private:
@@ -48,19 +45,21 @@ private:
     return provider == nil || is_in(provider, t_.groups[group].providers);
   }
 
-  bool edge(Index e) const {
-    const EdgeRow row = request(e);
+  bool fits(const EdgeRow& row, Index e) const {
     return (row.level == nil || is_in(row.level, t_.edges[e].levels)) && row.stamp <= head_.micro_step &&
            row.why <= static_cast<std::uint8_t>(Why::deferred) &&
            (row.condition == nil ? row.why != static_cast<std::uint8_t>(Why::waiting)
                                  : row.condition < t_.conditions.size());
   }
-
-  bool state(Index i) const {
-    const auto row = read<StateRow>(from_ + at_.states, i);
+  bool fits(const PlanRow& row, Index slot) const { return provider_of(t_.plan_groups[slot], row.provider); }
+  bool fits(const StateRow& row, Index i) const {
     return (row.expiry == never || t_.states[i].expires != 0) &&
            (row.by_handler == unset || (head_.flags & head::handlers_set) != 0);
   }
+  bool fits(const PromiseRow&, Index) const { return true; } // any time may be
+  bool fits(const EnabledRow& row, Index) const { return row.set <= 1; }
+  bool fits(const FiredRow& row, Index) const { return row.set <= 1; }
+  bool fits(const ComponentRow& row, Index) const { return (row.bits & ~component_bits) == 0; }
 
   bool holder(Index g, Index by) const {
     return by == nil || by == t_.edges.size() + g || (by < t_.edges.size() && t_.edges[by].target == g);
@@ -72,10 +71,9 @@ private:
            provider_of(g, push.provider) && t_.groups[t_.edges[push.edge].target].component == t_.groups[g].component;
   }
 
-  bool group(Index g) const {
+  bool fits(const GroupRow& row, Index g) const {
     constexpr std::uint8_t flags = flag::granted | flag::needed | flag::in_force | flag::serving;
     constexpr std::uint8_t reasons = 31; // those of runs
-    const GroupRow row = row_of(g);
     const bool granted = (row.flags & flag::granted) != 0, pushed = (row.flags & (flag::in_force | flag::serving)) != 0;
     if ((row.flags & ~flags) != 0 || (row.pending & ~reasons) != 0 || row.done > 3 || row.done == result::failed ||
         row.counts > 1)
@@ -137,31 +135,20 @@ private:
     return nil;
   }
 
-  /// Those that have a place stand in a row: from 0 on, one in each.
+  /// Those that have a place stand in a row: as many as the highest place says, no two in one.
   template <class Row>
   bool places(std::size_t begin, std::size_t count, Index Row::*place) const {
-    Index* const taken = s_.reach;
-    std::size_t placed = 0;
-    for (std::size_t i = 0; i < count; ++i) taken[i] = nil;
+    std::size_t placed = 0, end = 0;
+    for (std::size_t i = 0; i < count; ++i) s_.reach[i] = nil;
     for (std::size_t i = 0; i < count; ++i) {
       const Index at = read<Row>(from_ + begin, i).*place;
       if (at == nil) continue;
-      if (at >= count || taken[at] != nil) return false;
-      taken[at] = 0;
+      if (at >= count || s_.reach[at] != nil) return false;
+      s_.reach[at] = 0;
       ++placed;
+      end = at < end ? end : at + std::size_t{1};
     }
-    for (std::size_t i = 0; i < placed; ++i) {
-      if (taken[i] == nil) return false;
-    }
-    return true;
-  }
-
-  bool components() const {
-    for (Index c = 0; c < t_.components.size(); ++c) {
-      const auto row = read<ComponentRow>(from_ + at_.components, c);
-      if ((row.bits & ~component_bits) != 0) return false;
-    }
-    return places<ComponentRow>(at_.components, t_.components.size(), &ComponentRow::work_place);
+    return placed == end;
   }
 
   const Tables& t_;

@@ -11,11 +11,9 @@
 // (saved_check.cpp), so that a state made by hand with a right check sum can make the engine decide what it would not
 // have decided, but never read or write elsewhere, and never go round without end.
 
-#include "runtime/core/engine/saved_rows.hpp"
+#include "runtime/core/saved/saved_rows.hpp"
 
 namespace director {
-
-class Engine;
 
 /// What came of save().
 enum class SaveResult : std::uint8_t {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is refused of a saved state, number by number. That what is accepted goes on as before:
 // tests/property/saved_test.cpp.
-#include "runtime/core/engine/saved_state.hpp"
+#include "runtime/core/saved/saved_rows.hpp"
+#include "runtime/core/saved/saved_state.hpp"
 #include "tests/runtime/core/machine.hpp"
 
 #include <catch2/catch.hpp>
@@ -138,8 +139,8 @@ TEST_CASE("a row that is not there, or that may not stand there, is refused") {
   CHECK(saved.with<StateRow>(saved.at.states, 0, [](StateRow& row) { row.expiry = 5; }) ==
         impossible); // it does not expire
   CHECK(saved.with<StateRow>(saved.at.states, 1, [](StateRow& row) { row.by_handler = 0; }) == impossible);
-  CHECK(saved.with<FlagRow>(saved.at.providers, 1, [](FlagRow& row) { row.set = 2; }) == impossible);
-  CHECK(saved.with<FlagRow>(saved.at.listens, 0, [](FlagRow& row) { row.set = 2; }) == impossible);
+  CHECK(saved.with<EnabledRow>(saved.at.providers, 1, [](EnabledRow& row) { row.set = 2; }) == impossible);
+  CHECK(saved.with<FiredRow>(saved.at.listens, 0, [](FiredRow& row) { row.set = 2; }) == impossible);
   CHECK(saved.with<ComponentRow>(saved.at.components, 0, [](ComponentRow& row) { row.bits = 32; }) == impossible);
   CHECK(saved.with<ComponentRow>(saved.at.components, 0, [](ComponentRow& row) { row.work_place = 1; }) == impossible);
   CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.flags = 32; }) == impossible);

@@ -1,0 +1,236 @@
+// Header: runtime/core/saved/saved_state.hpp. Test: tests/runtime/core/saved/saved_state_test.cpp,
+// tests/property/saved_test.cpp. SPDX-License-Identifier: MIT
+
+#include "runtime/core/saved/saved_state.hpp"
+
+#include "runtime/core/base/duration.hpp"
+#include "runtime/core/engine/engine.hpp"
+#include "runtime/core/saved/saved_rows.hpp"
+
+namespace director {
+
+namespace saved {
+
+namespace {
+
+/// As long after `to` as it was after `from`, as far as a Time goes; a timer that is armed stays so.
+Time moved(Time time, Time from, Time to) {
+  if (time == never) return never;
+  const Time after = from == first_time ? detail::saturated_sum(detail::saturated_sum(time, never), 1)
+                                        : detail::saturated_sum(time, -from);
+  const Time out = detail::saturated_sum(to, after);
+  return out > last_time ? last_time : out;
+}
+
+/// The engine's memory, where rows say where their numbers lie. Promises are nowhere if there are none.
+State memory_of(const Engine& engine) {
+  State out = engine.memory();
+  if (engine.tables().promises.empty()) out.promised = nullptr;
+  return out;
+}
+
+/// A number of a row from where it lies, or the time at which a timer is due.
+struct FromMemory {
+  const Timers& timers;
+  template <class Number, class T>
+  void operator()(Number& number, const T* place) const {
+    if (place != nullptr) number = static_cast<Number>(*place);
+  }
+  void operator()(Time& due, Timers::Timer timer) const { due = timers.due(timer); }
+};
+
+} // namespace
+
+std::uint32_t check_sum(std::span<const std::byte> bytes) {
+  std::uint32_t sum = ~std::uint32_t{0};
+  for (const std::byte each : bytes) {
+    sum ^= std::to_integer<std::uint32_t>(each);
+    for (int i = 0; i < 8; ++i) sum = sum >> 1 ^ (0xEDB88320U & (0U - (sum & 1U)));
+  }
+  return ~sum;
+}
+
+SaveResult can_save(const Engine& engine, std::size_t room, std::size_t needed) {
+  if (engine.inside()) return SaveResult::refused;
+  if (engine.inputs_wait()) return SaveResult::inputs_wait;
+  return room < needed ? SaveResult::too_small : SaveResult::saved;
+}
+
+void write_decisions(const Engine& engine, std::span<std::byte> to, std::uint64_t behaviour) {
+  const State s = memory_of(engine);
+  const Counters& c = *s.counters;
+  const Timers timers(engine.tables(), s);
+  const Shape n = Shape::of(engine.tables());
+  const auto bit = [](bool set, std::uint8_t value) { return set ? value : std::uint8_t{0}; };
+  write(to.data(), 0,
+        HeadRow{.size = static_cast<std::uint32_t>(to.size()),
+                .behaviour = behaviour,
+                .now = c.now,
+                .until = c.until,
+                .micro_step = c.micro_step,
+                .flags =
+                    static_cast<std::uint8_t>(bit(c.begun, head::begun) | bit(c.unsettled, head::unsettled) |
+                                              bit(c.handlers_set, head::handlers_set) | bit(c.serving, head::serving) |
+                                              bit(c.quiet_until != first_time, head::rests))});
+  const Layout at(n);
+  Layout::each_kind(n, [&]<class Row>(std::size_t Layout::*kind, std::size_t count) {
+    for (std::size_t g = 0; g < n.groups; ++g) s.reach[g] = nil;
+    Index place = 0;
+    if constexpr (std::is_same_v<Row, GroupRow>)
+      for (Index g = c.queue_first; g != nil; g = s.run_queue[g].runs_before) s.reach[g] = place++;
+    if constexpr (std::is_same_v<Row, ComponentRow>)
+      for (; place < c.work_count; ++place) s.reach[s.work[place]] = place;
+    for (std::size_t i = 0; i < count; ++i) {
+      Row row;
+      row.each(FromMemory{timers}, s, static_cast<Index>(i));
+      if constexpr (std::is_same_v<Row, ComponentRow>) row.bits &= component_bits;
+      write(to.data() + at.*kind, i, row);
+    }
+  });
+}
+
+void seal(std::span<std::byte> to) {
+  auto row = read<HeadRow>(to.data(), 0);
+  row.check_sum = check_sum(to.subspan(summed_from));
+  write(to.data(), 0, row);
+}
+
+LoadResult can_load(const Engine& engine, std::span<const std::byte> from, std::uint64_t behaviour, std::size_t size) {
+  if (engine.inside()) return LoadResult::refused;
+  if (from.size() < bytes_of<HeadRow>()) return LoadResult::truncated;
+  const auto row = read<HeadRow>(from.data(), 0);
+  if (row.version != version_word) return LoadResult::other_version;
+  if (row.size > from.size()) return LoadResult::truncated;
+  if (row.size < bytes_of<HeadRow>() || row.check_sum != check_sum(from.subspan(summed_from, row.size - summed_from)))
+    return LoadResult::damaged;
+  if (row.behaviour != behaviour) return LoadResult::other_behaviour;
+  return row.size == size && is_possible(engine, from.data()) ? LoadResult::loaded : LoadResult::impossible;
+}
+
+} // namespace saved
+
+/// Puts a state that was checked into an engine.
+class LoadedState {
+public:
+  LoadedState(Engine& engine, const std::byte* from, Time now)
+      : engine_(engine),
+        t_(engine.tables()),
+        s_(saved::memory_of(engine)),
+        head_(saved::read<saved::HeadRow>(from, 0)),
+        now_(now > last_time ? last_time : now) {
+    const std::uint64_t passes = engine_.passes_; // counts on, as all that says what the engine did
+    engine_.reset();
+    engine_.passes_ = passes;
+    const Shape n = Shape::of(t_);
+    const saved::Layout at(n);
+    saved::Layout::each_kind(n, [&]<class Row>(std::size_t saved::Layout::*kind, std::size_t count) {
+      for (std::size_t i = 0; i < count; ++i)
+        saved::read<Row>(from + at.*kind, i).each([&](auto& number, auto place) { put(number, place); }, s_, Index(i));
+      if constexpr (std::is_same_v<Row, saved::GroupRow>) queue();
+    });
+    states();
+    components();
+    counters();
+    engine_.forget_trail();
+  }
+
+private:
+  template <class Number, class T>
+  void put(Number number, T* place) {
+    if (place == nullptr) return;
+    if constexpr (std::is_same_v<T, Bits>) {
+      *place = number;
+    } else {
+      *place = static_cast<T>(number);
+    }
+  }
+
+  void put(Time due, Timers::Timer timer) {
+    if (due == never) return;
+    engine_.timers_.arm(timer, saved::moved(due, head_.until, now_));
+    if (timer.kind == Timers::Kind::wait) s_.run_queue[timer.row].flags |= group_flag::waits;
+  }
+
+  /// The places in it are in State::reach.
+  void queue() {
+    Index count = 0;
+    for (Index g = 0; g < t_.groups.size(); ++g) {
+      if (s_.reach[g] == nil) continue;
+      s_.touched[s_.reach[g]] = g;
+      ++count;
+    }
+    for (Index i = 0; i < count; ++i) engine_.queue().enter(s_.touched[i]);
+  }
+
+  /// Before anything has begun, so that no component is to be decided for what they are.
+  void states() {
+    for (Index i = 0; i < t_.states.size(); ++i) {
+      engine_.look_at_conditions(i);
+      if (s_.handler_values[i] != unset) s_.handled[s_.counters->handled_count++] = i;
+    }
+  }
+
+  /// The places of those that are to be decided are in State::reach.
+  void components() {
+    for (Index c = 0; c < t_.components.size(); ++c) {
+      s_.component[c] |= work::reordered;
+      if (s_.reach[c] != nil) {
+        s_.component[c] |= work::listed;
+        s_.work[s_.reach[c]] = c;
+        ++s_.counters->work_count;
+      }
+      order(c);
+    }
+  }
+
+  /// Follows from who holds what, and from the requests: they are those of the last pass.
+  void order(Index component) {
+    const Component& row = t_.components[component];
+    Index* const groups = s_.order + row.order;
+    Index count = 0;
+    for (const Index g : t_.list(row.groups)) {
+      if (s_.last[g].holder != nil) groups[count++] = g;
+    }
+    arbitration::sort_by_holders(engine_.x_, {groups, count}, arbitration::Chains::previous);
+    for (Index i = 0; i < count; ++i) s_.place[groups[i]] = i;
+    s_.order_count[component] = count;
+  }
+
+  void counters() {
+    Counters& c = *s_.counters;
+    const auto is = [&](std::uint8_t bit) { return (head_.flags & bit) != 0; };
+    c.until = now_;
+    c.now = saved::moved(head_.now, head_.until, now_);
+    c.micro_step = head_.micro_step;
+    c.begun = is(saved::head::begun);
+    c.unsettled = is(saved::head::unsettled);
+    c.handlers_set = is(saved::head::handlers_set);
+    c.serving = is(saved::head::serving);
+    c.quiet_until = is(saved::head::rests) ? c.next_due : first_time;
+  }
+
+  Engine& engine_;
+  const Tables& t_;
+  const State s_;
+  const saved::HeadRow head_;
+  const Time now_;
+};
+
+void saved::read_decisions(Engine& engine, const std::byte* from, Time now) { LoadedState(engine, from, now); }
+
+SaveResult save(const Engine& engine, std::span<std::byte> to, std::uint64_t behaviour) {
+  const std::size_t size = saved_bytes(Shape::of(engine.tables()));
+  const SaveResult result = saved::can_save(engine, to.size(), size);
+  if (result != SaveResult::saved) return result;
+  saved::write_decisions(engine, to.first(size), behaviour);
+  saved::seal(to.first(size));
+  return result;
+}
+
+LoadResult load(Engine& engine, std::span<const std::byte> from, Time now, std::uint64_t behaviour) {
+  const LoadResult result = saved::can_load(engine, from, behaviour, saved_bytes(Shape::of(engine.tables())));
+  if (result == LoadResult::loaded) saved::read_decisions(engine, from.data(), now);
+  return result;
+}
+
+} // namespace director
