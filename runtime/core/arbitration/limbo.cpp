@@ -35,11 +35,21 @@ void keep_in_limbo(Context& x, Index group) {
   sweep_below(x, group);
 }
 
+/// What was in limbo, or below it, goes in the order of declaration from now on, and is looked at in another order than
+/// last time by others there.
+void reach_limbo(Context& x) {
+  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
+    const Index group = x.s.order[x.row.order + i];
+    if (x.s.now[group].holder == nil && x.s.lineage[group].top == nil) reach(x, group);
+  }
+}
+
 } // namespace
 
 /// Hand-over: live groups that nobody claims are kept for an heir that is about to run.
 void keep_for_heirs(Context& x) {
   if (injected(Fault::nobody_inherits)) return;
+  if (!x.whole) reach_limbo(x);
   for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
     const Index group = x.s.order[x.row.order + i];
     if (x.s.last[group].active == nil || x.s.now[group].holder != nil) continue;

@@ -187,7 +187,8 @@ void end_trail(Context& x) {
   }
   for (Index i = 0; i < x.reached_count; ++i) {
     const Index e = x.s.reached[i], from = requester(x, e);
-    if (!x.whole && (from == nil || is_opened(x, from))) leave_unvisited(x, e); // otherwise it stands as it stood
+    // Otherwise it stands as it stood: also one of root behind where the walk ended.
+    if (!x.whole && (from == nil ? x.s.request[e].level == nil : is_opened(x, from))) leave_unvisited(x, e);
     x.s.edge_trail[e] &= trail::kept;
   }
   news = 0;
@@ -211,6 +212,9 @@ void end_trail(Context& x) {
     const GroupAssignment& now = x.s.now[g];
     Bits& bits = x.s.group_trail[g];
     if (now.holder != nil && has_to_be_looked_at(x, g)) bits |= trail::again;
+    if (now.holder == nil && x.s.last[g].holder != nil && !x.whole) {
+      for (Index e = x.t.groups[g].edges.begin; e != x.t.groups[g].edges.end; ++e) leave_unvisited(x, e);
+    }
     if ((bits & (trail::disturbed | trail::again)) != 0) x.s.news[x.row.order + news++] = g;
     remove(bits, trail::opened | trail::moved);
     x.s.group_marks[g] &= mark::differs | mark::outdated;

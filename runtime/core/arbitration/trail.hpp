@@ -93,10 +93,7 @@ inline void leave_unvisited(Context& x, Index edge) {
 inline void begin_decision(Context& x, Index count) {
   ++x.decided;
   ++x.work;
-  for (Index at = 0; at < count; ++at) {
-    x.s.edge_marks[x.s.unit[at]] |= mark::visited;
-    x.s.queued[x.s.unit[at]] = Queued{};
-  }
+  for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.unit[at]] |= mark::visited;
   if (is_followed(x)) begin_followed(x, count);
 }
 
