@@ -182,9 +182,6 @@ void drop_noted(Context& x) {
 /// What the pass did is noted for the next one, and its marks are removed.
 void end_trail(Context& x) {
   Index& news = x.s.news_count[x.component];
-  for (Index i = 0; i < x.denied_count; ++i) { // what was forgotten counts again in the next pass
-    if ((x.s.group_marks[x.s.denied[i]] & mark::forgotten) != 0) touch_group(x, x.s.denied[i]);
-  }
   for (Index i = 0; i < x.reached_count; ++i) {
     const Index e = x.s.reached[i], from = requester(x, e);
     // Otherwise it stands as it stood: also one of root behind where the walk ended.
