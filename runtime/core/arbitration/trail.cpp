@@ -252,6 +252,14 @@ bool stand_as_before(Context& x, Index edge, std::uint8_t marks) {
   return was_held;
 }
 
+/// It waits for somebody who is pushed, or stands behind the holder of its target: it need not be decided again.
+bool waits_on(const Context& x, Index edge) {
+  const std::uint8_t bits = x.s.edge_trail[edge];
+  const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::who_waits_is_overlooked);
+  const bool is_free = (bits & trail::behind) != 0 && !taken(x, edge) && !injected(Fault::who_is_behind_is_overlooked);
+  return !searches && !is_free;
+}
+
 /// Nothing that is to be looked at lies at or behind this edge of root: all of that stands as it stood, and is put
 /// down.
 bool rest_stands(Context& x, Index root) {
