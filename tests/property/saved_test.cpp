@@ -56,7 +56,6 @@ std::vector<std::byte> decision_bytes(const Engine& engine) {
 
 struct Cuts {
   std::uint64_t made = 0, with_inputs = 0, in_the_middle = 0;
-  std::uint64_t other_reasons = 0; ///< scenarios in which a task was queued for another reason
 };
 
 /// Of the decision state, all that a decision depends on is the same again. What is made anew may lie there otherwise:
@@ -81,16 +80,6 @@ bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
   return before == after;
 }
 
-/// Without why tasks are queued: an engine that forgot what its decisions rest on decides all again, and may give a
-/// better reason for what stays as it is.
-std::vector<tests::EventNumbers> decisions_in(const std::vector<tests::EventNumbers>& events) {
-  std::vector<tests::EventNumbers> out;
-  std::ranges::copy_if(events, std::back_inserter(out), [](const tests::EventNumbers& each) {
-    return each[0] != static_cast<std::int64_t>(Event::Kind::queue);
-  });
-  return out;
-}
-
 std::string difference(const EngineRun& whole, const EngineRun& other) {
   const auto numbers = [](const auto& events, auto at) {
     std::string out;
@@ -98,7 +87,7 @@ std::string difference(const EngineRun& whole, const EngineRun& other) {
       for (const std::int64_t number : *at) out += " " + std::to_string(number);
     return out;
   };
-  const auto wanted = decisions_in(whole.events()), got = decisions_in(other.events());
+  const auto &wanted = whole.events(), &got = other.events();
   const auto [a, b] = std::mismatch(wanted.begin(), wanted.end(), got.begin(), got.end());
   const auto [c, d] =
       std::mismatch(whole.trace().begin(), whole.trace().end(), other.trace().begin(), other.trace().end());
@@ -134,7 +123,6 @@ void cut_at_random(std::uint64_t seed, Cuts& cuts) {
     REQUIRE(run.cut(0, again) == SaveResult::saved);
     if (bytes != again) FAIL("DIRECTOR_SEED=" << seed << ": saved again it is another");
   });
-  cuts.other_reasons += whole.events() == cut.events() ? 0 : 1;
   if (const std::string found = difference(whole, cut); !found.empty()) FAIL("DIRECTOR_SEED=" << seed << ": " << found);
 }
 
@@ -148,30 +136,39 @@ TEST_CASE("a behaviour that is cut at random and goes on in a new engine has the
     stop_watching();
   }
   std::cout << cuts.made << " cuts in " << cases << " scenarios, " << cuts.in_the_middle
-            << " of them with something left to do; not cut as inputs waited: " << cuts.with_inputs
-            << "; scenarios with other reasons for queued tasks: " << cuts.other_reasons << "\n";
-  CHECK(cuts.other_reasons * 100 <= cases);
+            << " of them with something left to do; not cut as inputs waited: " << cuts.with_inputs << "\n";
   CHECK(cuts.in_the_middle > wanted / 4);
   CHECK(cuts.with_inputs > 0);
 }
 
-TEST_CASE("an engine that decides everything again in each micro-step decides the same") {
+/// Why each edge is queued.
+std::vector<Queued> reasons(const Engine& engine) {
+  std::vector<Queued> out(engine.tables().edges.size());
+  for (Index e = 0; e < out.size(); ++e) out[e] = engine.queued(e);
+  return out;
+}
+
+TEST_CASE("an engine that decides everything again in each micro-step decides the same, for the same reasons") {
   const std::uint64_t first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), cases = is_long() ? 30'000 : 1'000;
-  std::uint64_t other_reasons = 0;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     watch(seed);
     const auto documents = compiled(seed);
     const bool leap = manner_of(seed) == Manner::in_leaps;
     EngineRun whole(*documents, leap), again(*documents, leap);
-    play(*documents, whole, [](EngineRun&) {});
-    play(*documents, again, [](EngineRun& run) { run.forget_trail(); });
-    other_reasons += whole.events() == again.events() ? 0 : 1;
+    std::vector<std::vector<Queued>> after_each;
+    play(*documents, whole, [&](EngineRun& run) { after_each.push_back(reasons(run.engine())); });
+    std::size_t at = 0;
+    play(*documents, again, [&](EngineRun& run) {
+      if (at < after_each.size() && reasons(run.engine()) != after_each[at])
+        FAIL("DIRECTOR_SEED=" << seed << ": queued for another reason after micro-step "
+                              << run.engine().memory().counters->micro_step);
+      ++at;
+      run.forget_trail();
+    });
     if (const std::string found = difference(whole, again); !found.empty())
       FAIL("DIRECTOR_SEED=" << seed << ": " << found);
     stop_watching();
   }
-  std::cout << "in " << other_reasons << " of " << cases << " scenarios a task was queued for another reason\n";
-  CHECK(other_reasons * 100 <= cases);
 }
 
 /// A number of a kind of row.

@@ -56,11 +56,11 @@ bool is_disputed(const Context& x, Index member) {
 /// Equals never take from each other. Its last holder is an edge, and another one.
 bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
   const Index holder = x.s.last[group].holder;
-  if (injected(Fault::equals_take) || (x.s.edge_marks[holder] & mark::refused) != 0 ||
-      (x.s.group_marks[group] & mark::forgotten) != 0 || !alive(x, holder) ||
+  if (injected(Fault::equals_take) || (x.s.edge_marks[holder] & mark::refused) != 0 || !alive(x, holder) ||
       compare(x, {edge, Chains::current}, {holder, Chains::previous}, false) != 0)
     return false;
   x.depends_on_last = x.depends_on_stale = true;
+  if ((x.s.group_marks[group] & mark::forgotten) != 0) return false;
   if (record && (x.s.group_marks[group] & mark::denied) == 0) {
     open(x, group);
     x.s.group_marks[group] |= mark::denied;
@@ -96,6 +96,7 @@ bool denied_in_vain(Context& x) {
     if (x.s.now[group].holder == x.s.last[group].holder || injected(Fault::denials_are_final)) continue;
     x.s.group_marks[group] |= mark::forgotten;
     reach(x, group);
+    x.s.group_trail[group] |= trail::disturbed; // its last holder counts again in the next pass
     return true;
   }
   return false;

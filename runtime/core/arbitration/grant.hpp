@@ -42,6 +42,7 @@ inline void now_granted(Context& x, Index edge, Index provider) {
   const GroupAssignment& last = x.s.last[group];
   now.active = now.planned = provider;
   now.flags |= flag::granted;
+  x.s.queued[edge] = Queued{};
   if ((x.s.run_queue[group].pending & reason::outdating) == 0 && x.s.anew[edge] == 0 && edge == last.holder &&
       provider == last.active)
     return;

@@ -182,12 +182,10 @@ void drop_noted(Context& x) {
 /// What the pass did is noted for the next one, and its marks are removed.
 void end_trail(Context& x) {
   Index& news = x.s.news_count[x.component];
-  for (Index i = 0; i < x.denied_count; ++i) { // what was forgotten counts again in the next pass
-    if ((x.s.group_marks[x.s.denied[i]] & mark::forgotten) != 0) touch_group(x, x.s.denied[i]);
-  }
   for (Index i = 0; i < x.reached_count; ++i) {
     const Index e = x.s.reached[i], from = requester(x, e);
-    if (!x.whole && (from == nil || is_opened(x, from))) leave_unvisited(x, e); // otherwise it stands as it stood
+    // Otherwise it stands as it stood: also one of root behind where the walk ended.
+    if (!x.whole && (from == nil ? x.s.request[e].level == nil : is_opened(x, from))) leave_unvisited(x, e);
     x.s.edge_trail[e] &= trail::kept;
   }
   news = 0;
@@ -211,6 +209,9 @@ void end_trail(Context& x) {
     const GroupAssignment& now = x.s.now[g];
     Bits& bits = x.s.group_trail[g];
     if (now.holder != nil && has_to_be_looked_at(x, g)) bits |= trail::again;
+    if (now.holder == nil && x.s.last[g].holder != nil && !x.whole) {
+      for (Index e = x.t.groups[g].edges.begin; e != x.t.groups[g].edges.end; ++e) leave_unvisited(x, e);
+    }
     if ((bits & (trail::disturbed | trail::again)) != 0) x.s.news[x.row.order + news++] = g;
     remove(bits, trail::opened | trail::moved);
     x.s.group_marks[g] &= mark::differs | mark::outdated;
@@ -249,6 +250,14 @@ bool stand_as_before(Context& x, Index edge, std::uint8_t marks) {
   x.s.edge_marks[edge] |= was_held ? mark::visited : mark::visited | mark::refused;
   if (was_held) pass_by(x, group);
   return was_held;
+}
+
+/// It waits for somebody who is pushed, or stands behind the holder of its target: it need not be decided again.
+bool waits_on(const Context& x, Index edge) {
+  const std::uint8_t bits = x.s.edge_trail[edge];
+  const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::who_waits_is_overlooked);
+  const bool is_free = (bits & trail::behind) != 0 && !taken(x, edge) && !injected(Fault::who_is_behind_is_overlooked);
+  return !searches && !is_free;
 }
 
 /// Nothing that is to be looked at lies at or behind this edge of root: all of that stands as it stood, and is put

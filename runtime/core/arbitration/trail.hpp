@@ -21,6 +21,7 @@ DIRECTOR_PART void compare_with_last(Context& x, Index count);
 DIRECTOR_PART void reach_users(Context& x, Index group);
 DIRECTOR_PART void reach_edge(Context& x, Index edge);
 DIRECTOR_PART void look_at_lines(Context& x, Index group);
+DIRECTOR_PART bool waits_on(const Context& x, Index edge);
 DIRECTOR_PART bool rest_stands(Context& x, Index root);
 DIRECTOR_PART void move(Context& x, Index group);
 void disturb(Context& x);
@@ -57,10 +58,7 @@ inline bool stands(const Context& x, Index edge) {
   if (x.whole) return false;
   const std::uint8_t bits = x.s.edge_trail[edge];
   if ((bits & (trail::reached | trail::on_stale)) != 0) return false;
-  if ((bits & (trail::waits | trail::behind)) == 0) return true;
-  const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::who_waits_is_overlooked);
-  const bool is_free = (bits & trail::behind) != 0 && !taken(x, edge) && !injected(Fault::who_is_behind_is_overlooked);
-  return !searches && !is_free;
+  return (bits & (trail::waits | trail::behind)) == 0 || waits_on(x, edge);
 }
 
 /// The groups that the pass that was made last looked at: all others stand as they stood.
@@ -93,10 +91,7 @@ inline void leave_unvisited(Context& x, Index edge) {
 inline void begin_decision(Context& x, Index count) {
   ++x.decided;
   ++x.work;
-  for (Index at = 0; at < count; ++at) {
-    x.s.edge_marks[x.s.unit[at]] |= mark::visited;
-    x.s.queued[x.s.unit[at]] = Queued{};
-  }
+  for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.unit[at]] |= mark::visited;
   if (is_followed(x)) begin_followed(x, count);
 }
 

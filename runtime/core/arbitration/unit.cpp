@@ -116,9 +116,12 @@ void try_unit(Context& x, Index edge, bool outdated) {
 
 void try_members(Context& x, Index count, bool outdated) {
   if (outdated && any_new(x, count) && !injected(Fault::outdated_orders_acquire)) {
-    for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at].edge] |= mark::refused;
-    keep_pushes(x, count); // it is not even tried
-    return explain(x, count, Why::outdated);
+    for (Index at = 0; at < count; ++at) {
+      const Index edge = x.s.member[at].edge; // it is not even tried: a reason that there was stays until it is
+      x.s.edge_marks[edge] |= mark::refused;
+      if (x.s.queued[edge].why == Why::none) x.s.queued[edge].why = Why::outdated;
+    }
+    return keep_pushes(x, count);
   }
   if (count == 1 && taken(x, x.s.member[0].edge)) return block(x, 1);
   if (!combine(x, count, true)) return refuse(x, count);

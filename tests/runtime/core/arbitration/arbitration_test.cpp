@@ -88,7 +88,32 @@ groups:
   machine.request("Plan");
   machine.set("Hand", "open"); // both before Plan runs: it may not want Hold any more
   machine.body("Plan", [](Run& run) { return run.pack(); });
-  CHECK(machine.step() == Lines{"queue Plan>Hold outdated", "run Plan new_task"});
+  CHECK(machine.step() == Lines{"run Plan new_task"}); // and the reason that it had is not told again
+}
+
+TEST_CASE("what is requested on orders that are outdated at once is queued for that reason") {
+  Machine machine(R"(
+behaviour: orders
+language: 1
+states: {Hand: {values: [open, shut], initial: shut}}
+roots: [Plan]
+groups:
+  Plan:
+    providers:
+      - {name: first, when: [Hand == shut], tasks: [Hold], sets: [Hand == open]}
+      - {name: second, tasks: [Hold]}
+  Hold: {}
+)");
+  machine.decisions = true;
+  machine.body("Plan.first", [&](Run& run) {
+    run.set(machine.state("Hand"), machine.value("Hand", "open"));
+    run.request(machine.edge("Plan>Hold"), machine.level(machine.edge("Plan>Hold")));
+    return run.pack();
+  });
+  machine.body("Plan.second", [](Run& run) { return run.pack(); });
+  machine.request("Plan");
+  CHECK(machine.step() == Lines{"grant root>Plan after nobody", "run Plan.first new_task", "set Hand open",
+                                "queue Plan>Hold outdated", "run Plan.second new_task"});
 }
 
 TEST_CASE("a weaker task waits while a stronger planner is about to decide") {
