@@ -41,12 +41,12 @@ constexpr std::array<director::Trigger, 1> triggers{{
   {.listeners = {2, 3}}, // Picture
 }};
 constexpr std::array<director::Promise, 0> promises{};
-constexpr std::array<director::Index, 14> lists{0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 1, 0};
+constexpr std::array<director::TableIndex, 14> lists{0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 1, 0};
 constexpr std::array<director::Component, 1> components{{
   {.groups = {5, 7}, .edges = {7, 9}}, // ChaseBall, Wheels
 }};
-constexpr std::array<director::Index, 0> plan_groups{};
-constexpr std::array<director::Index, 1> listened{0};
+constexpr std::array<director::TableIndex, 0> plan_groups{};
+constexpr std::array<director::TableIndex, 1> listened{0};
 
 constexpr director::Tables rows{
   .groups = groups,

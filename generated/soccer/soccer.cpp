@@ -195,7 +195,7 @@ constexpr std::array<director::Trigger, 1> triggers{{
 constexpr std::array<director::Promise, 1> promises{{
   {.provider = 8, .condition = 5, .within = 2000000}, // Walk.halting
 }};
-constexpr std::array<director::Index, 224> lists{
+constexpr std::array<director::TableIndex, 224> lists{
     8, 8, 2, 3, 4, 5, 0, 6, 7, 8, 9, 1, 6, 7, 8, 9, 2, 6, 7, 8, 9, 3, 4, 12, 13, 12, 13, 5, 6, 1, 5, 6, 16, 17, 18, 0,
     7, 8, 9, 10, 0, 11, 0, 11, 0, 12, 17, 18, 21, 11, 10, 3, 0, 19, 20, 29, 21, 22, 31, 28, 30, 27, 1, 23, 24, 26, 25,
     4, 8, 14, 5, 9, 15, 18, 2, 6, 12, 16, 3, 7, 13, 17, 32, 33, 34, 35, 36, 37, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
@@ -206,8 +206,8 @@ constexpr std::array<director::Index, 224> lists{
 constexpr std::array<director::Component, 1> components{{
   {.groups = {88, 112}, .edges = {112, 150}, .equals = true, .compared = true}, // Brace, GetUp, FallRecovery, Walk, Kick, LookAt, WalkTo, KickTo, ...
 }};
-constexpr std::array<director::Index, 0> plan_groups{};
-constexpr std::array<director::Index, 3> listened{0, 0, 0};
+constexpr std::array<director::TableIndex, 0> plan_groups{};
+constexpr std::array<director::TableIndex, 3> listened{0, 0, 0};
 
 constexpr director::Tables rows{
   .groups = groups,

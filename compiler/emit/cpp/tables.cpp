@@ -58,7 +58,7 @@ void table(Code& code, std::string_view type, std::string_view name, const Rows&
 void list(Code& code, std::string_view name, std::span<const Index> rows) {
   std::vector<std::string> numbers;
   for (const Index row : rows) numbers.push_back(std::to_string(row));
-  code.list(fmt::format("constexpr std::array<director::Index, {}> {}{{", numbers.size(), name), numbers, "};");
+  code.list(fmt::format("constexpr std::array<director::TableIndex, {}> {}{{", numbers.size(), name), numbers, "};");
 }
 
 /// For each row of a table that others have ranges of: whose it is. `range` is that column of an owner.

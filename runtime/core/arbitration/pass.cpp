@@ -81,7 +81,7 @@ void decide(Context& x, Index component) {
 
 /// What it did is noted for the next pass.
 void end(Context& x) {
-  for (const Index e : x.whole ? x.t.list(x.row.edges) : std::span<const Index>{}) leave_unvisited(x, e);
+  for (const Index e : x.whole ? x.t.list(x.row.edges) : std::span<const TableIndex>{}) leave_unvisited(x, e);
   x.s.news_count[x.component] = nil;
   if (is_followed(x)) end_trail(x);
 }

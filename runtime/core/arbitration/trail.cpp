@@ -164,7 +164,7 @@ void open_with_above(Context& x, Index group) {
   for (;;) {
     x.s.group_trail[group] |= trail::opened;
     remove(x.s.group_marks[group], mark::outdated);
-    x.s.opened[x.row.order + x.opened_count++] = group;
+    x.s.opened[x.row.order + x.opened_count++] = static_cast<TableIndex>(group);
     if (x.s.last[group].holder != nil && x.s.place[group] >= x.opened_end)
       x.opened_end = static_cast<Index>(x.s.place[group] + 1);
     clear(x, group);

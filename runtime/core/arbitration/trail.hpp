@@ -62,8 +62,8 @@ inline bool stands(const Context& x, Index edge) {
 }
 
 /// The groups that the pass that was made last looked at: all others stand as they stood.
-inline std::span<const Index> opened(const Context& x) {
-  return x.whole ? x.t.list(x.row.groups) : std::span<const Index>{x.s.opened + x.row.order, x.opened_count};
+inline std::span<const TableIndex> opened(const Context& x) {
+  return x.whole ? x.t.list(x.row.groups) : std::span<const TableIndex>{x.s.opened + x.row.order, x.opened_count};
 }
 
 /// What changes about the group is noted for the next pass.

@@ -286,7 +286,7 @@ struct State {
   Index* reached = nullptr;         ///< edges that are marked as reached
   Index* rerequested = nullptr;     ///< edges that are marked as changed
   Index* flipped = nullptr;         ///< groups that are marked as touched
-  Index* opened = nullptr;          ///< as `order`: groups that this pass looks at
+  TableIndex* opened = nullptr;     ///< as `order`: groups that this pass looks at
   Index* news = nullptr;            ///< as `order`: groups that the next pass has to look at, whatever happens
   Index* news_count = nullptr;      ///< component: how many these are; nil: what the last pass did is not known
   Index* on_last = nullptr;         ///< component: how many edges have trail::on_last

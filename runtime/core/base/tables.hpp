@@ -16,6 +16,14 @@ using Index = std::uint16_t; ///< for small targets: up to 65,534 rows a table
 using Index = std::uint32_t;
 #endif
 
+/// A row where it stands in a table: no microcontroller has room for more rows than this counts. In registers and in
+/// what changes an Index takes less code.
+#if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
+using TableIndex = std::uint16_t;
+#else
+using TableIndex = Index;
+#endif
+
 inline constexpr Index nil = static_cast<Index>(-1);
 
 /// The value of a state without a value. No declared value is that small.
@@ -29,7 +37,7 @@ inline constexpr Time first_time = -never - 1;
 
 /// Rows [begin, end) of another table, mostly of Tables::lists.
 struct Range {
-  Index begin = 0, end = 0;
+  TableIndex begin = 0, end = 0;
   constexpr Index size() const { return static_cast<Index>(end - begin); }
   constexpr bool empty() const { return begin == end; }
 };
@@ -39,21 +47,21 @@ struct Level {
   std::int32_t priority = 0;
   /// The static priority table: the place of (optional, priority) among all levels of the requester, 0 first; equal
   /// levels have equal ranks. Rules 3 and 4 of semantics.md 4.1 compare `optional` and `urgency`, which follow from it.
-  Index rank = 0;
+  TableIndex rank = 0;
   /// The place of the priority alone among those of the requester, 0 the highest.
-  Index urgency = 0;
+  TableIndex urgency = 0;
   bool optional = false;
   bool apart = false;
 };
 
 /// requester -> target. Edges of root come first, then those of each group; among siblings in order of declaration.
 struct Edge {
-  Index requester = nil;    ///< group, or nil for root
-  Index target = 0;         ///< group
-  Range levels{};           ///< of Tables::levels; empty where it is needed only
-  Index need_urgency = 0;   ///< as Level::urgency: of an edge that holds without a request
-  Index cluster_offset = 0; ///< its cluster begins so many edges before it; edges of two clusters never claim the same
-                            ///< group
+  Index requester = nil;         ///< group, or nil for root
+  TableIndex target = 0;         ///< group
+  Range levels{};                ///< of Tables::levels; empty where it is needed only
+  TableIndex need_urgency = 0;   ///< as Level::urgency: of an edge that holds without a request
+  TableIndex cluster_offset = 0; ///< its cluster begins so many edges before it; edges of two clusters never claim the
+                                 ///< same group
 };
 
 struct Provider {
@@ -82,7 +90,7 @@ struct Group {
   bool simple = false;      ///< it has one provider, which needs nothing
   bool flat = false;        ///< whatever its providers need is simple
   bool conditional = false; ///< a provider has `when` or `stay`
-  Index component = 0;      ///< of Tables::components
+  TableIndex component = 0; ///< of Tables::components
 
   /// It and all that it needs, transitively, have one provider each.
   constexpr bool single_choice() const { return providers.size() == 1 && slots.empty(); }
@@ -106,7 +114,7 @@ struct Interval {
 };
 
 struct Condition {
-  Index state = 0;
+  TableIndex state = 0;
   Range accepts{};    ///< of Tables::intervals
   Range causers{};    ///< lists: providers whose `causing` satisfies it, ascending
   Range components{}; ///< lists: components in which it counts, in `when`, `stay` or a promise, ascending
@@ -144,18 +152,18 @@ struct Tables {
   std::span<const StateVariable> states;
   std::span<const Trigger> triggers;
   std::span<const Promise> promises;
-  std::span<const Index> lists;
+  std::span<const TableIndex> lists;
   std::span<const Component> components;
-  std::span<const Index> plan_groups; ///< group after group, the groups with more than one provider among all that it
-                                      ///< needs, transitively
-  std::span<const Index> listened;    ///< group after group, the triggers that any of its providers listens to
-  Index root_edges = 0;               ///< how many edges are of root
-  Index most_edges = 0;               ///< the most edges of one group
+  std::span<const TableIndex> plan_groups; ///< group after group, the groups with more than one provider among all that
+                                           ///< it needs, transitively
+  std::span<const TableIndex> listened; ///< group after group, the triggers that any of its providers listens to
+  Index root_edges = 0;                 ///< how many edges are of root
+  Index most_edges = 0;                 ///< the most edges of one group
 
   /// The first edge of its requester that may claim a group that this one may claim, directly or by way of others.
   constexpr Index cluster(Index edge) const { return static_cast<Index>(edge - edges[edge].cluster_offset); }
 
-  constexpr std::span<const Index> list(Range range) const { return {lists.data() + range.begin, range.size()}; }
+  constexpr std::span<const TableIndex> list(Range range) const { return {lists.data() + range.begin, range.size()}; }
 };
 
 } // namespace director

@@ -58,7 +58,7 @@ Because why(const View& view, Index group);
 bool stands_in_the_way(const View& view, Index holder, Index edge);
 
 /// All providers that promise a condition, enabled or not.
-inline std::span<const Index> causers(const Tables& tables, Index condition) {
+inline std::span<const TableIndex> causers(const Tables& tables, Index condition) {
   return tables.list(tables.conditions[condition].causers);
 }
 
