@@ -53,7 +53,7 @@ std::vector<std::vector<T>> few(const std::vector<std::vector<std::optional<T>>>
 
 class Builder {
 public:
-  explicit Builder(Ground& ground) : g_(ground), model_(ground.model) {}
+  Builder(Ground& ground, OptionalEntries optional) : g_(ground), model_(ground.model), optional_(optional) {}
 
   void build() {
     find_classes();
@@ -120,6 +120,7 @@ private:
     FreeBody out;
     for (const Pack& pack : provider.packs) {
       std::vector<std::vector<std::optional<Ask>>> places;
+      std::vector<Index> required; // edges
       for (const Task& task : pack.tasks) {
         std::vector<std::optional<Ask>>& options = places.emplace_back();
         const auto edge = static_cast<Index>(task.edge.value);
@@ -129,20 +130,35 @@ private:
               std::any_of(options.begin(), options.end(), [&](const auto& o) { return o->level == row; });
           if (!twice) options.push_back(Ask{edge, row});
         }
-        kept_whole_ = kept_whole_ || (provider.has_packs && g_.lowered.levels[options.front()->level].optional);
-        if (!provider.has_packs) options.emplace_back();
+        const bool may_lack = !provider.has_packs || may_leave_out(options);
+        if (provider.has_packs && may_lack && optional_ == OptionalEntries::kept) {
+          kept_whole_ = true;
+          required.push_back(edge);
+        } else if (may_lack) {
+          options.emplace_back();
+        } else {
+          required.push_back(edge);
+        }
       }
       auto all =
           places.size() <= most_subsets_of || provider.has_packs ? product(places, most_combinations) : std::nullopt;
       few_tasks_ = few_tasks_ || !all;
       for (Asks& asks : all ? *all : few(places)) {
-        if (provider.has_packs && asks.size() < pack.tasks.size()) continue;
+        const auto is_asked = [&](Index edge) {
+          return std::any_of(asks.begin(), asks.end(), [&](const Ask& ask) { return ask.edge == edge; });
+        };
+        if (!std::all_of(required.begin(), required.end(), is_asked)) continue;
         out.packs.push_back(std::move(asks));
       }
     }
     if (provider.packs.empty()) out.packs.emplace_back();
     out.puts = puts(provider.causing, provider.sets);
     return out;
+  }
+
+  bool may_leave_out(const std::vector<std::optional<Ask>>& options) const {
+    return std::any_of(options.begin(), options.end(),
+                       [&](const auto& option) { return g_.lowered.levels[option->level].optional; });
   }
 
   std::vector<Puts> handler(const std::optional<Handler>& handler) {
@@ -236,6 +252,7 @@ private:
 
   Ground& g_;
   const Model& model_;
+  OptionalEntries optional_;
   bool kept_whole_ = false, few_tasks_ = false, few_values_ = false;
 };
 
@@ -274,10 +291,12 @@ std::size_t ValueClasses::piece_of(std::int32_t value) const {
   return pieces_[static_cast<std::size_t>(at - begins_.begin()) - 1];
 }
 
-Ground::Ground(const Model& of) : Ground(of, lower(of)) {}
+Ground::Ground(const Model& of, OptionalEntries optional) : Ground(of, lower(of), optional) {}
 
-Ground::Ground(const Model& of, Lowered as_lowered) : model(of), lowered(std::move(as_lowered)) {
-  Builder(*this).build();
+Ground::Ground(const Model& of, Lowered as_lowered, OptionalEntries optional)
+    : model(of),
+      lowered(std::move(as_lowered)) {
+  Builder(*this, optional).build();
   tables = lowered.view();
 }
 

@@ -61,13 +61,18 @@ struct Broken {
   Index provider = 0, trigger = 0;
 };
 
+/// Whether bodies are tried that leave optional entries of a pack out. Each such entry doubles what its pack may be:
+/// exploration keeps them, and says so; who asks what never happens at all tries without them too.
+enum class OptionalEntries { kept, left_out_too };
+
 /// The limits of what is tried; beyond them it is less than everything, and `left_out` says so.
 inline constexpr std::size_t most_subsets_of = 8;     ///< flat tasks of which every subset is asked for
 inline constexpr std::size_t most_combinations = 256; ///< of values, levels or packs at one place
 
 struct Ground {
-  explicit Ground(const Model& model);
-  Ground(const Model& model, Lowered lowered); ///< as lower() makes it of the model
+  explicit Ground(const Model& model, OptionalEntries optional = OptionalEntries::kept);
+  Ground(const Model& model, Lowered lowered, ///< as lower() makes it of the model
+         OptionalEntries optional = OptionalEntries::kept);
   Ground(const Ground&) = delete;
   Ground& operator=(const Ground&) = delete;
 

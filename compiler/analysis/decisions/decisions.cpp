@@ -11,15 +11,12 @@ namespace director::analysis {
 
 namespace {
 
-/// Of the budget, for a pass.
-constexpr std::int64_t steps_of_a_pass = 100;
-
 class Finder {
 public:
-  Finder(const Component& part, const Model& model, const Facts& facts, Decisions& out, std::int64_t& passes_left)
+  Finder(const Component& part, const Model& model, const Facts& facts, Decisions& out, std::int64_t& steps_left)
       : part_(part),
         out_(out),
-        left_(passes_left) {
+        left_(steps_left) {
     gathered_.passed_over.resize(part.providers.size());
     gathered_.refused.resize(part.edges.size());
     find_goals(model, facts);
@@ -53,6 +50,7 @@ public:
   }
 
   std::size_t moments() const { return seen_.size(); }
+  std::size_t passes() const { return gathered_.passes; }
 
 private:
   using PackOf = std::pair<ProviderId, std::size_t>;
@@ -172,7 +170,7 @@ Decisions find_decisions(const Model& model, const Facts& facts, Reported report
   out.requested = out.granted = IdSet<EdgeId>(model.edges.size());
   out.passed_over = IdTable<ProviderId, Kept>(model.providers.size());
   out.refused = IdTable<EdgeId, Kept>(model.edges.size());
-  const std::int64_t most = budget.grant(Decisions::most_passes * steps_of_a_pass) / steps_of_a_pass;
+  const std::int64_t most = budget.grant(Decisions::most_steps);
   std::int64_t left = most;
   const IdTable<StateId, std::vector<Source>> sources = find_sources(model);
   for (const std::vector<GroupId>& groups : small_components(model)) {
@@ -183,9 +181,9 @@ Decisions find_decisions(const Model& model, const Facts& facts, Reported report
     if (finder.run()) finder.tell();
     for (std::size_t i = 0; left >= 0 && i < groups.size(); ++i) out.looked_at.add(groups[i]);
     out.moments += finder.moments();
+    out.passes += finder.passes();
   }
-  out.passes = static_cast<std::size_t>(most - std::max<std::int64_t>(left, 0));
-  budget.spend(static_cast<std::int64_t>(out.passes) * steps_of_a_pass);
+  budget.spend(most - std::max<std::int64_t>(left, 0));
   return out;
 }
 

@@ -13,12 +13,16 @@
 // out could lead to. So each moment of each real run has its image among those that are found: what is not found never
 // happens. Where an order is known, as by priorities, it decides; among equals each one may be first.
 //
+// What need not be done twice. Ways through one pass that come together are followed once from there (Picks), since
+// most orders of equals lead to the same; and a request that is made anew counts only where it is news to somebody.
+//
 // Fixed point. All moments from the start, again while new pushes turn up, which can only be finitely many. A bound on
-// passes ends it: beyond it nothing is said. It also ends as soon as all that the facts take for possible was found,
+// steps ends it: beyond it nothing is said. It also ends as soon as all that the facts take for possible was found,
 // since then there is nothing to say: most behaviours end so after some hundred passes.
 //
 // Cost: a pass takes some microseconds; moments grow with the product of what groups may do, so only components of few
-// groups are looked at (Component::most_groups), and all of them together take no more than `most_passes`.
+// groups are looked at (Component::most_groups), and all of them together take no more than `most_steps`. Steps are
+// counted within a pass, so that parts of many edges or plans take no longer than others.
 #include "compiler/analysis/decisions/component.hpp"
 #include "compiler/analysis/effort/budget.hpp"
 
@@ -38,7 +42,7 @@ struct Kept {
 };
 
 struct Decisions {
-  IdSet<GroupId> looked_at; ///< others are of parts that are too large, or take too many passes
+  IdSet<GroupId> looked_at; ///< others are of parts that are too large, or take too many steps
   IdSet<GroupId> decided;   ///< about which all is known that follows; of others nothing is said
   IdSet<ProviderId> runs;
   IdSet<EdgeId> requested, granted;
@@ -48,7 +52,8 @@ struct Decisions {
   IdTable<EdgeId, Kept> refused;
   std::size_t moments = 0, passes = 0; ///< that were looked at
 
-  static constexpr std::int64_t most_passes = 20'000; ///< less than a tenth of a second
+  /// Of all parts together: a fifth of a second. A pass over five groups takes some fifty, over ten some hundreds.
+  static constexpr std::int64_t most_steps = 3'000'000;
 
   bool never_runs(const Model& model, ProviderId id) const {
     return decided.contains(model.providers[id].group) && !runs.contains(id);

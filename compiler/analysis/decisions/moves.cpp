@@ -6,6 +6,13 @@
 
 namespace director::analysis {
 
+namespace {
+
+/// Steps that a pass takes besides those that it counts.
+constexpr std::int64_t of_any_pass = 20;
+
+} // namespace
+
 Moment Moves::first() const {
   Moment out;
   out.by.fill(nothing);
@@ -70,20 +77,11 @@ bool Moves::is_at_rest(const Moment& moment) {
   Moment same = moment;
   same.open = 0;
   bool found = false;
-  const std::function<void(const Moment&)>* const told = told_;
-  const std::function<void(const Moment&)> look = [&](const Moment& next) {
+  const auto look = [&](const Moment& next) {
     found = found || next == same;
-    (*told)(next);
+    (*told_)(next);
   };
-  told_ = &look;
-  do {
-    if (--left_ < 0) break;
-    Moment next = Pass(part_, same, 0, picks_, gathered_).run();
-    act(same, next);
-    look(next);
-  } while (picks_.again());
-  picks_ = {};
-  told_ = told;
+  pass(same, 0, look);
   for (Row group = 0; group < part_.groups.size(); ++group)
     found = found && !(moment.has(group, Moment::granted) && moment.has(group, Moment::outdated));
   return found;
@@ -98,13 +96,33 @@ void Moves::change_in_all_ways(const std::function<bool(Change&)>& make) {
 }
 
 /// All that may come of it, once.
-void Moves::decide(const Change& change) {
-  if (!decided_.insert(change).second) return;
+void Moves::decide(Change change) {
+  change.anew &= that_matter(change);
+  if (decided_.insert(change).second) pass(change.moment, change.anew, *told_);
+}
+
+/// A request that is made anew is news for a group that runs for it and has no other.
+Rows Moves::that_matter(const Change& change) const {
+  Rows out = 0;
+  for (Row group = 0; group < part_.groups.size(); ++group) {
+    const Row by = change.moment.by[group];
+    if (by < Moment::limbo && !change.moment.has(group, Moment::outdated)) out |= bit(by);
+  }
+  return out;
+}
+
+void Moves::pass(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told) {
   do {
-    if (--left_ < 0) break;
-    Moment next = Pass(part_, change.moment, change.anew, picks_, gathered_).run();
-    act(change.moment, next);
-    (*told_)(next);
+    if (left_ < 0) break;
+    const std::int64_t before = gathered_.steps;
+    std::optional<Moment> next = Pass(part_, from, anew, picks_, gathered_).run();
+    ++gathered_.passes;
+    left_ -= gathered_.steps - before + of_any_pass;
+    if (!next) continue;
+    const std::string here = "moment " + std::string(next->bytes());
+    if (picks_.has_picked() && picks_.is_known(here)) continue;
+    act(from, *next);
+    told(*next);
   } while (picks_.again());
   picks_ = {};
 }

@@ -11,14 +11,14 @@ namespace director::analysis {
 
 class Moves {
 public:
-  Moves(const Component& part, Gathered& gathered, std::int64_t& passes_left)
+  Moves(const Component& part, Gathered& gathered, std::int64_t& steps_left)
       : part_(part),
         gathered_(gathered),
-        left_(passes_left) {}
+        left_(steps_left) {}
 
   Moment first() const;
   /// All moments that may follow, but for those that another one has led to in the same way. `run`: providers that
-  /// may run then. False: it took more passes than were left.
+  /// may run then. False: it took more steps than were left.
   bool from(const Moment& moment, const std::function<void(const Moment& next)>& told);
 
 private:
@@ -34,7 +34,9 @@ private:
     }
   };
 
-  void decide(const Change& change);
+  void decide(Change change);
+  void pass(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told);
+  Rows that_matter(const Change& change) const;
   void act(const Moment& before, Moment& now);
   void set_some(const std::vector<Component::Setting>& settings, Moment& next);
   void change_in_all_ways(const std::function<bool(Change&)>& change);

@@ -20,14 +20,33 @@ Pass::Pass(const Component& part, const Moment& last, Rows anew, Picks& picks, G
       gathered_(gathered),
       unsure_(part.providers.size(), -1) {}
 
-Moment Pass::run() {
+std::optional<Moment> Pass::run() {
   for (;;) {
     begin();
-    take_candidates();
+    if (!take_candidates()) return std::nullopt;
     if (!denied_in_vain()) break;
   }
-  hand_over();
+  stage_ = Stage::handing_over;
+  if (!hand_over()) return std::nullopt;
+  stage_ = Stage::finishing;
+  if (is_known()) return std::nullopt;
   return finish();
+}
+
+/// Whether this way through the pass may end here.
+bool Pass::is_known() {
+  if (!picks_.has_picked()) return false;
+  here_.clear();
+  const auto add = [&](const auto& value) { here_.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  add(stage_);
+  add(open_);
+  for (const auto* rows : {&now_.by, &now_.active, &now_.plan, &now_.flags}) add(*rows);
+  for (const Rows rows : {candidates_, tried_, refused_, forgotten_, keeping_}) add(rows);
+  add(standing_);
+  add(asked_);
+  here_.append(unsure_.begin(), unsure_.end());
+  here_.append(denied_.begin(), denied_.end());
+  return picks_.is_known(here_);
 }
 
 void Pass::begin() {
@@ -82,6 +101,7 @@ Pass::Chain Pass::below(const Chain& holder, Row edge) {
 
 /// Rules 1 to 4: below 0 if a goes first, 0 if equal.
 int Pass::compare(const Chain& a, const Chain& b) const {
+  ++gathered_.steps;
   std::size_t i = a.size, j = b.size;
   while (i > 0 && j > 0 && a.edges[i - 1] == b.edges[j - 1]) --i, --j;
   if (i == 0 || j == 0) return static_cast<int>(a.size) - static_cast<int>(b.size);
@@ -249,6 +269,7 @@ std::vector<Pass::Choice> Pass::choices(Row edge, bool with_conditions) {
   const bool as_it_is = from != nothing && stale(from);
   for (const Row provider : preference(choice.group, choice.chain)) {
     choice.provider = provider;
+    ++gathered_.steps;
     if (as_it_is && last_.active[choice.group] != provider) continue;
     std::vector<Row> own;
     add_lacking(provider, choice.chain, own);
@@ -261,6 +282,7 @@ std::vector<Pass::Choice> Pass::choices(Row edge, bool with_conditions) {
     for (const Row plan : plans_in_order(choice)) {
       const Component::Plan& entries = part_.providers[provider].plans[plan];
       choice.plan = plan;
+      gathered_.steps += static_cast<std::int64_t>(entries.size());
       if (as_it_is && last_.plan[choice.group] != plan) continue;
       choice.claims = bit(choice.group);
       choice.lacking = own;
@@ -310,6 +332,7 @@ std::optional<Pass::Combination> Pass::first_combination(const std::vector<Row>&
   while (depth < members.size()) {
     const std::vector<Choice>& all = of_each[depth];
     for (; at[depth] < all.size(); ++at[depth]) {
+      ++gathered_.steps;
       const Rows both = all[at[depth]].claims & claimed_so_far[depth];
       if (both == 0) break;
       gathered_.passed_over[all[at[depth]].provider].taken |= both;
@@ -423,12 +446,14 @@ std::vector<Row> Pass::unit_of(Row first) {
   return unit;
 }
 
-void Pass::take_candidates() {
+/// False: it may end here.
+bool Pass::take_candidates() {
   for (;;) {
     for (Row edge = 0; edge < part_.edges.size(); ++edge) {
       if ((candidates_ & bit(edge)) != 0 && !may_ask(requester(edge))) candidates_ &= ~bit(edge);
     }
-    if (candidates_ == 0) return;
+    if (candidates_ == 0) return true;
+    if (is_known()) return false;
     const Row first = first_candidate();
     const std::vector<Row> unit = unit_of(first);
     for (const Row member : unit) candidates_ &= ~bit(member), tried_ |= bit(member);
@@ -518,23 +543,24 @@ bool Pass::deferred(const Combination& combination) const {
   return false;
 }
 
-void Pass::hand_over() {
-  Rows open = 0;
+bool Pass::hand_over() {
+  open_ = 0;
   for (Row group = 0; group < part_.groups.size(); ++group) {
-    if (last_.active[group] != nothing) open |= bit(group);
+    if (last_.active[group] != nothing) open_ |= bit(group);
   }
-  while (open != 0) {
+  while (open_ != 0) {
     // In the old order, of which among equals nothing is known.
     std::vector<Row> first;
     for (Row group = 0; group < part_.groups.size(); ++group) {
-      if ((open & bit(group)) == 0) continue;
+      if ((open_ & bit(group)) == 0) continue;
       const Chain chain = before_now(last_.by[group]);
       bool is_first = true;
       for (Row other = 0; other < part_.groups.size() && is_first; ++other)
-        is_first = other == group || (open & bit(other)) == 0 || !before(before_now(last_.by[other]), chain);
+        is_first = other == group || (open_ & bit(other)) == 0 || !before(before_now(last_.by[other]), chain);
       if (is_first) first.push_back(group);
     }
-    if (first.empty()) return;
+    if (first.empty()) return true;
+    if (is_known()) return false;
     Row group = first.front();
     if (first.size() > 1 && std::any_of(first.begin(), first.end(), [&](Row one) {
           return now_.by[one] == nothing && std::any_of(first.begin(), first.end(), [&](Row other) {
@@ -543,7 +569,7 @@ void Pass::hand_over() {
                  });
         }))
       group = first[picks_.pick(first.size())];
-    open &= ~bit(group);
+    open_ &= ~bit(group);
     if (now_.by[group] != nothing) continue;
     bool heir = false;
     for (Row other = 0; other < part_.groups.size() && !heir; ++other)
@@ -555,8 +581,9 @@ void Pass::hand_over() {
                                      [&](const Component::Planned& entry) { return now_.by[entry.group] == nothing; });
     if (!is_free) continue;
     claim(static_cast<Row>(Moment::limbo + group), group, last_.active[group], plan, false);
-    take_candidates();
+    if (!take_candidates()) return false;
   }
+  return true;
 }
 
 Moment Pass::finish() {

@@ -8,6 +8,7 @@
 #include "compiler/analysis/decisions/picks.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace director::analysis {
@@ -36,13 +37,15 @@ struct Gathered {
   std::vector<PossiblePush> pushes, found; ///< those that are reckoned with, and all that were made
   std::vector<Reasons> passed_over;        ///< by provider
   std::vector<Reasons> refused;            ///< by edge
+  std::size_t passes = 0;
+  std::int64_t steps = 0; ///< that were taken: edges that were compared, providers that were looked at
 };
 
 class Pass {
 public:
   Pass(const Component& part, const Moment& last, Rows anew, Picks& picks, Gathered& gathered);
-  /// Who holds what, runs what, and for what; news is in outdated.
-  Moment run();
+  /// Who holds what, runs what, and for what; news is in outdated. Nothing: other picks have led to the same.
+  std::optional<Moment> run();
 
 private:
   struct Chain {
@@ -92,7 +95,8 @@ private:
 
   // Section 4.4
   void begin();
-  void take_candidates();
+  bool is_known();
+  bool take_candidates();
   Row first_candidate();
   std::vector<Row> unit_of(Row first);
   bool alone(Row edge) const;
@@ -107,7 +111,7 @@ private:
   void follow(Row group);
   bool deferred(const Combination& combination) const;
   bool denied_in_vain();
-  void hand_over();
+  bool hand_over();
   Moment finish();
 
   // Refuse: refusal.cpp
@@ -133,6 +137,10 @@ private:
   std::array<int, Component::most_groups> asked_{};    ///< of how many that was picked
   Reasons blame_;                                      ///< of the unit in hand
   std::vector<signed char> unsure_;                    ///< provider: whether its conditions hold
+  enum class Stage : Row { taking, handing_over, finishing };
+  Stage stage_ = Stage::taking;
+  Rows open_ = 0;    ///< groups that have not been handed over
+  std::string here_; ///< bytes of what is_known() looks at
 };
 
 } // namespace director::analysis

@@ -1,9 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// All ways through something that picks now and then: it is done again and again, each time with other picks.
+// All ways through something that picks now and then: it is done again and again, each time with other picks. Ways that
+// come together need to be followed only once from there.
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace director::analysis {
@@ -17,6 +21,13 @@ public:
     return picked_[at_++].now;
   }
   bool any() { return pick(2) == 1; }
+
+  /// Whether another way has led to what is in these bytes, all that what follows depends on: this way may end here.
+  bool is_known(std::string_view here) {
+    if (picked_.empty() || at_ < picked_.size()) return false; // on the common part of both
+    return !seen_.emplace(here).second;
+  }
+  bool has_picked() const { return !picked_.empty() && at_ == picked_.size(); }
 
   /// From the beginning, with other picks. False: there are none left.
   bool again() {
@@ -32,6 +43,7 @@ private:
     std::uint32_t now, count;
   };
   std::vector<Pick> picked_;
+  std::unordered_set<std::string> seen_;
   std::size_t at_ = 0;
 };
 

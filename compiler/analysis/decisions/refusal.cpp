@@ -68,6 +68,7 @@ bool Pass::can_be_pushed(Row provider, const Chain& member, const std::vector<Ro
 /// How long the way by this provider is; 0: there is none.
 int Pass::way(Row provider, const Chain& member, const std::vector<Row>& unit, bool surely, const Lengths& known,
               std::vector<Row>* first_lacking) {
+  gathered_.steps += static_cast<std::int64_t>(part_.providers[provider].plans.size());
   if (!can_be_pushed(provider, member, unit, surely)) return 0;
   int best = 0;
   for (const Component::Plan& plan : part_.providers[provider].plans) {
@@ -97,6 +98,7 @@ Pass::Lengths Pass::search(const Chain& member, const std::vector<Row>& unit, bo
     more = false;
     for (Row provider = 0; provider < part_.providers.size(); ++provider) {
       const Rows causes = part_.providers[provider].causes;
+      ++gathered_.steps;
       if (causes == 0) continue;
       const int length = way(provider, member, unit, surely, known, nullptr);
       if (length == 0) continue;

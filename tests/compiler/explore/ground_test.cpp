@@ -2,6 +2,8 @@
 #include "tests/compiler/explore/ground_words.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
+#include <algorithm>
+
 using namespace director::compiler;
 using director::tests::packs;
 using director::tests::puts;
@@ -38,6 +40,24 @@ groups:
   CHECK(packs(ground, 0) == "B C |C |B C:1 |C:1 |B ||");
   CHECK(packs(ground, 1) == "B C |B C:1 ||");
   CHECK(packs(ground, 2) == "|");
+}
+
+TEST_CASE("optional entries of a pack are kept, or left out too where somebody asks for that") {
+  const auto compiled = director::tests::compile(R"(behaviour: b
+language: 1
+roots: [P]
+groups:
+  P: {packs: {all: {A: {}, B: {optional: true}, C: {optional: true}}}}
+  A: {}
+  B: {}
+  C: {}
+)");
+  const Ground kept(compiled.model), left(compiled.model, OptionalEntries::left_out_too);
+  CHECK(packs(kept, 0) == "A B C |");
+  CHECK(packs(left, 0) == "A B C |A C |A B |A |");
+  const std::string words = "a body that leaves out an optional entry of a pack";
+  CHECK(std::count(kept.left_out.begin(), kept.left_out.end(), words) == 1);
+  CHECK(std::count(left.left_out.begin(), left.left_out.end(), words) == 0);
 }
 
 TEST_CASE("a body usually keeps its promise and sets nothing else") {
