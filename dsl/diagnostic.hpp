@@ -35,6 +35,10 @@ struct Diagnostic {
   std::string message; ///< without the id
   std::vector<Note> notes;
   std::string help; ///< what to do; empty if there is nothing to propose
+  /// What never happens, as it says, or could only by what it says is missing: the place of a provider, a condition of
+  /// one, a need, an entry, or the name of a group. Nobody needs to say so again.
+  std::vector<Span> rules_out{};
+  std::vector<Span> rules_out_together{}; ///< entries that may happen each, and never all of them at once
   bool operator==(const Diagnostic&) const = default;
 };
 

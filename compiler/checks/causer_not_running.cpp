@@ -92,6 +92,7 @@ private:
     dsl::Diagnostic& finding = findings_.add(
         request.task->span, fmt::format("{} may wait here for {}, and {}, which could cause it, need not be requested",
                                         name_of(model_, request.task->target), name_of(model_, use.id), group));
+    finding.rules_out = {use.span};
     finding.notes.push_back({use.span, fmt::format("{} waits for this", name_of(model_, waiter))});
     for (const ProviderId id : causers) finding.notes.push_back(causes(model_, id, use.id));
     for (std::size_t i = 1; i < chain.size(); ++i)

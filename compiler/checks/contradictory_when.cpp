@@ -53,6 +53,7 @@ void contradictory_when(const Input& input, Findings& findings) {
       finding.notes.push_back(
           {state.name.span, fmt::format("its values are {}", values_in_words(state, state.domain()))});
       finding.help = "correct the value, or leave the condition out";
+      if (!fault.stay) finding.rules_out = {clash.last.span};
       continue;
     }
     std::vector<std::string> others;
@@ -60,6 +61,10 @@ void contradictory_when(const Input& input, Findings& findings) {
     dsl::Diagnostic& finding =
         findings.add(clash.last.span, fmt::format("{} and {} never hold together, so the `{}` of {} never does",
                                                   list_of(others, "and"), last, word, name_of(model, fault.provider)));
+    if (!fault.stay) {
+      finding.rules_out = {clash.last.span};
+      for (const ConditionUse& use : clash.others) finding.rules_out.push_back(use.span);
+    }
     for (const ConditionUse& use : clash.others)
       finding.notes.push_back({use.span, fmt::format("{} is here", name_of(model, use.id))});
     finding.help = clash.others.size() == 1 && model.conditions[clash.last.id].op == Condition::Op::equal &&

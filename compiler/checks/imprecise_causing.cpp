@@ -18,6 +18,7 @@ void imprecise_causing(const Input& input, Findings& findings) {
         fmt::format("{} may also be {}, which {} does not accept: nothing pushes {} for it", quoted(promise.text),
                     values_in_words(model.states[promise.state], promise.accepts.without(wanted.accepts)),
                     quoted(wanted.text), name_of(model, fault.causer)));
+    finding.rules_out = {fault.promise.span, fault.condition.span};
     finding.notes.push_back({fault.condition.span, fmt::format("{} waits for this", name_of(model, fault.waiter))});
     finding.help = fmt::format("promise what is waited for: `{}`", wanted.text);
   }

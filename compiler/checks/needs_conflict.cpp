@@ -55,6 +55,7 @@ void report_common_group(const Model& model, ProviderId id, const CommonGroup& c
   if (clash.first->id == clash.second->id) {
     Diagnostic& twice =
         findings.add(clash.second->span, fmt::format("{} needs {} twice", provider, name_of(model, clash.group)));
+    twice.rules_out = {clash.second->span};
     twice.notes.push_back({clash.first->span, "needed first here"});
     twice.help = "a group is held once: leave one of them out";
     return;
@@ -63,6 +64,7 @@ void report_common_group(const Model& model, ProviderId id, const CommonGroup& c
       findings.add(clash.second->span, fmt::format("{} can never run: its needs {} and {} both come down to {}",
                                                    provider, name_of(model, clash.first->id),
                                                    name_of(model, clash.second->id), name_of(model, clash.group)));
+  finding.rules_out = {clash.second->span};
   finding.notes.push_back({clash.first->span, fmt::format("the other need is {}", name_of(model, clash.first->id)),
                            dsl::Note::Link::first});
   add_chain(model, clash.from_first, finding.notes, dsl::Note::Link::next);
@@ -100,6 +102,7 @@ void report_crowd(const Model& model, ProviderId id, const Indispensable& indisp
   Diagnostic& finding =
       findings.add(provider.needs[0].span, fmt::format("{} can never run: no choice of providers gives it {} at once",
                                                        name_of(model, id), list_of(names)));
+  finding.rules_out = {provider.needs[0].span};
   for (const Use<GroupId>& need : provider.needs) {
     for (const ProviderId way : model.groups[need.id].providers) {
       if (model.providers[way].needs.empty()) continue;

@@ -17,12 +17,14 @@ void report(const Model& model, const std::vector<ChainStep>& circle, Findings& 
   for (const ChainStep& step : circle) groups.push_back(step.from);
   groups.push_back(circle.back().to);
   if (groups.size() == 2) {
-    findings.add(circle[0].span, fmt::format("{} needs itself", name_of(model, groups[0]))).help =
-        "a provider holds its own group already: remove the need";
+    dsl::Diagnostic& finding = findings.add(circle[0].span, fmt::format("{} needs itself", name_of(model, groups[0])));
+    finding.rules_out = {circle[0].span};
+    finding.help = "a provider holds its own group already: remove the need";
     return;
   }
   dsl::Diagnostic& finding = findings.add(
       circle[0].span, fmt::format("{}: no plan gets out of this circle", chain_in_words(model, groups, "needs")));
+  for (const ChainStep& step : circle) finding.rules_out.push_back(step.span);
   add_chain(model, std::vector<ChainStep>(circle.begin() + 1, circle.end()), finding.notes);
   finding.help = fmt::format("remove one of these needs, or give {} a provider that does without",
                              name_of(model, circle.back().from));

@@ -75,6 +75,7 @@ void self_conflict(const Input& input, Findings& findings) {
     const Loser& loser = *losers.front();
     const Use<GroupId>* need = find_need(model, loser);
     dsl::Diagnostic& finding = findings.add(std::get<const Task*>(key)->span, message_of(model, loser));
+    for (const Loser* each : losers) finding.rules_out.push_back(each->refused.task->span);
     const std::string above = name_of(model, loser.above), kept = name_of(model, loser.taker.group);
     if (need != nullptr) {
       finding.notes.push_back({need->span, fmt::format("{} needs {}", above, name_of(model, need->id))});

@@ -17,6 +17,7 @@ void self_defeating_handler(const Input& input, Findings& findings) {
         findings.add(fault.entry.span, fmt::format("the {} of {} sets {}, and then {} {}",
                                                    fault.stop ? "stop" : "start", group, name_of(model, fault.entry.id),
                                                    provider, fault.stop ? "can run again" : "cannot run any more"));
+    finding.rules_out = {fault.condition.span};
     finding.notes.push_back(
         {fault.condition.span, fault.stop ? fmt::format("{} is stopped when {} does not hold", group, condition)
                                           : fmt::format("{} runs only while {}", provider, condition)});

@@ -85,6 +85,7 @@ std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const s
 void report_never(const Input& input, ProviderId id, Findings& findings) {
   const std::string name = name_of(input.model, id);
   dsl::Diagnostic& finding = findings.add(input.model.providers[id].span, fmt::format("{} can never run", name));
+  finding.rules_out = {input.model.providers[id].span};
   finding.notes = explain_idle(input, id);
   finding.help = fmt::format("request what brings that about, or leave {} out", name);
 }
@@ -94,6 +95,7 @@ void report_excluded(const Input& input, ProviderId id, Findings& findings) {
   const std::string name = name_of(input.model, id), group = name_of(input.model, input.model.providers[id].group);
   dsl::Diagnostic& finding = findings.add(
       input.model.providers[id].span, fmt::format("{} never runs: {} is requested only where it cannot", name, group));
+  finding.rules_out = {input.model.providers[id].span};
   finding.notes = explain_exclusion(input.model, input.facts, id);
   finding.help = fmt::format("request {} elsewhere too, or leave {} out", group, name);
 }
@@ -110,6 +112,7 @@ void report_idle(const Input& input, ProviderId id, const Refused& refused, Find
   dsl::Diagnostic& finding = findings.add(input.model.providers[id].span,
                                           fmt::format("{} never runs: whenever it is requested {} is held by others",
                                                       name_of(input.model, id), name_of(input.model, taker.group)));
+  finding.rules_out = {input.model.providers[id].span};
   add_taker(input, refused, taker, finding.notes);
   finding.help =
       fmt::format("request it where that is free, give it other needs, or leave {} out", name_of(input.model, id));
@@ -151,6 +154,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
             ? fmt::format("{} never runs: {} comes before it and can run whenever it can", name_of(model, id), names[0])
             : fmt::format("{} never runs: {} come before it, and one of them can run whenever it can",
                           name_of(model, id), few_of(names)));
+    finding.rules_out = {provider.span};
     for (std::size_t i = 0; i < std::min(culprits.size(), most_culprits); ++i)
       finding.notes.push_back({model.providers[culprits[i]].span, fmt::format("{} is preferred", names[i])});
     note_members(input, id, rivals.of(id), finding);

@@ -30,6 +30,7 @@ void report(const Input& input, const Loser& loser, Findings& findings) {
                               never ? fmt::format(": {} never runs for {}", name_of(model, lost.task->target),
                                                   name_of(model, *lost.requester))
                                     : ", which wants it too"));
+  if (never) finding.rules_out = {lost.task->span};
   finding.notes.push_back({sibling.span, fmt::format("{} is granted together with {}", other, name)});
   add_chain(model, need_path(model, taker.target, group), finding.notes);
   std::vector<ChainStep> chain = loser.chain;

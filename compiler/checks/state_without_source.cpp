@@ -22,6 +22,7 @@ void state_without_source(const Input& input, Findings& findings) {
     std::sort(places.begin(), places.end());
     dsl::Diagnostic& finding = findings.add(
         places[0], fmt::format("{} never has a value, so no condition on it ever holds", name_of(model, state)));
+    finding.rules_out = places;
     finding.notes.push_back(
         {model.states[state].name.span, "it has no `initial` value, is not `external`, and nothing causes or sets it"});
     for (std::size_t i = 1; i < places.size(); ++i) finding.notes.push_back({places[i], "looked at here too"});

@@ -55,10 +55,13 @@ void report_circle(const Input& input, std::vector<Node> path, Findings& finding
       entry(model, last, groups.back()),
       fmt::format("{}: {} is never granted", chain_in_words(model, groups, "requests"),
                   is_known ? "that one" : "the one of these that leads back to where the circle was entered"));
-  for (std::size_t i = 0; i + 2 < groups.size(); ++i)
+  finding.rules_out = {finding.span}; // which one it is depends on where the circle is entered
+  for (std::size_t i = 0; i + 2 < groups.size(); ++i) {
     finding.notes.push_back({entry(model, groups[i], groups[i + 1]),
                              fmt::format("{} requests {}", name_of(model, groups[i]), name_of(model, groups[i + 1])),
                              i == 0 ? dsl::Note::Link::first : dsl::Note::Link::next});
+    finding.rules_out.push_back(finding.notes.back().span);
+  }
   finding.help = "make this request `optional`, or leave it out";
 }
 
@@ -70,9 +73,10 @@ void task_cycle(const Input& input, Findings& findings) {
   for (const Edge& edge : model.edges) {
     if (!edge.requester || edge.levels.empty()) continue;
     if (*edge.requester == edge.target) {
-      findings
-          .add(entry(model, edge.target, edge.target), fmt::format("{} requests itself", name_of(model, edge.target)))
-          .help = "a task goes on with another pack; it cannot ask for itself";
+      dsl::Diagnostic& finding = findings.add(entry(model, edge.target, edge.target),
+                                              fmt::format("{} requests itself", name_of(model, edge.target)));
+      finding.rules_out = {finding.span};
+      finding.help = "a task goes on with another pack; it cannot ask for itself";
     } else if (has_mandatory(edge)) {
       mandatory[edge.requester->value].push_back(edge.target.value);
     }

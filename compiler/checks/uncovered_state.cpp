@@ -186,6 +186,7 @@ private:
     dsl::Diagnostic& finding = findings_.add(model_.groups[all.front()->group].name.span,
                                              fmt::format("no provider of {} can ever run", names));
     for (const Uncoveredness* one : all) {
+      finding.rules_out.push_back(model_.groups[one->group].name.span);
       add_request(*one, one != all.front(), finding);
       for (dsl::Note& note : explain_idle(model_, facts_, model_.groups[one->group].providers))
         finding.notes.push_back(std::move(note));
@@ -209,6 +210,7 @@ private:
       const std::string name = name_of(model_, edge.target), by = name_of(model_, *edge.requester);
       dsl::Diagnostic& finding = findings_.add(
           request.task->span, fmt::format("{} never runs for {}, which requests it only where it cannot", name, by));
+      finding.rules_out = {request.task->span};
       std::set<StateId> states;
       for (const ProviderId each : model_.groups[edge.target].providers) {
         for (const ConditionUse& use : model_.providers[each].when) states.insert(model_.conditions[use.id].state);

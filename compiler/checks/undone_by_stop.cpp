@@ -125,6 +125,7 @@ private:
         stop.span, fmt::format("{}, and it is stopped when {} is granted, which waits for {}: the two go "
                                "round",
                                stop.what, name_of(model_, wanting.task), name_of(model_, want.condition.id)));
+    finding.rules_out = {want.condition.span};
     finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
     finding.notes.push_back(causes(model_, causer, want.condition.id));
     for (dsl::Note& note : how) finding.notes.push_back(std::move(note));

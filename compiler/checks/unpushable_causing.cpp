@@ -82,7 +82,9 @@ void report(const Input& input, const Chains& chains, const NeverKept& promise, 
                                name_of(model, promise.causer), name_of(model, promise.promise.id),
                                name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
   std::vector<Obstacle> all;
+  finding.rules_out = {promise.promise.span};
   for (const NeverKept::Waiting& waiting : promise.waiting) {
+    finding.rules_out.push_back(waiting.condition.span);
     finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
                                                                  name_of(model, waiting.condition.id))});
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;

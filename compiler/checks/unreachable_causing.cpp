@@ -17,9 +17,12 @@ void unreachable_causing(const Input& input, Findings& findings) {
     dsl::Diagnostic& finding = findings.add(
         promise.promise.span, fmt::format("{} can never run, so nothing ever causes {}", name_of(model, promise.causer),
                                           name_of(model, promise.promise.id)));
-    for (const NeverKept::Waiting& waiting : promise.waiting)
+    finding.rules_out = {promise.promise.span};
+    for (const NeverKept::Waiting& waiting : promise.waiting) {
+      finding.rules_out.push_back(waiting.condition.span);
       finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
                                                                    name_of(model, waiting.condition.id))});
+    }
     auto link = dsl::Note::Link::first;
     for (dsl::Note& note : explain_idle(input, promise.causer)) {
       note.link = std::exchange(link, dsl::Note::Link::next);

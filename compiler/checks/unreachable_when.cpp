@@ -45,6 +45,7 @@ void unreachable_when(const Input& input, Findings& findings) {
                      fmt::format("{} never {}: {} is only ever {}", all_of(model, fault.uses),
                                  fault.uses.size() == 1 ? "holds" : "hold together", quoted(state.name.value),
                                  values_in_words(state, input.facts.declared[fault.state])));
+    for (const ConditionUse& use : fault.uses) finding.rules_out.push_back(use.span);
     for (std::size_t i = 0; i + 1 < fault.uses.size(); ++i)
       finding.notes.push_back({fault.uses[i].span, fmt::format("{} is here", name_of(model, fault.uses[i].id))});
     for (const Source& source : sources[fault.state]) finding.notes.push_back({source.span, describe(model, source)});

@@ -13,6 +13,14 @@ void report(Resolver& r, Span span, std::string message, std::string help) {
   r.find("unused_declaration", dsl::Level::lint, span, std::move(message), std::move(help));
 }
 
+/// It never runs.
+void report_group(Resolver& r, Span span, std::string message) {
+  const std::size_t before = r.findings.size();
+  report(r, span, std::move(message),
+         "remove it, or list it under `roots`, or under `tasks` or `needs` of another group");
+  if (r.findings.size() > before) r.findings.back().rules_out = {span};
+}
+
 /// A state that is only set tells nobody anything: bodies do not read states.
 void find_unused_states(Resolver& r) {
   std::vector<bool> compared(r.model.states.size(), false);
@@ -97,17 +105,15 @@ void find_unused_circles(Resolver& r) {
     if (!is_top) continue;
     for (const GroupId each : model.groups.ids()) done[each.value] = done[each.value] || below[each.value];
     const std::string& name = model.groups[id].name.value;
-    report(r, model.groups[id].name.span,
-           fmt::format("nothing requests or needs `{}` but what it leads to itself", name),
-           "remove it, or list it under `roots`, or under `tasks` or `needs` of another group");
+    report_group(r, model.groups[id].name.span,
+                 fmt::format("nothing requests or needs `{}` but what it leads to itself", name));
   }
 }
 
 void find_unused_groups(Resolver& r) {
   for (const Group& group : r.model.groups) {
     if (group.requesters.empty())
-      report(r, group.name.span, fmt::format("nothing requests or needs `{}`", group.name.value),
-             "remove it, or list it under `roots`, or under `tasks` or `needs` of another group");
+      report_group(r, group.name.span, fmt::format("nothing requests or needs `{}`", group.name.value));
   }
   find_unused_circles(r);
 }

@@ -182,7 +182,11 @@ void add_parties(const Model& model, const Clash& clash, dsl::Diagnostic& findin
          fmt::format("{} waits for {} as well", name_of(model, clash.first_waiter), name_of(model, clash.first.id))});
     promises.insert(promises.begin(), {clash.first_causer, clash.first});
   }
-  for (const auto& [causer, condition] : promises) finding.notes.push_back(causes(model, causer, condition.id));
+  finding.rules_out = {clash.first.span, clash.second.span};
+  for (const auto& [causer, condition] : promises) {
+    finding.notes.push_back(causes(model, causer, condition.id));
+    if (clash.kind == Clash::Kind::vain) finding.rules_out.push_back(finding.notes.back().span);
+  }
   finding.notes.insert(finding.notes.end(), clash.because.begin(), clash.because.end());
 }
 

@@ -33,7 +33,8 @@ struct Clash {
 /// The first that applies, for each two conditions; each pair once, at the first task that waits for it.
 std::vector<Clash> find_clashes(const Model& model, const Graph& graph, const Facts& facts, const Shared& shared);
 
-/// Adds where both conditions stand and who causes them, and what shows the clash.
+/// Adds where both conditions stand and who causes them, and what shows the clash. The two never come true for the task;
+/// nor does a push in vain come to anything.
 void add_parties(const Model& model, const Clash& clash, dsl::Diagnostic& finding);
 
 } // namespace director::analysis

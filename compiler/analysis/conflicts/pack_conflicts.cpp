@@ -156,6 +156,7 @@ void report_pack_conflict(const Input& input, Units& units, const PackConflict& 
   } else {
     finding = &findings.add(place, fmt::format("{}: no choice of providers serves all of them at once", begin));
   }
+  for (const Task* member : members) finding->rules_out_together.push_back(member->span);
   add_other_members();
   if (shared) {
     add_chain(model, shared->first, finding->notes);

@@ -65,6 +65,7 @@ void report_starving_task(const Input& input, const StarvingTask& starving, Find
                 "{} never runs for {}: {}, which goes before it and never has to wait, is always requested with it "
                 "and takes {}",
                 name, requester, by, group));
+  finding.rules_out = {first.task->span};
   add_taker(input, first, taker, finding.notes);
   std::set<const Task*> told{first.task};
   for (std::size_t i = 1; i < starving.places.size(); ++i) {

@@ -5,7 +5,6 @@
 #include "compiler/analysis/states/sources.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 namespace director::analysis {
 
@@ -13,52 +12,17 @@ namespace {
 
 using dsl::Diagnostic;
 
-enum Place : unsigned { none = 0, condition = 1, promise = 2, need = 4, entry = 8, name = 16 };
-
-/// A check whose findings say that something never happens: of what they stand at, and of what stands where their notes
-/// do. Other notes give reasons, which are of what may well happen.
-struct Saying {
-  std::string_view id;
-  bool of_itself = true;
-  unsigned of_notes = none;
-  std::string_view words = {}; ///< only with these in the message
-};
-
-constexpr Saying sayings[] = {
-    {"causer_not_running", false, condition},
-    {"contradictory_when", true, condition},
-    {"imprecise_causing", true, condition},
-    {"incompatible_pushes", true, condition},
-    {"needs_conflict"},
-    {"needs_cycle", true, need},
-    {"optional_never_runs"},
-    {"push_cycle", true, condition},
-    {"push_in_vain", true, condition | promise},
-    {"self_conflict", false, entry},
-    {"self_defeating_handler", true, condition},
-    {"shadowed_provider"},
-    {"starved_task"},
-    {"state_without_source", true, condition},
-    {"task_cycle", true, entry},
-    {"uncovered_state", true, name, "can ever run"},
-    {"uncovered_state", true, none, "never runs for"},
-    {"undone_by_stop", false, condition | entry},
-    {"unpushable_causing", true, condition},
-    {"unreachable_causing", true, condition},
-    {"unreachable_when", true, condition},
-    {"unused_declaration"},
-};
-
-bool has(const Diagnostic& finding, std::string_view words) { return finding.message.find(words) != std::string::npos; }
-
 class Search {
 public:
   Search(const Model& model, const Happening& happening, const std::vector<Diagnostic>& told)
       : model_(model),
         happening_(happening),
         sources_(find_sources(model)) {
-    find_places();
-    for (const Diagnostic& finding : told) take(finding);
+    find_members();
+    for (const Diagnostic& finding : told) {
+      told_.insert(finding.rules_out.begin(), finding.rules_out.end());
+      told_in_packs_.insert(finding.rules_out_together.begin(), finding.rules_out_together.end());
+    }
   }
 
   Untold run() {
@@ -68,64 +32,14 @@ public:
   }
 
 private:
-  void find_places() {
-    const auto add = [&](dsl::Span span, unsigned place) { places_[span] |= place; };
-    for (const GroupId id : model_.groups.ids()) add(model_.groups[id].name.span, name);
+  void find_members() {
     for (const ProviderId id : model_.providers.ids()) {
-      const Provider& provider = model_.providers[id];
-      for (const ConditionUse& use : provider.when) add(use.span, condition);
-      for (const ConditionUse& use : provider.causing) add(use.span, promise);
-      for (const Use<GroupId>& use : provider.needs) {
-        add(use.span, need);
-        needed_by_.emplace(use.span, id);
-      }
-      for (std::size_t i = 0; i < provider.packs.size(); ++i) {
-        for (const Task& task : provider.packs[i].tasks) add(task.span, entry);
+      const std::vector<Pack>& packs = model_.providers[id].packs;
+      for (std::size_t i = 0; i < packs.size(); ++i) {
         const std::vector<EdgeId> members = members_of(model_, id, i);
-        for (const Task& task : provider.packs[i].tasks) {
+        for (const Task& task : packs[i].tasks) {
           if (std::find(members.begin(), members.end(), task.edge) != members.end()) whole_only_.insert(task.span);
         }
-      }
-    }
-    for (const Task& task : model_.roots) add(task.span, entry);
-  }
-
-  void take(const Diagnostic& finding) {
-    if (finding.id == "possible_pack_conflict") take_named(finding);
-    if (finding.id == "pack_conflict" || (finding.id == "possible_pack_conflict" && has(finding, "can never"))) {
-      told_in_packs_.insert(finding.span);
-      for (const dsl::Note& note : finding.notes) told_in_packs_.insert(note.span);
-    }
-    // The loser is the task itself, or one below it, which a note is about.
-    const bool is_further_down = has(finding, "keeps") && has(finding, " below ");
-    if (finding.id == "self_conflict" && !is_further_down) told_.insert(finding.span);
-    if (finding.id == "sibling_starvation" && has(finding, "never runs for")) take_last_entry(finding);
-    for (const Saying& saying : sayings) {
-      if (saying.id != finding.id || !has(finding, saying.words)) continue;
-      if (saying.of_itself) told_.insert(finding.span);
-      for (const dsl::Note& note : finding.notes) {
-        const auto at = places_.find(note.span);
-        if (at != places_.end() && (at->second & saying.of_notes) != 0) told_.insert(note.span);
-      }
-    }
-  }
-
-  /// The chain of requests ends at the loser.
-  void take_last_entry(const Diagnostic& finding) {
-    for (auto note = finding.notes.rbegin(); note != finding.notes.rend(); ++note) {
-      const auto at = places_.find(note->span);
-      if (at == places_.end() || (at->second & entry) == 0) continue;
-      told_.insert(note->span);
-      return;
-    }
-  }
-
-  /// A provider that its pack has no use for, as the finding says at its need.
-  void take_named(const Diagnostic& finding) {
-    for (const dsl::Note& note : finding.notes) {
-      const auto [first, last] = needed_by_.equal_range(note.span);
-      for (auto at = first; at != last; ++at) {
-        if (has(finding, "`" + model_.full_name(at->second) + "`")) told_.insert(model_.providers[at->second].span);
       }
     }
   }
@@ -238,8 +152,6 @@ private:
   const Model& model_;
   const Happening& happening_;
   IdTable<StateId, std::vector<Source>> sources_;
-  std::map<dsl::Span, unsigned> places_;
-  std::multimap<dsl::Span, ProviderId> needed_by_; ///< whose need stands at a place
   std::set<dsl::Span> told_;
   std::set<dsl::Span> told_in_packs_; ///< entries that are never granted together
   std::set<dsl::Span> whole_only_;    ///< entries that are granted only together with others
