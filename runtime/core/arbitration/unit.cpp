@@ -92,10 +92,10 @@ void look_ahead(Context& x, Index group) {
 void try_unit(Context& x, Index edge, bool outdated) {
   Index count = 0;
   x.s.unit[count++] = edge;
-  const Index from = requester(x, edge);
+  const Index from = x.t.edges[edge].requester;
   for (Index i = x.ahead; i > 0; --i) {
     const Index e = x.s.candidate[i - 1];
-    if (requester(x, e) != from) break;
+    if (x.t.edges[e].requester != from) break;
     if (x.s.request[e].level == nil || (x.s.edge_marks[e] & mark::alone) != 0) continue;
     x.s.edge_marks[e] |= mark::tried;
     x.s.unit[count++] = e;
