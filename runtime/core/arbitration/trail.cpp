@@ -305,9 +305,7 @@ void repeat_grant(Context& x, Index edge) {
     const Index end = entries_of(x, group, x.s.last);
     claim(x, group, edge);
     now_granted(x, edge, provider);
-    plan_for(x, group, provider, 0, end);
-    for (Index i = 0; i < end; ++i) claim(x, x.s.entry[i].group, x.s.entry[i].need);
-    claim_plan(x, 0, end);
+    claim_plan(x, group, provider, 0, end);
   } else {
     grant_plain(x, edge, provider);
   }

@@ -133,13 +133,10 @@ void try_members(Context& x, Index count, bool outdated) {
 
 void grant(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
-    const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target, begin = entries_begin(x, at),
-                end = x.s.member[at].entries_end;
+    const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target;
     claim(x, group, edge);
     now_granted(x, edge, x.s.member[at].provider);
-    plan_for(x, group, x.s.member[at].provider, begin, end);
-    for (Index i = begin; i < end; ++i) claim(x, x.s.entry[i].group, x.s.entry[i].need);
-    claim_plan(x, begin, end);
+    claim_plan(x, group, x.s.member[at].provider, entries_begin(x, at), x.s.member[at].entries_end);
   }
   if (x.had_pushes) keep_own_pushes(x, count);
   leave_combination(x, count);
