@@ -12,8 +12,7 @@ namespace director::arbitration {
 Index slot_of(const Context& x, Index owner, Index group);
 void drop_entries(Context& x, Index begin, Index end);
 bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration);
-void plan_for(Context& x, Index owner, Index provider, Index begin, Index end);
-void claim_plan(Context& x, Index begin, Index end);
+void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end);
 Index entries_of(Context& x, Index group, const Assignment& of);
 
 /// Where the entries of a member's plan begin.

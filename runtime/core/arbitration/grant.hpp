@@ -26,7 +26,7 @@ inline void claim(Context& x, Index group, Index edge) {
   if (now.holder != nil) return; // for this very edge
   now.holder = edge;
   if (!x.lineage_is_valid) return;
-  const Index from = requester(x, edge);
+  const Index from = x.t.edges[edge].requester; // of limbo nothing is kept
   if (from == nil) {
     x.s.lineage[group] = {1, edge, optional(x, edge)};
   } else {

@@ -27,9 +27,7 @@ void keep_in_limbo(Context& x, Index group) {
   x.lineage_is_valid = false;
   claim(x, group, static_cast<Index>(x.t.edges.size() + group));
   x.s.now[group].active = x.s.last[group].active;
-  if (x.s.last[group].planned != nil) plan_for(x, group, x.s.last[group].planned, 0, end);
-  for (Index i = 0; i < end; ++i) claim(x, x.s.entry[i].group, x.s.entry[i].need);
-  claim_plan(x, 0, end);
+  claim_plan(x, group, x.s.last[group].planned, 0, end);
   compare_claim(x, group);
   for (Index i = 0; i < end; ++i) compare_claim(x, x.s.entry[i].group);
   sweep_below(x, group);

@@ -18,7 +18,7 @@ namespace {
 Parting parting(const Context& x, Place a, Place b, Index length_a, Index length_b) {
   return parting(
       a, b, length_a, length_b, [&](Place place) { return above(x, place); },
-      [&](Index edge) { return optional(x, edge); });
+      [&](Index edge) { return !is_limbo(x, edge) && optional(x, edge); });
 }
 
 inline int compare_parted(const Context& x, const Parting& at, Index length_a, Index length_b, bool in_order) {

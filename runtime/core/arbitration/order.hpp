@@ -94,16 +94,17 @@ DIRECTOR_PART void sort_roots(Context& x);
 
 inline bool is_limbo(const Context& x, Index edge) { return edge >= x.t.edges.size(); }
 
-inline Index target(const Context& x, Index edge) {
-  return is_limbo(x, edge) ? static_cast<Index>(edge - x.t.edges.size()) : x.t.edges[edge].target;
-}
+/// Of an edge that is not limbo.
+inline Index target(const Context& x, Index edge) { return x.t.edges[edge].target; }
 
 inline Index requester(const Context& x, Index edge) { return is_limbo(x, edge) ? nil : x.t.edges[edge].requester; }
 
 inline bool requested(const Context& x, Index edge) { return !is_limbo(x, edge) && x.s.request[edge].level != nil; }
 
+/// Of an edge that is not limbo.
 inline bool optional(const Context& x, Index edge) {
-  return requested(x, edge) && x.t.levels[x.s.request[edge].level].optional;
+  const Index level = x.s.request[edge].level;
+  return level != nil && x.t.levels[level].optional;
 }
 
 inline Index urgency(const Context& x, Index edge) {
@@ -130,7 +131,7 @@ inline Index holder_now(const Context& x, Index group) {
 /// In this pass; root always is.
 inline bool claimed(const Context& x, Index group) { return group == nil || holder_now(x, group) != nil; }
 
-/// An edge before it has its target.
+/// An edge before it has its target; neither this nor the next is asked of limbo.
 inline bool taken(const Context& x, Index edge) {
   const Index holder = holder_now(x, target(x, edge));
   return holder != nil && holder != edge;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/choices.hpp"
+#include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
 
 namespace director::arbitration {
@@ -19,6 +20,8 @@ void drop_entries(Context& x, Index begin, Index end) {
   for (Index i = end; i-- > begin;) x.s.trial[x.s.entry[i].group] = nil;
 }
 
+namespace {
+
 /// The plan of `owner` for its provider is entries [begin, end).
 void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
   const Range slots = x.t.groups[owner].slots;
@@ -31,10 +34,15 @@ void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
   }
 }
 
-/// Every group of a plan is needed from now on; one that is not granted has the part of the plan that it needs.
-void claim_plan(Context& x, Index begin, Index end) {
+} // namespace
+
+/// The plan of `owner`, as plan_for. Every group of it is claimed and needed from now on; one that is not granted has
+/// the part of the plan that it needs.
+void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end) {
+  plan_for(x, owner, provider, begin, end);
   for (Index i = begin; i < end; ++i) {
     const Index group = x.s.entry[i].group;
+    claim(x, group, x.s.entry[i].need);
     x.s.now[group].flags |= flag::needed;
     if ((x.s.now[group].flags & flag::granted) != 0) continue;
     auto below = static_cast<Index>(i + 1); // depth first: what an entry needs stands right behind it

@@ -316,7 +316,8 @@ void mark_pushers(Context& x) {
     const Index pusher = x.s.last[g].push.edge;
     if (pusher == nil) continue;
     x.s.edge_marks[pusher] |= mark::pushes;
-    if (requester(x, pusher) != nil) open(x, requester(x, pusher));
+    const Index from = x.t.edges[pusher].requester;
+    if (from != nil) open(x, from);
   }
 }
 

@@ -148,12 +148,13 @@ void reach_edge(Context& x, Index edge) {
   if (x.whole || (x.s.edge_trail[edge] & trail::reached) != 0) return;
   x.s.edge_trail[edge] |= trail::reached;
   x.s.reached[x.reached_count++] = edge;
-  if (requester(x, edge) != nil) open(x, requester(x, edge));
+  const Index from = x.t.edges[edge].requester;
+  if (from != nil) open(x, from);
 }
 
 /// The edge is requested at another level than before, or not any more; and with it its unit has another member.
 void take_up(Context& x, Index edge, bool with_siblings) {
-  const Index group = target(x, edge), from = requester(x, edge);
+  const Index group = target(x, edge), from = x.t.edges[edge].requester;
   reach_edge(x, edge);
   const Range edges = from == nil || !with_siblings ? Range{} : x.t.groups[from].edges;
   for (Index e = edges.begin; e != edges.end && !injected(Fault::other_members_are_overlooked); ++e) reach_edge(x, e);

@@ -24,7 +24,7 @@ Index stale_source(const Context& x, Index group) {
 }
 
 bool stale_requester(const Context& x, Index edge) {
-  const Index group = requester(x, edge);
+  const Index group = x.t.edges[edge].requester;
   return group != nil && stale(x, group);
 }
 

@@ -130,8 +130,8 @@ void begin_trail(Context& x) {
   Index from = nil;
   take_rerequested(x, [&](Index e) {
     remove(x.s.edge_trail[e], trail::changed);
-    take_up(x, e, requester(x, e) != from);
-    from = requester(x, e);
+    take_up(x, e, x.t.edges[e].requester != from);
+    from = x.t.edges[e].requester;
   });
   // Whose orders may be outdated: who is to run, and who was asked just now.
   const Counters& c = *x.s.counters;
@@ -183,7 +183,7 @@ void drop_noted(Context& x) {
 void end_trail(Context& x) {
   Index& news = x.s.news_count[x.component];
   for (Index i = 0; i < x.reached_count; ++i) {
-    const Index e = x.s.reached[i], from = requester(x, e);
+    const Index e = x.s.reached[i], from = x.t.edges[e].requester;
     // Otherwise it stands as it stood: also one of root behind where the walk ended.
     if (!x.whole && (from == nil ? x.s.request[e].level == nil : is_opened(x, from))) leave_unvisited(x, e);
     x.s.edge_trail[e] &= trail::kept;
@@ -232,7 +232,7 @@ DIRECTOR_INLINE void put_again(Context& x, Index from, Index count) {
 } // namespace
 
 /// The group, and all below it, stand as they stood.
-DIRECTOR_INLINE void pass_by(Context& x, Index group) {
+void pass_by(Context& x, Index group) {
   leave_to(x, requester_of_holder(x, x.s.last[group]));
   x.s.group_trail[group] |= trail::passed;
   put_again(x, x.s.place[group], x.s.extent[group]);
@@ -305,9 +305,7 @@ void repeat_grant(Context& x, Index edge) {
     const Index end = entries_of(x, group, x.s.last);
     claim(x, group, edge);
     now_granted(x, edge, provider);
-    plan_for(x, group, provider, 0, end);
-    for (Index i = 0; i < end; ++i) claim(x, x.s.entry[i].group, x.s.entry[i].need);
-    claim_plan(x, 0, end);
+    claim_plan(x, group, provider, 0, end);
   } else {
     grant_plain(x, edge, provider);
   }

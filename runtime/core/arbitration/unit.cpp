@@ -92,10 +92,10 @@ void look_ahead(Context& x, Index group) {
 void try_unit(Context& x, Index edge, bool outdated) {
   Index count = 0;
   x.s.unit[count++] = edge;
-  const Index from = requester(x, edge);
+  const Index from = x.t.edges[edge].requester;
   for (Index i = x.ahead; i > 0; --i) {
     const Index e = x.s.candidate[i - 1];
-    if (requester(x, e) != from) break;
+    if (x.t.edges[e].requester != from) break;
     if (x.s.request[e].level == nil || (x.s.edge_marks[e] & mark::alone) != 0) continue;
     x.s.edge_marks[e] |= mark::tried;
     x.s.unit[count++] = e;
@@ -133,13 +133,10 @@ void try_members(Context& x, Index count, bool outdated) {
 
 void grant(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
-    const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target, begin = entries_begin(x, at),
-                end = x.s.member[at].entries_end;
+    const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target;
     claim(x, group, edge);
     now_granted(x, edge, x.s.member[at].provider);
-    plan_for(x, group, x.s.member[at].provider, begin, end);
-    for (Index i = begin; i < end; ++i) claim(x, x.s.entry[i].group, x.s.entry[i].need);
-    claim_plan(x, begin, end);
+    claim_plan(x, group, x.s.member[at].provider, entries_begin(x, at), x.s.member[at].entries_end);
   }
   if (x.had_pushes) keep_own_pushes(x, count);
   leave_combination(x, count);

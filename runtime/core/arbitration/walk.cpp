@@ -58,7 +58,16 @@ void visit(Context& x, Index edge, std::uint8_t marks) {
       claim(x, group, edge);
       now_granted(x, edge, x.t.groups[group].providers.begin);
     } else if (stands(x, edge)) {
-      if (stand_as_before(x, edge, marks)) return;
+      const bool was_held = x.s.last[group].holder == edge;
+      if (was_held && x.line_count != 0 && !is_opened(x, group)) look_at_lines(x, group);
+      if ((marks & mark::pushes) != 0 || (was_held && is_opened(x, group))) {
+        repeat(x, edge);
+      } else if (was_held) {
+        x.s.edge_marks[edge] |= mark::visited;
+        return pass_by(x, group);
+      } else {
+        x.s.edge_marks[edge] |= mark::visited | mark::refused;
+      }
     } else if ((marks & (mark::below_stale | mark::pushes)) == 0 && taken(x, edge) && !runs_for_now(x, edge)) {
       block_alone(x, edge);
     } else {
