@@ -102,7 +102,8 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"tuple", "tuple tie ignore"},
              {"tuple utility array variant map", "get"},
              {"type_traits",
-              "common_type_t decay_t has_unique_object_representations_v integral_constant is_abstract_v is_array_v "
+              "conditional_t common_type_t decay_t has_unique_object_representations_v integral_constant is_abstract_v "
+              "is_array_v "
               "is_class_v is_const_v "
               "is_floating_point_v is_nothrow_destructible_v is_nothrow_move_constructible_v is_object_v is_same_v "
               "is_trivially_copyable_v is_trivially_default_constructible_v is_void_v is_volatile_v make_unsigned_t "

@@ -4,7 +4,6 @@
 // program.hpp.
 
 #include "runtime/core/api/body.hpp"
-#include "runtime/core/api/overflow_slot_of.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/core/engine/inbox.hpp"
 
@@ -12,6 +11,22 @@
 #include <utility>
 
 namespace director {
+
+/// Which slot of OverflowSlots belongs to whom: one to each root task, in their order; then one to each state that is
+/// external, in theirs; then one to cancel_all.
+template <class Facts>
+struct OverflowSlotOf {
+  /// `state`: one that is external.
+  static constexpr Index of_state(Index state) {
+    auto slot = static_cast<Index>(Facts::Roots::size);
+    for (Index before = 0; before < state; ++before) {
+      if (Facts::States::domains[before].external) ++slot;
+    }
+    return slot;
+  }
+  static constexpr Index of_all = of_state(static_cast<Index>(Facts::States::domains.size()));
+  static constexpr std::size_t count = of_all + std::size_t{1};
+};
 
 /// The way in. Any thread and any interrupt may use one, at any time, from anywhere. Each call is one input, taken by
 /// the next step(). False: nothing was posted, since the inbox is full or a value is outside its state's domain. Root

@@ -21,6 +21,7 @@
 #include "runtime/core/engine/engine.hpp"
 
 #include <array>
+#include <type_traits>
 #include <utility>
 
 namespace director {
@@ -177,8 +178,15 @@ private:
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
   std::array<OverflowSlots::Slot, OverflowSlotOf<Facts>::count> words_;
-  static constexpr State::Layout layout = State::layout(Facts::shape);
-  alignas(State::alignment) std::array<std::byte, layout.bytes()> memory_;
+  static constexpr std::size_t memory_bytes = State::bytes(Facts::shape);
+  static constexpr auto layout = [] {
+    constexpr State::Layout wide = State::layout(Facts::shape);
+    using Offset = std::conditional_t<(memory_bytes >> 16 == 0), std::uint16_t, std::uint32_t>;
+    std::array<Offset, State::arrays + 1> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<Offset>(wide.begin[i]);
+    return out;
+  }();
+  alignas(State::alignment) std::array<std::byte, memory_bytes> memory_;
   Inbox inbox_;
   Engine engine_;
 };

@@ -8,6 +8,7 @@
 #include "runtime/core/base/words.hpp"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -352,7 +353,10 @@ struct State {
   static constexpr std::size_t bytes(const Shape& shape) { return layout(shape).bytes(); }
 
   /// The arrays of a block of so many bytes. Nothing is written.
-  static State in(std::byte* memory, const Layout& layout);
+  static State in(std::byte* memory, const Layout& layout) { return in(memory, layout.begin); }
+  /// The same; a small block's layout in numbers that are as small.
+  template <class Offset>
+  static State in(std::byte* memory, const std::array<Offset, arrays + 1>& begin);
 
 private:
   static constexpr std::size_t aligned(std::size_t at, std::size_t to) { return (at + to - 1) / to * to; }
@@ -384,6 +388,15 @@ constexpr State::Layout State::layout(const Shape& shape) {
       [&] { out.decision = at = aligned(at, 8); });
   out.begin[row] = static_cast<std::uint32_t>(aligned(at, 8));
   return out;
+}
+
+/// A State is nothing but pointers, in the order of the layout.
+template <class Offset>
+State State::in(std::byte* memory, const std::array<Offset, arrays + 1>& begin) {
+  std::array<std::byte*, arrays + 1> out;
+  static_assert(sizeof(State) == sizeof(out));
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = memory + begin[i];
+  return std::bit_cast<State>(out);
 }
 
 } // namespace director

@@ -6,18 +6,7 @@
 #include "runtime/core/arbitration/pass.hpp"
 #include "runtime/core/base/marks.hpp"
 
-#include <type_traits>
-
 namespace director {
-
-namespace {
-
-template <class T>
-[[gnu::noinline]] void fill(T* array, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) array[i] = T{};
-}
-
-} // namespace
 
 Engine::Engine(const Tables& tables, const State& memory, const Bodies& bodies, Inbox& inbox)
     : x_{tables, memory},
@@ -29,50 +18,48 @@ Engine::Engine(const Tables& tables, const State& memory, const Bodies& bodies, 
 
 void Engine::reset() {
   passes_ = 0;
-  for (auto* at = reinterpret_cast<std::byte*>(x_.s.counters); at != x_.s.end; ++at) *at = {};
-  State::each(
-      x_.s, Shape::of(x_.t),
-      []<class T>(T*& array, std::size_t count) {
-        if constexpr (!std::is_trivially_default_constructible_v<T>)
-          fill(array, count); // what else there is begins with 0
-      },
-      [] {});
+  const State& s = x_.s;
+  for (auto* at = reinterpret_cast<std::byte*>(s.counters); at != s.end; ++at) *at = {}; // below, what is not 0
+  *s.counters = {};
   timers_.clear();
   for (Index i = 0; i < x_.t.states.size(); ++i) {
-    x_.s.values[i].value = x_.t.states[i].initial;
-    x_.s.handler_values[i] = unset;
+    s.values[i].value = x_.t.states[i].initial;
+    s.values[i].staged = s.handler_values[i] = unset;
     look_at_conditions(i);
   }
-  for (Index p = 0; p < x_.t.providers.size(); ++p) x_.s.enabled[p] = 1;
-  for (Index e = 0; e < x_.t.edges.size(); ++e) x_.s.request[e].target = x_.t.edges[e].target;
-  for (Index slot = 0; slot < x_.t.plan_groups.size(); ++slot) x_.s.last.plan[slot] = nil;
-  for (Index g = 0; g < x_.t.groups.size(); ++g) x_.s.trial[g] = x_.s.data_from[g] = nil;
+  for (Index p = 0; p < x_.t.providers.size(); ++p) s.enabled[p] = 1;
+  for (Index e = 0; e < x_.t.edges.size(); ++e) {
+    s.request[e].target = x_.t.edges[e].target;
+    s.request[e].level = s.queued[e].condition = s.last_queued[e].condition = nil;
+  }
+  for (Index i = 0; i <= x_.t.most_edges; ++i) s.staged_request[i].level = nil;
+  for (Index slot = 0; slot < x_.t.plan_groups.size(); ++slot) s.last.plan[slot] = s.now.plan[slot] = nil;
+  for (Index g = 0; g < x_.t.groups.size(); ++g) {
+    const Group& row = x_.t.groups[g];
+    s.last[g] = s.now[g] = {};
+    s.trial[g] = s.data_from[g] = s.lineage[g].top = nil;
+    if (!x_.t.promises.empty()) s.promised[g] = {};
+    RunQueueEntry& entry = s.run_queue[g];
+    entry.runs_after = entry.runs_before = nil;
+    entry.component = row.component;
+    if (!row.listens.empty()) entry.flags |= group_flag::listens;
+    bool ends = row.start || row.stop || !row.owned.empty();
+    for (Index p = row.providers.begin; p != row.providers.end; ++p) ends = ends || x_.t.providers[p].every != 0;
+    if (ends) entry.flags |= group_flag::ends;
+  }
   for (Index c = 0; c < x_.t.components.size(); ++c) {
-    Index* link = &x_.s.first_root[c];
+    Index* link = &s.first_root[c];
     for (const Index e : x_.t.list(x_.t.components[c].edges)) {
       if (x_.t.edges[e].requester != nil) break; // edges of root come first
       *link = e;
-      link = &x_.s.next_root[e];
+      link = &s.next_root[e];
     }
     *link = nil;
-    x_.s.component[c] = work::reordered;
-    for (const Index g : x_.t.list(x_.t.components[c].groups)) {
-      RunQueueEntry& entry = x_.s.run_queue[g];
-      entry.component = c;
-      entry.flags = flags_of(g);
-    }
+    s.component[c] = work::reordered;
   }
   arbitration::forget_trail(x_);
   starting_ = nil;
   inside_ = faulted_ = false;
-}
-
-/// The bits that follow from the tables.
-std::uint8_t Engine::flags_of(Index group) const {
-  const Group& row = x_.t.groups[group];
-  bool ends = row.start || row.stop || !row.owned.empty();
-  for (Index p = row.providers.begin; p != row.providers.end; ++p) ends = ends || x_.t.providers[p].every != 0;
-  return static_cast<std::uint8_t>((row.listens.empty() ? 0 : group_flag::listens) | (ends ? group_flag::ends : 0));
 }
 
 RunState Engine::state(Index edge) const {

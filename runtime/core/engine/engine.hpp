@@ -218,7 +218,6 @@ private:
   void adopt_order(Index component);
 
   RunQueue queue() const { return RunQueue(x_.s); }
-  std::uint8_t flags_of(Index group) const;
 
   // reports.cpp: section 6. All but the first only if observed().
   void report(Event::Kind kind, Index group = nil, Index provider = nil, Reasons reasons = {}) const {

@@ -51,10 +51,16 @@ void Engine::begin_what_it_has(Index group) {
 /// One that is late runs once, and is due again at the first multiple after it. Two times may be further apart than a
 /// Time can say.
 void Engine::end_period(Index group, Time when) {
-  const Time period = x_.t.providers[x_.s.last[group].active].every, until = x_.s.counters->until;
-  const auto late = static_cast<std::uint64_t>(until) - static_cast<std::uint64_t>(when);
-  const auto each = static_cast<std::uint64_t>(period);
-  timers_.arm({Timers::Kind::every, group}, later(late < each ? when : until - static_cast<Time>(late % each), period));
+  const auto period = static_cast<std::uint64_t>(x_.t.providers[x_.s.last[group].active].every);
+  auto late = static_cast<std::uint64_t>(x_.s.counters->until) - static_cast<std::uint64_t>(when);
+  // What is left of it is the remainder; a division of 64 bits is a large function on a small machine.
+  std::uint64_t some = period;
+  while (some <= late / 2) some *= 2;
+  for (; some >= period; some /= 2) {
+    if (late >= some) late -= some;
+  }
+  timers_.arm({Timers::Kind::every, group},
+              later(x_.s.counters->until - static_cast<Time>(late), static_cast<Time>(period)));
   add_reason(group, Reason::trigger);
 }
 

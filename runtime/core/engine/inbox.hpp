@@ -8,7 +8,6 @@
 // compiler calls for it (GCC: __atomic_compare_exchange_4), as a critical section. Source: D. Vyukov's bounded queue,
 // with several cells claimed at once.
 
-#include "runtime/core/engine/input.hpp"
 #include "runtime/core/engine/overflow_slots.hpp"
 
 #include <atomic>

@@ -10,7 +10,7 @@
 
 namespace director {
 
-inline void Engine::mark(Index component, std::uint8_t bits) {
+DIRECTOR_ONE_COPY inline void Engine::mark(Index component, std::uint8_t bits) {
   Bits& all = x_.s.component[component];
   all |= bits;
   if ((all & work::listed) != 0) return;
@@ -19,7 +19,7 @@ inline void Engine::mark(Index component, std::uint8_t bits) {
 }
 
 /// Whose orders are outdated may be another from now on. Most of the time nobody has asked.
-inline void Engine::mark_stale(Index group) {
+DIRECTOR_ONE_COPY inline void Engine::mark_stale(Index group) {
   if (injected(Fault::who_is_stale_is_overlooked)) return;
   const RunQueueEntry& entry = x_.s.run_queue[group];
   if (entry.counts != 0) {
@@ -29,7 +29,7 @@ inline void Engine::mark_stale(Index group) {
   }
 }
 
-inline void Engine::touch(Index group) {
+DIRECTOR_ONE_COPY inline void Engine::touch(Index group) {
   Bits& flags = x_.s.run_queue[group].flags;
   if ((flags & group_flag::touched) != 0) return;
   flags |= group_flag::touched;
@@ -112,7 +112,7 @@ DIRECTOR_INLINE void Engine::mark_request(Index edge) {
   mark(component, edge < x_.t.root_edges ? work::changed | work::reordered : work::changed);
 }
 
-DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
+DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   Requested& request = x_.s.request[edge];
   if (Bits& anew = x_.s.anew[edge]; anew == 0) {
     anew = 1; // the same task requested again is a new task
@@ -192,7 +192,7 @@ inline void Engine::forget_triggers(Index group) {
 }
 
 /// Mostly it does not wait, and then its timer is not looked at.
-inline void Engine::end_wait(Index group) {
+DIRECTOR_ONE_COPY inline void Engine::end_wait(Index group) {
   Bits& flags = x_.s.run_queue[group].flags;
   if ((flags & group_flag::waits) == 0) return;
   flags &= static_cast<std::uint8_t>(~group_flag::waits);

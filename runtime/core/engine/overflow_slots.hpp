@@ -6,7 +6,7 @@
 // the slot's newest record by one compare-and-swap. What a slot held before, and the reader did not take, is counted as
 // lost.
 
-#include "runtime/core/engine/input.hpp"
+#include "runtime/core/base/tables.hpp"
 
 #include <array>
 #include <atomic>
@@ -14,6 +14,22 @@
 #include <span>
 
 namespace director {
+
+/// How many requests of one root task with data can wait in the inbox at once. One more goes by OverflowSlots.
+inline constexpr Index waiting_requests = 4;
+
+/// One record of what the outside says to a behaviour; an input takes one or more of them.
+struct Input {
+  enum class Kind : std::uint8_t { request, cancel, set, fire, enable, disable };
+  Kind kind = Kind::set;
+  bool more = false;  ///< the next record belongs to the same input (request and set)
+  Index thing = 0;    ///< root edge, state, trigger or provider; nil: cancel of all root edges
+  Index handle = nil; ///< request: where its data wait: up to waiting_requests in the inbox, from there on in a place
+                      ///< of OverflowSlots; nil: it has none
+  std::int32_t value = 0; ///< set: the value; request: the level, of Tables::levels
+  Index level() const { return static_cast<Index>(value); }
+  void set_level(Index level) { value = static_cast<std::int32_t>(level); }
+};
 
 class OverflowSlots {
 public:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The groups that have a reason to run, in the order in which they came to have it. docs/semantics.md, section 3.
 
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/marks.hpp"
 
 namespace director {
@@ -15,7 +16,7 @@ public:
   bool empty() const { return counters_->queue_first == nil; }
 
   /// If it has a reason, and is not there yet.
-  [[gnu::always_inline]] void enter(Index group) {
+  DIRECTOR_INLINE void enter(Index group) {
     RunQueueEntry& entry = entries_[group];
     if (entry.pending == 0 || (entry.flags & group_flag::queue) != 0) return;
     entry.flags |= group_flag::queue;

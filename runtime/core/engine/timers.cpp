@@ -11,9 +11,9 @@ Timers::Timers(const Tables& t, const State& memory)
     : counters_(memory.counters),
       due_(memory.due),
       soonest_(memory.soonest),
-      begin_{0, static_cast<Index>(t.states.size()), static_cast<Index>(t.states.size() + t.groups.size()),
-             static_cast<Index>(t.states.size() + t.groups.size() + t.promises.size())},
-      count_(static_cast<Index>(Shape::of(t).timers())) {}
+      begin_{0, static_cast<Index>(t.states.size()), static_cast<Index>(begin_[1] + t.groups.size()),
+             static_cast<Index>(begin_[2] + t.promises.size())},
+      count_(static_cast<Index>(begin_[3] + t.groups.size())) {}
 
 void Timers::clear() {
   for (Index i = 0; i < count_; ++i) due_[i] = never;
