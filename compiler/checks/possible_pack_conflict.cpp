@@ -155,11 +155,10 @@ void report(const Input& input, const Task& first, const Task& second, const Cla
                                      "ones: {}",
                                      a, b, want)
                        : fmt::format("{} and {} cannot always be granted together: {}", a, b, want));
-  if (clash.always) { // those that need the group have no use here
-    for (const Way* way : {clash.first, clash.second}) {
-      const Provider& provider = model.providers[way->provider()];
-      if (!provider.needs.empty()) finding.rules_out.push_back(provider.span);
-    }
+  // Where they are asked for nowhere else, those never run.
+  for (const Way* way : {clash.first, clash.second}) {
+    const Provider& provider = model.providers[way->provider()];
+    if (!provider.needs.empty()) finding.rules_out.push_back(provider.span);
   }
   finding.notes.push_back({first.span, fmt::format("{} is asked for in the same unit", a)});
   add_chain(model, *clash.first, group, finding);

@@ -93,6 +93,7 @@ private:
       add("shadowed_provider", model_.providers[provider].span,
           fmt::format("{} never runs: wherever it is granted, what a handler sets takes that away before it runs",
                       name_of(model_, provider)));
+      out_.back().rules_out = {model_.providers[provider].span};
       out_.back().help = "let `start` or `stop` set what leaves its conditions true, or give it a `stay`";
     }
   }
@@ -111,6 +112,7 @@ private:
             reasons.empty()
                 ? fmt::format("{} never runs: no decision about {} ever comes to it", name, group)
                 : fmt::format("{} never runs: whenever {} is requested, {}", name, group, list_of(reasons, "or")));
+    finding.rules_out = {provider.span};
     for (const ProviderId first : kept.first)
       finding.notes.push_back({model_.providers[first].span, fmt::format("{} comes first", name_of(model_, first))});
     add_notes(kept, provider.span, {id}, finding);
@@ -135,6 +137,7 @@ private:
             reasons.empty() ? fmt::format("{} never runs for {}: no decision ever comes to it", name, requester_of(id))
                             : fmt::format("{} never runs for {}: whenever it is requested, {}", name, requester_of(id),
                                           list_of(reasons, "or")));
+    for (const Task* entry : entries) finding.rules_out.push_back(entry->span);
     add_together(kept, finding);
     add_notes(kept, entries.front()->span, model_.groups[edge.target].providers, finding);
     for (std::size_t i = 1; i < entries.size(); ++i)
@@ -173,6 +176,10 @@ private:
     std::string message = fmt::format("{} can never be granted together", list_of(names));
     if (!reasons.empty()) message += fmt::format(": whenever they are requested, {}", list_of(reasons, "or"));
     dsl::Diagnostic& finding = add("possible_pack_conflict", last->span, std::move(message));
+    for (const Task& task : pack.tasks) {
+      if (std::find(members.begin(), members.end(), task.edge) != members.end())
+        finding.rules_out_together.push_back(task.span);
+    }
     add_notes(kept, last->span, providers, finding);
     finding.help = "make one of them `apart` or `optional`, or ask for them in different packs";
   }

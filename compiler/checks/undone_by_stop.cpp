@@ -36,8 +36,8 @@ public:
       for (const StopValue& stop : stop_values(model_.providers[causer].group, state)) {
         const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
         if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
-        std::vector<dsl::Note> how = why_stopped(wanting.task, causer);
-        if (!how.empty()) report(wanting, want, causer, stop, values, std::move(how));
+        Stopped how = why_stopped(wanting.task, causer);
+        if (!how.notes.empty()) report(wanting, want, causer, stop, values, std::move(how));
       }
     }
   }
@@ -62,15 +62,21 @@ private:
     return out;
   }
 
+  /// How it comes to that, and the requests below the task on the way: what they ask for goes with the task.
+  struct Stopped {
+    std::vector<dsl::Note> notes{};
+    std::vector<dsl::Span> requests{};
+  };
+
   /// How the task takes what each provider of the causing group needs; nothing: it goes on, or changes hands.
-  std::vector<dsl::Note> why_stopped(GroupId task, ProviderId causer) const {
+  Stopped why_stopped(GroupId task, ProviderId causer) const {
     const Claims& claims = shared_.claims(task);
     const auto takes = [&](GroupId group) {
       return std::binary_search(claims.groups().begin(), claims.groups().end(), group);
     };
     const GroupId group = model_.providers[causer].group;
     if (takes(group)) return {};
-    std::vector<dsl::Note> out;
+    Stopped out;
     for (const ProviderId id : model_.groups[group].providers) {
       if (id != causer && !facts_.active.contains(id)) continue;
       const dsl::Span need = need_taken(id, takes);
@@ -99,19 +105,23 @@ private:
   }
 
   template <class Takes>
-  std::vector<dsl::Note> notes_for(GroupId task, ProviderId causer, const Claims& claims, const Takes& takes) const {
-    std::vector<dsl::Note> out;
+  Stopped notes_for(GroupId task, ProviderId causer, const Claims& claims, const Takes& takes) const {
+    Stopped out;
     for (const Use<GroupId>& need : model_.providers[causer].needs) {
       const std::optional<GroupId> taken = takes_part(need.id, takes);
       if (!taken) continue;
-      out.push_back({need.span, fmt::format("{} needs {}", name_of(model_, causer), name_of(model_, need.id))});
+      out.notes.push_back({need.span, fmt::format("{} needs {}", name_of(model_, causer), name_of(model_, need.id))});
       if (*taken == task) {
-        out.push_back({model_.groups[task].name.span, fmt::format("{} is taken", name_of(model_, task))});
+        out.notes.push_back({model_.groups[task].name.span, fmt::format("{} is taken", name_of(model_, task))});
         return out;
       }
       for (const Reach reach : all_reaches) {
         if (claims.find(*taken, reach) == nullptr) continue;
-        add_chain(model_, claims.path(*taken, reach), out);
+        const std::vector<ChainStep> path = claims.path(*taken, reach);
+        add_chain(model_, path, out.notes);
+        for (const ChainStep& step : path) {
+          if (!step.by_need) out.requests.push_back(step.span);
+        }
         return out;
       }
     }
@@ -119,16 +129,17 @@ private:
   }
 
   void report(const Wanting& wanting, const Want& want, ProviderId causer, const StopValue& stop,
-              const ValueSet& values, std::vector<dsl::Note> how) {
+              const ValueSet& values, Stopped how) {
     seen_.insert({stop.span, want.condition.span});
     dsl::Diagnostic& finding = findings_.add(
         stop.span, fmt::format("{}, and it is stopped when {} is granted, which waits for {}: the two go "
                                "round",
                                stop.what, name_of(model_, wanting.task), name_of(model_, want.condition.id)));
-    finding.rules_out = {want.condition.span};
+    finding.rules_out = std::move(how.requests);
+    finding.rules_out.push_back(want.condition.span);
     finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
     finding.notes.push_back(causes(model_, causer, want.condition.id));
-    for (dsl::Note& note : how) finding.notes.push_back(std::move(note));
+    for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
     finding.help = stay_help(model_, want, values);
   }
 

@@ -52,7 +52,8 @@ constexpr std::uint64_t usual_cases = 20;
 #endif
 constexpr std::uint64_t long_cases = 4'000;
 constexpr std::size_t bound = 30'000; ///< states of one behaviour; one with more is left out
-constexpr double least_told = 99.2;   ///< of a hundred things that were never reached
+constexpr double least_told = 99.3;   ///< of a hundred things that were never reached
+constexpr double least_told_long = 99.1;
 /// Checks that say never of what was reached. None may join them. task_cycle speaks of the request that closes a circle
 /// from where the circle is entered; from another place another one closes it. That is tolerated: the finding is an
 /// error, whichever request it names, and goes away with the circle.
@@ -207,15 +208,15 @@ void print(const Measure& measure) {
 
 TEST_CASE("what findings call impossible is never reached, and what is never reached is told") {
   const std::uint64_t first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const std::uint64_t cases =
-      from_environment("DIRECTOR_CASES", std::getenv("DIRECTOR_LONG") != nullptr ? long_cases : usual_cases);
+  const bool is_long = std::getenv("DIRECTOR_LONG") != nullptr;
+  const std::uint64_t cases = from_environment("DIRECTOR_CASES", is_long ? long_cases : usual_cases);
   Measure measure;
   for (std::uint64_t seed = first; measure.explored < cases && seed < first + 10 * cases; ++seed) take(measure, seed);
   print(measure);
   for (const std::string& each : measure.contradictions) UNSCOPED_INFO(each);
   CHECK(measure.contradictions.empty());
   CHECK(measure.explored == cases);
-  CHECK(measure.share() >= least_told);
+  CHECK(measure.share() >= (is_long ? least_told_long : least_told));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Header: compiler/analysis/untold/untold.hpp. Test: tests/compiler/explore/never_runs_test.cpp.
+// Header: compiler/analysis/untold/untold.hpp. Test: tests/compiler/analysis/untold/untold_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/untold/untold.hpp"
 
