@@ -54,6 +54,9 @@ struct Decisions {
 
   /// Of all parts together: a fifth of a second. A pass over five groups takes some fifty, over ten some hundreds.
   static constexpr std::int64_t most_steps = 3'000'000;
+  /// In a file of many groups it shall take no more than a tenth of what the other checks do.
+  static constexpr std::size_t many_groups = 300;
+  static constexpr std::int64_t most_steps_of_many = most_steps / 6;
 
   bool never_runs(const Model& model, ProviderId id) const {
     return decided.contains(model.providers[id].group) && !runs.contains(id);
