@@ -1,9 +1,12 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load_scenario.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 #include "compiler/lower/row_names.hpp"
 #include "compiler/play/play.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
+
+#include <fmt/format.h>
 
 namespace director::compiler::cli {
 
@@ -50,8 +53,8 @@ int run(const Simulate& request, Console& console) {
   if (!request.trace.empty()) options.events = tape.emplace(loaded).observer();
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, sink);
   if (tape) {
-    if (const auto wrong = console.outputs.write({{request.trace, tape->take()}})) {
-      console.err << "directorc: " << *wrong << '\n';
+    if (const auto wrong = console.outputs.write({{request.trace, tape->take(), is_trace}})) {
+      console.err << fmt::format("directorc: cannot write {}\n", *wrong);
       return misused;
     }
   }

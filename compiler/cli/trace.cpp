@@ -8,6 +8,8 @@
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace director::compiler::cli {
@@ -44,9 +46,9 @@ int put(const Trace& request, std::string text, int status, Console& console) {
     console.out << text;
     return status;
   }
-  const bool has_head = request.to == "html"; // a page says in its first lines who wrote it
-  if (const auto wrong = console.outputs.write({{request.output, std::move(text), has_head ? has_notice : nullptr}})) {
-    console.err << "directorc: " << *wrong << '\n';
+  const auto is_own = request.to == "html" ? has_notice : is_trace;
+  if (const auto wrong = console.outputs.write({{request.output, std::move(text), is_own}})) {
+    console.err << fmt::format("directorc: cannot write {}\n", *wrong);
     return misused;
   }
   return status;

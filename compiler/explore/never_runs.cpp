@@ -80,7 +80,7 @@ IdSet<Id> set_of(const std::vector<bool>& rows) {
 
 NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<Diagnostic>& told,
                           std::function<void(const SearchProgress& so_far)> progress) {
-  const Ground ground(model);
+  const Ground ground(model, OptionalEntries::left_out_too);
   SearchOptions how;
   how.bound = bound;
   how.progress = std::move(progress);

@@ -73,4 +73,14 @@ bool has_notice(std::string_view text) {
   return is_old(text);
 }
 
+bool is_trace(std::string_view text) {
+  if (text.empty() || text.starts_with("{\"director_trace\":")) return true;
+  if (text.starts_with('[')) { // a line of text: `[    0.000000] run Walk new_task`
+    const std::string_view time = text.substr(1, text.find_first_not_of(" .0123456789", 1) - 1);
+    return time.find('.') != time.npos && text.substr(1 + time.size()).starts_with("] ");
+  }
+  constexpr std::string_view track = "\xE2\x03"; // the first packet declares a track; its length takes a byte or two
+  return text.starts_with('\n') && ((text.substr(1, 4).find(track) == 1 || text.substr(1, 4).find(track) == 2));
+}
+
 } // namespace director::compiler

@@ -24,4 +24,7 @@ Json generated_by();
 /// Whichever version wrote it.
 bool has_notice(std::string_view text);
 
+/// A trace in any of its formats (JSON lines, text, Perfetto's), which all have no place for a notice, or nothing.
+bool is_trace(std::string_view text);
+
 } // namespace director::compiler

@@ -24,8 +24,9 @@ struct OverflowSlotOf {
     }
     return slot;
   }
+  /// That of cancel_all.
   static constexpr Index of_all = of_state(static_cast<Index>(Facts::States::domains.size()));
-  static constexpr std::size_t count = of_all + std::size_t{1};
+  static constexpr std::size_t count = of_all + std::size_t{1}; ///< how many there are
 };
 
 /// The way in. Any thread and any interrupt may use one, at any time, from anywhere. Each call is one input, taken by

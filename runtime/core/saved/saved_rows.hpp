@@ -151,14 +151,6 @@ struct Layout {
   std::size_t edges = 0, groups = 0, plan = 0, states = 0, promises = 0, providers = 0, listens = 0, components = 0;
   std::size_t data = 0;
 
-  constexpr explicit Layout(const Shape& n) {
-    data = bytes_of<HeadRow>();
-    each_kind(n, [this]<class Row>(std::size_t Layout::*kind, std::size_t count) {
-      this->*kind = data;
-      data += count * bytes_of<Row>();
-    });
-  }
-
   /// Calls visit.operator()<Row>(where they begin, how many there are) for each kind, as they follow one another.
   static constexpr void each_kind(const Shape& n, auto visit) {
     visit.template operator()<EdgeRow>(&Layout::edges, n.edges);
@@ -169,6 +161,14 @@ struct Layout {
     visit.template operator()<EnabledRow>(&Layout::providers, n.providers);
     visit.template operator()<FiredRow>(&Layout::listens, n.listen_slots);
     visit.template operator()<ComponentRow>(&Layout::components, n.components);
+  }
+
+  constexpr explicit Layout(const Shape& n) {
+    data = bytes_of<HeadRow>();
+    each_kind(n, [this]<class Row>(std::size_t Layout::*kind, std::size_t count) {
+      this->*kind = data;
+      data += count * bytes_of<Row>();
+    });
   }
 };
 

@@ -210,6 +210,23 @@ TEST_CASE("no command writes over what somebody else has written, but each over 
     folder.write(name, before);
   }
   CHECK(read_file(folder.at("bot.hpp")).find("again") != std::string::npos);
+
+  const std::string scenario = "scenario: it walks\nbehaviour: bot.yaml\nsteps:\n  - request: Walk\n";
+  folder.write("it.scenario.yaml", scenario);
+  const auto play = [&](const std::string& to) { return told("simulate --trace " + to + " it.scenario.yaml"); };
+  for (const std::string name : {"bot.yaml", "it.scenario.yaml", "bot.hpp"}) {
+    const std::string before = read_file(folder.at(name));
+    CHECK(play(name) == "2 directorc: cannot write `" + name + "`" + why);
+    CHECK(read_file(folder.at(name)) == before);
+  }
+  folder.write("empty", "");
+  for (const std::string name : {"t.jsonl", "t.jsonl", "empty"}) CHECK(play(name) == "0 ");
+  for (const std::string format : {"text", "perfetto", "json"}) {
+    CHECK(told("trace t.jsonl --to=" + format + " -o it.scenario.yaml") ==
+          "2 directorc: cannot write `it.scenario.yaml`" + why);
+    CHECK(read_file(folder.at("it.scenario.yaml")) == scenario);
+    CHECK(told("trace t.jsonl --to=" + format + " -o copy") == "0 "); // over the one in the format before
+  }
 }
 
 TEST_CASE("a folder or a pipe in the way is told, with status 2") {
