@@ -51,6 +51,9 @@ RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::strin
   out.file = shown_path(named.empty() ? file_of(recorded, trace, console) : named);
   std::optional<Checked> checked = load(out.file, {}, sources, console);
   if (!checked) {
+    if (named.empty())
+      console.err << "  help: the trace names this behaviour; where it is neither there nor beside the trace, say "
+                     "where it is with --behaviour FILE\n";
     out.status = misused;
   } else if (checked->lowerable) {
     out.checked = std::move(*checked);

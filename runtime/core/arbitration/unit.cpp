@@ -117,10 +117,10 @@ void try_unit(Context& x, Index edge, bool outdated) {
 void try_members(Context& x, Index count, bool outdated) {
   if (outdated && any_new(x, count) && !injected(Fault::outdated_orders_acquire)) {
     for (Index at = 0; at < count; ++at) {
-      // It is not even tried: a reason that there was stays until it is, unless its group is held for it and lives on.
-      const Index edge = x.s.member[at].edge;
+      // It is not even tried: a reason that there was stays until it is, unless its group is held for it from now on.
+      const Index edge = x.s.member[at].edge, group = target(x, edge);
       x.s.edge_marks[edge] |= mark::refused;
-      if (x.s.queued[edge].why == Why::none || holder_now(x, target(x, edge)) == edge)
+      if (x.s.queued[edge].why == Why::none || (holder_now(x, group) == edge && x.s.last[group].holder != edge))
         x.s.queued[edge] = {Why::outdated, nil};
     }
     return keep_pushes(x, count);

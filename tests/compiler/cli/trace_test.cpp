@@ -192,7 +192,9 @@ TEST_CASE("where the behaviour is found that a trace names") {
   World nowhere;
   nowhere.files.add("run.jsonl", trace_in(world));
   CHECK(nowhere.directorc({"replay", "run.jsonl"}) == 2);
-  CHECK(nowhere.err.find("rover.yaml") != std::string::npos);
+  CHECK(nowhere.err == "directorc: cannot read `rover.yaml`: No such file or directory\n"
+                       "  help: the trace names this behaviour; where it is neither there nor beside the trace, say "
+                       "where it is with --behaviour FILE\n");
 }
 
 } // namespace
