@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/console.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
@@ -9,6 +11,12 @@
 namespace director::compiler::cli {
 
 namespace fs = std::filesystem;
+
+bool write(const std::vector<Output>& outputs, Console& console, std::string_view consequence) {
+  const std::optional<std::string> fault = console.outputs.write(outputs);
+  if (fault) console.err << fmt::format("directorc: {}cannot write {}\n", consequence, *fault);
+  return !fault;
+}
 
 Console with_files(const Console& console, dsl::FileAccess& files, Outputs& outputs) {
   return {console.out,     console.err,       console.out_colours, console.err_colours,

@@ -11,6 +11,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace director::compiler::cli {
@@ -43,6 +44,9 @@ struct Console {
   std::size_t err_width = 0;
   bool out_clears = false; ///< it is a terminal that can be cleared
 };
+
+/// False, and says why, where they cannot be written. `consequence`: of that, as "nothing is written; ".
+bool write(const std::vector<Output>& outputs, Console& console, std::string_view consequence = {});
 
 /// The same world with other files behind it.
 Console with_files(const Console& console, dsl::FileAccess& files, Outputs& outputs);

@@ -53,9 +53,7 @@ int run(const Docs& request, Console& console) {
     status = std::max(status, result);
     if (page) outputs.push_back({path, std::move(*page), has_notice});
   }
-  const std::optional<std::string> fault = console.outputs.write(outputs);
-  if (fault) console.err << fmt::format("directorc: cannot write {}\n", *fault);
-  return fault ? misused : status;
+  return write(outputs, console) ? status : misused;
 }
 
 } // namespace director::compiler::cli

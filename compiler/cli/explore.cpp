@@ -32,10 +32,7 @@ bool write_scenarios(const Explore& request, const std::vector<std::pair<std::st
   std::vector<Output> outputs;
   for (const auto& [name, text] : scenarios)
     outputs.push_back({(fs::path(request.output) / name).string(), with_notice(behaviour, "# ", text), has_notice});
-  if (const std::optional<std::string> fault = console.outputs.write(outputs)) {
-    console.err << fmt::format("directorc: no scenario is written; cannot write {}\n", *fault);
-    return false;
-  }
+  if (!write(outputs, console, "no scenario is written; ")) return false;
   for (const Output& output : outputs) console.out << fmt::format("wrote {}\n", output.path);
   return true;
 }

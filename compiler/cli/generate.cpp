@@ -46,9 +46,7 @@ int run(const Generate& request, Console& console) {
   // The header takes its place last. Who is killed between two files leaves a header of before: `verify` tells that,
   // and a build whose rule names it makes all of them anew.
   std::rotate(outputs.begin(), outputs.begin() + 1, outputs.end());
-  const std::optional<std::string> fault = console.outputs.write(outputs);
-  if (fault) console.err << fmt::format("directorc: nothing is written; cannot write {}\n", *fault);
-  return fault ? misused : clean;
+  return write(outputs, console, "nothing is written; ") ? clean : misused;
 }
 
 } // namespace director::compiler::cli

@@ -88,15 +88,9 @@ std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sou
   return with_notice(name, "// ", dot(picture, links));
 }
 
-int write(const std::vector<Output>& outputs, Console& console) {
-  const std::optional<std::string> fault = console.outputs.write(outputs);
-  if (fault) console.err << fmt::format("directorc: cannot write {}\n", *fault);
-  return fault ? misused : clean;
-}
-
 /// To the file that is asked for, or to the terminal.
 int hand_over(const std::string& text, const std::string& output, Console& console) {
-  if (!output.empty()) return write({{output, text, has_notice}}, console);
+  if (!output.empty()) return write({{output, text, has_notice}}, console) ? clean : misused;
   console.out << text;
   return clean;
 }
@@ -171,7 +165,7 @@ int draw_moments(const DrawGraph& request, Console& console) {
     const std::string name = fmt::format("step_{:0{}}.{}", frames.size() + 1, digits, ending_of(request.format));
     frames.push_back({(std::filesystem::path(request.output) / name).string(), *text, has_notice});
   }
-  return write(frames, console);
+  return write(frames, console) ? clean : misused;
 }
 
 } // namespace

@@ -6,8 +6,6 @@
 #include "compiler/play/play.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
-#include <fmt/format.h>
-
 namespace director::compiler::cli {
 
 namespace {
@@ -52,12 +50,7 @@ int run(const Simulate& request, Console& console) {
   std::optional<Tape> tape;
   if (!request.trace.empty()) options.events = tape.emplace(loaded).observer();
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, sink);
-  if (tape) {
-    if (const auto wrong = console.outputs.write({{request.trace, tape->take(), is_trace}})) {
-      console.err << fmt::format("directorc: cannot write {}\n", *wrong);
-      return misused;
-    }
-  }
+  if (tape && !write({{request.trace, tape->take(), is_trace}}, console)) return misused;
   if (played.refused) {
     console.out.flush();
     print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);

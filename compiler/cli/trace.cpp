@@ -8,8 +8,6 @@
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 
 namespace director::compiler::cli {
@@ -47,11 +45,7 @@ int put(const Trace& request, std::string text, int status, Console& console) {
     return status;
   }
   const auto is_own = request.to == "html" ? has_notice : is_trace;
-  if (const auto wrong = console.outputs.write({{request.output, std::move(text), is_own}})) {
-    console.err << fmt::format("directorc: cannot write {}\n", *wrong);
-    return misused;
-  }
-  return status;
+  return write({{request.output, std::move(text), is_own}}, console) ? status : misused;
 }
 
 } // namespace

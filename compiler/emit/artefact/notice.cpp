@@ -80,7 +80,8 @@ bool is_trace(std::string_view text) {
     return time.find('.') != time.npos && text.substr(1 + time.size()).starts_with("] ");
   }
   constexpr std::string_view track = "\xE2\x03"; // the first packet declares a track; its length takes a byte or two
-  return text.starts_with('\n') && ((text.substr(1, 4).find(track) == 1 || text.substr(1, 4).find(track) == 2));
+  const std::size_t at = text.substr(0, 5).find(track);
+  return text.starts_with('\n') && (at == 2 || at == 3);
 }
 
 } // namespace director::compiler
