@@ -8,6 +8,7 @@
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/facts/scanner.hpp"
 #include "compiler/lower/lower.hpp"
+#include "compiler/model/cpp_names.hpp"
 #include "compiler/stubs/layout.hpp"
 #include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/scan.hpp"

@@ -4,6 +4,7 @@
 
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/manifest.hpp"
+#include "compiler/model/cpp_names.hpp"
 
 namespace director::compiler {
 

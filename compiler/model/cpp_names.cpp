@@ -8,6 +8,10 @@
 
 namespace director::compiler {
 
+std::string header_name(std::string_view behaviour) { return fmt::format("{}.hpp", behaviour); }
+
+std::string facts_name(std::string_view behaviour) { return fmt::format("{}.facts.hpp", behaviour); }
+
 std::string type_name(std::string_view name) { return dsl::capitalised(name); }
 
 std::string context_name(const Provider& provider) { return type_name(provider.name); }

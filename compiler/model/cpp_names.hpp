@@ -9,6 +9,8 @@
 
 namespace director::compiler {
 
+std::string header_name(std::string_view behaviour);                ///< `soccer.hpp`
+std::string facts_name(std::string_view behaviour);                 ///< `soccer.facts.hpp`, which that includes
 std::string type_name(std::string_view name);                       ///< `walk` -> `Walk`
 std::string context_name(const Provider& provider);                 ///< `Halting`
 std::string group_name(const Model& model, GroupId group);          ///< `Walk`

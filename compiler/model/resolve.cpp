@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolve.hpp"
 
+#include "compiler/model/cpp_names.hpp"
 #include "compiler/model/resolver.hpp"
 #include "dsl/names.hpp"
 
@@ -17,8 +18,7 @@ namespace {
 
 /// What is generated includes the headers, and `#include` looks beside it first.
 void check_header(Resolver& r, const Word& header) {
-  for (const char* const end : {".hpp", ".facts.hpp"}) {
-    const std::string name = r.main.name.value + end;
+  for (const std::string& name : {header_name(r.main.name.value), facts_name(r.main.name.value)}) {
     if (std::filesystem::path(header.value).lexically_normal() != name) continue;
     r.error("reserved_name", header.span,
             fmt::format("a header cannot be called `{}`: a generated one of `{}` is, and would be found in its place",

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/wanted.hpp"
 
-#include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
+#include "compiler/model/cpp_names.hpp"
 #include "dsl/names.hpp"
 
 #include <fmt/format.h>

@@ -6,13 +6,7 @@
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/artefact/deployment.hpp"
 
-#include <string>
-
 namespace director::compiler {
-
-/// What the header and the facts of a behaviour are called: `soccer.hpp`, `soccer.facts.hpp`.
-std::string header_name(const std::string& behaviour);
-std::string facts_name(const std::string& behaviour);
 
 /// `soccer.hpp`
 Code header(const Deployment& deployment);

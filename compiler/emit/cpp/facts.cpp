@@ -225,9 +225,7 @@ void provider_facts(Code& code, const CppEmission& e, ProviderId id) {
 
 Code facts(const Deployment& deployment) {
   const CppEmission e{deployment};
-  Code code;
-  code.line(first_line(e));
-  code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
+  Code code = first_lines(e);
   code.comment("", "//");
   code.comment(
       fmt::format("What the C++ compiler must know of the specification: rows of tables, and what each body may "

@@ -7,15 +7,10 @@
 
 namespace director::compiler {
 
-std::string header_name(const std::string& behaviour) { return behaviour + ".hpp"; }
-std::string facts_name(const std::string& behaviour) { return behaviour + ".facts.hpp"; }
-
 Code header(const Deployment& deployment) {
   const CppEmission e{deployment};
   const Model& model = e.model;
-  Code code;
-  code.line(first_line(e));
-  code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
+  Code code = first_lines(e);
   code.comment("", "//");
   code.comment(
       "In this order: states, triggers and tasks; what the body of each provider gets; the modules that a program "

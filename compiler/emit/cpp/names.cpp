@@ -49,8 +49,11 @@ bool hidden_in(const CppEmission& e, const Provider& context, const std::string&
 
 } // namespace
 
-std::string first_line(const CppEmission& e) {
-  return fmt::format("// {}", notice_words(portable_path(e.from, e.model.name_span.file)));
+Code first_lines(const CppEmission& e) {
+  Code code;
+  code.line(fmt::format("// {}", notice_words(portable_path(e.from, e.model.name_span.file))));
+  code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
+  return code;
 }
 
 std::string group_in(const Model& model, GroupId group) { return inside(model, group_name(model, group)); }

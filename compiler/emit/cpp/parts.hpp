@@ -44,8 +44,8 @@ std::string conditions_text(const Model& model, const std::vector<ConditionUse>&
 /// What the specification says of a provider, a line for each word: "- needs: LeftLeg, RightLeg".
 std::vector<std::string> words_of(const Model& model, const Provider& provider);
 
-/// What both begin with: who wrote it, and of what.
-std::string first_line(const CppEmission& e);
+/// What each file begins with: who wrote it, and of what, and the licence.
+Code first_lines(const CppEmission& e);
 
 // What the header consists of.
 Code states_part(const CppEmission& e);

@@ -9,9 +9,7 @@ namespace director::compiler {
 
 Code source(const Deployment& deployment) {
   const CppEmission e{deployment};
-  Code code;
-  code.line(first_line(e));
-  code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
+  Code code = first_lines(e);
   code.line(fmt::format("#include \"{}\"", header_name(e.model.name)));
   code.blank();
   code.line("#if __STDC_HOSTED__");

@@ -5,6 +5,7 @@
 // their C++ compiles behind all headers of standard C++ and C.
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/lower/lower.hpp"
+#include "compiler/model/cpp_names.hpp"
 #include "compiler/pipeline.hpp"
 #include "dsl/names.hpp"
 #include "tests/system/names/adversary.hpp"
