@@ -131,10 +131,9 @@ private:
           if (!twice) options.push_back(Ask{edge, row});
         }
         const bool may_lack = !provider.has_packs || may_leave_out(options);
-        if (provider.has_packs && may_lack && optional_ == OptionalEntries::kept) {
-          kept_whole_ = true;
-          required.push_back(edge);
-        } else if (may_lack) {
+        const bool is_kept = may_lack && provider.has_packs && optional_ == OptionalEntries::kept;
+        kept_whole_ = kept_whole_ || is_kept;
+        if (may_lack && !is_kept) {
           options.emplace_back();
         } else {
           required.push_back(edge);

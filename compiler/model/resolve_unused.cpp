@@ -8,17 +8,17 @@ namespace director::compiler {
 
 namespace {
 
-void report(Resolver& r, Span span, std::string message, std::string help) {
+/// `rules_out`: as of a finding.
+void report(Resolver& r, Span span, std::string message, std::string help, std::vector<Span> rules_out = {}) {
   if (span.file != r.main.file) return; // a shared module has other importers, who may use it
-  r.find("unused_declaration", dsl::Level::lint, span, std::move(message), std::move(help));
+  r.find("unused_declaration", dsl::Level::lint, span, std::move(message), std::move(help)).rules_out =
+      std::move(rules_out);
 }
 
 /// It never runs.
 void report_group(Resolver& r, Span span, std::string message) {
-  const std::size_t before = r.findings.size();
   report(r, span, std::move(message),
-         "remove it, or list it under `roots`, or under `tasks` or `needs` of another group");
-  if (r.findings.size() > before) r.findings.back().rules_out = {span};
+         "remove it, or list it under `roots`, or under `tasks` or `needs` of another group", {span});
 }
 
 /// A state that is only set tells nobody anything: bodies do not read states.

@@ -119,8 +119,7 @@ void Moves::pass(const Moment& from, Rows anew, const std::function<void(const M
     ++gathered_.passes;
     left_ -= gathered_.steps - before + of_any_pass;
     if (!next) continue;
-    const std::string here = "moment " + std::string(next->bytes());
-    if (picks_.has_picked() && picks_.is_known(here)) continue;
+    if (picks_.has_picked() && picks_.is_known("moment " + std::string(next->bytes()))) continue;
     act(from, *next);
     told(*next);
   } while (picks_.again());

@@ -65,6 +65,7 @@ private:
   using By = std::array<Row, Component::most_groups>;
 
   // Section 4.1
+  static bool is_limbo(Row edge) { return edge >= Moment::limbo && edge != nothing; }
   Row requester(Row edge) const { return edge >= Moment::limbo ? nothing : part_.edges[edge].requester; }
   const Level& level(Row edge) const;
   Chain chain_of(const By& by, Row edge) const;
@@ -78,7 +79,7 @@ private:
   bool available(Row group, const Chain& to);
   bool alive(Row edge) const;
 
-  // Section 4.3
+  // Section 4.3: choices.cpp
   bool holds(Row condition) const;
   bool applies(Row by, const Chain& edge) const { return before(claimed(by), edge) && !edge.below(by); }
   const PossiblePush* standing(Row group);

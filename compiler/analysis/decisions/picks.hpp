@@ -22,12 +22,11 @@ public:
   }
   bool any() { return pick(2) == 1; }
 
-  /// Whether another way has led to what is in these bytes, all that what follows depends on: this way may end here.
-  bool is_known(std::string_view here) {
-    if (picked_.empty() || at_ < picked_.size()) return false; // on the common part of both
-    return !seen_.emplace(here).second;
-  }
+  /// This way is not on the part that it has in common with the one before.
   bool has_picked() const { return !picked_.empty() && at_ == picked_.size(); }
+  /// Whether another way has led to what is in these bytes, all that what follows depends on: this way, which has
+  /// picked, may end here.
+  bool is_known(std::string_view here) { return !seen_.emplace(here).second; }
 
   /// From the beginning, with other picks. False: there are none left.
   bool again() {

@@ -74,7 +74,8 @@ void write_decisions(const Engine& engine, std::span<std::byte> to, std::uint64_
                                               bit(c.quiet_until != first_time, head::rests))});
   const Layout at(n);
   Layout::each_kind(n, [&]<class Row>(std::size_t Layout::*kind, std::size_t count) {
-    for (std::size_t g = 0; g < n.groups; ++g) s.reach[g] = nil;
+    if constexpr (std::is_same_v<Row, GroupRow> || std::is_same_v<Row, ComponentRow>)
+      for (std::size_t g = 0; g < n.groups; ++g) s.reach[g] = nil;
     Index place = 0;
     if constexpr (std::is_same_v<Row, GroupRow>)
       for (Index g = c.queue_first; g != nil; g = s.run_queue[g].runs_before) s.reach[g] = place++;
