@@ -140,6 +140,7 @@ await situation('seventy groups are one page of at most 1.5 MB', 'robocup', {}, 
 });
 
 await situation('the policy refuses a script that is not its own', 'photo', {}, async (page, said) => {
+  const told = page.waitForEvent('console');
   const blocked = page.evaluate(() => new Promise((resolve) => document.addEventListener('securitypolicyviolation', (event) => resolve(event.effectiveDirective), { once: true })));
   await page.evaluate(() => {
     const script = document.createElement('script');
@@ -148,6 +149,7 @@ await situation('the policy refuses a script that is not its own', 'photo', {}, 
   });
   assert.equal(await blocked, 'script-src-elem');
   assert.equal(await page.evaluate(() => globalThis.ran), undefined);
+  await told;
   assert.match(said.splice(0).join(), /violates the following Content Security Policy/);
 });
 

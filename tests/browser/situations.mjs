@@ -16,13 +16,14 @@ export class Situations {
   static async open(program, folder) {
     const out = new Situations();
     out.folder = folder;
-    out.browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
+    out.browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'], timeout: 0 });
     return out;
   }
 
   /** Axe is put in with `bypassCSP`. */
   async run(title, name, options, act) {
     const context = await this.browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+    context.setDefaultTimeout(0); // how busy the machine is decides nothing: what never comes is ended by ctest
     const page = await context.newPage();
     const said = [];
     const address = pathToFileURL(join(this.folder, `${name}.html`)).href;
