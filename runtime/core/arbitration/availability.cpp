@@ -41,18 +41,6 @@ bool may_deny(const Context& x, Index group, Index edge, Index member) {
 
 } // namespace
 
-/// May an equal stand in the way of a member whose target is flat? Nothing is needed by what it needs.
-bool is_disputed(const Context& x, Index member) {
-  const Index group = x.t.edges[member].target;
-  bool yes = may_deny(x, group, member, member);
-  const Range providers = x.t.groups[group].providers;
-  for (Index p = providers.begin; p != providers.end && !yes; ++p) {
-    for (const Index need : x.t.list(x.t.providers[p].needs))
-      yes = yes || may_deny(x, x.t.edges[need].target, need, member);
-  }
-  return yes;
-}
-
 /// Equals never take from each other. Its last holder is an edge, and another one.
 bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
   const Index holder = x.s.last[group].holder;

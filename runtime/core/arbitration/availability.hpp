@@ -10,15 +10,8 @@ namespace director::arbitration {
 
 DIRECTOR_PART bool kept_by_equal(Context& x, Index group, Index edge, bool record);
 DIRECTOR_PART bool may_be_denied(Context& x, Index member);
-DIRECTOR_PART bool is_disputed(const Context& x, Index member);
 DIRECTOR_PART bool denied_in_vain(Context& x);
 DIRECTOR_PART void take_back(Context& x);
-
-/// One member alone. Whether it is disputed is asked once for all that is tried with it.
-inline void take_in_hand(Context& x, Index member) {
-  x.s.member[0].edge = member;
-  x.disputed = x.row.equals && x.t.groups[target(x, member)].flat && !taken(x, member) && is_disputed(x, member);
-}
 
 inline bool available(Context& x, Index group, Index edge, bool record) {
   const Index claimant = holder_now(x, group);

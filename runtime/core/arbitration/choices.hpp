@@ -10,10 +10,13 @@
 namespace director::arbitration {
 
 Index slot_of(const Context& x, Index owner, Index group);
-void drop_entries(Context& x, Index begin, Index end);
-bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration);
+DIRECTOR_PART bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration);
 void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end);
 Index entries_of(Context& x, Index group, const Assignment& of);
+
+inline void drop_entries(Context& x, Index begin, Index end) {
+  for (Index i = end; i-- > begin;) x.s.trial[x.s.entry[i].group] = nil;
+}
 
 /// Where the entries of a member's plan begin.
 inline Index entries_begin(const Context& x, Index at) { return at == 0 ? Index{0} : x.s.member[at - 1].entries_end; }
@@ -31,7 +34,8 @@ inline Index first_false(const Context& x, Index provider, Index edge) {
 }
 
 bool combine(Context& x, Index count, bool with_conditions);
-DIRECTOR_PART bool search_combination(Context& x, Index count, bool with_conditions);
+bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool record);
+DIRECTOR_PART bool search_combination(Context& x, Index count, bool with_conditions, bool deniable);
 void leave_combination(Context& x, Index count);
 
 } // namespace director::arbitration

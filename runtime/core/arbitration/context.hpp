@@ -41,7 +41,6 @@ struct Context {
   bool walking = false;          ///< the pass is on its way along the order
   bool lineage_is_valid = false; ///< State::lineage holds for what is claimed now, and nothing of it is in limbo
   bool disturbed = false;        ///< something is, or may be, another than in the last pass
-  bool disputed = false;         ///< an equal may stand in the way of the one member in hand, whose target is flat
   /// The result may be another one when it is the last assignment itself, or when other groups are stale.
   mutable bool depends_on_last = false, depends_on_stale = false;
   bool on_last = false, on_stale = false; ///< the same of the units decided before the one in hand

@@ -9,9 +9,8 @@
 namespace director::arbitration {
 
 void decide_alone(Context& x, Index edge, bool outdated);
-void grant_plain(Context& x, Index edge, Index provider);
 DIRECTOR_PART void try_unit(Context& x, Index edge, bool outdated);
-DIRECTOR_PART void try_members(Context& x, Index count, bool outdated);
+void try_members(Context& x, Index count, bool outdated);
 void grant(Context& x, Index count);
 DIRECTOR_PART void repeat(Context& x, Index edge);
 void block(Context& x, Index count);

@@ -1,11 +1,83 @@
-// docs/semantics.md, section 4.3: the plan that a group has, and the entries of the combination in hand.
+// docs/semantics.md, section 4.3: plans: what a provider needs, and what that needs, each with a provider of its own.
 // SPDX-License-Identifier: MIT
+//
+// A plan is searched, not enumerated: it is a stack of entries (group, provider, who needs it), extended depth first;
+// the next plan changes the last entry that has another provider. The plans of all members of a unit lie on one stack,
+// one behind the other.
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char plans = 0;
+}
 
 namespace director::arbitration {
+
+namespace {
+
+/// Writes behind the entries of a plan for a provider the first need that they do not meet, depth first; false: they
+/// meet all.
+bool next_need(const Context& x, Index provider, Index begin, Index end) {
+  Index parent = end == begin ? nil : static_cast<Index>(end - 1), place = 0;
+  for (;;) {
+    const Range needs = x.t.providers[parent == nil ? provider : x.s.entry[parent].provider].needs;
+    if (place < needs.size()) {
+      const Index need = x.t.list(needs)[place];
+      x.s.entry[end] = {
+          .group = target(x, need), .need = need, .choice = 0, .provider = nil, .parent = parent, .place = place};
+      return true;
+    }
+    if (parent == nil) return false;
+    place = static_cast<Index>(x.s.entry[parent].place + 1);
+    parent = x.s.entry[parent].parent;
+  }
+}
+
+void pick(Context& x, PlanEntry& entry, bool by_declaration) {
+  entry.provider = by_declaration ? static_cast<Index>(x.t.groups[entry.group].providers.begin + entry.choice)
+                                  : preferred(x, entry.group, entry.choice, entry.need);
+}
+
+/// Changes the last entry that has another provider, and drops those behind it.
+bool change_last(Context& x, Index begin, Index& end, bool by_declaration) {
+  for (; end != begin; --end) {
+    PlanEntry& last = x.s.entry[end - 1];
+    if (++last.choice < x.t.groups[last.group].providers.size()) {
+      pick(x, last, by_declaration);
+      return true;
+    }
+    x.s.trial[last.group] = nil;
+  }
+  return false;
+}
+
+} // namespace
+
+/// The first plan (`fresh`) or the next one of a provider whose group is marked in `trial`, as entries [begin, end). An
+/// entry is added for each need that is still open, depth first; a group cannot be held for two purposes.
+bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration) {
+  if (fresh) {
+    end = begin;
+  } else {
+    if (injected(Fault::only_the_first_plan)) drop_entries(x, begin, end), end = begin;
+    if (!change_last(x, begin, end, by_declaration)) return false;
+  }
+  while (next_need(x, provider, begin, end)) {
+    PlanEntry& added = x.s.entry[end];
+    if (x.s.trial[added.group] == nil && !taken(x, added.need)) {
+      x.s.trial[added.group] = added.need;
+      pick(x, added, by_declaration);
+      ++end;
+    } else if (!change_last(x, begin, end, by_declaration)) {
+      return false;
+    }
+  }
+  return true;
+}
 
 /// Where the plan of `owner` keeps the provider picked for `group`; nil where it has only one.
 Index slot_of(const Context& x, Index owner, Index group) {
@@ -14,10 +86,6 @@ Index slot_of(const Context& x, Index owner, Index group) {
     if (x.t.plan_groups[slot] == group) return slot;
   }
   return nil;
-}
-
-void drop_entries(Context& x, Index begin, Index end) {
-  for (Index i = end; i-- > begin;) x.s.trial[x.s.entry[i].group] = nil;
 }
 
 namespace {
@@ -54,27 +122,12 @@ void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end)
 /// Writes the plan that a group has as entries from 0 on; returns how many.
 Index entries_of(Context& x, Index group, const Assignment& of) {
   const Index planned = of[group].planned;
-  if (planned == nil) return 0;
   Index end = 0;
-  for (Index parent = nil;;) {
-    Index place = 0;
-    Index owner = parent;
-    Index needer = parent == nil ? planned : x.s.entry[parent].provider;
-    while (place >= x.t.providers[needer].needs.size()) { // the next need, depth first
-      if (owner == nil) return end;
-      place = static_cast<Index>(x.s.entry[owner].place + 1);
-      owner = x.s.entry[owner].parent;
-      needer = owner == nil ? planned : x.s.entry[owner].provider;
-    }
-    const Index need = x.t.list(x.t.providers[needer].needs)[place], needed = x.t.edges[need].target;
-    const Index slot = slot_of(x, group, needed);
-    x.s.entry[end].group = needed;
-    x.s.entry[end].need = need;
-    x.s.entry[end].provider = slot == nil ? x.t.groups[needed].providers.begin : of.plan[slot];
-    x.s.entry[end].parent = owner;
-    x.s.entry[end].place = place;
-    parent = end++;
+  while (planned != nil && next_need(x, planned, 0, end)) {
+    const Index needed = x.s.entry[end].group, slot = slot_of(x, group, needed);
+    x.s.entry[end++].provider = slot == nil ? x.t.groups[needed].providers.begin : of.plan[slot];
   }
+  return end;
 }
 
 } // namespace director::arbitration

@@ -327,14 +327,4 @@ void reach_pushes(Context& x, Index edge) {
   }
 }
 
-void keep_pushes_of_plain(Context& x, Index edge, Index provider) {
-  Index end = 0;
-  for (const Index need : x.t.list(x.t.providers[provider].needs))
-    x.s.entry[end++].provider = x.t.groups[x.t.edges[need].target].providers.begin;
-  x.s.member[0].edge = edge;
-  x.s.member[0].provider = provider;
-  x.s.member[0].entries_end = end;
-  keep_own_pushes(x, 1);
-}
-
 } // namespace director::arbitration

@@ -11,7 +11,6 @@ namespace director::arbitration {
 
 DIRECTOR_PART void keep_own_pushes(Context& x, Index count);
 DIRECTOR_PART void keep_last_pushes(Context& x, Index count);
-DIRECTOR_PART void keep_pushes_of_plain(Context& x, Index edge, Index provider);
 DIRECTOR_PART void list_push(Context& x, Index group);
 DIRECTOR_PART void push_for(Context& x, Index count, Index unmet);
 DIRECTOR_PART void finish_pushes(Context& x);

@@ -8,6 +8,11 @@
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/base/parts.hpp"
+
+namespace director::part {
+const char staleness = 0;
+}
 
 namespace director::arbitration {
 
@@ -36,10 +41,21 @@ bool any_new(const Context& x, Index count) {
   return false;
 }
 
+/// They are not even tried: a reason that there was stays until they are, unless the group is held for one from now on.
+void wait_for_orders(Context& x, Index count) {
+  for (Index at = 0; at < count; ++at) {
+    const Index edge = x.s.member[at].edge, group = target(x, edge);
+    x.s.edge_marks[edge] |= mark::refused;
+    if (x.s.queued[edge].why == Why::none || (holder_now(x, group) == edge && x.s.last[group].holder != edge))
+      x.s.queued[edge] = {Why::outdated, nil};
+  }
+  keep_pushes(x, count);
+}
+
 /// What was granted before stays, the others wait for the runs to come.
 void defer(Context& x, Index count) {
   for (Index i = 0; i < count; ++i) {
-    take_in_hand(x, x.s.unit[i]);
+    x.s.member[0].edge = x.s.unit[i];
     if (runs_for_now(x, x.s.member[0].edge) && combine(x, 1, true)) {
       grant(x, 1);
     } else {

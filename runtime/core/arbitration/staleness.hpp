@@ -11,9 +11,10 @@ inline constexpr Index up_to_date = static_cast<Index>(nil - 1); ///< instead of
 
 DIRECTOR_PART Index stale_source(const Context& x, Index group);
 bool stale_requester(const Context& x, Index edge);
-bool any_new(const Context& x, Index count);
-void defer(Context& x, Index count);
-bool premature(Context& x, Index count);
+DIRECTOR_PART bool any_new(const Context& x, Index count);
+DIRECTOR_PART void wait_for_orders(Context& x, Index count);
+DIRECTOR_PART void defer(Context& x, Index count);
+DIRECTOR_PART bool premature(Context& x, Index count);
 bool reached_from_stale(Context& x, Index found, Index edge);
 bool outdates(const Context& x, Index group);
 

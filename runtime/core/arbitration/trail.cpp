@@ -238,20 +238,6 @@ void pass_by(Context& x, Index group) {
   put_again(x, x.s.place[group], x.s.extent[group]);
 }
 
-/// A unit of this one edge stands as it stood. True: so does all that is below it.
-bool stand_as_before(Context& x, Index edge, std::uint8_t marks) {
-  const Index group = x.t.edges[edge].target;
-  const bool was_held = x.s.last[group].holder == edge;
-  if (was_held && x.line_count != 0 && !is_opened(x, group)) look_at_lines(x, group);
-  if ((marks & mark::pushes) != 0 || (was_held && is_opened(x, group))) {
-    repeat(x, edge);
-    return false;
-  }
-  x.s.edge_marks[edge] |= was_held ? mark::visited : mark::visited | mark::refused;
-  if (was_held) pass_by(x, group);
-  return was_held;
-}
-
 /// It waits for somebody who is pushed, or stands behind the holder of its target: it need not be decided again.
 bool waits_on(const Context& x, Index edge) {
   const std::uint8_t bits = x.s.edge_trail[edge];
@@ -297,27 +283,14 @@ void leave_to(Context& x, Index group) {
   }
 }
 
-namespace {
-
-void repeat_grant(Context& x, Index edge) {
-  const Index group = target(x, edge), provider = x.s.last[group].active;
-  if (!x.t.groups[group].flat) {
-    const Index end = entries_of(x, group, x.s.last);
-    claim(x, group, edge);
-    now_granted(x, edge, provider);
-    claim_plan(x, group, provider, 0, end);
-  } else {
-    grant_plain(x, edge, provider);
-  }
-}
-
-} // namespace
-
 /// A unit of this one edge stands as it stood.
 void repeat(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited;
   if (runs_for_now(x, edge)) {
-    repeat_grant(x, edge);
+    const Index group = target(x, edge), provider = x.s.last[group].active, end = entries_of(x, group, x.s.last);
+    claim(x, group, edge);
+    now_granted(x, edge, provider);
+    claim_plan(x, group, provider, 0, end);
   } else {
     x.s.edge_marks[edge] |= mark::refused;
   }

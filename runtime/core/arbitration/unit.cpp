@@ -114,34 +114,4 @@ void try_unit(Context& x, Index edge, bool outdated) {
   end_decision(x, count);
 }
 
-void try_members(Context& x, Index count, bool outdated) {
-  if (outdated && any_new(x, count) && !injected(Fault::outdated_orders_acquire)) {
-    for (Index at = 0; at < count; ++at) {
-      // It is not even tried: a reason that there was stays until it is, unless its group is held for it from now on.
-      const Index edge = x.s.member[at].edge, group = target(x, edge);
-      x.s.edge_marks[edge] |= mark::refused;
-      if (x.s.queued[edge].why == Why::none || (holder_now(x, group) == edge && x.s.last[group].holder != edge))
-        x.s.queued[edge] = {Why::outdated, nil};
-    }
-    return keep_pushes(x, count);
-  }
-  if (count == 1 && taken(x, x.s.member[0].edge)) return block(x, 1);
-  if (!combine(x, count, true)) return refuse(x, count);
-  if (!premature(x, count)) return grant(x, count);
-  x.depends_on_stale = true;
-  leave_combination(x, count);
-  defer(x, count); // of a stale requester nothing gets here: the members in hand are those of the unit
-}
-
-void grant(Context& x, Index count) {
-  for (Index at = 0; at < count; ++at) {
-    const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target;
-    claim(x, group, edge);
-    now_granted(x, edge, x.s.member[at].provider);
-    claim_plan(x, group, x.s.member[at].provider, entries_begin(x, at), x.s.member[at].entries_end);
-  }
-  if (x.had_pushes) keep_own_pushes(x, count);
-  leave_combination(x, count);
-}
-
 } // namespace director::arbitration

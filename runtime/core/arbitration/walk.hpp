@@ -15,7 +15,6 @@ void walk_on(Context& x);
 DIRECTOR_PART void look_ahead(Context& x, Index group);
 DIRECTOR_PART void postpone(Context& x, Index edge);
 DIRECTOR_PART void sweep_optional(Context& x, Index root);
-DIRECTOR_PART bool stand_as_before(Context& x, Index edge, std::uint8_t marks);
 DIRECTOR_PART void pass_by(Context& x, Index group);
 DIRECTOR_PART void leave_to(Context& x, Index group);
 

@@ -19,15 +19,16 @@ namespace director {
 
 /// A name for each part, in its source.
 namespace part {
-extern const char units, limbo, order, conditions, pushes, equals, search, optional, trail; // arbitration
-extern const char states, handlers, promises, data;                                         // engine
+extern const char units, staleness, plans, limbo, order, conditions, pushes, equals, search, optional,
+    trail;                                          // arbitration
+extern const char states, handlers, promises, data; // engine
 } // namespace part
 
 /// A component of at most so many groups is decided whole: to find out what a change reaches costs more there. Where
 /// memory is short it is more, as what finds that out is code of its own: 5 kB, for an eighth of the time at 24 groups.
 inline constexpr Index most_decided_whole = sizeof(Index) == 2 ? 32 : 16;
 
-using Parts = std::array<const char*, 13>;
+using Parts = std::array<const char*, 15>;
 
 /// What these tables use. `data`: some task has data.
 constexpr Parts parts_of(const Tables& t, bool data) {
@@ -40,13 +41,15 @@ constexpr Parts parts_of(const Tables& t, bool data) {
   const bool requests = t.edges.size() > t.root_edges;
   const bool pushes = any(t.conditions, [](const Condition& row) { return !row.causers.empty(); });
   const bool equals = any(t.components, [](const Component& row) { return row.equals; });
-  const bool search = t.most_edges > 1 || equals || any(t.groups, [](const Group& row) { return !row.flat; });
+  const bool search = t.most_edges > 1 || equals;
   const bool optional = any(t.levels, [](const Level& row) { return row.optional; });
   const bool trail = any(t.components, [](const Component& row) { return row.groups.size() > most_decided_whole; });
   const bool handlers = any(t.groups, [](const Group& row) { return row.start || row.stop || !row.owned.empty(); }) ||
                         any(t.providers, [](const Provider& row) { return row.every != 0; });
   const auto use = [](bool used, const char& name) { return used ? &name : nullptr; };
   return {use(requests, part::units),
+          use(requests, part::staleness),
+          use(requests, part::plans),
           use(requests, part::limbo),
           use(requests || t.components.size() > 1, part::order),
           use(!t.conditions.empty(), part::conditions),
