@@ -18,12 +18,9 @@ bool is_simple(const Lowered& out, const director::Group& group) {
 
 void find_shape(const Lowered& out, director::Group& group) {
   group.simple = is_simple(out, group);
-  group.flat = true;
   for (Index p = group.providers.begin; p != group.providers.end; ++p) {
     const director::Provider& provider = out.providers[p];
     group.conditional = group.conditional || !provider.when.empty() || !provider.stay.empty();
-    for (Index i = provider.needs.begin; i != provider.needs.end; ++i)
-      group.flat = group.flat && is_simple(out, out.groups[out.edges[out.lists[i]].target]);
   }
 }
 
@@ -65,9 +62,6 @@ void lower_traits(Lowered& out) {
     for (Index i = component.edges.begin; i != component.edges.end; ++i) {
       const Index edge = out.lists[i];
       if (out.edges[edge].requester == nil) component.equals = equals.add(edge) || component.equals;
-      const Range levels = out.edges[edge].levels;
-      for (Index level = levels.begin; level != levels.end; ++level)
-        component.compared = component.compared || out.levels[level].optional;
     }
     for (Index i = component.groups.begin; i != component.groups.end; ++i) {
       const director::Group& group = out.groups[out.lists[i]];
@@ -76,7 +70,6 @@ void lower_traits(Lowered& out) {
       for (Index edge = group.edges.begin; edge != group.edges.end; ++edge)
         component.equals = equals.add(edge) || component.equals;
     }
-    component.compared = component.compared || component.equals;
   }
 }
 

@@ -73,7 +73,7 @@ std::vector<std::uint32_t> owners_of(const Owners& owners, Range range, std::siz
 // Each takes its row apart, so that a column which is new there is an error here until it is written too.
 
 Row group_row(const director::Group& all) {
-  const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop, simple, flat, conditional,
+  const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop, simple, conditional,
                component] = all;
   Row row;
   row.range("providers", providers);
@@ -86,21 +86,19 @@ Row group_row(const director::Group& all) {
   row.flag("start", start);
   row.flag("stop", stop);
   row.flag("simple", simple);
-  row.flag("flat", flat);
   row.flag("conditional", conditional);
   row.index("component", component, 0);
   return row;
 }
 
 Row component_row(const director::Component& all) {
-  const auto& [groups, edges, order, equals, alternatives, compared] = all;
+  const auto& [groups, edges, order, equals, alternatives] = all;
   Row row;
   row.range("groups", groups);
   row.range("edges", edges);
   row.index("order", order, 0);
   row.flag("equals", equals);
   row.flag("alternatives", alternatives);
-  row.flag("compared", compared);
   return row;
 }
 

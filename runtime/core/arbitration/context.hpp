@@ -35,12 +35,11 @@ struct Context {
       0; ///< so far: groups placed, units decided, choices and plans tried, also in searches for pushes
 
   // The pass in hand.
-  Component row;                 ///< of the component
-  Index component = 0;           ///< which one that is
-  bool whole = false;            ///< all of it is decided
-  bool walking = false;          ///< the pass is on its way along the order
-  bool lineage_is_valid = false; ///< State::lineage holds for what is claimed now, and nothing of it is in limbo
-  bool disturbed = false;        ///< something is, or may be, another than in the last pass
+  Component row;          ///< of the component
+  Index component = 0;    ///< which one that is
+  bool whole = false;     ///< all of it is decided
+  bool walking = false;   ///< the pass is on its way along the order
+  bool disturbed = false; ///< something is, or may be, another than in the last pass
   /// The result may be another one when it is the last assignment itself, or when other groups are stale.
   mutable bool depends_on_last = false, depends_on_stale = false;
   bool on_last = false, on_stale = false; ///< the same of the units decided before the one in hand

@@ -22,16 +22,7 @@ void explain(Context& x, Index count, Why why, Index condition = nil);
 inline void claim(Context& x, Index group, Index edge) {
   if (!is_opened(x, group)) open(x, group);
   GroupAssignment& now = x.s.now[group];
-  if (now.holder != nil) return; // for this very edge
-  now.holder = edge;
-  if (!x.lineage_is_valid) return;
-  const Index from = x.t.edges[edge].requester; // of limbo nothing is kept
-  if (from == nil) {
-    x.s.lineage[group] = {1, edge, optional(x, edge)};
-  } else {
-    const Lineage& above = x.s.lineage[from];
-    x.s.lineage[group] = {static_cast<Index>(above.depth + 1), above.top, above.optional || optional(x, edge)};
-  }
+  now.holder = edge; // it is free, or held by this very edge
 }
 
 /// The target of an edge, which is claimed, runs in the provider chosen.

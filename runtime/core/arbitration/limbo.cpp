@@ -24,7 +24,6 @@ void keep_in_limbo(Context& x, Index group) {
     if (x.s.now[x.s.entry[i].group].holder != nil) return;
   }
   x.depends_on_last = x.depends_on_stale = true;
-  x.lineage_is_valid = false;
   claim(x, group, static_cast<Index>(x.t.edges.size() + group));
   x.s.now[group].active = x.s.last[group].active;
   claim_plan(x, group, x.s.last[group].planned, 0, end);
@@ -38,7 +37,7 @@ void keep_in_limbo(Context& x, Index group) {
 void reach_queued_in_limbo(Context& x) {
   for (Index i = x.s.order_count[x.component]; i-- != 0;) { // limbo comes last
     const Index group = x.s.order[x.row.order + i];
-    if (!is_limbo(x, chain(x, {x.s.last[group].holder, Chains::previous}).top)) return;
+    if (!lies_in_limbo(x, group)) return;
     const Range edges = x.s.now[group].holder == nil ? x.t.groups[group].edges : Range{};
     for (Index e = edges.begin; e != edges.end; ++e) {
       if (x.s.queued[e].why != Why::none) reach_edge(x, e);

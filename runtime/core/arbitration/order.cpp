@@ -31,14 +31,7 @@ Chain chain(const Context& x, Place place) {
   Chain out;
   for (; place.edge != nil; place.edge = above(x, place)) {
     ++out.length;
-    const Index group = requester(x, place.edge);
-    if (group == nil) {
-      out.top = place.edge;
-    } else if (x.lineage_is_valid && place.along == Chains::current && holder_now(x, group) != nil) {
-      out.length = static_cast<Index>(out.length + x.s.lineage[group].depth);
-      out.top = place.edge; // some edge that is not limbo: which one does not matter
-      break;
-    }
+    if (requester(x, place.edge) == nil) out.top = place.edge;
   }
   return out;
 }
@@ -50,28 +43,7 @@ bool in_chain(const Context& x, Index edge, Place of) {
   return false;
 }
 
-/// Two edges whose chains end with the same edge of root: their depths are known.
-int compare_relatives(const Context& x, Index a, Index b, bool in_order) {
-  const Edge* const edges = x.t.edges.data();
-  const GroupAssignment* const now = x.s.now.group;
-  const auto depth = [&](Index edge) {
-    const Index from = edges[edge].requester;
-    return from == nil ? Index{0} : x.s.lineage[from].depth;
-  };
-  const auto above = [&](Place place) {
-    const Index from = edges[place.edge].requester;
-    return from == nil ? nil : now[from].holder;
-  };
-  const Index depth_a = depth(a), depth_b = depth(b);
-  const Parting at = parting({a, Chains::current}, {b, Chains::current}, depth_a, depth_b, above,
-                             [&](Index edge) { return optional(x, edge); });
-  return compare_parted(x, at, depth_a, depth_b, in_order);
-}
-
 int compare_chains(const Context& x, Place a, Place b, bool in_order) {
-  if (x.lineage_is_valid && a.along == Chains::current && b.along == Chains::current &&
-      claimed(x, requester(x, a.edge)) && claimed(x, requester(x, b.edge)))
-    return compare_claimed(x, a.edge, b.edge, in_order);
   const Chain of_a = chain(x, a), of_b = chain(x, b);
   const bool limbo_a = is_limbo(x, of_a.top), limbo_b = is_limbo(x, of_b.top);
   if (limbo_a != limbo_b) return limbo_a ? 1 : -1;

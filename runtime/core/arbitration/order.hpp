@@ -85,7 +85,6 @@ inline Index urgency(const Tables& t, Index edge, Index level) {
 DIRECTOR_PART bool is_passed(const Context& x, Index group);
 Chain chain(const Context& x, Place place);
 bool in_chain(const Context& x, Index edge, Place of);
-DIRECTOR_PART int compare_relatives(const Context& x, Index a, Index b, bool in_order);
 DIRECTOR_PART int compare_chains(const Context& x, Place a, Place b, bool in_order);
 bool never_equal(const Context& x, Place a, Place b);
 DIRECTOR_PART void sort_by_holders(const Context& x, std::span<Index> groups, Chains along);
@@ -115,6 +114,11 @@ inline Index requester_of_holder(const Context& x, const GroupAssignment& assign
   return assignment.holder == nil ? nil : requester(x, assignment.holder);
 }
 
+/// In the last assignment the group, which is held, is kept for an heir, or lies below such a one.
+inline bool lies_in_limbo(const Context& x, Index group) {
+  return is_limbo(x, chain(x, {x.s.last[group].holder, Chains::previous}).top);
+}
+
 /// Whether the condition is true.
 inline bool holds(const Context& x, Index condition) { return x.s.truth[condition] != 0; }
 
@@ -127,9 +131,6 @@ inline Index holder_now(const Context& x, Index group) {
   const Index holder = x.s.now[group].holder;
   return holder == nil || !x.walking || is_opened(x, group) || is_passed(x, group) ? holder : nil;
 }
-
-/// In this pass; root always is.
-inline bool claimed(const Context& x, Index group) { return group == nil || holder_now(x, group) != nil; }
 
 /// An edge before it has its target; neither this nor the next is asked of limbo.
 inline bool taken(const Context& x, Index edge) {
@@ -168,21 +169,6 @@ inline int compare_siblings(const Context& x, Index a, Index b) {
   return compare_siblings(x, {a, optional(x, a)}, {b, optional(x, b)}, true);
 }
 
-/// Of an edge whose requester is claimed or root.
-inline Side below_root(const Context& x, Index edge) {
-  const Index from = x.t.edges[edge].requester;
-  if (from == nil) return {edge, optional(x, edge)};
-  return {x.s.lineage[from].top, x.s.lineage[from].optional || optional(x, edge)};
-}
-
-/// Two edges whose requesters are claimed in this pass, or root. Mostly their chains have nothing in common.
-inline int compare_claimed(const Context& x, Index a, Index b, bool in_order) {
-  if (x.t.edges[a].requester == x.t.edges[b].requester)
-    return a == b ? 0 : compare_siblings(x, {a, optional(x, a)}, {b, optional(x, b)}, in_order);
-  const Side at_a = below_root(x, a), at_b = below_root(x, b);
-  return at_a.edge != at_b.edge ? compare_siblings(x, at_a, at_b, in_order) : compare_relatives(x, a, b, in_order);
-}
-
 /// Negative: `a` goes first; 0: equal (by rules 1 to 4), or the same. `in_order`: with rule 5, total.
 inline int compare(const Context& x, Place a, Place b, bool in_order) {
   if (a.along != b.along || is_limbo(x, a.edge) || is_limbo(x, b.edge) ||
@@ -202,10 +188,9 @@ inline bool before_in_order(const Context& x, Index a, Index b, Chains along) {
   return compare(x, {held[a].holder, along}, {held[b].holder, along}, true) < 0;
 }
 
-/// Of two candidates: their requesters are claimed or root.
+/// Of two candidates.
 inline bool goes_first(const Context& x, Index a, Index b) {
-  return (x.lineage_is_valid ? compare_claimed(x, a, b, true)
-                             : compare(x, {a, Chains::current}, {b, Chains::current}, true)) < 0;
+  return compare(x, {a, Chains::current}, {b, Chains::current}, true) < 0;
 }
 
 } // namespace director::arbitration

@@ -18,7 +18,6 @@ void begin_sweep(Context& x) {
   x.ahead = x.postponed = x.placed = x.inherited = x.denied_count = 0;
   x.stale_granted = x.stale_kept;
   x.first_moved = x.top = x.rest = x.undecided = nil;
-  x.lineage_is_valid = is_followed(x) || x.had_pushes || x.row.compared;
   x.pushing = false;
 }
 
@@ -76,7 +75,6 @@ void decide(Context& x, Index component) {
   x.limbo_begin = x.placed;
   if (x.stale_granted != 0 && x.inherited != x.s.order_count[component]) keep_for_heirs(x);
   finish(x);
-  x.lineage_is_valid = false; // from here on it may be about several components
 }
 
 /// What it did is noted for the next pass.

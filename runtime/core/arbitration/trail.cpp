@@ -60,7 +60,7 @@ void take_rerequested(Context& x, Take&& take) {
 /// What has to be looked at if something differs from the last pass, or when it has run, is left alone until then.
 bool can_stand(const Context& x, Index group) {
   const bool lives_for_need = !x.s.last[group].granted() && x.s.last[group].active != nil;
-  if (lives_for_need || x.s.lineage[group].top == nil || (is_outdated(x, group) && !outdates(x, group))) return false;
+  if (lives_for_need || lies_in_limbo(x, group) || (is_outdated(x, group) && !outdates(x, group))) return false;
   const Range edges = x.t.groups[group].edges;
   for (Index e = edges.begin; e != edges.end; ++e) {
     if ((x.s.edge_trail[e] & trail::on_stale) != 0 || optional(x, e))
@@ -200,11 +200,7 @@ void end_trail(Context& x) {
     if (x.s.now[g].push.edge != nil) x.s.pushed[x.row.order + pushed++] = g;
   }
   clear_marks(x);
-  for (Index at = x.limbo_begin; at < x.placed; ++at) {
-    const Index g = x.s.next_order[x.row.order + at];
-    x.s.group_trail[g] |= trail::again;
-    x.s.lineage[g].top = nil;
-  }
+  for (Index at = x.limbo_begin; at < x.placed; ++at) x.s.group_trail[x.s.next_order[x.row.order + at]] |= trail::again;
   for (const Index g : opened(x)) {
     const GroupAssignment& now = x.s.now[g];
     Bits& bits = x.s.group_trail[g];

@@ -200,13 +200,6 @@ struct Staged {
   bool keep = false; ///< a request of that level stays as it is
 };
 
-/// The chain of holders above a group that is claimed, root being above all.
-struct Lineage {
-  Index depth = 0;       ///< its length
-  Index top = nil;       ///< its edge of root
-  bool optional = false; ///< one of its edges is
-};
-
 struct Counters {
   Time now = 0;                  ///< the engine's time: that of the input or timer being served
   Time until = 0;                ///< the time that `step` was given last
@@ -267,7 +260,6 @@ struct State {
   Index* first_moved = nullptr;     ///< component: where that order begins to be another one
   Index* extent = nullptr;          ///< group that is claimed: how many it and all below it are, which stand together
   Index* differing = nullptr;       ///< groups that stand elsewhere than before
-  Lineage* lineage = nullptr;       ///< group that is claimed
   Index* trial = nullptr;           ///< group: edge that would claim it in the combination in hand
   PlanEntry* entry = nullptr;       ///< plans of the members in hand, as stacks of entries; there are as many as groups
   Index* unit = nullptr;            ///< most_edges + 1: edges that are tried together
@@ -322,7 +314,6 @@ struct State {
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.first_moved, n.components);
     visit(s.extent, n.groups);
     visit(s.differing, n.groups);
-    visit(s.lineage, n.groups);
     visit(s.trial, n.groups);
     visit(s.entry, n.groups), visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1);
     visit(s.candidate, n.edges), visit(s.reach, n.groups), visit(s.denied, n.groups);
@@ -337,7 +328,7 @@ struct State {
     visit(s.provider_marks, n.providers);
   }
 
-  static constexpr std::size_t arrays = 68;
+  static constexpr std::size_t arrays = 67;
 
   /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.
   static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : 64;

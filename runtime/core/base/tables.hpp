@@ -88,7 +88,6 @@ struct Group {
   bool start = false; ///< has such a handler
   bool stop = false;
   bool simple = false;      ///< it has one provider, which needs nothing
-  bool flat = false;        ///< whatever its providers need is simple
   bool conditional = false; ///< a provider has `when` or `stay`
   TableIndex component = 0; ///< of Tables::components
 
@@ -105,7 +104,6 @@ struct Component {
   Index order = 0;           ///< where its rows of State::order begin; there are as many as it has groups
   bool equals = false;       ///< two edges in it may be equal
   bool alternatives = false; ///< a group has slots
-  bool compared = false;     ///< edges below different ones of root are often compared
 };
 
 /// Values that satisfy: any of these closed intervals.
@@ -156,9 +154,9 @@ struct Tables {
   std::span<const Component> components;
   std::span<const TableIndex> plan_groups; ///< group after group, the groups with more than one provider among all that
                                            ///< it needs, transitively
-  std::span<const TableIndex> listened; ///< group after group, the triggers that any of its providers listens to
-  Index root_edges = 0;                 ///< how many edges are of root
-  Index most_edges = 0;                 ///< the most edges of one group
+  std::span<const TableIndex> listened;    ///< group after group, the triggers that any of its providers listens to
+  Index root_edges = 0;                    ///< how many edges are of root
+  Index most_edges = 0;                    ///< the most edges of one group
 
   /// The first edge of its requester that may claim a group that this one may claim, directly or by way of others.
   constexpr Index cluster(Index edge) const { return static_cast<Index>(edge - edges[edge].cluster_offset); }

@@ -37,7 +37,7 @@ void Engine::reset() {
   for (Index g = 0; g < x_.t.groups.size(); ++g) {
     const Group& row = x_.t.groups[g];
     s.last[g] = s.now[g] = {};
-    s.trial[g] = s.data_from[g] = s.lineage[g].top = nil;
+    s.trial[g] = s.data_from[g] = nil;
     if (!x_.t.promises.empty()) s.promised[g] = {};
     RunQueueEntry& entry = s.run_queue[g];
     entry.runs_after = entry.runs_before = nil;

@@ -41,15 +41,6 @@ bool is_simple(const Tables& t, Index group) {
   return row.providers.size() == 1 && t.providers[row.providers.begin].needs.empty();
 }
 
-bool is_flat(const Tables& t, Index group) {
-  bool all = true;
-  for (Index p = 0; p < t.providers.size(); ++p) {
-    if (t.providers[p].group != group) continue;
-    for (const Index need : t.list(t.providers[p].needs)) all = all && is_simple(t, t.edges[need].target);
-  }
-  return all;
-}
-
 bool is_conditional(const Tables& t, Index group) {
   bool any = false;
   for (const director::Provider& row : t.providers)
@@ -83,16 +74,6 @@ bool has_equals(const Tables& t, Index component) {
   return false;
 }
 
-bool has_optional(const Tables& t, Index component) {
-  for (const director::Edge& edge : t.edges) {
-    if (t.groups[edge.target].component != component) continue;
-    for (Index level = edge.levels.begin; level != edge.levels.end; ++level) {
-      if (t.levels[level].optional) return true;
-    }
-  }
-  return false;
-}
-
 bool has_slots(const Tables& t, Index component) {
   for (const director::Group& group : t.groups) {
     if (group.component == component && !group.slots.empty()) return true;
@@ -113,23 +94,6 @@ groups:
   CHECK(it.group("One").simple);
   CHECK(!it.group("Two").simple);
   CHECK(!it.group("Needs").simple);
-}
-
-TEST_CASE("a group is flat where all that its providers need is simple") {
-  const Lowering it(R"(
-roots: [Nothing, Near, Choice, Far]
-groups:
-  Nothing: {providers: [{name: here}, {name: there}]}
-  Near: {providers: [{name: here, needs: [Leg]}, {name: there, needs: [Arm, Leg]}]}
-  Choice: {needs: [Nothing]}
-  Far: {providers: [{name: here}, {name: there, needs: [Near]}]}
-  Leg: {}
-  Arm: {}
-)");
-  CHECK(it.group("Nothing").flat);
-  CHECK(it.group("Near").flat);
-  CHECK(!it.group("Choice").flat); // which provider it needs is to be chosen
-  CHECK(!it.group("Far").flat);    // what it needs needs more
 }
 
 TEST_CASE("a group is conditional where a provider has `when` or `stay`") {
@@ -166,20 +130,7 @@ groups:
   Own: {}
 )");
   CHECK(it.component("A").equals);
-  CHECK(it.component("A").compared);
   CHECK(!it.component("Apart").equals);
-  CHECK(!it.component("Apart").compared);
-}
-
-TEST_CASE("chains are compared often where edges can be equal or a level is optional") {
-  const auto compared = [](const std::string& task) {
-    const Lowering it("roots: [Boss]\ngroups:\n  Boss: {tasks: {A: " + task +
-                      ", B: {priority: 2}}}\n  A: {}\n  B: {}\n");
-    return it.component("Boss").compared;
-  };
-  CHECK(!compared("{priority: 1}"));
-  CHECK(compared("{priority: 1, optional: true}"));
-  CHECK(compared("{levels: {firm: {priority: 1}, spare: {priority: 0, optional: true}}}"));
 }
 
 TEST_CASE("a component has alternatives where a plan has to pick a provider") {
@@ -210,14 +161,12 @@ TEST_CASE("the traits of all behaviours of the project are those of their defini
       for (Index g = 0; g < t.groups.size(); ++g) {
         INFO(resolved.model.groups[GroupId{g}].name.value);
         CHECK(t.groups[g].simple == is_simple(t, g));
-        CHECK(t.groups[g].flat == is_flat(t, g));
         CHECK(t.groups[g].conditional == is_conditional(t, g));
       }
       for (Index c = 0; c < t.components.size(); ++c) {
         INFO("component " << c);
         CHECK(t.components[c].equals == has_equals(t, c));
         CHECK(t.components[c].alternatives == has_slots(t, c));
-        CHECK(t.components[c].compared == (has_equals(t, c) || has_optional(t, c)));
         with_equals += t.components[c].equals ? 1 : 0;
       }
     }
