@@ -12,8 +12,8 @@ namespace chase_ball {
 namespace {
 
 constexpr std::array<director::Group, 2> groups{{
-  {.providers = {0, 2}, .edges = {1, 2}, .requesters = {3, 4}, .listens = {0, 1}, .users = {11, 12}, .flat = true, .conditional = true}, // ChaseBall
-  {.providers = {2, 3}, .requesters = {4, 5}, .users = {12, 13}, .simple = true, .flat = true}, // Wheels
+  {.providers = {0, 2}, .edges = {1, 2}, .requesters = {3, 4}, .listens = {0, 1}, .users = {11, 12}, .conditional = true}, // ChaseBall
+  {.providers = {2, 3}, .requesters = {4, 5}, .users = {12, 13}, .simple = true}, // Wheels
 }};
 constexpr std::array<director::Provider, 3> providers{{
   {.when = {0, 1}, .triggers = {1, 2}}, // ChaseBall.driving
