@@ -9,37 +9,6 @@
 
 namespace director::arbitration {
 
-namespace {
-
-/// The plan in hand is the one that the member's target has.
-bool plan_as_it_is(const Context& x, Index at) {
-  const Index owner = target(x, x.s.member[at].edge);
-  for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i) {
-    const Index slot = slot_of(x, owner, x.s.entry[i].group);
-    if (slot != nil && x.s.last.plan[slot] != x.s.entry[i].provider) return false;
-  }
-  return true;
-}
-
-/// Can the plan in hand be claimed, and do its conditions hold? `keep`: how many entries the next plan to try may
-/// share.
-bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& keep) {
-  const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
-  keep = end;
-  for (Index i = begin; i < end; ++i) {
-    if (x.s.enabled[x.s.entry[i].provider] != 0 && available(x, x.s.entry[i].group, x.s.entry[i].need, record))
-      continue;
-    keep = static_cast<Index>(i + 1);
-    return false;
-  }
-  for (Index i = begin; with_conditions && i < end; ++i) {
-    if (first_false(x, x.s.entry[i].provider, x.s.entry[i].need) != nil) return false;
-  }
-  return true;
-}
-
-} // namespace
-
 /// The first (`fresh`) or next choice of a member of the unit: its provider and its plan's entries. False: no more, and
 /// nothing of it is marked.
 bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool record) {
@@ -74,7 +43,7 @@ bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool re
     while (found) {
       ++x.work;
       Index keep = end;
-      if (!(as_it_is && !plan_as_it_is(x, at)) && plan_fits(x, at, with_conditions, record, keep)) return true;
+      if (end == begin || plan_fits(x, at, as_it_is, with_conditions, record, keep)) return true;
       drop_entries(x, keep, end);
       end = keep;
       found = end != begin && search_plan(x, provider, begin, end, false, false);

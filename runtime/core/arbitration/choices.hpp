@@ -9,13 +9,21 @@
 
 namespace director::arbitration {
 
-Index slot_of(const Context& x, Index owner, Index group);
 DIRECTOR_PART bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration);
-void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end);
-Index entries_of(Context& x, Index group, const Assignment& of);
+DIRECTOR_PART bool plan_fits(Context& x, Index at, bool as_it_is, bool with_conditions, bool record, Index& keep);
+DIRECTOR_PART Index entries_of(Context& x, Index group, const Assignment& of);
 
 inline void drop_entries(Context& x, Index begin, Index end) {
   for (Index i = end; i-- > begin;) x.s.trial[x.s.entry[i].group] = nil;
+}
+
+/// Where the plan of `owner` keeps the provider picked for `group`; nil where it has only one.
+inline Index slot_of(const Context& x, Index owner, Index group) {
+  const Range slots = x.t.groups[owner].slots;
+  for (Index slot = slots.begin; slot != slots.end; ++slot) {
+    if (x.t.plan_groups[slot] == group) return slot;
+  }
+  return nil;
 }
 
 /// Where the entries of a member's plan begin.

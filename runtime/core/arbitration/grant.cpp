@@ -33,7 +33,8 @@ void grant(Context& x, Index count) {
     const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target;
     claim(x, group, edge);
     now_granted(x, edge, x.s.member[at].provider);
-    claim_plan(x, group, x.s.member[at].provider, entries_begin(x, at), x.s.member[at].entries_end);
+    const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
+    if (begin != end) claim_plan(x, group, x.s.member[at].provider, begin, end);
   }
   if (x.had_pushes) keep_own_pushes(x, count);
   leave_combination(x, count);

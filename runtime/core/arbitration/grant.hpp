@@ -12,6 +12,7 @@ void decide_alone(Context& x, Index edge, bool outdated);
 DIRECTOR_PART void try_unit(Context& x, Index edge, bool outdated);
 void try_members(Context& x, Index count, bool outdated);
 void grant(Context& x, Index count);
+DIRECTOR_PART void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end);
 DIRECTOR_PART void repeat(Context& x, Index edge);
 void block(Context& x, Index count);
 void block_alone(Context& x, Index edge);

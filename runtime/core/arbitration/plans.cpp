@@ -5,6 +5,7 @@
 // the next plan changes the last entry that has another provider. The plans of all members of a unit lie on one stack,
 // one behind the other.
 
+#include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/order.hpp"
@@ -72,20 +73,44 @@ bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh
       x.s.trial[added.group] = added.need;
       pick(x, added, by_declaration);
       ++end;
-    } else if (!change_last(x, begin, end, by_declaration)) {
-      return false;
+    } else {
+      ++x.work; // no plan that begins like this can be claimed
+      if (!change_last(x, begin, end, by_declaration)) return false;
     }
   }
   return true;
 }
 
-/// Where the plan of `owner` keeps the provider picked for `group`; nil where it has only one.
-Index slot_of(const Context& x, Index owner, Index group) {
-  const Range slots = x.t.groups[owner].slots;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) {
-    if (x.t.plan_groups[slot] == group) return slot;
+namespace {
+
+/// The plan in hand is the one that the member's target has.
+bool plan_as_it_is(const Context& x, Index at) {
+  const Index owner = target(x, x.s.member[at].edge);
+  for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i) {
+    const Index slot = slot_of(x, owner, x.s.entry[i].group);
+    if (slot != nil && x.s.last.plan[slot] != x.s.entry[i].provider) return false;
   }
-  return nil;
+  return true;
+}
+
+} // namespace
+
+/// Can the plan in hand be claimed, and do its conditions hold? `as_it_is`: no other than the last one. `keep`: how
+/// many entries the next plan to try may share.
+bool plan_fits(Context& x, Index at, bool as_it_is, bool with_conditions, bool record, Index& keep) {
+  const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
+  keep = end;
+  if (as_it_is && !plan_as_it_is(x, at)) return false;
+  for (Index i = begin; i < end; ++i) {
+    if (x.s.enabled[x.s.entry[i].provider] != 0 && available(x, x.s.entry[i].group, x.s.entry[i].need, record))
+      continue;
+    keep = static_cast<Index>(i + 1);
+    return false;
+  }
+  for (Index i = begin; with_conditions && i < end; ++i) {
+    if (first_false(x, x.s.entry[i].provider, x.s.entry[i].need) != nil) return false;
+  }
+  return true;
 }
 
 namespace {

@@ -28,11 +28,6 @@ Index stale_source(const Context& x, Index group) {
   }
 }
 
-bool stale_requester(const Context& x, Index edge) {
-  const Index group = x.t.edges[edge].requester;
-  return group != nil && stale(x, group);
-}
-
 /// Something new among the members in hand, whose requester's orders are outdated.
 bool any_new(const Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {

@@ -10,7 +10,6 @@ namespace director::arbitration {
 inline constexpr Index up_to_date = static_cast<Index>(nil - 1); ///< instead of a group: nobody's orders are outdated
 
 DIRECTOR_PART Index stale_source(const Context& x, Index group);
-bool stale_requester(const Context& x, Index edge);
 DIRECTOR_PART bool any_new(const Context& x, Index count);
 DIRECTOR_PART void wait_for_orders(Context& x, Index count);
 DIRECTOR_PART void defer(Context& x, Index count);
@@ -21,5 +20,10 @@ bool outdates(const Context& x, Index group);
 inline bool is_outdated(const Context& x, Index group) { return (x.s.group_marks[group] & mark::outdated) != 0; }
 
 inline bool stale(const Context& x, Index group) { return stale_source(x, group) != up_to_date; }
+
+inline bool stale_requester(const Context& x, Index edge) {
+  const Index group = x.t.edges[edge].requester;
+  return group != nil && stale(x, group);
+}
 
 } // namespace director::arbitration

@@ -286,7 +286,7 @@ void repeat(Context& x, Index edge) {
     const Index group = target(x, edge), provider = x.s.last[group].active, end = entries_of(x, group, x.s.last);
     claim(x, group, edge);
     now_granted(x, edge, provider);
-    claim_plan(x, group, provider, 0, end);
+    if (end != 0) claim_plan(x, group, provider, 0, end);
   } else {
     x.s.edge_marks[edge] |= mark::refused;
   }
