@@ -20,14 +20,14 @@ namespace director {
 /// A name for each part, in its source.
 namespace part {
 extern const char units, limbo, order, conditions, pushes, equals, search, optional, trail; // arbitration
-extern const char states, handlers, promises, data;                                         // engine
+extern const char timers, states, handlers, promises, data;                                 // engine
 } // namespace part
 
 /// A component of at most so many groups is decided whole: to find out what a change reaches costs more there. Where
 /// memory is short it is more, as what finds that out is code of its own: 5 kB, for an eighth of the time at 24 groups.
 inline constexpr Index most_decided_whole = sizeof(Index) == 2 ? 32 : 16;
 
-using Parts = std::array<const char*, 13>;
+using Parts = std::array<const char*, 14>;
 
 /// What these tables use. `data`: some task has data.
 constexpr Parts parts_of(const Tables& t, bool data) {
@@ -45,6 +45,8 @@ constexpr Parts parts_of(const Tables& t, bool data) {
   const bool trail = any(t.components, [](const Component& row) { return row.groups.size() > most_decided_whole; });
   const bool handlers = any(t.groups, [](const Group& row) { return row.start || row.stop || !row.owned.empty(); }) ||
                         any(t.providers, [](const Provider& row) { return row.every != 0; });
+  const bool timers = !t.promises.empty() || any(t.providers, [](const Provider& row) { return row.every != 0; }) ||
+                      any(t.states, [](const StateVariable& row) { return row.expires != 0; });
   const auto use = [](bool used, const char& name) { return used ? &name : nullptr; };
   return {use(requests, part::units),
           use(requests, part::limbo),
@@ -55,6 +57,7 @@ constexpr Parts parts_of(const Tables& t, bool data) {
           use(search, part::search),
           use(optional, part::optional),
           use(trail, part::trail),
+          use(timers, part::timers),
           use(!t.states.empty(), part::states),
           use(handlers, part::handlers),
           use(!t.promises.empty() || !t.triggers.empty(), part::promises),

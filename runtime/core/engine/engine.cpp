@@ -92,7 +92,6 @@ RunState Run::state(Index edge) const { return engine_.state(edge); }
 bool Run::done(Index edge) const { return engine_.done(edge); }
 bool Run::failed(Index edge) const { return engine_.failed(edge); }
 DataPlace Run::data() const { return engine_.data_of(group_); }
-void Run::wait(Time duration) { wait_ = duration; }
 
 void Run::set(Index state, std::int32_t value) {
   const State& s = engine_.x_.s;

@@ -147,17 +147,23 @@ private:
   Taken take_cancel(Index edge);
   Taken take_cancel_of_all();
   Taken take_enabled(Index provider, std::uint8_t wanted);
-  Taken take_timer();
+
+  // timers.cpp
+  DIRECTOR_PART Taken take_timer();
   bool serve(Timers::Timer timer, Time when);
+  DIRECTOR_PART void begin_wait(Index group, Time wait);
+  DIRECTOR_PART void stop_waiting(Index group);
   void end_wait(Index group);
 
   // states.cpp
+  DIRECTOR_PART void begin_to_expire();
   DIRECTOR_PART Taken take_states(Input& record);
   DIRECTOR_PART bool expire(Index state);
   DIRECTOR_PART void look_at_conditions(Index state);
   DIRECTOR_PART void commit_states(bool fault);
 
   // promises.cpp: section 7
+  DIRECTOR_PART void take_promises(Index group);
   DIRECTOR_PART bool fire(Index trigger);
   DIRECTOR_PART bool break_promise(Index promise);
   DIRECTOR_PART void keep_promises(Index group);

@@ -192,11 +192,8 @@ inline void Engine::forget_triggers(Index group) {
 }
 
 /// Mostly it does not wait, and then its timer is not looked at.
-DIRECTOR_ONE_COPY inline void Engine::end_wait(Index group) {
-  Bits& flags = x_.s.run_queue[group].flags;
-  if ((flags & group_flag::waits) == 0) return;
-  flags &= static_cast<std::uint8_t>(~group_flag::waits);
-  timers_.disarm({Timers::Kind::wait, group});
+inline void Engine::end_wait(Index group) {
+  if ((x_.s.run_queue[group].flags & group_flag::waits) != 0) stop_waiting(group);
 }
 
 } // namespace director

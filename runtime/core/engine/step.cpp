@@ -10,15 +10,11 @@
 
 namespace director {
 
-/// From the first step on, values expire.
 void Engine::take_first_step(Time now) {
   x_.s.counters->begun = true;
   x_.s.counters->until = x_.s.counters->now = now;
   if (observed()) report_begin();
-  for (Index i = 0; i < x_.t.states.size(); ++i) {
-    if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset)
-      timers_.arm({Timers::Kind::expiry, i}, later(now, x_.t.states[i].expires));
-  }
+  if (!x_.t.states.empty()) begin_to_expire();
 }
 
 // A run.
@@ -63,11 +59,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
       return;
     }
   }
-  if (wait <= 0) return;
-  const Time due = later(x_.s.counters->now, wait);
-  if (observed()) report_wait(group, due);
-  entry.flags |= group_flag::waits;
-  timers_.arm({Timers::Kind::wait, group}, due);
+  if (wait > 0) begin_wait(group, wait);
 }
 
 /// The oldest run calls its provider, and everything that it asked for takes effect together. The group that ran; nil:
@@ -84,13 +76,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
   if (!pushed) reasons &= static_cast<std::uint8_t>(~reason::pushed);
   if (reasons == 0) return nil; // nobody pushes it any more
 
-  if (pushed && !x_.t.promises.empty() &&
-      x_.s.promised[group].provider == nil) { // section 7: its first run on that push
-    x_.s.promised[group] = {x_.s.last[group].push.edge, provider};
-    const Range own = x_.t.providers[provider].promises;
-    for (Index i = own.begin; i != own.end; ++i)
-      timers_.arm({Timers::Kind::promise, i}, later(c.now, x_.t.promises[i].within));
-  }
+  if (pushed && !x_.t.promises.empty()) take_promises(group);
   Run run(*this, x_.s, x_.t.groups[group].edges.begin, group, provider, Reasons{reasons});
   report(Event::Kind::run, group, provider, run.reasons());
   inside_ = true;

@@ -13,6 +13,8 @@ namespace saved {
 
 namespace {
 
+[[gnu::used]] const char* const uses = &part::timers; // another program's bodies may have waited
+
 /// As long after `to` as it was after `from`, as far as a Time goes; a timer that is armed stays so.
 Time moved(Time time, Time from, Time to) {
   if (time == never) return never;
