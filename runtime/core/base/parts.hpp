@@ -20,14 +20,14 @@ namespace director {
 /// A name for each part, in its source.
 namespace part {
 extern const char units, limbo, order, conditions, pushes, equals, search, optional, trail; // arbitration
-extern const char timers, states, handlers, promises, data;                                 // engine
+extern const char timers, together, several, states, handlers, promises, data;              // engine
 } // namespace part
 
 /// A component of at most so many groups is decided whole: to find out what a change reaches costs more there. Where
 /// memory is short it is more, as what finds that out is code of its own: 5 kB, for an eighth of the time at 24 groups.
 inline constexpr Index most_decided_whole = sizeof(Index) == 2 ? 32 : 16;
 
-using Parts = std::array<const char*, 14>;
+using Parts = std::array<const char*, 15>;
 
 /// What these tables use. `data`: some task has data.
 constexpr Parts parts_of(const Tables& t, bool data) {
@@ -58,6 +58,7 @@ constexpr Parts parts_of(const Tables& t, bool data) {
           use(optional, part::optional),
           use(trail, part::trail),
           use(timers, part::timers),
+          use(t.groups.size() > 1, part::several),
           use(!t.states.empty(), part::states),
           use(handlers, part::handlers),
           use(!t.promises.empty() || !t.triggers.empty(), part::promises),

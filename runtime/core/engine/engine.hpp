@@ -178,7 +178,10 @@ private:
 
   Index run_next();
   void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
-  void commit_pack(Range edges);
+#ifdef __OPTIMIZE_SIZE__
+  DIRECTOR_PART
+#endif
+  void commit_pack(Range edges); // pack.hpp
   void answer(Index group, bool failed);
 
   // notes.hpp
@@ -207,13 +210,19 @@ private:
   // settle.cpp: after every micro-step
   void arbitrate();
   bool changed(Index component, bool& stops);
-  bool other_plan(Index group) const;
+
+  // several.cpp
+  DIRECTOR_PART bool other_plan(Index group) const;
+  DIRECTOR_PART void act_on_all_touched();
+  DIRECTOR_PART std::span<const Index> held_in_all(Index passes);
 
   // act.cpp: section 5
   void act(Index passes, bool stops);
   void act_on_touched();
-  void act_on_all_touched();
   std::span<const Index> held_before(Index passes);
+  std::span<const Index> held_in(Index component) const {
+    return {x_.s.order + x_.t.components[component].order, x_.s.order_count[component]};
+  }
   std::span<const Index> with_reasons();
   void stop_group(Index group);
   static std::uint8_t reasons(const GroupAssignment& last, const GroupAssignment& now);

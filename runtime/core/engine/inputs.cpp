@@ -1,4 +1,4 @@
-// docs/semantics.md, section 3, Inputs: what the outside asks for, sets and fires, what handlers set.
+// docs/semantics.md, section 3, Inputs: what the outside asks for, sets and fires.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/base/heap_sort.hpp"
@@ -28,13 +28,6 @@ Engine::Taken Engine::take_rarer(Input& record) {
   case Input::Kind::disable: return take_enabled(record.thing, 0);
   }
   return Taken::no_change;
-}
-
-/// The next record of the same input; the writer published it before the first one.
-bool Engine::take_more(Input& record) {
-  if (!record.more || !inbox_.take_more(record)) return false;
-  if (observed()) report_input(record);
-  return true;
 }
 
 Engine::Taken Engine::take_request(Input& record) {

@@ -105,6 +105,13 @@ DIRECTOR_INLINE void Engine::forget_work() {
 
 // What inputs and runs ask for.
 
+/// The next record of the same input.
+inline bool Engine::take_more(Input& record) {
+  if (!record.more || !inbox_.take_more(record)) return false;
+  if (observed()) report_input(record);
+  return true;
+}
+
 /// Of an edge that is requested at another level than before, or not any more.
 DIRECTOR_INLINE void Engine::mark_request(Index edge) {
   const Index component = x_.s.run_queue[x_.s.request[edge].target].component;

@@ -51,12 +51,4 @@ bool Engine::changed(Index component, bool& stops) {
   return differing_ != before;
 }
 
-bool Engine::other_plan(Index group) const {
-  const Range slots = x_.t.groups[group].slots;
-  bool other = false;
-  for (Index slot = slots.begin; slot != slots.end; ++slot)
-    other = other || x_.s.now.plan[slot] != x_.s.last.plan[slot];
-  return other;
-}
-
 } // namespace director

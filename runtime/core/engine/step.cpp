@@ -7,6 +7,9 @@
 
 #include "runtime/core/base/inline.hpp"
 #include "runtime/core/engine/notes.hpp"
+#ifndef __OPTIMIZE_SIZE__
+#include "runtime/core/engine/pack.hpp"
+#endif
 
 namespace director {
 
@@ -19,34 +22,13 @@ void Engine::take_first_step(Time now) {
 
 // A run.
 
-DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
-  Staged* staged = x_.s.staged_request;
-  for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
-    const Index level = staged->level;
-    if (level == nil) {
-      if (observed() && x_.s.request[e].level != nil) report_request(Event::Kind::withdraw, e);
-      withdraw(e);
-      continue;
-    }
-    staged->level = nil;
-    if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
-    if (staged->keep) continue;
-    if (edges.size() != 1 || !asks_again(e, level)) {
-      request(e, level);
-      continue;
-    }
-    give_what_is_asked_again(e);
-    if (bodies_.data != nullptr) settle_data(e);
-  }
-}
-
 /// Everything that a run asked for, together.
 DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
   RunQueueEntry& entry = x_.s.run_queue[group];
   forget_triggers(group);
   if (x_.s.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
-    commit_pack(x_.t.groups[group].edges);
+    if (const Range edges = x_.t.groups[group].edges; !edges.empty()) commit_pack(edges);
     entry.done = 0;
     if (wait <= 0) end_wait(group);
   } else {

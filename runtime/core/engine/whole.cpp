@@ -7,9 +7,11 @@ namespace director {
 
 namespace {
 
-[[gnu::used]] const Parts all{&part::units,  &part::limbo,    &part::order,    &part::conditions, &part::pushes,
-                              &part::equals, &part::search,   &part::optional, &part::trail,      &part::timers,
-                              &part::states, &part::handlers, &part::promises, &part::data};
+[[gnu::used]] const Parts all{&part::units,   &part::limbo,  &part::order,    &part::conditions, &part::pushes,
+                              &part::equals,  &part::search, &part::optional, &part::trail,      &part::timers,
+                              &part::several, &part::states, &part::handlers, &part::promises,   &part::data};
+
+[[gnu::used]] const char* const together = &part::together;
 
 } // namespace
 
