@@ -17,7 +17,8 @@
 
 namespace director {
 
-/// A name for each part, in its source.
+/// A name for each part, in its source. Timers are also taken where a body calls Run::wait(), and inputs of several
+/// records only where link() makes one: these functions stand in their sources.
 namespace part {
 extern const char units, limbo, order, conditions, pushes, equals, search, optional, trail; // arbitration
 extern const char timers, together, several, states, handlers, promises, data;              // engine
