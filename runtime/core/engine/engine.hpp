@@ -252,8 +252,7 @@ private:
   DIRECTOR_PART void report_decisions(Index component) const;
   void report_cancel(Index edge) const;
   void report_queued(Index component) const;
-  Event event(Event::Kind kind, Index group = nil) const;
-  void tell(const Event& event) const;
+  void tell(Event event) const; ///< with the time, which is the same for all
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 
