@@ -40,7 +40,7 @@ bool Engine::changed(Index component, bool& stops) {
   bool decision = false;
   for (const Index g : arbitration::opened(x_)) {
     const GroupAssignment &now = x_.s.now[g], &last = x_.s.last[g];
-    if (now.same(last) && !(plans && other_plan(g))) continue;
+    if (now == last && !(plans && other_plan(g))) continue;
     x_.s.group_marks[g] |= mark::differs;
     x_.s.group_trail[g] |= trail::disturbed;
     x_.s.differing[differing_++] = g;
