@@ -91,9 +91,9 @@ public:
   // What holds between steps.
   std::int32_t value(Index state) const { return x_.s.values[state].value; }
   bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; }
-  RunState state(Index edge) const; ///< of a request: running, queued or none
-  bool done(Index edge) const;      ///< the target said done or failed; only while running
-  bool failed(Index edge) const;
+  RunState state(Index edge) const;                                ///< of a request: running, queued or none
+  bool done(Index edge) const { return said(edge, result::done); } ///< or failed; only while it runs
+  bool failed(Index edge) const { return said(edge, result::failed); }
   Index holder(Index group) const { return x_.s.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
   Index active(Index group) const { return x_.s.last[group].active; } ///< provider, or nil
   bool granted(Index group) const { return (x_.s.last[group].flags & flag::granted) != 0; }
@@ -232,6 +232,7 @@ private:
   void adopt_differing();
   void adopt_order(Index component);
 
+  bool said(Index edge, std::uint8_t answer) const;
   RunQueue queue() const { return RunQueue(x_.s); }
 
   // reports.cpp: section 6. All but the first only if observed().

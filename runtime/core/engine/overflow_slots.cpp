@@ -26,12 +26,8 @@ Index OverflowSlots::reserve(Index slot) {
 }
 
 void OverflowSlots::publish(Index slot, const Input& record, std::uint32_t position) {
-  put(slot, {record, position, next_ticket(), slot});
+  put(slot, {record, position, count(tickets_), slot});
   spoken_.store(1, std::memory_order_release);
-}
-
-std::uint32_t OverflowSlots::next_ticket() {
-  return change(tickets_, [](std::uint32_t now) { return now + 1; });
 }
 
 /// Into the place that was reserved, which is the newest record from then on.
@@ -47,7 +43,7 @@ void OverflowSlots::put(Index slot, const Note& note) {
 }
 
 void OverflowSlots::count_lost() {
-  change(lost_, [](std::uint32_t now) { return now + 1; });
+  count(lost_);
   spoken_.store(1, std::memory_order_release);
 }
 
@@ -57,17 +53,14 @@ void OverflowSlots::open() {
       !spoken_.compare_exchange_strong(spoken, 0, std::memory_order_acquire, std::memory_order_relaxed))
     return;
   // Again until nothing is new: what was published before a record that was seen must be seen with it.
-  bool found = true;
-  for (std::size_t i = 0; i <= slots_.size() && found; ++i) {
-    found = false;
-    sweep(found);
-  }
+  for (std::size_t i = 0; i <= slots_.size() && sweep(); ++i) {}
   for (Slot& slot : slots_) {
     if (slot.held != nil && &slot != given_ && slot.notes[slot.held].input.more) wait_for_leader(slot);
   }
 }
 
-void OverflowSlots::sweep(bool& found) {
+bool OverflowSlots::sweep() {
+  bool found = false;
   for (Slot& slot : slots_) {
     if (!any_published(slot.states.load(std::memory_order_acquire))) continue;
     if (given_ == &slot) given_ = nullptr, let_go(slot);
@@ -87,6 +80,7 @@ void OverflowSlots::sweep(bool& found) {
     slot.held = place;
     found = true;
   }
+  return found;
 }
 
 void OverflowSlots::let_go(Slot& slot) {

@@ -90,9 +90,8 @@ public:
   bool none_spoken() const { return spoken_.load(std::memory_order_relaxed) == 0; }
 
 private:
-  std::uint32_t next_ticket();
   void put(Index slot, const Note& note);
-  void sweep(bool& found);
+  bool sweep();
   DIRECTOR_PART void wait_for_leader(Slot& slot);
   void let_go(Slot& slot);
   Input give(Slot& slot);

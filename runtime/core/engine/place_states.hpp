@@ -40,4 +40,9 @@ std::uint32_t change(std::atomic<std::uint32_t>& states, Next next) {
   return now;
 }
 
+/// One more; what it was before.
+inline std::uint32_t count(std::atomic<std::uint32_t>& number) {
+  return change(number, [](std::uint32_t now) { return now + 1; });
+}
+
 } // namespace director

@@ -44,7 +44,7 @@ void OverflowSlots::publish(std::span<const Input> records, std::uint32_t positi
     if (record.handle != nil && leader == nil) leader = record.thing;
   }
   if (leader == nil) return;
-  const std::uint32_t ticket = next_ticket();
+  const std::uint32_t ticket = count(tickets_);
   for (std::size_t i = records.size(); i-- > 0;) {
     if (records[i].handle == nil) continue;
     Note note{records[i], position, ticket, leader};
