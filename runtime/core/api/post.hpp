@@ -57,7 +57,11 @@ public:
     for (const Input& input : records) {
       if (input.level() == nil) return false;
     }
-    link(records);
+    if constexpr (sizeof...(More) > 0) {
+      link(records);
+    } else if constexpr (!has_data<Task>) {
+      return goes_first(records) || inbox_->put(records[0], records[0].thing);
+    }
     Input* input = records.data();
     const bool room = (wait(task, *input) && ... && wait(more, *++input));
     if (room && (goes_first(records) || inbox_->post_in_turn(records))) return true;
@@ -81,8 +85,8 @@ public:
   template <class Task>
   bool cancel() const {
     static_assert(Roots::template has<Task>, "only tasks that stand in `roots` can be cancelled from outside");
-    std::array input{Input{.kind = Input::Kind::cancel, .thing = Roots::template For<Task>::edge}};
-    return goes_first(input) || inbox_->insist(input);
+    const std::array input{Input{.kind = Input::Kind::cancel, .thing = Roots::template For<Task>::edge}};
+    return goes_first(input) || inbox_->put(input[0], input[0].thing);
   }
 
   /// All root tasks are cancelled together: nothing starts between one and the next. Never refused.
@@ -108,8 +112,8 @@ public:
     std::array records{record(States::setting(value)), record(States::setting(more))...};
     bool inside = true;
     for (const Input& input : records) inside = inside && States::domains[input.thing].has(input.value);
-    link(records);
     if constexpr (sizeof...(More) > 0) {
+      link(records);
       return inside && send(records);
     } else {
       constexpr Index slot = OverflowSlotOf<Facts>::of_state(States::template row<Value>);
@@ -140,14 +144,11 @@ public:
   /// edge's.
   [[nodiscard]] bool request_row(Index edge, Index level) const {
     if (!Roots::bare_at(edge) || !has_level(edge, level)) return false;
-    Input input{.kind = Input::Kind::request, .thing = edge, .value = static_cast<std::int32_t>(level)};
-    return inbox_->insist({&input, 1});
+    return inbox_->put({.kind = Input::Kind::request, .thing = edge, .value = static_cast<std::int32_t>(level)}, edge);
   }
   /// False: root has no such edge.
   bool cancel_row(Index edge) const {
-    if (edge >= Roots::size) return false;
-    Input input{.kind = Input::Kind::cancel, .thing = edge};
-    return inbox_->insist({&input, 1});
+    return edge < Roots::size && inbox_->put({.kind = Input::Kind::cancel, .thing = edge}, edge);
   }
   /// False also for a state that is not external.
   [[nodiscard]] bool set_row(Index state, std::int32_t value) const {
@@ -170,11 +171,6 @@ private:
   template <std::size_t count>
   bool send(const std::array<Input, count>& records) const {
     return engine_ != nullptr ? engine_->post(records) : inbox_->post(records);
-  }
-
-  template <std::size_t count>
-  static void link(std::array<Input, count>& records) {
-    for (std::size_t i = 0; i + 1 < count; ++i) records[i].more = true;
   }
 
   static Input record(Setting setting) {

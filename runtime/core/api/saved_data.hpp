@@ -126,9 +126,8 @@ inline constexpr std::size_t bytes_of_behaviour = saved_bytes(Facts::shape) + Da
 template <class Facts>
 SaveResult save(const Engine& engine, typename Facts::Data& data, std::span<std::byte> to) {
   constexpr std::size_t size = bytes_of_behaviour<Facts>;
-  const SaveResult result = can_save(engine, to.size(), size);
+  const SaveResult result = write_decisions(engine, to, Data<Facts>::fingerprint(), size);
   if (result != SaveResult::saved) return result;
-  write_decisions(engine, to.first(size), Data<Facts>::fingerprint());
   Data<Facts>::write(data, to.data() + saved_bytes(Facts::shape));
   seal(to.first(size));
   return result;

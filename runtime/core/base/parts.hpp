@@ -17,18 +17,19 @@
 
 namespace director {
 
-/// A name for each part, in its source.
+/// A name for each part, in its source. Timers are also taken where a body calls Run::wait(), and inputs of several
+/// records only where link() makes one: these functions stand in their sources.
 namespace part {
 extern const char units, staleness, plans, limbo, order, conditions, pushes, equals, search, optional,
-    trail;                                          // arbitration
-extern const char states, handlers, promises, data; // engine
+    trail;                                                                     // arbitration
+extern const char timers, together, several, states, handlers, promises, data; // engine
 } // namespace part
 
 /// A component of at most so many groups is decided whole: to find out what a change reaches costs more there. Where
 /// memory is short it is more, as what finds that out is code of its own: 5 kB, for an eighth of the time at 24 groups.
 inline constexpr Index most_decided_whole = sizeof(Index) == 2 ? 32 : 16;
 
-using Parts = std::array<const char*, 15>;
+using Parts = std::array<const char*, 17>;
 
 /// What these tables use. `data`: some task has data.
 constexpr Parts parts_of(const Tables& t, bool data) {
@@ -46,6 +47,8 @@ constexpr Parts parts_of(const Tables& t, bool data) {
   const bool trail = any(t.components, [](const Component& row) { return row.groups.size() > most_decided_whole; });
   const bool handlers = any(t.groups, [](const Group& row) { return row.start || row.stop || !row.owned.empty(); }) ||
                         any(t.providers, [](const Provider& row) { return row.every != 0; });
+  const bool timers = !t.promises.empty() || any(t.providers, [](const Provider& row) { return row.every != 0; }) ||
+                      any(t.states, [](const StateVariable& row) { return row.expires != 0; });
   const auto use = [](bool used, const char& name) { return used ? &name : nullptr; };
   return {use(requests, part::units),
           use(requests, part::staleness),
@@ -58,6 +61,8 @@ constexpr Parts parts_of(const Tables& t, bool data) {
           use(search, part::search),
           use(optional, part::optional),
           use(trail, part::trail),
+          use(timers, part::timers),
+          use(t.groups.size() > 1, part::several),
           use(!t.states.empty(), part::states),
           use(handlers, part::handlers),
           use(!t.promises.empty() || !t.triggers.empty(), part::promises),

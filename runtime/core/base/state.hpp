@@ -112,18 +112,17 @@ struct GroupAssignment {
   Index flags = 0;     ///< bits of `flag`
   Push push{};
   constexpr bool granted() const { return (flags & flag::granted) != 0; }
-  constexpr bool operator==(const GroupAssignment&) const = default;
+  /// In one comparison, as mostly all is equal.
+  constexpr bool operator==(const GroupAssignment& other) const {
+    return ((holder ^ other.holder) | (active ^ other.active) | (planned ^ other.planned) | (flags ^ other.flags) |
+            (push.edge ^ other.push.edge) | (push.provider ^ other.push.provider) |
+            (push.condition ^ other.push.condition)) == 0;
+  }
   /// What the page calls a change: after it, it is arbitrated once more at rest.
   constexpr bool decides_otherwise_than(const GroupAssignment& last) const {
     return holder != last.holder || active != last.active || granted() != last.granted() || push != last.push;
   }
   constexpr bool stops_after(const GroupAssignment& last) const { return last.active != nil && active == nil; }
-  /// The same as ==, in one comparison: mostly all is equal.
-  constexpr bool same(const GroupAssignment& other) const {
-    return ((holder ^ other.holder) | (active ^ other.active) | (planned ^ other.planned) | (flags ^ other.flags) |
-            (push.edge ^ other.push.edge) | (push.provider ^ other.push.provider) |
-            (push.condition ^ other.push.condition)) == 0;
-  }
 };
 
 /// What is asked of an edge.

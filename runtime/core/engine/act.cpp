@@ -34,37 +34,9 @@ void Engine::act_on_touched() {
   if (granted(group)) give_again(group, x_.s.anew[x_.s.last[group].holder] != 0);
 }
 
-void Engine::act_on_all_touched() {
-  Counters& c = *x_.s.counters;
-  const Index touched = c.touched_count;
-  c.touched_count = 0;
-  Index count = 0, last = nil; // component
-  bool sorted = true;          // as what one pack asks for mostly comes
-  for (Index i = 0; i < touched; ++i) {
-    const Index group = x_.s.touched[i];
-    untouch(group);
-    if (!granted(group)) continue;
-    const Index component = x_.s.run_queue[group].component;
-    if (count != 0) sorted = sorted && component == last && x_.s.place[x_.s.touched[count - 1]] < x_.s.place[group];
-    last = component;
-    x_.s.touched[count++] = group;
-  }
-  if (!sorted) arbitration::sort_by_place(x_, {x_.s.touched, count}, arbitration::Chains::previous);
-  for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
-}
-
 /// What was held in the components decided again, in the old order.
 std::span<const Index> Engine::held_before(Index passes) {
-  const auto part = [&](Index component) {
-    return std::span<const Index>{x_.s.order + x_.t.components[component].order, x_.s.order_count[component]};
-  };
-  if (passes == 1) return part(x_.s.work[0]);
-  Index count = 0;
-  for (Index i = 0; i < passes; ++i) {
-    for (const Index group : part(x_.s.work[i])) x_.s.reach[count++] = group;
-  }
-  arbitration::sort_by_holders(x_, {x_.s.reach, count}, arbitration::Chains::previous);
-  return {x_.s.reach, count};
+  return passes == 1 ? held_in(x_.s.work[0]) : held_in_all(passes);
 }
 
 /// What is granted and can have a new reason to run, in the new order: it stands elsewhere than before, or was touched.

@@ -68,12 +68,8 @@ RunState Engine::state(Index edge) const {
   return x_.s.request[edge].level != nil ? RunState::queued : RunState::none;
 }
 
-bool Engine::done(Index edge) const {
-  return x_.s.run_queue[x_.t.edges[edge].target].done != 0 && state(edge) == RunState::running;
-}
-
-bool Engine::failed(Index edge) const {
-  return (x_.s.run_queue[x_.t.edges[edge].target].done & result::failed) != 0 && state(edge) == RunState::running;
+bool Engine::said(Index edge, std::uint8_t answer) const {
+  return (x_.s.run_queue[x_.t.edges[edge].target].done & answer) != 0 && state(edge) == RunState::running;
 }
 
 /// Where the data of the task are that the group was given last. A start handler may be called for a request of this
@@ -92,7 +88,6 @@ RunState Run::state(Index edge) const { return engine_.state(edge); }
 bool Run::done(Index edge) const { return engine_.done(edge); }
 bool Run::failed(Index edge) const { return engine_.failed(edge); }
 DataPlace Run::data() const { return engine_.data_of(group_); }
-void Run::wait(Time duration) { wait_ = duration; }
 
 void Run::set(Index state, std::int32_t value) {
   const State& s = engine_.x_.s;

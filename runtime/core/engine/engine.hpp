@@ -91,9 +91,9 @@ public:
   // What holds between steps.
   std::int32_t value(Index state) const { return x_.s.values[state].value; }
   bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; }
-  RunState state(Index edge) const; ///< of a request: running, queued or none
-  bool done(Index edge) const;      ///< the target said done or failed; only while running
-  bool failed(Index edge) const;
+  RunState state(Index edge) const;                                ///< of a request: running, queued or none
+  bool done(Index edge) const { return said(edge, result::done); } ///< or failed; only while it runs
+  bool failed(Index edge) const { return said(edge, result::failed); }
   Index holder(Index group) const { return x_.s.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
   Index active(Index group) const { return x_.s.last[group].active; } ///< provider, or nil
   bool granted(Index group) const { return (x_.s.last[group].flags & flag::granted) != 0; }
@@ -147,17 +147,23 @@ private:
   Taken take_cancel(Index edge);
   Taken take_cancel_of_all();
   Taken take_enabled(Index provider, std::uint8_t wanted);
-  Taken take_timer();
+
+  // timers.cpp
+  DIRECTOR_PART Taken take_timer();
   bool serve(Timers::Timer timer, Time when);
+  DIRECTOR_PART void begin_wait(Index group, Time wait);
+  DIRECTOR_PART void stop_waiting(Index group);
   void end_wait(Index group);
 
   // states.cpp
+  DIRECTOR_PART void begin_to_expire();
   DIRECTOR_PART Taken take_states(Input& record);
   DIRECTOR_PART bool expire(Index state);
   DIRECTOR_PART void look_at_conditions(Index state);
   DIRECTOR_PART void commit_states(bool fault);
 
   // promises.cpp: section 7
+  DIRECTOR_PART void take_promises(Index group);
   DIRECTOR_PART bool fire(Index trigger);
   DIRECTOR_PART bool break_promise(Index promise);
   DIRECTOR_PART void keep_promises(Index group);
@@ -172,7 +178,10 @@ private:
 
   Index run_next();
   void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
-  void commit_pack(Range edges);
+#ifdef __OPTIMIZE_SIZE__
+  DIRECTOR_PART
+#endif
+  void commit_pack(Range edges); // pack.hpp
   void answer(Index group, bool failed);
 
   // notes.hpp
@@ -201,13 +210,19 @@ private:
   // settle.cpp: after every micro-step
   void arbitrate();
   bool changed(Index component, bool& stops);
-  bool other_plan(Index group) const;
+
+  // several.cpp
+  DIRECTOR_PART bool other_plan(Index group) const;
+  DIRECTOR_PART void act_on_all_touched();
+  DIRECTOR_PART std::span<const Index> held_in_all(Index passes);
 
   // act.cpp: section 5
   void act(Index passes, bool stops);
   void act_on_touched();
-  void act_on_all_touched();
   std::span<const Index> held_before(Index passes);
+  std::span<const Index> held_in(Index component) const {
+    return {x_.s.order + x_.t.components[component].order, x_.s.order_count[component]};
+  }
   std::span<const Index> with_reasons();
   void stop_group(Index group);
   static std::uint8_t reasons(const GroupAssignment& last, const GroupAssignment& now);
@@ -217,6 +232,7 @@ private:
   void adopt_differing();
   void adopt_order(Index component);
 
+  bool said(Index edge, std::uint8_t answer) const;
   RunQueue queue() const { return RunQueue(x_.s); }
 
   // reports.cpp: section 6. All but the first only if observed().
@@ -237,8 +253,7 @@ private:
   DIRECTOR_PART void report_decisions(Index component) const;
   void report_cancel(Index edge) const;
   void report_queued(Index component) const;
-  Event event(Event::Kind kind, Index group = nil) const;
-  void tell(const Event& event) const;
+  void tell(Event event) const; ///< with the time, which is the same for all
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 

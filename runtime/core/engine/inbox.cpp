@@ -44,34 +44,6 @@ bool Inbox::claim(std::span<const Input> records) {
   return true;
 }
 
-bool Inbox::post_in_turn(std::span<const Input> records) {
-  for (const Input& record : records) {
-    if (words_.wait(record.thing)) return false;
-  }
-  return claim(records);
-}
-
-bool Inbox::reserve(std::span<Input> records) {
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    bool last = true; // asked twice, the last one counts
-    for (std::size_t j = i + 1; j < records.size(); ++j) last = last && records[j].thing != records[i].thing;
-    records[i].handle = last && words_.exist() ? words_.reserve(records[i].thing) : nil;
-  }
-  return words_.exist();
-}
-
-void Inbox::publish(std::span<const Input> records) { words_.publish(records, tail_.load(std::memory_order_relaxed)); }
-
-bool Inbox::insist(std::span<Input> records) {
-  if (post_in_turn(records)) return true;
-  if (reserve(records)) {
-    publish(records);
-    return true;
-  }
-  words_.count_lost();
-  return false;
-}
-
 bool Inbox::put(const Input& record, Index slot) {
   if (!words_.has(slot)) return post({&record, 1});
   if (!words_.wait(slot) && claim({&record, 1})) return true;
@@ -80,7 +52,5 @@ bool Inbox::put(const Input& record, Index slot) {
   if (word.handle != nil) words_.publish(slot, word, tail_.load(std::memory_order_relaxed));
   return true;
 }
-
-bool Inbox::take_more(Input& out) { return word_ ? words_.take_more(out) : take_cell(out); }
 
 } // namespace director

@@ -33,17 +33,15 @@ public:
 
   /// The records of one input, `more` set on all but the last. False: full, nothing went in, and the input is lost.
   bool post(std::span<const Input> records);
-  /// Requests or cancels of root tasks without data: these are not refused.
-  bool insist(std::span<Input> records);
-  /// An input of one record that has a slot of OverflowSlots: it is not refused either.
+  /// An input of one record, without data, that has a slot of OverflowSlots: it is not refused.
   bool put(const Input& record, Index slot);
 
-  // The two halves of insist, for requests with data.
-  /// False: a request or cancel of one of these root tasks waits outside the queue, and this one must wait behind it.
+  // For requests of root tasks that are several or have data: they are not refused either.
+  /// False: it is full, or a request or cancel of one of these tasks waits outside, and this one must wait behind it.
   bool post_in_turn(std::span<const Input> records);
   /// Reserves a place of OverflowSlots for each record, as its handle: there its data go before they are published.
-  /// Nil: this record does not count, as a later one about the same root task does. False: there are no overflow slots.
-  bool reserve(std::span<Input> records);
+  /// Nil: this record does not count, as a later one about the same root task does.
+  void reserve(std::span<Input> records);
   void publish(std::span<const Input> records);
 
   // For any thread.
@@ -79,7 +77,7 @@ public:
   /// The next record, if one is due and there.
   bool take(Input& out);
   /// The next record of the same input, where the last one says that there is more.
-  bool take_more(Input& out);
+  DIRECTOR_PART bool take_more(Input& out);
 
   /// Records claimed by writers and not taken yet, as seen by the reader.
   std::uint32_t waiting() const { return tail_.load(std::memory_order_acquire) - head_; }

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 3, Inputs: what the outside asks for, sets and fires, what handlers set, and what is due.
+// docs/semantics.md, section 3, Inputs: what the outside asks for, sets and fires.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/base/heap_sort.hpp"
@@ -28,13 +28,6 @@ Engine::Taken Engine::take_rarer(Input& record) {
   case Input::Kind::disable: return take_enabled(record.thing, 0);
   }
   return Taken::no_change;
-}
-
-/// The next record of the same input; the writer published it before the first one.
-bool Engine::take_more(Input& record) {
-  if (!record.more || !inbox_.take_more(record)) return false;
-  if (observed()) report_input(record);
-  return true;
 }
 
 Engine::Taken Engine::take_request(Input& record) {
@@ -74,34 +67,6 @@ Engine::Taken Engine::take_request(Input& record) {
   mark(component, work::changed);
   x_.s.news_count[component] = nil; // who may push it is not noted, and this is rare
   return Taken::change;
-}
-
-/// What is due at the time being served, which began with the earliest: states that expire, waits, promises, `every`,
-/// each in order of declaration. Each is an input of its own. What one of them cancels is not due any more when its
-/// turn comes.
-Engine::Taken Engine::take_timer() {
-  Counters& c = *x_.s.counters;
-  const Time when = c.next_due;
-  if (when > c.now) {
-    c.serving = false;
-    return Taken::nothing;
-  }
-  const Timers::Timer timer = timers_.take_first();
-  ++c.micro_step;
-  if (observed()) report_timer(timer);
-  return serve(timer, when) ? Taken::change : Taken::no_change;
-}
-
-/// True if that is an input with an effect.
-bool Engine::serve(Timers::Timer timer, Time when) {
-  const Index row = timer.row;
-  switch (timer.kind) {
-  case Timers::Kind::expiry: return expire(row);
-  case Timers::Kind::promise: return break_promise(row);
-  case Timers::Kind::wait: add_reason(row, Reason::wait); break;
-  case Timers::Kind::every: end_period(row, when); break;
-  }
-  return true;
 }
 
 } // namespace director

@@ -105,6 +105,13 @@ DIRECTOR_INLINE void Engine::forget_work() {
 
 // What inputs and runs ask for.
 
+/// The next record of the same input.
+inline bool Engine::take_more(Input& record) {
+  if (!record.more || !inbox_.take_more(record)) return false;
+  if (observed()) report_input(record);
+  return true;
+}
+
 /// Of an edge that is requested at another level than before, or not any more.
 DIRECTOR_INLINE void Engine::mark_request(Index edge) {
   const Index component = x_.s.run_queue[x_.s.request[edge].target].component;
@@ -192,11 +199,8 @@ inline void Engine::forget_triggers(Index group) {
 }
 
 /// Mostly it does not wait, and then its timer is not looked at.
-DIRECTOR_ONE_COPY inline void Engine::end_wait(Index group) {
-  Bits& flags = x_.s.run_queue[group].flags;
-  if ((flags & group_flag::waits) == 0) return;
-  flags &= static_cast<std::uint8_t>(~group_flag::waits);
-  timers_.disarm({Timers::Kind::wait, group});
+inline void Engine::end_wait(Index group) {
+  if ((x_.s.run_queue[group].flags & group_flag::waits) != 0) stop_waiting(group);
 }
 
 } // namespace director

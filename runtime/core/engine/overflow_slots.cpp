@@ -5,50 +5,10 @@
 // the reader's hands, then free again. Each step is a compare-and-swap of the slot's one word of states. To publish
 // frees the record before it in the same step. Only a writer that finds no free place takes the newest record away
 // before it has its own ready.
-//
-// The records of one input are published from the last to the first, the leader, and all places are reserved before:
-// who sees a record whose leader is still to come leaves it where it is, so that they are taken together.
 
-#include "runtime/core/engine/overflow_slots.hpp"
+#include "runtime/core/engine/place_states.hpp"
 
 namespace director {
-
-namespace {
-
-enum class PlaceState : std::uint32_t { free = 0, filling = 1, published = 2, held = 3 };
-
-constexpr std::uint32_t bits_each = 2;
-
-constexpr PlaceState state_of(std::uint32_t states, Index place) {
-  return static_cast<PlaceState>(states >> (bits_each * place) & 3U);
-}
-
-constexpr std::uint32_t with(std::uint32_t states, Index place, PlaceState state) {
-  const std::uint32_t shift = bits_each * place;
-  return (states & ~(3U << shift)) | static_cast<std::uint32_t>(state) << shift;
-}
-
-constexpr Index find(std::uint32_t states, PlaceState state) {
-  for (Index place = 0; place < OverflowSlots::places; ++place) {
-    if (state_of(states, place) == state) return place;
-  }
-  return nil;
-}
-
-constexpr bool any_published(std::uint32_t states) { return (states >> 1 & ~states & 0x55U) != 0; }
-
-/// Is `a` before `b`? Both count round and round, and are never far apart.
-constexpr bool precedes(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) < 0; }
-
-/// Replaces the states by what `next` makes of them, in one step.
-template <class Next>
-std::uint32_t change(std::atomic<std::uint32_t>& states, Next next) {
-  std::uint32_t now = states.load(std::memory_order_acquire);
-  while (!states.compare_exchange_weak(now, next(now), std::memory_order_acq_rel, std::memory_order_acquire)) {}
-  return now;
-}
-
-} // namespace
 
 bool OverflowSlots::wait(Index slot) const {
   return has(slot) && any_published(slots_[slot].states.load(std::memory_order_acquire));
@@ -65,26 +25,9 @@ Index OverflowSlots::reserve(Index slot) {
   return place == nil ? nil : static_cast<Index>(waiting_requests + place);
 }
 
-void OverflowSlots::publish(std::span<const Input> records, std::uint32_t position) {
-  Index leader = nil;
-  for (const Input& record : records) {
-    if (record.handle != nil && leader == nil) leader = record.thing;
-  }
-  if (leader == nil) return;
-  const std::uint32_t ticket = next_ticket();
-  for (std::size_t i = records.size(); i-- > 0;) {
-    if (records[i].handle != nil) put(records[i].thing, {records[i], position, ticket, leader});
-  }
-  spoken_.store(1, std::memory_order_release);
-}
-
 void OverflowSlots::publish(Index slot, const Input& record, std::uint32_t position) {
-  put(slot, {record, position, next_ticket(), slot});
+  put(slot, {record, position, count(tickets_), slot});
   spoken_.store(1, std::memory_order_release);
-}
-
-std::uint32_t OverflowSlots::next_ticket() {
-  return change(tickets_, [](std::uint32_t now) { return now + 1; });
 }
 
 /// Into the place that was reserved, which is the newest record from then on.
@@ -100,7 +43,7 @@ void OverflowSlots::put(Index slot, const Note& note) {
 }
 
 void OverflowSlots::count_lost() {
-  change(lost_, [](std::uint32_t now) { return now + 1; });
+  count(lost_);
   spoken_.store(1, std::memory_order_release);
 }
 
@@ -110,17 +53,14 @@ void OverflowSlots::open() {
       !spoken_.compare_exchange_strong(spoken, 0, std::memory_order_acquire, std::memory_order_relaxed))
     return;
   // Again until nothing is new: what was published before a record that was seen must be seen with it.
-  bool found = true;
-  for (std::size_t i = 0; i <= slots_.size() && found; ++i) {
-    found = false;
-    sweep(found);
-  }
+  for (std::size_t i = 0; i <= slots_.size() && sweep(); ++i) {}
   for (Slot& slot : slots_) {
-    if (slot.held != nil && &slot != given_ && leader_comes(slot.notes[slot.held])) put_back(slot);
+    if (slot.held != nil && &slot != given_ && slot.notes[slot.held].input.more) wait_for_leader(slot);
   }
 }
 
-void OverflowSlots::sweep(bool& found) {
+bool OverflowSlots::sweep() {
+  bool found = false;
   for (Slot& slot : slots_) {
     if (!any_published(slot.states.load(std::memory_order_acquire))) continue;
     if (given_ == &slot) given_ = nullptr, let_go(slot);
@@ -140,25 +80,7 @@ void OverflowSlots::sweep(bool& found) {
     slot.held = place;
     found = true;
   }
-}
-
-/// The rest of its input is about to be published.
-bool OverflowSlots::leader_comes(const Note& note) const {
-  const Slot& slot = slots_[note.leader];
-  if (slot.held != nil && &slot != given_ && slot.notes[slot.held].ticket == note.ticket) return false;
-  const std::uint32_t states = slot.states.load(std::memory_order_acquire);
-  return find(states, PlaceState::filling) != nil || find(states, PlaceState::published) != nil;
-}
-
-/// A later record may have come meanwhile; then this one is forgotten.
-void OverflowSlots::put_back(Slot& slot) {
-  const std::uint32_t before = change(slot.states, [&](std::uint32_t now) {
-    return with(now, slot.held, any_published(now) ? PlaceState::free : PlaceState::published);
-  });
-  if (any_published(before)) count_lost();
-  slot.held = nil;
-  --in_hand_;
-  spoken_.store(1, std::memory_order_relaxed);
+  return found;
 }
 
 void OverflowSlots::let_go(Slot& slot) {
@@ -180,26 +102,13 @@ bool OverflowSlots::take(std::uint32_t position, Input& out) {
   return true;
 }
 
-bool OverflowSlots::take_more(Input& out) {
-  Slot* next = first_of(taken_);
-  if (next != nullptr) out = give(*next);
-  return next != nullptr;
-}
-
-OverflowSlots::Slot* OverflowSlots::first_of(std::uint32_t ticket) {
-  for (Slot& slot : slots_) {
-    if (slot.held != nil && &slot != given_ && slot.notes[slot.held].ticket == ticket) return &slot;
-  }
-  return nullptr;
-}
-
 /// The place stays held until the next one is given, so that the data that belong to it can be moved.
 Input OverflowSlots::give(Slot& slot) {
   if (given_ != nullptr) let_go(*given_);
   given_ = &slot;
   --in_hand_;
   Input out = slot.notes[slot.held].input;
-  out.more = first_of(slot.notes[slot.held].ticket) != nullptr;
+  if (out.more) out.more = first_of(slot.notes[slot.held].ticket) != nullptr;
   return out;
 }
 

@@ -6,7 +6,7 @@
 // the slot's newest record by one compare-and-swap. What a slot held before, and the reader did not take, is counted as
 // lost.
 
-#include "runtime/core/base/tables.hpp"
+#include "runtime/core/base/parts.hpp"
 
 #include <array>
 #include <atomic>
@@ -22,7 +22,7 @@ inline constexpr Index waiting_requests = 4;
 struct Input {
   enum class Kind : std::uint8_t { request, cancel, set, fire, enable, disable };
   Kind kind = Kind::set;
-  bool more = false;  ///< the next record belongs to the same input (request and set)
+  bool more = false;  ///< the next record belongs to the same input (request and set): see link()
   Index thing = 0;    ///< root edge, state, trigger or provider; nil: cancel of all root edges
   Index handle = nil; ///< request: where its data wait: up to waiting_requests in the inbox, from there on in a place
                       ///< of OverflowSlots; nil: it has none
@@ -31,13 +31,16 @@ struct Input {
   void set_level(Index level) { value = static_cast<std::int32_t>(level); }
 };
 
+/// Several records become one input.
+void link(std::span<Input> records);
+
 class OverflowSlots {
 public:
   /// Of one slot: the newest record, one that the reader has in hand, and two that are being written.
   static constexpr Index places = 4;
 
   struct Note {
-    Input input;
+    Input input;                ///< `more`: its input has several records
     std::uint32_t position = 0; ///< in the inbox: what was there before is taken before
     std::uint32_t ticket = 0;   ///< later inputs have higher ones; records of one input have the same
     Index leader = 0;           ///< the slot of that record of the input which is published last
@@ -55,7 +58,6 @@ public:
 
   // For writers: any thread.
 
-  bool exist() const { return !slots_.empty(); }
   bool has(Index slot) const { return slot < slots_.size(); }
   /// The newest record in this slot was not seen by the reader yet.
   bool wait(Index slot) const;
@@ -82,20 +84,18 @@ public:
   /// same input.
   bool take(std::uint32_t position, Input& out);
   /// The next record of the input that was taken last.
-  bool take_more(Input& out);
+  DIRECTOR_PART bool take_more(Input& out);
   bool any_in_hand() const { return in_hand_ != 0; }
   /// None waits that the reader has not in hand.
   bool none_spoken() const { return spoken_.load(std::memory_order_relaxed) == 0; }
 
 private:
-  std::uint32_t next_ticket();
   void put(Index slot, const Note& note);
-  void sweep(bool& found);
-  bool leader_comes(const Note& note) const;
+  bool sweep();
+  DIRECTOR_PART void wait_for_leader(Slot& slot);
   void let_go(Slot& slot);
-  void put_back(Slot& slot);
   Input give(Slot& slot);
-  Slot* first_of(std::uint32_t ticket);
+  DIRECTOR_PART Slot* first_of(std::uint32_t ticket);
 
   std::span<Slot> slots_;
   std::atomic<std::uint32_t> tickets_{0};

@@ -9,6 +9,16 @@ namespace part {
 const char promises = 0;
 }
 
+/// Section 7: with its first run on a push its promises begin.
+void Engine::take_promises(Index group) {
+  Promised& promised = x_.s.promised[group];
+  if (promised.provider != nil) return;
+  promised = {x_.s.last[group].push.edge, x_.s.last[group].active};
+  const Range own = x_.t.providers[promised.provider].promises;
+  for (Index i = own.begin; i != own.end; ++i)
+    timers_.arm({Timers::Kind::promise, i}, later(x_.s.counters->now, x_.t.promises[i].within));
+}
+
 /// Section 7: a promise ends with its push, and when its condition has come true.
 void Engine::keep_promises(Index group) {
   Promised& promised = x_.s.promised[group];

@@ -3,194 +3,137 @@
 
 #include "runtime/core/engine/engine.hpp"
 
+#include <utility>
+
 namespace director {
+
+using Kind = Event::Kind;
 
 void Engine::observe(Observer observer) { observer_ = observer; }
 
-void Engine::tell(const Event& event) const {
+void Engine::tell(Event event) const {
+  event.time = x_.s.counters->now;
+  event.until = x_.s.counters->until;
+  event.micro_step = x_.s.counters->micro_step;
   const bool inside = inside_;
   inside_ = true;
   observer_.tell(observer_.self, event);
   inside_ = inside;
 }
 
-Event Engine::event(Event::Kind kind, Index group) const {
-  Event out;
-  out.kind = kind;
-  out.group = group;
-  out.time = x_.s.counters->now;
-  out.until = x_.s.counters->until;
-  out.micro_step = x_.s.counters->micro_step;
-  return out;
+void Engine::report_run(Kind kind, Index group, Index provider, Reasons reasons) const {
+  tell({.kind = kind, .reasons = reasons, .group = group, .provider = provider});
 }
 
-void Engine::report_run(Event::Kind kind, Index group, Index provider, Reasons reasons) const {
-  Event run = event(kind, group);
-  run.provider = provider;
-  run.reasons = reasons;
-  tell(run);
-}
-
-void Engine::report_request(Event::Kind kind, Index edge, Index level) const {
-  Event request = event(kind, x_.t.edges[edge].target);
-  request.edge = edge;
-  request.level = level;
-  tell(request);
+void Engine::report_request(Kind kind, Index edge, Index level) const {
+  tell({.kind = kind, .group = x_.t.edges[edge].target, .edge = edge, .level = level});
 }
 
 void Engine::report_begin() const {
-  tell(event(Event::Kind::begin));
+  tell({.kind = Kind::begin});
   for (Index i = 0; i < x_.t.states.size(); ++i) {
-    if (x_.s.values[i].value == x_.t.states[i].initial) continue;
-    Event given = event(Event::Kind::given);
-    given.state = i;
-    given.value = x_.s.values[i].value;
-    tell(given);
+    const std::int32_t value = x_.s.values[i].value;
+    if (value != x_.t.states[i].initial) report_value(Kind::given, nil, nil, i, value);
   }
 }
 
 /// And which states the run sets, those among them that have the value already.
 void Engine::report_answer(Index group, Index provider, Outcome::Kind outcome, std::uint16_t pack) const {
-  Event answer = event(Event::Kind::answer, group);
-  answer.provider = provider;
-  answer.outcome = outcome;
-  if (outcome == Outcome::Kind::pack) answer.pack = pack;
-  tell(answer);
+  if (outcome != Outcome::Kind::pack) pack = 0;
+  tell({.kind = Kind::answer, .group = group, .provider = provider, .outcome = outcome, .pack = pack});
   for (Index i = 0; i < x_.s.counters->staged_count && outcome != Outcome::Kind::fault; ++i)
-    report_value(Event::Kind::assign, group, provider, x_.s.staged[i], x_.s.values[x_.s.staged[i]].staged);
+    report_value(Kind::assign, group, provider, x_.s.staged[i], x_.s.values[x_.s.staged[i]].staged);
 }
 
-/// What a body or handler sets, or may not set.
-void Engine::report_value(Event::Kind kind, Index group, Index provider, Index state, std::int32_t value) const {
-  Event set = event(kind, group);
-  set.provider = provider;
-  set.state = state;
-  set.value = value;
-  tell(set);
+void Engine::report_value(Kind kind, Index group, Index provider, Index state, std::int32_t value) const {
+  tell({.kind = kind, .group = group, .provider = provider, .state = state, .value = value});
 }
 
-void Engine::report_wait(Index group, Time due) const {
-  Event wait = event(Event::Kind::wait, group);
-  wait.due = due;
-  tell(wait);
-}
+void Engine::report_set(Index state) const { report_value(Kind::set, nil, nil, state, x_.s.values[state].value); }
+
+void Engine::report_wait(Index group, Time due) const { tell({.kind = Kind::wait, .group = group, .due = due}); }
 
 void Engine::report_timer(Timers::Timer timer) const {
-  Event input = event(Event::Kind::input);
-  const Index row = timer.row;
+  Event event{.kind = Kind::input};
   switch (timer.kind) {
-  case Timers::Kind::expiry:
-    input.input = Event::Input::expire;
-    input.state = row;
-    break;
-  case Timers::Kind::wait:
-    input.input = Event::Input::wait;
-    input.group = row;
-    break;
+  case Timers::Kind::expiry: event.input = Event::Input::expire, event.state = timer.row; break;
+  case Timers::Kind::wait: event.input = Event::Input::wait, event.group = timer.row; break;
   case Timers::Kind::promise:
-    input.input = Event::Input::within;
-    input.provider = x_.t.promises[row].provider;
-    input.group = x_.t.providers[input.provider].group;
+    event.input = Event::Input::within;
+    event.provider = x_.t.promises[timer.row].provider;
+    event.group = x_.t.providers[event.provider].group;
     break;
-  case Timers::Kind::every:
-    input.input = Event::Input::every;
-    input.group = row;
-    break;
+  case Timers::Kind::every: event.input = Event::Input::every, event.group = timer.row; break;
   }
-  tell(input);
-}
-
-void Engine::report_set(Index state) const {
-  Event set = event(Event::Kind::set);
-  set.state = state;
-  set.value = x_.s.values[state].value;
-  tell(set);
+  tell(event);
 }
 
 /// Since the step before.
 void Engine::report_lost() {
-  Event lost = event(Event::Kind::lost);
   const std::uint32_t so_far = inbox_.lost();
-  lost.count = so_far - told_lost_;
-  told_lost_ = so_far;
-  tell(lost);
+  tell({.kind = Kind::lost, .count = so_far - std::exchange(told_lost_, so_far)});
 }
 
 void Engine::report_cancel(Index edge) const {
-  Event cancel = event(Event::Kind::input, edge == nil ? nil : x_.t.edges[edge].target);
-  cancel.input = Event::Input::cancel;
-  cancel.edge = edge;
-  tell(cancel);
+  const Index group = edge == nil ? nil : x_.t.edges[edge].target;
+  tell({.kind = Kind::input, .input = Event::Input::cancel, .group = group, .edge = edge});
 }
 
 void Engine::report_input(const Input& record) const {
-  if (record.kind == Input::Kind::cancel && record.thing == nil) { // first of all, and then of each
-    report_cancel(nil);
-    for (Index edge = 0; edge < x_.t.root_edges; ++edge) {
+  Event event{.kind = Kind::input};
+  switch (record.kind) {
+  case Input::Kind::cancel:
+    report_cancel(record.thing);
+    for (Index edge = 0; edge < x_.t.root_edges && record.thing == nil; ++edge) {
       if (x_.s.request[edge].level != nil) report_cancel(edge);
     }
     return;
-  }
-  Event input = event(Event::Kind::input);
-  constexpr Event::Input kinds[] = {Event::Input::request, Event::Input::cancel, Event::Input::set,
-                                    Event::Input::fire,    Event::Input::enable, Event::Input::disable};
-  input.input = kinds[static_cast<std::size_t>(record.kind)];
-  switch (record.kind) {
-  case Input::Kind::cancel: return report_cancel(record.thing);
   case Input::Kind::request:
-    input.edge = record.thing;
-    input.group = x_.t.edges[record.thing].target;
-    input.level = record.level();
+    event.input = Event::Input::request;
+    event.group = x_.t.edges[record.thing].target;
+    event.edge = record.thing;
+    event.level = record.level();
     break;
   case Input::Kind::set:
-    input.state = record.thing;
-    input.value = record.value;
+    event.input = Event::Input::set;
+    event.state = record.thing;
+    event.value = record.value;
     break;
-  case Input::Kind::fire: input.trigger = record.thing; break;
+  case Input::Kind::fire: event.input = Event::Input::fire, event.trigger = record.thing; break;
   case Input::Kind::enable:
   case Input::Kind::disable:
-    input.provider = record.thing;
-    input.group = x_.t.providers[record.thing].group;
+    event.input = record.kind == Input::Kind::enable ? Event::Input::enable : Event::Input::disable;
+    event.group = x_.t.providers[record.thing].group;
+    event.provider = record.thing;
     break;
   }
-  tell(input);
+  tell(event);
 }
 
 void Engine::report_decisions(Index component) const {
-  const Component& row = x_.t.components[component];
-  for (const Index g : x_.t.list(row.groups)) {
-    if (x_.s.last[g].push.edge != nil && x_.s.now[g].push.edge == nil) tell(event(Event::Kind::release, g));
+  const auto groups = x_.t.list(x_.t.components[component].groups);
+  for (const Index g : groups) {
+    if (x_.s.last[g].push.edge != nil && x_.s.now[g].push.edge == nil) tell({.kind = Kind::release, .group = g});
   }
-  for (const Index g : x_.t.list(row.groups)) {
-    const Push &now = x_.s.now[g].push, &last = x_.s.last[g].push;
-    if (now.edge == nil || (now.edge == last.edge && now.provider == last.provider)) continue;
-    Event push = event(Event::Kind::push, g);
-    push.provider = now.provider;
-    push.edge = now.edge;
-    push.condition = now.condition;
-    tell(push);
+  for (const Index g : groups) {
+    const auto [edge, provider, condition] = x_.s.now[g].push;
+    const Push& last = x_.s.last[g].push;
+    if (edge == nil || (edge == last.edge && provider == last.provider)) continue;
+    tell({.kind = Kind::push, .group = g, .provider = provider, .edge = edge, .condition = condition});
   }
   report_queued(component);
-  for (const Index g : x_.t.list(row.groups)) {
+  for (const Index g : groups) {
     const Index now = x_.s.now[g].holder, last = x_.s.last[g].holder;
-    if (now == last) continue;
-    Event control = event(now == nil ? Event::Kind::lose : Event::Kind::grant, g);
-    control.edge = now;
-    control.other = last;
-    control.provider = x_.s.now[g].active;
-    tell(control);
+    const Kind kind = now == nil ? Kind::lose : Kind::grant;
+    if (now != last) tell({.kind = kind, .group = g, .provider = x_.s.now[g].active, .edge = now, .other = last});
   }
 }
 
 void Engine::report_queued(Index component) const {
   for (const Index e : x_.t.list(x_.t.components[component].edges)) {
-    const Queued &now = x_.s.queued[e], &last = x_.s.last_queued[e];
-    if (now.why == Why::none || now == last) continue;
-    Event queue = event(Event::Kind::queue, x_.t.edges[e].target);
-    queue.edge = e;
-    queue.why = now.why;
-    queue.condition = now.condition;
-    tell(queue);
+    const auto [why, condition] = x_.s.queued[e];
+    if (why == Why::none || x_.s.queued[e] == x_.s.last_queued[e]) continue;
+    tell({.kind = Kind::queue, .why = why, .group = x_.t.edges[e].target, .edge = e, .condition = condition});
   }
 }
 

@@ -40,7 +40,7 @@ bool Engine::changed(Index component, bool& stops) {
   bool decision = false;
   for (const Index g : arbitration::opened(x_)) {
     const GroupAssignment &now = x_.s.now[g], &last = x_.s.last[g];
-    if (now.same(last) && !(plans && other_plan(g))) continue;
+    if (now == last && !(plans && other_plan(g))) continue;
     x_.s.group_marks[g] |= mark::differs;
     x_.s.group_trail[g] |= trail::disturbed;
     x_.s.differing[differing_++] = g;
@@ -49,14 +49,6 @@ bool Engine::changed(Index component, bool& stops) {
   }
   if (decision) x_.s.counters->unsettled = true;
   return differing_ != before;
-}
-
-bool Engine::other_plan(Index group) const {
-  const Range slots = x_.t.groups[group].slots;
-  bool other = false;
-  for (Index slot = slots.begin; slot != slots.end; ++slot)
-    other = other || x_.s.now.plan[slot] != x_.s.last.plan[slot];
-  return other;
 }
 
 } // namespace director

@@ -14,6 +14,14 @@ void Engine::preset(Index state, std::int32_t value) {
   look_at_conditions(state);
 }
 
+/// With the first step.
+void Engine::begin_to_expire() {
+  for (Index i = 0; i < x_.t.states.size(); ++i) {
+    if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset)
+      timers_.arm({Timers::Kind::expiry, i}, later(x_.s.counters->now, x_.t.states[i].expires));
+  }
+}
+
 Engine::Taken Engine::take_states(Input& record) {
   bool changes = false;
   do changes = set_value(record.thing, record.value) || changes;

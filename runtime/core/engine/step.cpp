@@ -7,42 +7,20 @@
 
 #include "runtime/core/base/inline.hpp"
 #include "runtime/core/engine/notes.hpp"
+#ifndef __OPTIMIZE_SIZE__
+#include "runtime/core/engine/pack.hpp"
+#endif
 
 namespace director {
 
-/// From the first step on, values expire.
 void Engine::take_first_step(Time now) {
   x_.s.counters->begun = true;
   x_.s.counters->until = x_.s.counters->now = now;
   if (observed()) report_begin();
-  for (Index i = 0; i < x_.t.states.size(); ++i) {
-    if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset)
-      timers_.arm({Timers::Kind::expiry, i}, later(now, x_.t.states[i].expires));
-  }
+  if (!x_.t.states.empty()) begin_to_expire();
 }
 
 // A run.
-
-DIRECTOR_INLINE void Engine::commit_pack(Range edges) {
-  Staged* staged = x_.s.staged_request;
-  for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
-    const Index level = staged->level;
-    if (level == nil) {
-      if (observed() && x_.s.request[e].level != nil) report_request(Event::Kind::withdraw, e);
-      withdraw(e);
-      continue;
-    }
-    staged->level = nil;
-    if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
-    if (staged->keep) continue;
-    if (edges.size() != 1 || !asks_again(e, level)) {
-      request(e, level);
-      continue;
-    }
-    give_what_is_asked_again(e);
-    if (bodies_.data != nullptr) settle_data(e);
-  }
-}
 
 /// Everything that a run asked for, together.
 DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
@@ -50,7 +28,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
   forget_triggers(group);
   if (x_.s.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
-    commit_pack(x_.t.groups[group].edges);
+    if (const Range edges = x_.t.groups[group].edges; !edges.empty()) commit_pack(edges);
     entry.done = 0;
     if (wait <= 0) end_wait(group);
   } else {
@@ -63,11 +41,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
       return;
     }
   }
-  if (wait <= 0) return;
-  const Time due = later(x_.s.counters->now, wait);
-  if (observed()) report_wait(group, due);
-  entry.flags |= group_flag::waits;
-  timers_.arm({Timers::Kind::wait, group}, due);
+  if (wait > 0) begin_wait(group, wait);
 }
 
 /// The oldest run calls its provider, and everything that it asked for takes effect together. The group that ran; nil:
@@ -84,13 +58,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
   if (!pushed) reasons &= static_cast<std::uint8_t>(~reason::pushed);
   if (reasons == 0) return nil; // nobody pushes it any more
 
-  if (pushed && !x_.t.promises.empty() &&
-      x_.s.promised[group].provider == nil) { // section 7: its first run on that push
-    x_.s.promised[group] = {x_.s.last[group].push.edge, provider};
-    const Range own = x_.t.providers[provider].promises;
-    for (Index i = own.begin; i != own.end; ++i)
-      timers_.arm({Timers::Kind::promise, i}, later(c.now, x_.t.promises[i].within));
-  }
+  if (pushed && !x_.t.promises.empty()) take_promises(group);
   Run run(*this, x_.s, x_.t.groups[group].edges.begin, group, provider, Reasons{reasons});
   report(Event::Kind::run, group, provider, run.reasons());
   inside_ = true;

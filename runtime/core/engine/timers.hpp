@@ -1,7 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// When each timer is due, and which one is due first. docs/semantics.md, section 3, Time.
+// When each timer is due, and which one is due first. docs/semantics.md, section 3, Time. A part (base/parts.hpp),
+// which a body that waits names as well as the tables: where nobody has it, no timer is ever armed.
 
+#include "runtime/core/base/parts.hpp"
 #include "runtime/core/base/state.hpp"
 
 namespace director {
@@ -17,17 +19,30 @@ public:
     Index row; ///< state, group, promise or group
   };
 
-  Timers(const Tables& tables, const State& memory);
+  Timers(const Tables& t, const State& memory)
+      : counters_(memory.counters),
+        due_(memory.due),
+        soonest_(memory.soonest),
+        begin_{0, static_cast<Index>(t.states.size()), static_cast<Index>(begin_[1] + t.groups.size()),
+               static_cast<Index>(begin_[2] + t.promises.size())},
+        count_(static_cast<Index>(begin_[3] + t.groups.size())) {}
 
-  /// None is due.
-  void clear();
+  /// None is due, and of each two the first one counts as sooner.
+  void clear() {
+    for (Index i = 0; i < count_; ++i) due_[i] = never;
+    for (std::size_t node = count_; node-- > 1;) {
+      const Index a = soonest(2 * node), b = soonest(2 * node + 1);
+      soonest_[node] = a < b ? a : b;
+    }
+    counters_->next_due = never;
+  }
   void arm(Timer timer, Time due) { set(number(timer), due); }
   void disarm(Timer timer) {
     if (due_[number(timer)] != never) set(number(timer), never);
   }
   Time due(Timer timer) const { return due_[number(timer)]; } ///< never: it is not armed
   /// Takes away the one that is due first; there is one.
-  Timer take_first();
+  DIRECTOR_PART Timer take_first();
 
 private:
   Index number(Timer timer) const {
@@ -35,7 +50,7 @@ private:
   }
   Index soonest(std::size_t node) const { return node < count_ ? soonest_[node] : static_cast<Index>(node - count_); }
   Index sooner(std::size_t node) const;
-  void set(Index index, Time due);
+  DIRECTOR_PART void set(Index index, Time due);
 
   Counters* counters_;
   Time* due_;      ///< timers, kind by kind, by declaration

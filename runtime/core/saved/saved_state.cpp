@@ -13,6 +13,8 @@ namespace saved {
 
 namespace {
 
+[[gnu::used]] const char* const uses = &part::timers; // another program's bodies may have waited
+
 /// As long after `to` as it was after `from`, as far as a Time goes; a timer that is armed stays so.
 Time moved(Time time, Time from, Time to) {
   if (time == never) return never;
@@ -50,20 +52,17 @@ std::uint32_t check_sum(std::span<const std::byte> bytes) {
   return ~sum;
 }
 
-SaveResult can_save(const Engine& engine, std::size_t room, std::size_t needed) {
+SaveResult write_decisions(const Engine& engine, std::span<std::byte> to, std::uint64_t behaviour, std::size_t size) {
   if (engine.inside()) return SaveResult::refused;
   if (engine.inputs_wait()) return SaveResult::inputs_wait;
-  return room < needed ? SaveResult::too_small : SaveResult::saved;
-}
-
-void write_decisions(const Engine& engine, std::span<std::byte> to, std::uint64_t behaviour) {
+  if (to.size() < size) return SaveResult::too_small;
   const State s = memory_of(engine);
   const Counters& c = *s.counters;
   const Timers timers(engine.tables(), s);
   const Shape n = Shape::of(engine.tables());
   const auto bit = [](bool set, std::uint8_t value) { return set ? value : std::uint8_t{0}; };
   write(to.data(), 0,
-        HeadRow{.size = static_cast<std::uint32_t>(to.size()),
+        HeadRow{.size = static_cast<std::uint32_t>(size),
                 .behaviour = behaviour,
                 .now = c.now,
                 .until = c.until,
@@ -88,6 +87,7 @@ void write_decisions(const Engine& engine, std::span<std::byte> to, std::uint64_
       write(to.data() + at.*kind, i, row);
     }
   });
+  return SaveResult::saved;
 }
 
 void seal(std::span<std::byte> to) {
@@ -221,10 +221,8 @@ void saved::read_decisions(Engine& engine, const std::byte* from, Time now) { Lo
 
 SaveResult save(const Engine& engine, std::span<std::byte> to, std::uint64_t behaviour) {
   const std::size_t size = saved_bytes(Shape::of(engine.tables()));
-  const SaveResult result = saved::can_save(engine, to.size(), size);
-  if (result != SaveResult::saved) return result;
-  saved::write_decisions(engine, to.first(size), behaviour);
-  saved::seal(to.first(size));
+  const SaveResult result = saved::write_decisions(engine, to, behaviour, size);
+  if (result == SaveResult::saved) saved::seal(to.first(size));
   return result;
 }
 

@@ -70,13 +70,11 @@ constexpr const char* to_text(LoadResult result) {
 
 namespace saved {
 
-// For api/saved_data.hpp, which adds the data of tasks: first what may be refused, then what is done.
+// For api/saved_data.hpp, which adds the data of tasks.
 
-/// Whether the engine can be saved into so many bytes, of which the first are its own.
-SaveResult can_save(const Engine& engine, std::size_t room, std::size_t needed);
-/// All but the data and the check sum, into bytes that are enough.
-void write_decisions(const Engine& engine, std::span<std::byte> to, std::uint64_t behaviour);
-/// The check sum, when all else is written.
+/// All but the data and the check sum, into the first `size` of these bytes.
+SaveResult write_decisions(const Engine& engine, std::span<std::byte> to, std::uint64_t behaviour, std::size_t size);
+/// The check sum, when all else is written; into all of these bytes.
 void seal(std::span<std::byte> to);
 
 /// Whether these bytes, of which `size` are needed, can be loaded, but for the data.

@@ -1,0 +1,51 @@
+// docs/semantics.md, section 5: what only behaviours of several groups have to do when they act.
+// SPDX-License-Identifier: MIT
+
+#ifdef __OPTIMIZE_SIZE__
+#include "runtime/core/engine/pack.hpp"
+#endif
+#include "runtime/core/engine/notes.hpp"
+
+namespace director {
+
+namespace part {
+const char several = 0;
+}
+
+bool Engine::other_plan(Index group) const {
+  const Range slots = x_.t.groups[group].slots;
+  bool other = false;
+  for (Index slot = slots.begin; slot != slots.end; ++slot)
+    other = other || x_.s.now.plan[slot] != x_.s.last.plan[slot];
+  return other;
+}
+
+void Engine::act_on_all_touched() {
+  Counters& c = *x_.s.counters;
+  const Index touched = c.touched_count;
+  c.touched_count = 0;
+  Index count = 0, last = nil; // component
+  bool sorted = true;          // as what one pack asks for mostly comes
+  for (Index i = 0; i < touched; ++i) {
+    const Index group = x_.s.touched[i];
+    untouch(group);
+    if (!granted(group)) continue;
+    const Index component = x_.s.run_queue[group].component;
+    if (count != 0) sorted = sorted && component == last && x_.s.place[x_.s.touched[count - 1]] < x_.s.place[group];
+    last = component;
+    x_.s.touched[count++] = group;
+  }
+  if (!sorted) arbitration::sort_by_place(x_, {x_.s.touched, count}, arbitration::Chains::previous);
+  for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
+}
+
+std::span<const Index> Engine::held_in_all(Index passes) {
+  Index count = 0;
+  for (Index i = 0; i < passes; ++i) {
+    for (const Index group : held_in(x_.s.work[i])) x_.s.reach[count++] = group;
+  }
+  arbitration::sort_by_holders(x_, {x_.s.reach, count}, arbitration::Chains::previous);
+  return {x_.s.reach, count};
+}
+
+} // namespace director
