@@ -61,6 +61,9 @@ struct Decisions {
   bool never_runs(const Model& model, ProviderId id) const {
     return decided.contains(model.providers[id].group) && !runs.contains(id);
   }
+  bool never_granted(const Model& model, EdgeId id) const {
+    return decided.contains(model.edges[id].target) && !granted.contains(id);
+  }
   bool never_pushed(const Model& model, ProviderId id, ConditionId condition) const {
     return decided.contains(model.providers[id].group) && pushed.count({id, condition}) == 0;
   }
