@@ -173,7 +173,7 @@ private:
     for (const Task& task : pack.tasks) {
       if (std::find(members.begin(), members.end(), task.edge) != members.end()) last = &task;
     }
-    std::string message = fmt::format("{} can never be granted together", list_of(names));
+    std::string message = fmt::format("{} can never be granted together", few_of(names));
     if (!reasons.empty()) message += fmt::format(": whenever they are requested, {}", list_of(reasons, "or"));
     dsl::Diagnostic& finding = add("possible_pack_conflict", last->span, std::move(message));
     for (const Task& task : pack.tasks) {
