@@ -111,7 +111,8 @@ void fill_streams() {
 void tell_waiting(const std::string& path, std::chrono::milliseconds longest) {
   if (::isatty(STDERR_FILENO) != 1) return;
   std::cerr << "directorc: nothing comes from `" << path << "` yet: waiting for it, "
-            << std::chrono::ceil<std::chrono::seconds>(longest).count() << " s at most" << std::endl;
+            << std::chrono::ceil<std::chrono::seconds>(longest).count() << " s at most\n"
+            << std::flush;
 }
 
 } // namespace
