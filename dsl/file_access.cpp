@@ -17,6 +17,9 @@ namespace director::dsl {
 
 namespace {
 
+/// Nobody minds to wait that long without a word.
+constexpr std::chrono::milliseconds a_moment{300};
+
 struct Descriptor {
   int number;
   ~Descriptor() {
@@ -37,10 +40,20 @@ Result<std::string, FileError> DiskFiles::read(const std::string& path, std::siz
   // Read and not asked for its size: what is no plain file has none.
   std::string text;
   std::array<char, 1 << 16> part{};
-  while (true) {
+  bool is_told = !waiting_;
+  const auto comes_within = [&](std::chrono::milliseconds time) {
     pollfd waiting{file.number, POLLIN, 0};
-    if (poll(&waiting, 1, static_cast<int>(patience_.count())) == 0)
-      return FileError{FileError::Kind::not_readable, "nobody writes to this pipe"};
+    return poll(&waiting, 1, static_cast<int>(time.count())) != 0;
+  };
+  while (true) {
+    const std::chrono::milliseconds first = is_told ? patience_ : std::min(a_moment, patience_);
+    bool comes = comes_within(first);
+    if (!comes && first < patience_) {
+      is_told = true;
+      waiting_(path, patience_ - first);
+      comes = comes_within(patience_ - first);
+    }
+    if (!comes) return FileError{FileError::Kind::not_readable, "nobody writes to this pipe"};
     const ssize_t size = ::read(file.number, part.data(), part.size());
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (size < 0) return error(errno);

@@ -6,8 +6,10 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace director::dsl {
 
@@ -30,13 +32,19 @@ protected:
 
 class DiskFiles final : public FileAccess {
 public:
-  /// Who reads a pipe waits that long for somebody to write to it.
-  explicit DiskFiles(std::chrono::milliseconds patience = std::chrono::seconds(10)) : patience_(patience) {}
+  /// Is told which file keeps its reader waiting, and how long it will at most.
+  using Waiting = std::function<void(const std::string& path, std::chrono::milliseconds longest)>;
+  /// Who reads a pipe waits that long for somebody to write to it. After a moment that a program at its other end may
+  /// take to begin, `waiting` is told, once for each file.
+  explicit DiskFiles(std::chrono::milliseconds patience = std::chrono::seconds(10), Waiting waiting = {})
+      : patience_(patience),
+        waiting_(std::move(waiting)) {}
   Result<std::string, FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override;
 
 private:
   std::chrono::milliseconds patience_;
+  Waiting waiting_;
 };
 
 /// path -> text.

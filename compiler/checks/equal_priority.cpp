@@ -14,6 +14,8 @@
 #include <list>
 #include <map>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace director::checks {
 
@@ -36,15 +38,13 @@ struct Deadlock {
   std::vector<ChainStep> first_path, second_path; ///< to what is held
 };
 
-/// So many groups are looked at closely for one pair of tasks; those with the shortest chains come first.
-constexpr std::size_t most_candidates = 50;
 /// So many steps down are gone to look closely, for all pairs together. A behaviour of 10,000 groups, as people write
 /// them, takes a hundredth.
 constexpr std::size_t most_effort = 10'000'000;
 
 class ContestSearch {
 public:
-  explicit ContestSearch(const Shared& shared) : shared_(shared) {}
+  explicit ContestSearch(const Input& input) : model_(input.model), shared_(input.shared) {}
 
   /// Where two levels of two entries are equal: what both may want, those with the shortest chains first.
   std::vector<Contest> find_candidates(const Meeting& meeting) {
@@ -65,11 +65,17 @@ public:
     return out;
   }
 
-  /// The first one with chains that do not meet before the end.
+  /// The first one with chains that do not meet before the end. All are looked at: of two that lead to each other the
+  /// nearest hundreds may be none.
   std::optional<Contest> find(const Meeting& meeting, const std::vector<Contest>& candidates) {
-    for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {
-      Contest contest = candidates[i];
-      if (find_paths(meeting, contest)) return contest;
+    Lookups lookups;
+    for (const Contest& candidate : candidates) {
+      if (effort_ > most_effort) {
+        leave_open(meeting);
+        return std::nullopt;
+      }
+      Contest contest = candidate;
+      if (find_paths(meeting, contest, lookups)) return contest;
     }
     return std::nullopt;
   }
@@ -79,10 +85,12 @@ public:
                                         const Contest& contest) {
     const std::set<GroupId> held = held_before(contest.first_path);
     if (held.empty()) return std::nullopt;
+    Lookups lookups;
     for (Contest other : candidates) {
       if (effort_ > most_effort) return std::nullopt;
       // A group has one holder: nobody waits for what both hold.
-      if (other.group == contest.group || held.count(other.group) == 0 || !find_paths(meeting, other)) continue;
+      if (other.group == contest.group || held.count(other.group) == 0 || !find_paths(meeting, other, lookups))
+        continue;
       if (held_before(other.second_path).count(contest.group) != 0)
         return Deadlock{other.group, std::move(other.first_path), std::move(other.second_path)};
     }
@@ -90,6 +98,14 @@ public:
   }
 
 private:
+  /// The last step before a contested group on the first one's way, and what is known of what is above that.
+  struct Above {
+    bool leads_through = false;    ///< the second one is there
+    std::optional<Claims> without; ///< what the second one comes to by none of it
+  };
+  /// Of one pair, by whether there is such a step, and from where and how it goes: many groups hang on the same one.
+  using Lookups = std::map<std::tuple<bool, GroupId, Reach>, Above>;
+
   /// What is held for certain when the last request of a chain is made: what comes by needs comes all at once.
   std::set<GroupId> held_before(const std::vector<ChainStep>& chain) const {
     const auto last = std::find_if(chain.rbegin(), chain.rend(), [](const ChainStep& step) { return !step.by_need; });
@@ -110,32 +126,51 @@ private:
     return first_optional == second_optional && !granted_before && compatible(a->region, b->region);
   }
 
+  /// Once for all pairs from there on.
+  void leave_open(const Meeting& meeting) {
+    if (std::exchange(is_open_, true)) return;
+    shared_.budget().leave_open(meeting.second->span,
+                                fmt::format("whether two tasks with equal rank compete, from {} and {} on",
+                                            name_of(model_, meeting.first->target),
+                                            name_of(model_, meeting.second->target)));
+  }
+
   /// Two chains that have no group in common above the contested one: a group is held once, so else they would meet
-  /// there. When all effort is spent, chains that may.
-  bool find_paths(const Meeting& meeting, Contest& contest) {
-    contest.first_path = shared_.claims(meeting.first->target).path(contest.group, contest.first);
-    std::vector<GroupId> above;
-    for (const ChainStep& step : contest.first_path) above.push_back(step.from);
-    if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return false;
-    if (effort_ > most_effort) {
-      contest.second_path = shared_.claims(meeting.second->target).path(contest.group, contest.second);
-      return true;
-    }
-    const Claim* ours = shared_.claims(meeting.first->target).find(contest.group, contest.first);
+  /// there.
+  bool find_paths(const Meeting& meeting, Contest& contest, Lookups& lookups) {
+    const Claims& first = shared_.claims(meeting.first->target);
+    const Claim* ours = first.find(contest.group, contest.first);
+    Above& known = lookups[{ours->steps > 0, ours->from, ours->reach_from}];
+    ++effort_;
+    if (known.leads_through) return false;
     const auto serves = [&](GroupId group, Reach reach, const Claim& claim) {
       return group == contest.group && reach == contest.second &&
              match(meeting, ours, contest.first, &claim, contest.second);
     };
-    const Claims second(shared_.branches(), meeting.second->target, above, serves);
+    const auto find_second = [&](const Claims& second) {
+      const Claim* theirs = second.find(contest.group, contest.second);
+      if (!match(meeting, ours, contest.first, theirs, contest.second)) return false;
+      contest.first_path = first.path(contest.group, contest.first);
+      contest.second_path = second.path(contest.group, contest.second);
+      return true;
+    };
+    if (known.without) return find_second(*known.without);
+    std::vector<GroupId> above;
+    for (const ChainStep& step : first.path(contest.group, contest.first)) above.push_back(step.from);
+    effort_ += above.size();
+    known.leads_through = std::find(above.begin(), above.end(), meeting.second->target) != above.end();
+    if (known.leads_through) return false;
+    Claims second(shared_.branches(), meeting.second->target, above, serves);
     effort_ += second.effort();
-    const Claim* theirs = second.find(contest.group, contest.second);
-    if (!match(meeting, ours, contest.first, theirs, contest.second)) return false;
-    contest.second_path = second.path(contest.group, contest.second);
-    return true;
+    if (find_second(second)) return true;
+    known.without = std::move(second); // the search went to the end
+    return false;
   }
 
+  const Model& model_;
   const Shared& shared_;
   std::size_t effort_ = 0;
+  bool is_open_ = false;
 };
 
 /// Each step once: two chains of one task often begin alike.
@@ -321,7 +356,7 @@ private:
 
 void equal_priority(const Input& input, Findings& findings) {
   const Model& model = input.model;
-  ContestSearch search(input.shared);
+  ContestSearch search(input);
   std::set<std::pair<const Task*, const Task*>> lost; // one side always loses: another finding
   for (const StarvingTask& starving : input.conflicts.starving_tasks()) {
     for (const Refused& place : starving.places) {

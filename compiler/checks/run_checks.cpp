@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/checks/code_check.hpp"
 #include "compiler/checks/tell_decisions.hpp"
 
@@ -113,6 +114,7 @@ std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const
   }
   for (Diagnostic& finding : tell_decisions(conflicts.input(), all)) all.push_back(std::move(finding));
   if (!shared.budget().open().empty()) all.push_back(not_decided(shared.budget()));
+  for (Diagnostic& finding : all) shorten(finding.notes);
   dsl::sort_by_place(all);
   return all;
 }

@@ -2,28 +2,38 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace director::checks {
 
 namespace {
 
-void report(const Input& input, const Loser& loser, Findings& findings) {
+/// Whoever asks for it, and when: as it follows from what goes before, or as all decisions together show.
+bool never_runs(const Input& input, EdgeId edge) {
+  return input.conflicts.grants().refused().count(edge) != 0 ||
+         input.shared.decisions().never_granted(input.model, edge);
+}
+
+/// Where the loser has a chance elsewhere, or for a moment, nothing is said of never. `more`: others that take from the
+/// same one.
+void report(const Input& input, const Loser& loser, bool never, const std::vector<const Loser*>& more,
+            Findings& findings) {
   const Model& model = input.model;
   const Task &taker = *loser.taker.by, &sibling = *loser.taker.over;
   const GroupId group = loser.taker.group;
   const std::string name = name_of(model, taker.target), other = name_of(model, sibling.target);
   const Refused& lost = loser.refused;
-  // Where the loser has a chance elsewhere, or for a moment, nothing is said of never.
-  const bool never = input.conflicts.grants().refused().count(lost.task->edge) != 0;
   dsl::Diagnostic& finding = findings.add(
       taker.span, fmt::format("{} {} before anything below {} is tried{}", name,
                               group == taker.target ? "is granted" : "takes " + name_of(model, group), other,
@@ -37,6 +47,14 @@ void report(const Input& input, const Loser& loser, Findings& findings) {
   chain.erase(chain.begin()); // a note stands there
   for (const ChainStep& step : need_path(model, loser.refused.task->target, group)) chain.push_back(step);
   add_chain(model, chain, finding.notes);
+  for (const Loser* each : more) {
+    const Taker& one = each->taker;
+    const std::string by = name_of(model, one.by->target);
+    finding.notes.push_back(
+        {one.by->span, one.group == one.by->target
+                           ? fmt::format("the same here, by {}", by)
+                           : fmt::format("the same here, by {}, which takes {}", by, name_of(model, one.group))});
+  }
   finding.help = fmt::format("make {} `apart` or `optional`, or ask for it one level lower", name);
 }
 
@@ -45,10 +63,26 @@ void report(const Input& input, const Loser& loser, Findings& findings) {
 void sibling_starvation(const Input& input, Findings& findings) {
   // The nearest one that loses stands for all that is below the same sibling.
   std::set<std::tuple<const Task*, const Task*, GroupId>> told;
+  // That one never runs is told once, whoever takes it where.
+  std::map<EdgeId, std::vector<const Loser*>> lost;
+  std::vector<const Loser*> all;
   for (const Loser& loser : input.conflicts.losers()) {
-    if (loser.taker.kind == Taker::Kind::unit &&
-        told.emplace(loser.taker.by, loser.taker.over, loser.taker.group).second)
-      report(input, loser, findings);
+    const Taker& taker = loser.taker;
+    if (taker.kind != Taker::Kind::unit || !told.emplace(taker.by, taker.over, taker.group).second) continue;
+    const EdgeId edge = loser.refused.task->edge;
+    if (never_runs(input, edge) && !lost[edge].empty()) {
+      lost[edge].push_back(&loser);
+      continue;
+    }
+    if (never_runs(input, edge)) lost[edge].push_back(&loser);
+    all.push_back(&loser);
+  }
+  for (const Loser* loser : all) {
+    const auto at = lost.find(loser->refused.task->edge);
+    if (at == lost.end())
+      report(input, *loser, false, {}, findings);
+    else
+      report(input, *loser, true, {at->second.begin() + 1, at->second.end()}, findings);
   }
 }
 

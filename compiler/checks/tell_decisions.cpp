@@ -52,7 +52,7 @@ public:
 
   std::vector<dsl::Diagnostic> run(const Untold& untold) {
     for (const PackOf& pack : untold.packs) tell(pack);
-    for (const GroupId group : untold.groups) tell(group);
+    for (const GroupId group : untold.groups) tell(group, untold.told);
     for (const EdgeId edge : untold.tasks) tell(edge);
     for (const ProviderId id : untold.providers) tell(id);
     return std::move(out_);
@@ -78,13 +78,13 @@ private:
   }
 
   /// None of its providers ever runs.
-  void tell(GroupId id) {
+  void tell(GroupId id, const IdSet<EdgeId>& told) {
     bool granted = false;
     for (const EdgeId edge : model_.groups[id].requesters) {
       if (!decisions_.requested.contains(edge)) continue;
       if (decisions_.granted.contains(edge))
         granted = true;
-      else
+      else if (!told.contains(edge))
         tell(edge);
     }
     if (!granted || !decided(id)) return;
@@ -173,7 +173,7 @@ private:
     for (const Task& task : pack.tasks) {
       if (std::find(members.begin(), members.end(), task.edge) != members.end()) last = &task;
     }
-    std::string message = fmt::format("{} can never be granted together", list_of(names));
+    std::string message = fmt::format("{} can never be granted together", few_of(names));
     if (!reasons.empty()) message += fmt::format(": whenever they are requested, {}", list_of(reasons, "or"));
     dsl::Diagnostic& finding = add("possible_pack_conflict", last->span, std::move(message));
     for (const Task& task : pack.tasks) {

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -24,6 +25,8 @@ namespace {
 constexpr std::size_t most_listed = 4;
 /// ... up to so many: beyond, nobody is helped by the number.
 constexpr std::size_t most_gaps = 1'000;
+/// Conditions of one group that have a note each.
+constexpr std::size_t most_conditions = 8;
 
 class Uncovered {
 public:
@@ -170,10 +173,10 @@ private:
     } else if (more > 0) {
       gaps.push_back(fmt::format("in {} more cases", more));
     }
-    if (std::find(gaps.begin(), gaps.end(), everywhere) != gaps.end()) return report_never(all, list_of(names, "or"));
+    if (std::find(gaps.begin(), gaps.end(), everywhere) != gaps.end()) return report_never(all, few_of(names, "or"));
     dsl::Diagnostic& finding =
         findings_.add(model_.groups[all.front()->group].name.span,
-                      fmt::format("no provider of {} can run {}", list_of(names, "or"), list_of(gaps, "or")));
+                      fmt::format("no provider of {} can run {}", few_of(names, "or"), list_of(gaps, "or")));
     for (const Uncoveredness* one : all) add_notes(*one, one != all.front(), finding);
     finding.help =
         all.size() == 1
@@ -188,8 +191,7 @@ private:
     for (const Uncoveredness* one : all) {
       finding.rules_out.push_back(model_.groups[one->group].name.span);
       add_request(*one, one != all.front(), finding);
-      for (dsl::Note& note : explain_idle(model_, facts_, model_.groups[one->group].providers))
-        finding.notes.push_back(std::move(note));
+      add(explain_idle(model_, facts_, model_.groups[one->group].providers), finding);
     }
     // Where a provider lacks nothing that could be brought about, conditions exclude each other.
     const bool excluded = std::all_of(all.begin(), all.end(), [&](const Uncoveredness* one) {
@@ -231,7 +233,15 @@ private:
   void add_notes(const Uncoveredness& one, bool another, dsl::Diagnostic& finding) const {
     add_request(one, another, finding);
     std::map<GroupId, bool> seen;
-    add_conditions(one.group, one.group, one.states, seen, finding);
+    std::vector<dsl::Note> conditions;
+    add_conditions(one.group, one.group, one.states, seen, conditions);
+    add(std::move(conditions), finding);
+  }
+
+  /// Of one group few, so that the next one is told of too.
+  static void add(std::vector<dsl::Note> notes, dsl::Diagnostic& finding) {
+    shorten(notes, most_conditions);
+    std::move(notes.begin(), notes.end(), std::back_inserter(finding.notes));
   }
 
   void add_request(const Uncoveredness& one, bool another, dsl::Diagnostic& finding) const {
@@ -246,7 +256,7 @@ private:
 
   /// True if there is one in the group or below; each is noted once.
   bool add_conditions(GroupId task, GroupId group, const std::set<StateId>& states, std::map<GroupId, bool>& seen,
-                      dsl::Diagnostic& finding) const {
+                      std::vector<dsl::Note>& notes) const {
     const auto [at, is_new] = seen.try_emplace(group, false);
     if (!is_new) return at->second;
     bool any = false;
@@ -254,12 +264,12 @@ private:
       for (const ConditionUse& use : model_.providers[id].when) {
         if (states.count(model_.conditions[use.id].state) == 0 || !counts(task, id, use)) continue;
         any = true;
-        finding.notes.push_back(runs_only_while(model_, id, use));
+        notes.push_back(runs_only_while(model_, id, use));
       }
       for (const Use<GroupId>& need : model_.providers[id].needs) {
-        if (!add_conditions(task, need.id, states, seen, finding)) continue;
+        if (!add_conditions(task, need.id, states, seen, notes)) continue;
         any = true;
-        finding.notes.push_back({need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))});
+        notes.push_back({need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))});
       }
     }
     return seen[group] = any;

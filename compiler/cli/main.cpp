@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -106,12 +107,20 @@ void fill_streams() {
     if (::fcntl(stream, F_GETFD) == -1) std::ignore = ::open("/dev/null", O_RDONLY);
 }
 
+/// On a terminal, so that nobody looks at a program that says nothing.
+void tell_waiting(const std::string& path, std::chrono::milliseconds longest) {
+  if (::isatty(STDERR_FILENO) != 1) return;
+  std::cerr << "directorc: nothing comes from `" << path << "` yet: waiting for it, "
+            << std::chrono::ceil<std::chrono::seconds>(longest).count() << " s at most\n"
+            << std::flush;
+}
+
 } // namespace
 
 int main(int count, char** words) {
   fill_streams();
   try {
-    dsl::DiskFiles files;
+    dsl::DiskFiles files(std::chrono::seconds(10), tell_waiting);
     DiskOutputs outputs;
     ChildPrograms programs;
     const Request request = parse({words + (count > 0 ? 1 : 0), words + count}, find_schemas(own_path()));

@@ -89,9 +89,9 @@ std::optional<std::vector<FileChange>> next_changes(const World& world, ChangeNo
   while (true) {
     notices.expect(world.files.paths(), world.folders.paths());
     std::vector<FileChange> changes = world.changes();
-    const bool half_done = std::any_of(changes.begin(), changes.end(), [](const FileChange& change) {
-      return change.kind != FileChange::Kind::created && change.may_be_half_done();
-    });
+    // One that is new too: who writes it has made it, and not yet written what is in it.
+    const bool half_done =
+        std::any_of(changes.begin(), changes.end(), [](const FileChange& change) { return change.may_be_half_done(); });
     if (!changes.empty()) {
       const Clock::time_point now = Clock::now();
       if (known.empty()) began = now;

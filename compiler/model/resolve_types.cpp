@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace director::compiler {
 
@@ -47,8 +48,9 @@ void tell_same(Resolver& r, const State& state, const Word& name, const CppType:
 void take_values(Resolver& r, State& state, const Word& name, const CppType& type) {
   for (std::size_t i = 0; i < type.enumerators.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (type.enumerators[i].value == type.enumerators[j].value)
-        tell_same(r, state, name, type.enumerators[j], type.enumerators[i], name.span);
+      if (type.enumerators[i].value != type.enumerators[j].value) continue;
+      tell_same(r, state, name, type.enumerators[j], type.enumerators[i], name.span);
+      break; // of three names the third one is told of once
     }
   }
   for (const CppType::Enumerator& each : type.enumerators) {
@@ -72,18 +74,29 @@ void compare_values(Resolver& r, const State& state, const Word& name, const Cpp
         tell_same(r, state, name, *listed[j].first, *listed[i].first, state.value_spans[listed[i].second]);
     }
   }
+  for (const CppType::Enumerator& each : type.enumerators) names.push_back(each.name);
+  // `last = halt` is another name of a value, and no other value.
+  std::map<std::string, std::vector<const CppType::Enumerator*>> by_value;
+  std::vector<std::string> in_order;
   for (const CppType::Enumerator& each : type.enumerators) {
-    names.push_back(each.name);
-    // `last = halt` is another name of a value, and no other value.
+    std::vector<const CppType::Enumerator*>& all = by_value[each.value];
+    if (all.empty()) in_order.push_back(each.value);
+    all.push_back(&each);
+  }
+  for (const std::string& value : in_order) {
+    const std::vector<const CppType::Enumerator*>& all = by_value[value];
     const bool is_known =
-        std::any_of(listed.begin(), listed.end(), [&](const auto& one) { return one.first->value == each.value; });
+        std::any_of(listed.begin(), listed.end(), [&](const auto& one) { return one.first->value == value; });
     if (is_known) continue;
-    note_place(
-        r,
+    const std::string& first = all.front()->name;
+    Diagnostic& finding =
         r.error("enum_drift", name.span,
-                fmt::format("`{}` has `{}`, which the values of `{}` lack", name.value, each.name, state.name.value),
-                fmt::format("add `{}` to the values, or leave `values` out", each.name)),
-        each.place, fmt::format("`{}` is here", each.name));
+                fmt::format("`{}` has `{}`, which the values of `{}` lack", name.value, first, state.name.value),
+                fmt::format("add `{}` to the values, or leave `values` out", first));
+    note_place(r, finding, all.front()->place, fmt::format("`{}` is here", first));
+    for (std::size_t i = 1; i < all.size(); ++i)
+      note_place(r, finding, all[i]->place, fmt::format("`{}` is another name of it", all[i]->name));
+    if (all.size() > 1) finding.help = fmt::format("add `{}` to the values, by one of its names", first);
   }
   for (std::size_t i = 0; i < state.values.size(); ++i) {
     if (std::find(names.begin(), names.end(), state.values[i]) != names.end()) continue;

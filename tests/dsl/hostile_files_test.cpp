@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 using namespace director::dsl;
 namespace fs = std::filesystem;
@@ -107,17 +108,29 @@ TEST_CASE("A pipe to which nobody writes is not waited for") {
   check_refused("pipe.yaml", "import_not_found: cannot read `pipe.yaml`: nobody writes to this pipe");
 }
 
+TEST_CASE("Who reads a pipe to which nobody writes is told soon what is waited for, and once") {
+  const HostileFolder folder;
+  REQUIRE(mkfifo("pipe.yaml", 0600) == 0);
+  std::vector<std::string> told;
+  DiskFiles files(std::chrono::milliseconds(400),
+                  [&](const std::string& path, std::chrono::milliseconds) { told.push_back(path); });
+  CHECK_FALSE(files.read("pipe.yaml", 1000));
+  CHECK(told == std::vector<std::string>{"pipe.yaml"});
+}
+
 TEST_CASE("A pipe to which somebody writes is read") {
   int ends[2];
   REQUIRE(pipe(ends) == 0);
   const std::string text = "behaviour: piped\nlanguage: 1\n";
   REQUIRE(write(ends[1], text.data(), text.size()) == static_cast<ssize_t>(text.size()));
   close(ends[1]);
-  DiskFiles files(patience);
+  bool is_told = false;
+  DiskFiles files(std::chrono::seconds(10), [&](const auto&, auto) { is_told = true; });
   const auto read = files.read("/dev/fd/" + std::to_string(ends[0]), 1000);
   close(ends[0]);
   REQUIRE(read);
   CHECK(read.value() == text);
+  CHECK_FALSE(is_told);
 }
 
 TEST_CASE("What never ends is read as far as the limit") {

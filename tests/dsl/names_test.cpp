@@ -45,6 +45,13 @@ TEST_CASE("What the standard headers define is known, with its case") {
     CHECK(is_cpp_macro(macro));
   for (const char* word : {"Eof", "ERROR", "Assert", "null", ""}) CHECK_FALSE(is_cpp_macro(word));
   for (const char* name : {"abs", "exit", "int32_t", "clock", "FILE", "sinf"}) CHECK(is_cpp_global(name));
+  for (const char* name :
+       {"accept",         "bind",  "chmod",  "connect",  "ioctl",      "kill",     "listen", "mmap",     "open", "poll",
+        "pthread_create", "read",  "recv",   "select",   "send",       "shutdown", "sleep",  "socket",   "stat", "tee",
+        "umask",          "write", "dlopen", "sem_wait", "strcasecmp", "tcflush",  "htons",  "inet_aton"})
+    CHECK(is_cpp_global(name));
+  for (const char* macro : {"O_RDONLY", "POLLIN", "S_ISDIR", "AF_INET", "MAP_FAILED", "ECHO"})
+    CHECK(is_cpp_macro(macro));
   for (const char* name : {"Abs", "std", "robot", "vector", ""}) CHECK_FALSE(is_cpp_global(name));
 }
 

@@ -170,8 +170,7 @@ Decisions find_decisions(const Model& model, const Facts& facts, Reported report
   out.requested = out.granted = IdSet<EdgeId>(model.edges.size());
   out.passed_over = IdTable<ProviderId, Kept>(model.providers.size());
   out.refused = IdTable<EdgeId, Kept>(model.edges.size());
-  const std::int64_t most = budget.grant(model.groups.size() > Decisions::many_groups ? Decisions::most_steps_of_many
-                                                                                      : Decisions::most_steps);
+  const std::int64_t most = budget.grant(Decisions::steps_for(model.groups.size()));
   std::int64_t left = most;
   const IdTable<StateId, std::vector<Source>> sources = find_sources(model);
   for (const std::vector<GroupId>& groups : small_components(model)) {

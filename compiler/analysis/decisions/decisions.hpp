@@ -26,6 +26,8 @@
 #include "compiler/analysis/decisions/component.hpp"
 #include "compiler/analysis/effort/budget.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <set>
 #include <utility>
 #include <vector>
@@ -54,12 +56,19 @@ struct Decisions {
 
   /// Of all parts together: a fifth of a second. A pass over five groups takes some fifty, over ten some hundreds.
   static constexpr std::int64_t most_steps = 3'000'000;
-  /// In a file of many groups it shall take no more than a tenth of what the other checks do.
-  static constexpr std::size_t many_groups = 300;
-  static constexpr std::int64_t most_steps_of_many = most_steps / 6;
+  /// Of a file of so many groups. With more of them than that the steps become fewer, as many fewer as there are more
+  /// groups, down to a sixth: in a file of very many it shall take no more than a tenth of what the other checks do.
+  static constexpr std::int64_t many_groups = 300;
+  static constexpr std::int64_t steps_for(std::size_t groups) {
+    const auto all = static_cast<std::int64_t>(groups);
+    return all <= many_groups ? most_steps : std::max(most_steps * many_groups / all, most_steps / 6);
+  }
 
   bool never_runs(const Model& model, ProviderId id) const {
     return decided.contains(model.providers[id].group) && !runs.contains(id);
+  }
+  bool never_granted(const Model& model, EdgeId id) const {
+    return decided.contains(model.edges[id].target) && !granted.contains(id);
   }
   bool never_pushed(const Model& model, ProviderId id, ConditionId condition) const {
     return decided.contains(model.providers[id].group) && pushed.count({id, condition}) == 0;

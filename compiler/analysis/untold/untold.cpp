@@ -18,6 +18,7 @@ public:
       : model_(model),
         happening_(happening),
         sources_(find_sources(model)) {
+    out_.told = IdSet<EdgeId>(model.edges.size());
     find_members();
     for (const Diagnostic& finding : told) {
       told_.insert(finding.rules_out.begin(), finding.rules_out.end());
@@ -80,7 +81,11 @@ private:
     if (std::none_of(all.begin(), all.end(), runs)) {
       const bool silent = is_told(group.name.span) || all_refused_are_told(requested) ||
                           std::all_of(all.begin(), all.end(), [&](ProviderId each) { return is_silent(each); });
-      if (!silent) out_.groups.push_back(id);
+      if (silent) return;
+      out_.groups.push_back(id);
+      for (const EdgeId edge : requested) {
+        if (is_told(edge)) out_.told.add(edge);
+      }
       return;
     }
     for (const EdgeId edge : refused) {

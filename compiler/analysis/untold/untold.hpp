@@ -30,6 +30,7 @@ struct Happening {
 
 struct Untold {
   std::vector<GroupId> groups;
+  IdSet<EdgeId> told; ///< requests for those groups of which a finding speaks
   std::vector<EdgeId> tasks;
   std::vector<ProviderId> providers;
   std::vector<PackOf> packs;

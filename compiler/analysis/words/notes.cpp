@@ -47,4 +47,12 @@ dsl::Note runs_only_while(const Model& model, ProviderId provider, const Conditi
   return {condition.span, fmt::format("{} runs only while {}", name_of(model, provider), name_of(model, condition.id))};
 }
 
+void shorten(std::vector<Note>& notes, std::size_t most) {
+  if (notes.size() <= most) return;
+  const std::size_t more = notes.size() - (most - 1);
+  notes[most - 1].message = fmt::format("and {} more of such notes, from here on", more);
+  notes[most - 1].link = Note::Link::aside;
+  notes.resize(most);
+}
+
 } // namespace director::analysis

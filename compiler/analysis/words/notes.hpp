@@ -5,6 +5,7 @@
 #include "compiler/analysis/chains/step.hpp"
 #include "dsl/diagnostic.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace director::analysis {
@@ -19,5 +20,9 @@ dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition);
 
 /// The condition is one of the provider's `when`.
 dsl::Note runs_only_while(const Model& model, ProviderId provider, const ConditionUse& condition);
+
+/// Of many notes the first ones, and how many more there are: who reads more of them than this reads them in the file.
+constexpr std::size_t most_notes = 40;
+void shorten(std::vector<dsl::Note>& notes, std::size_t most = most_notes);
 
 } // namespace director::analysis

@@ -43,11 +43,19 @@ std::string values_in_words(const State& state, const ValueSet& values, bool uns
 }
 
 std::string chain_in_words(const Model& model, const std::vector<GroupId>& chain, std::string_view verb) {
+  constexpr std::size_t most = 12; // who reads more of them reads them in the notes
   std::string out = name_of(model, chain.front());
-  for (std::size_t i = 1; i < chain.size(); ++i)
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    if (chain.size() > most + 1 && i == most / 2) {
+      const std::size_t left_out = chain.size() - 1 - most;
+      out += fmt::format(", which by {} more leads to {}", left_out, name_of(model, chain[i + left_out]));
+      i += left_out;
+      continue;
+    }
     out += fmt::format("{} {} {}", i == 1 ? "" : ", which", verb,
                        i == chain.size() - 1 && chain[i] == chain[0] && i > 1 ? name_of(model, chain[i]) + " again"
                                                                               : name_of(model, chain[i]));
+  }
   return out;
 }
 

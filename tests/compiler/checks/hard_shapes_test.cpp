@@ -98,6 +98,29 @@ TEST_CASE("of twenty tasks of a list that want one group each is told of with ev
         Counts{{"equal_priority", {1, 1}}, {"possible_pack_conflict", {190, 19}}});
 }
 
+/// `Talk` leads to `Look`, and so to all that is optional below that; these are no contest between the two. `Legs` is,
+/// and farther away than they are.
+TEST_CASE("of two tasks with equal rank that have hundreds of groups in common by one of them a farther one is found") {
+  std::string look, groups;
+  for (std::size_t i = 0; i < 300; ++i) {
+    look += fmt::format("N{}: {{optional: true}}, ", i);
+    groups += fmt::format("  N{}: {{}}\n", i);
+  }
+  const tests::CheckedText checked =
+      tests::check_text("roots: [Play]\ngroups:\n"
+                        "  Play: {packs: {go: {Look: {}, Talk: {}}}}\n"
+                        "  Talk: {packs: {a: {Look: {optional: true}, Step: {}}}}\n"
+                        "  Step: {tasks: [Walk]}\n"
+                        "  Walk: {tasks: [Legs]}\n"
+                        "  Look: {packs: {a: {" +
+                        look + "Turn: {}}}}\n  Turn: {tasks: [Legs]}\n  Legs: {}\n" + groups);
+  const auto found = std::find_if(checked.checked.findings.begin(), checked.checked.findings.end(),
+                                  [](const dsl::Diagnostic& finding) { return finding.id == "equal_priority"; });
+  REQUIRE(found != checked.checked.findings.end());
+  CHECK(found->message == "`Look` and `Talk` have equal rank and may both want `Legs`: who asks first keeps it, and "
+                          "if both ask at once `Look` does");
+}
+
 TEST_CASE("of forty groups, each needing all behind it, none is left out") {
   std::string text = "roots: [T0]\ngroups:\n";
   for (std::size_t i = 0; i < 40; ++i) text += fmt::format("  T{}: {{needs: [{}]}}\n", i, names(i + 1, 40));
@@ -161,6 +184,34 @@ TEST_CASE("twenty groups of hundreds of providers with random conditions are che
   const auto open = std::count_if(checked.checked.findings.begin(), checked.checked.findings.end(),
                                   [](const dsl::Diagnostic& finding) { return finding.id == "not_decided"; });
   CHECK(open == 1);
+  CHECK(dsl::render(checked.checked.findings, checked.sources).size() < 100'000);
+}
+
+/// One for each way in which notes may grow: a note for each condition, each member, each requester, each loser.
+TEST_CASE("no finding has more notes or words than one reads, however many parties it has") {
+  std::string many, members, conditions, losers, circle, asking;
+  for (std::size_t i = 0; i < 400; ++i) {
+    many += fmt::format("  T{0}: {{when: [S != v{1}], tasks: [Arm]}}\n", i, i % 3 + 1);
+    members += fmt::format("T{}: {{optional: true}}, ", i);
+    conditions += fmt::format("      - {{name: p{}, when: [S == v{}, R == v{}]}}\n", i % 200, i % 3 + 1, i % 2);
+    if (i == 199) conditions += "  More:\n    providers:\n";
+    losers += fmt::format("L{}, ", i);
+    asking += fmt::format("  L{}: {{tasks: [Arm]}}\n", i);
+    circle += fmt::format("  C{}: {{tasks: [C{}]}}\n", i, (i + 1) % 400);
+  }
+  const tests::CheckedText checked = tests::check_text(
+      "states:\n  S: {values: [v0, v1, v2, v3], initial: v0, external: true}\n"
+      "  R: {values: [v0, v1], initial: v0, external: true}\n"
+      "roots: {Most: {priority: 1}, More: {priority: 2}, Keep: {priority: 3}, C0: {priority: 4}, All: {priority: 5}}\n"
+      "groups:\n  Arm: {}\n  All: {packs: {go: {" +
+      members + "}}}\n" + many + "  Most:\n    providers:\n" + conditions + "  Keep: {needs: [Arm], tasks: [" + losers +
+      "]}\n" + asking + circle);
+  REQUIRE_FALSE(checked.checked.findings.empty());
+  for (const dsl::Diagnostic& finding : checked.checked.findings) {
+    INFO(finding.id << ": " << finding.message);
+    CHECK(finding.notes.size() <= 40);
+    CHECK(finding.message.size() < 1'000);
+  }
 }
 
 } // namespace

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/console.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/own_folder.hpp"
+#include "tests/support/running_program.hpp"
 
 #include <catch2/catch.hpp>
+#include <sys/stat.h>
+
+#include <fstream>
 
 namespace {
 
@@ -42,6 +47,17 @@ TEST_CASE("a child that fails, that reads nothing, that is not there") {
   CHECK(programs.run({"false"}, std::string(1'000'000, 'x')).status == 1);
   CHECK(programs.run({"sh", "-c", "exit 7"}, "").status == 7);
   CHECK(!programs.run({"no-such-program-here"}, "").started);
+}
+
+TEST_CASE("on a terminal it is told that a pipe is waited for, and what comes then is read") {
+  const director::tests::OwnFolder folder("cli-pipe");
+  REQUIRE(::mkfifo(folder.at("pipe.yaml").c_str(), 0600) == 0);
+  using director::tests::RunningProgram;
+  RunningProgram program({"directorc", "check", "pipe.yaml"}, folder.path, RunningProgram::To::terminal);
+  program.read_until("directorc: nothing comes from `pipe.yaml` yet: waiting for it, 10 s at most");
+  std::ofstream(folder.at("pipe.yaml")) << "behaviour: piped\nlanguage: 2\n";
+  program.read_until("language_version");
+  CHECK(program.wait() == 1);
 }
 
 } // namespace

@@ -150,6 +150,22 @@ TEST_CASE("what is imported is watched, also where it does not exist yet, nor it
   CHECK(next_run(program) == run_of(" parts/legs.yaml has changed", "", 0, "2 files"));
 }
 
+TEST_CASE("a file that is new is read when there is something in it") {
+  const SavedFiles folder;
+  folder.write("robot.yaml", "behaviour: robot\nlanguage: 1\nimports: [legs.yaml]\nroots: [Legs]\n");
+  RunningProgram program({"directorc", "check", "--watch", "robot.yaml"}, folder.path());
+  CHECK(next_run(program).starts_with("== TIME\nrobot.yaml:3:11: error: cannot read `legs.yaml`"));
+  {
+    std::ofstream slow(folder.path("legs.yaml")); // made, and empty from here on
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    slow << "behaviour: legs\nlanguage: 1\ngroups: {Legs: {}}\n";
+  }
+  CHECK(next_run(program) == run_of(" legs.yaml is new", "", 0, "2 files"));
+  program.send(SIGTERM);
+  CHECK(program.wait() == 0);
+  CHECK(program.rest() == "\n");
+}
+
 TEST_CASE("a link to a file is watched where it leads to") {
   const SavedFiles folder;
   folder.write("real/robot.yaml", robot("Legs"));

@@ -92,4 +92,24 @@ TEST_CASE("enumerators of one value cannot be two values of a state") {
         "`ready` and `set` of `GamePhase` are one value, so they cannot be two values of `Phase` [redefined_name]\n");
 }
 
+TEST_CASE("a value with two names that a state lacks is missing once") {
+  KnownTypes types;
+  types.all = true;
+  CppType phase = enum_of({"ready", "playing", "overtime", "last", "first"});
+  phase.enumerators[3].value = "2";
+  phase.enumerators[4].value = "0";
+  types.types.by_name["GamePhase"] = phase;
+  CHECK(findings(with_values, types) == "`GamePhase` has `overtime`, which the values of `Phase` lack [enum_drift]\n");
+}
+
+TEST_CASE("of three names of one value the second and the third are told of once each") {
+  KnownTypes types;
+  types.types.by_name["GamePhase"] = enum_of({"ready", "set", "go"});
+  types.types.by_name["GamePhase"].enumerators[1].value = "0";
+  types.types.by_name["GamePhase"].enumerators[2].value = "0";
+  CHECK(findings(without_values, types) ==
+        "`ready` and `go` of `GamePhase` are one value, so they cannot be two values of `Phase` [redefined_name]\n"
+        "`ready` and `set` of `GamePhase` are one value, so they cannot be two values of `Phase` [redefined_name]\n");
+}
+
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // adversary COMPILER FOLDER COUNT: so many behaviours whose names are chosen to collide are refused by `check`, or
-// their C++ compiles behind all headers of standard C++ and C.
+// their C++ compiles behind all headers of standard C++ and C, and many of POSIX.
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/cpp_names.hpp"

@@ -25,11 +25,15 @@ string_view strstream syncstream system_error thread tuple type_traits typeindex
 valarray variant vector version assert.h complex.h ctype.h errno.h fenv.h float.h inttypes.h iso646.h limits.h locale.h
 math.h setjmp.h signal.h stdalign.h stdarg.h stdatomic.h stdbool.h stddef.h stdint.h stdio.h stdlib.h string.h tgmath.h
 time.h uchar.h wchar.h wctype.h
+arpa/inet.h dirent.h dlfcn.h fcntl.h netinet/in.h poll.h pthread.h sched.h semaphore.h strings.h sys/ioctl.h sys/mman.h
+sys/select.h sys/socket.h sys/stat.h sys/time.h sys/types.h sys/wait.h termios.h unistd.h
 )";
 
 /// Beside what is read from files.
 constexpr const char* others = R"(
 _ __ ___ _0 _1 _a a_ a__b _A _Complex _Bool _Generic __asm__ __attribute__ __int128 __null __LINE__ __FILE__ __func__ __cplusplus
+stat open poll read write select socket connect bind listen accept send recv kill link sleep pause sync tee pipe nice dup fork
+access DIR dirent sockaddr termios winsize iovec flock fcntl ioctl mmap truncate shutdown linger sem_t pthread_t ECHO B0 CTRL
 std director detail names main abs exit abort int32_t size_t time clock signal raise log exp sin index remove rename div round
 FILE tm div_t max_align_t nullptr_t string vector array function chrono placeholders posix literals
 alignas auto bool char class const default delete do double else enum export extern false float for friend goto if inline int long

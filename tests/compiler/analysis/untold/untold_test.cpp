@@ -1,25 +1,33 @@
 // SPDX-License-Identifier: MIT
+#include "compiler/checks/check.hpp"
+#include "tests/compiler/checks/page.hpp"
 #include "tests/compiler/support/checked.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <set>
+#include <utility>
 
 namespace {
 
 using namespace director;
 
-/// What findings with this id rule out, as it is written; what never happens together stands in brackets.
-std::string ruled_out(const std::string& id, const std::string& text) {
-  compiler::CheckOptions options;
-  options.selection.every_lint = true;
-  const tests::CheckedText checked = tests::check_text(text, options);
-  std::string out;
+struct RuledOut {
+  std::set<std::string> ids; ///< of findings that rule something out
+  std::string of_one;        ///< what those with one id do, as it is written; what never happens together in brackets
+};
+
+RuledOut ruled_out(const std::string& id, const tests::CheckedText& checked) {
+  RuledOut out;
   const auto add = [&](const std::vector<dsl::Span>& spans, const std::string& begin, const std::string& end) {
     for (const dsl::Span& span : spans) {
       const std::string_view all = checked.sources[span.file].text();
-      out += (out.empty() ? "" : " ") + begin + std::string(all.substr(span.begin, span.end - span.begin)) + end;
+      out.of_one +=
+          (out.of_one.empty() ? "" : " ") + begin + std::string(all.substr(span.begin, span.end - span.begin)) + end;
     }
   };
   for (const dsl::Diagnostic& finding : checked.checked.findings) {
+    if (!finding.rules_out.empty() || !finding.rules_out_together.empty()) out.ids.insert(finding.id);
     if (finding.id != id) continue;
     add(finding.rules_out, "", "");
     add(finding.rules_out_together, "[", "]");
@@ -27,24 +35,97 @@ std::string ruled_out(const std::string& id, const std::string& text) {
   return out;
 }
 
+compiler::CheckOptions with_every_lint() {
+  compiler::CheckOptions options;
+  options.selection.every_lint = true;
+  return options;
+}
+
+std::string ruled_out(const std::string& id, const std::string& text) {
+  return ruled_out(id, tests::check_text(text, with_every_lint())).of_one;
+}
+
+/// What the page of the check shows that is told.
+RuledOut ruled_out(const std::string& id, const tests::Specimen& specimen) {
+  dsl::MemoryFiles files;
+  for (const auto& [path, text] : specimen.files) files.add(path, text);
+  tests::CheckedText checked;
+  checked.checked = compiler::check(std::string(tests::main_file), files, checked.sources, with_every_lint());
+  return ruled_out(id, checked);
+}
+
+const std::string state = "states: {S: {values: [a, b, c], initial: a}}\n";
+struct Row {
+  std::string id, text, out;
+};
+const std::vector<Row> rows{
+    {"contradictory_when", state + "roots: [A]\ngroups: {A: {when: [S == a, S == b]}}\n", "S == b S == a"},
+    {"unreachable_when", state + "roots: [A]\ngroups: {A: {when: [S == b]}}\n", "S == b"},
+    {"state_without_source",
+     "states: {S: {values: [a, b]}}\nroots: [A, B]\ngroups: {A: {when: [S == a]}, B: {when: [S == b]}}\n",
+     "S == a S == b"},
+    {"shadowed_provider", "roots: [A]\ngroups: {A: {providers: [{name: x}, {name: y}]}}\n", "y"},
+    {"unused_declaration", "roots: [A]\ngroups: {A: {}, B: {}}\n", "B"},
+    {"task_cycle", "roots: [A]\ngroups: {A: {packs: {p: {B: {}}}}, B: {packs: {p: {A: {}}}}}\n", "A B"},
+    {"pack_conflict",
+     "roots: [A]\ngroups: {A: {packs: {p: {B: {}, C: {}}}}, B: {needs: [D]}, "
+     "C: {needs: [D]}, D: {}}\n",
+     "[B] [C]"},
+    {"self_conflict",
+     "roots: [P]\ngroups: {P: {needs: [W], packs: {go: {L: {}}}}, "
+     "W: {needs: [L], tasks: [L]}, L: {}}\n",
+     "L"},
+    {"unreachable_causing", state + "roots: [A]\ngroups: {A: {when: [S == b]}, B: {causing: [S == b]}}\n",
+     "S == b S == b"},
+    {"uncovered_state",
+     "states: {S: {values: [a, b], initial: a, external: true}}\nroots: [A]\n"
+     "groups: {A: {when: [S == a], needs: [B], tasks: [B]}, B: {when: [S == b]}}\n",
+     "A"},
+};
+/// What the first specimen of its page rules out.
+const std::vector<std::pair<std::string, std::string>> rows_of_pages{
+    {"causer_not_running", "Stability == standing"},
+    {"imprecise_causing", "Stability > moving Stability == standing"},
+    {"incompatible_pushes", "Arm == stretched Head == high"},
+    {"needs_conflict", "Stand"},
+    {"needs_cycle", "Balance Legs"},
+    {"optional_never_runs", "Dance"},
+    {"possible_pack_conflict", "both_arms Wave"},
+    {"push_cycle", "Lamp == lit Battery == full"},
+    {"push_in_vain", "A == 1 B == 1 A == 1 B == 1"},
+    {"self_defeating_handler", "Gripper == open"},
+    {"sibling_starvation", "Kick"},
+    {"starved_task", "Balance"},
+    {"undone_by_stop", "Stability == standing"},
+    {"unpushable_causing", "Stability == standing Stability == standing"},
+};
+
 TEST_CASE("each finding says what it rules out: nothing else needs to be told of that") {
-  const std::string state = "states: {S: {values: [a, b, c], initial: a}}\n";
-  CHECK(ruled_out("contradictory_when", state + "roots: [A]\ngroups: {A: {when: [S == a, S == b]}}\n") ==
-        "S == b S == a");
-  CHECK(ruled_out("unreachable_when", state + "roots: [A]\ngroups: {A: {when: [S == b]}}\n") == "S == b");
-  CHECK(
-      ruled_out("state_without_source",
-                "states: {S: {values: [a, b]}}\nroots: [A, B]\ngroups: {A: {when: [S == a]}, B: {when: [S == b]}}\n") ==
-      "S == a S == b");
-  CHECK(ruled_out("shadowed_provider", "roots: [A]\ngroups: {A: {providers: [{name: x}, {name: y}]}}\n") == "y");
-  CHECK(ruled_out("unused_declaration", "roots: [A]\ngroups: {A: {}, B: {}}\n") == "B");
-  CHECK(ruled_out("task_cycle", "roots: [A]\ngroups: {A: {packs: {p: {B: {}}}}, B: {packs: {p: {A: {}}}}}\n") == "A B");
-  CHECK(ruled_out("pack_conflict", "roots: [A]\ngroups: {A: {packs: {p: {B: {}, C: {}}}}, B: {needs: [D]}, "
-                                   "C: {needs: [D]}, D: {}}\n") == "[B] [C]");
-  CHECK(ruled_out("self_conflict", "roots: [P]\ngroups: {P: {needs: [W], packs: {go: {L: {}}}}, "
-                                   "W: {needs: [L], tasks: [L]}, L: {}}\n") == "L");
-  CHECK(ruled_out("unreachable_causing",
-                  state + "roots: [A]\ngroups: {A: {when: [S == b]}, B: {causing: [S == b]}}\n") == "S == b S == b");
+  for (const Row& row : rows) {
+    INFO(row.id);
+    CHECK(ruled_out(row.id, row.text) == row.out);
+  }
+  for (const auto& [id, out] : rows_of_pages) {
+    INFO(id);
+    const checks::Registered* check = checks::find_registered(id);
+    REQUIRE(check != nullptr);
+    CHECK(ruled_out(id, tests::read_page(check->page).reported.front()).of_one == out);
+  }
+}
+
+TEST_CASE("of no other check a finding rules anything out, on any page") {
+  std::set<std::string> listed, found;
+  for (const Row& row : rows) listed.insert(row.id);
+  for (const auto& [id, out] : rows_of_pages) listed.insert(id);
+  for (const checks::Registered& check : checks::registered()) {
+    const tests::Page page = tests::read_page(check.page);
+    for (const auto* specimens : {&page.reported, &page.accepted}) {
+      for (const tests::Specimen& specimen : *specimens) {
+        if (!specimen.has_code) found.merge(ruled_out("", specimen).ids);
+      }
+    }
+  }
+  CHECK(found == listed);
 }
 
 TEST_CASE("a finding that says of nothing that it never happens rules nothing out") {

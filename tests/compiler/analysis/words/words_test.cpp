@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "tests/compiler/analysis/support/analysed.hpp"
 
@@ -31,6 +32,22 @@ groups: {A: {tasks: [B]}, B: {tasks: [C]}, C: {}}
   const GroupId a = test.group("A"), b = test.group("B"), c = test.group("C");
   CHECK(chain_in_words(test.model, {a, b, c}, "requests") == "`A` requests `B`, which requests `C`");
   CHECK(chain_in_words(test.model, {a, b, a}, "needs") == "`A` needs `B`, which needs `A` again");
+  std::vector<GroupId> chain(30, b);
+  chain.front() = a;
+  chain.back() = c;
+  CHECK(chain_in_words(test.model, chain, "needs") ==
+        "`A` needs `B`, which needs `B`, which needs `B`, which needs `B`, which needs `B`, which by 17 more leads to "
+        "`B`, which needs `B`, which needs `B`, which needs `B`, which needs `B`, which needs `B`, which needs `C`");
+}
+
+TEST_CASE("of many notes the first ones are kept, and how many more there are") {
+  std::vector<dsl::Note> notes{{{}, "one"}, {{}, "two"}, {{}, "three"}, {{}, "four"}};
+  shorten(notes, 4);
+  CHECK(notes.size() == 4);
+  shorten(notes, 3);
+  REQUIRE(notes.size() == 3);
+  CHECK(notes[1].message == "two");
+  CHECK(notes[2].message == "and 2 more of such notes, from here on");
 }
 
 } // namespace

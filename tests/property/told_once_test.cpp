@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Over random behaviours: that a task never runs for somebody is told by one finding, and where one says so no other
+// one says that something else wants the same too. Behaviours are checked, not explored.
+//
+//   DIRECTOR_SEED   first seed, instead of 1
+//   DIRECTOR_CASES  how many behaviours
+#include "compiler/pipeline.hpp"
+#include "tests/property/small_behaviour.hpp"
+#include "tests/property/verdicts.hpp"
+#include "tests/support/environment.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <set>
+
+namespace {
+
+using namespace director;
+using namespace director::property;
+
+#ifdef NDEBUG
+constexpr std::uint64_t usual_cases = 300;
+#else
+constexpr std::uint64_t usual_cases = 20;
+#endif
+
+/// They say of a task that it never runs for its requester, each for another reason.
+const std::set<std::string> speak_of_tasks{"optional_never_runs", "sibling_starvation", "starved_task",
+                                           "uncovered_state"};
+
+/// What is told twice, each in a line.
+std::string find_told_twice(std::uint64_t seed) {
+  dsl::MemoryFiles files;
+  files.add("small.yaml", to_yaml(to_document(small_behaviour(seed))));
+  dsl::Sources sources;
+  const compiler::Checked checked = compiler::check("small.yaml", files, sources);
+  if (!checked.lowerable) return {};
+  std::map<compiler::EdgeId, std::vector<std::string>> never, wanted;
+  for (const dsl::Diagnostic& finding : checked.findings) {
+    if (speak_of_tasks.count(finding.id) == 0) continue;
+    bool says_never = false;
+    for (const Claim& claim : claims_of(finding, checked.model)) {
+      const auto* granted = std::get_if<NeverGranted>(&claim);
+      if (granted == nullptr) continue;
+      never[granted->edge].push_back(finding.id + ": " + finding.message);
+      says_never = true;
+    }
+    if (says_never) continue;
+    for (const compiler::EdgeId loser : losers_of(finding, checked.model))
+      wanted[loser].push_back(finding.id + ": " + finding.message);
+  }
+  std::string out;
+  for (auto& [edge, told] : never) {
+    told.insert(told.end(), wanted[edge].begin(), wanted[edge].end());
+    if (told.size() < 2) continue;
+    out += "seed " + std::to_string(seed) + ", " + checked.model.edge_name(edge) + ":\n";
+    for (const std::string& each : told) out += "  " + each + "\n";
+  }
+  return out;
+}
+
+TEST_CASE("that a task never runs for somebody is told once") {
+  const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
+  const auto cases = tests::from_environment("DIRECTOR_CASES", usual_cases);
+  std::string twice;
+  for (std::uint64_t seed = first; seed < first + cases; ++seed) twice += find_told_twice(seed);
+  CHECK(twice == "");
+}
+
+} // namespace
