@@ -73,7 +73,7 @@ int run(const Trace& request, Console& console) {
   while (const std::optional<TraceLine> line = lines.next()) {
     const Lookup::Found event = line->dropped == 0 ? lookup.event(line->json) : Lookup::Found{};
     if (!event.problem.empty()) {
-      say_problem(request.file, line->number, event.problem, console);
+      say_unreadable(request.file, line->number, event.problem, console);
       status = found;
       break;
     }

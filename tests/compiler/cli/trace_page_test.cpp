@@ -112,7 +112,9 @@ TEST_CASE("of a trace with events missing, cut off or with a wrong line, the pag
 
   world.files.add("runs/bad.jsonl", whole + "{\"event\":\"run\",\"group\":\"Nobody\"}\n");
   CHECK(world.directorc({"trace", "runs/bad.jsonl", "--to=html", "-o", "bad.html"}) == 1);
-  CHECK(world.err == "runs/bad.jsonl:9: error: the behaviour has no group called `Nobody`\n");
+  CHECK(world.err == "runs/bad.jsonl:9: error: this line cannot be read: the behaviour has no group called `Nobody`\n"
+                     "  help: expected is one JSON object a line, an event each, as a recorder writes them; the lines "
+                     "before are good: `head -n 8 runs/bad.jsonl` prints them\n");
   CHECK(world.outputs.files.count("bad.html") == 1);
 }
 
