@@ -24,14 +24,21 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
     return load_from(files, request.before, request, sources, console);
   }
   GitFiles files(console.programs, console.files, request.revision);
-  if (const std::optional<std::string> wrong = files.open(request.after)) {
+  if (const std::optional<std::string> wrong =
+          files.open(request.after, request.staged ? Newer::staged : Newer::lying_there)) {
     console.err << fmt::format("directorc: {}\n", *wrong);
     return {};
   }
   Diff there = request;
   std::error_code error; // a build is no part of a revision
   if (!there.build.empty()) there.build = std::filesystem::absolute(there.build, error).string();
-  return load_from(files, files.path(), there, sources, console);
+  std::optional<Checked> out = load_from(files, files.path(), there, sources, console);
+  if (!out)
+    console.err << fmt::format(
+        "  help: where it was called otherwise, `git add {}` lets git see that; any two files are "
+        "compared with `directorc diff OLD NEW`\n",
+        shown_path(request.after));
+  return out;
 }
 
 std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Console& console) {
