@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <string_view>
 
 namespace director::compiler::cli {
 
@@ -28,10 +29,14 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   }
   out.text = std::move(read.value());
   TraceLines lines(out.text);
-  std::string problem = "this is no trace: its first line is not the header of one";
+  const std::string_view no_header = "this is no trace: its first line is not the header of one";
+  std::string problem(no_header);
   if (const std::optional<TraceLine> header = lines.next()) out.recorded = RecordedNames::read(header->json, problem);
   if (!out.recorded) {
     console.err << fmt::format("{}:1: error: {}\n", shown_path(file), problem);
+    if (problem == no_header)
+      console.err << "  help: expected are the JSON lines of a recorder or of `directorc simulate --trace`; a "
+                     ".perfetto-trace is opened on https://ui.perfetto.dev\n";
     out.status = found;
   }
   return out;

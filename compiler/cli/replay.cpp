@@ -24,16 +24,16 @@ void print(const Replayed& replayed, const std::string& trace, const std::string
     console.out << fmt::format("{}:{}: event {}, at {} s, is decided otherwise{}\n", trace, it.line, it.event,
                                in_seconds(it.time), version);
     console.out << fmt::format("  recorded: {}\n  replayed: {}\n", it.recorded, it.replayed);
-    console.out << fmt::format("  {} before it {} the same\n", counted(replayed.events, "event"),
+    console.out << fmt::format("  {} before it {} the same\n", many_counted(replayed.events, "event"),
                                replayed.events == 1 ? "is" : "are");
   } else if (!replayed.problem.empty()) {
     console.out << fmt::format("{}: {} the same{}, up to line {}, which cannot be read\n", trace,
-                               counted(replayed.events, "event"), version, replayed.problem_line);
+                               many_counted(replayed.events, "event"), version, replayed.problem_line);
   } else if (replayed.dropped != 0) {
-    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace, counted(replayed.events, "event"),
-                               version, counted_are(replayed.dropped, "event"));
+    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace,
+                               many_counted(replayed.events, "event"), version, counted_are(replayed.dropped, "event"));
   } else {
-    console.out << fmt::format("{}: {}, all the same{}\n", trace, counted(replayed.events, "event"), version);
+    console.out << fmt::format("{}: {}, all the same{}\n", trace, many_counted(replayed.events, "event"), version);
   }
 }
 

@@ -114,8 +114,8 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
     say_unreadable(request.file, waits.replayed.problem_line, waits.replayed.problem, console);
     whole = false;
   }
-  page.about = fmt::format("{} in {}, from {}{}.", counted(recording.events(), "event"),
-                           in_seconds(recording.ends() - recording.begins()) + " s", shown_path(request.file),
+  page.about = fmt::format("{} in {}, from {}{}.", many_counted(recording.events(), "event"),
+                           as_duration(recording.ends() - recording.begins()), shown_path(request.file),
                            lines.cut_off() ? ", whose last line is cut off" : "");
   page.data = base64(packed(recording.bytes(header->json)));
   PageWish wish;

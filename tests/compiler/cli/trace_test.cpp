@@ -85,6 +85,24 @@ TEST_CASE("a trace as JSON is the trace") {
   CHECK(world.outputs.files.at("again.jsonl") == trace_in(world));
 }
 
+TEST_CASE("bytes for Perfetto go to no terminal, and who reads it there is told how to look at them") {
+  World world = with_trace();
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto"}) == 0); // into a pipe
+  const std::string bytes = world.out;
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto", "-o", "run.perfetto-trace"}) == 0);
+  CHECK(world.err.empty());
+  world.width = 80;
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto"}) == 2);
+  CHECK(world.out.empty());
+  CHECK(world.err == "directorc: --to=perfetto writes bytes that a terminal cannot show: -o FILE.perfetto-trace writes "
+                     "them to a file, for https://ui.perfetto.dev\n");
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto", "-o", "run.perfetto-trace"}) == 0);
+  CHECK(world.outputs.files.at("run.perfetto-trace") == bytes);
+  CHECK(world.err ==
+        "directorc: wrote `run.perfetto-trace`; `Open trace file` on https://ui.perfetto.dev shows it, and "
+        "keeps it on this machine\n");
+}
+
 TEST_CASE("of a trace that was cut off in its last line the rest is read") {
   World world = with_trace();
   world.directorc({"trace", "run.jsonl"});
@@ -108,8 +126,12 @@ TEST_CASE("what is no trace is said with its line") {
     return world.err + world.out;
   };
   const std::string header = traced_line(trace_in(world), 1) + "\n";
-  CHECK(say("") == "bad.jsonl:1: error: this is no trace: its first line is not the header of one\n");
-  CHECK(say("\xff\x00\n{}") == "bad.jsonl:1: error: this is no trace: its first line is not the header of one\n");
+  const std::string none = "bad.jsonl:1: error: this is no trace: its first line is not the header of one\n"
+                           "  help: expected are the JSON lines of a recorder or of `directorc simulate --trace`; a "
+                           ".perfetto-trace is opened "
+                           "on https://ui.perfetto.dev\n";
+  CHECK(say("") == none);
+  CHECK(say("\xff\x00\n{}") == none);
   CHECK(say("{\"director_trace\":2}\n") == "bad.jsonl:1: error: a trace of version 2; this program reads version 1\n");
   const std::string help = "  help: expected is one JSON object a line, an event each, as a recorder writes them; the "
                            "lines before are good: `head -n 1 bad.jsonl` prints them\n";
