@@ -51,6 +51,14 @@ std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Co
   return load_from(files, request.after, request, sources, console);
 }
 
+/// git's difftool names nothing where a file is new, or gone. What is said of that; empty: there are two files.
+std::string only_side(const Diff& request) {
+  const std::string nothing = "/dev/null";
+  if (request.before == nothing) return fmt::format("`{}` is new: there is nothing to compare\n", request.after);
+  if (request.after == nothing) return fmt::format("`{}` is gone: there is nothing to compare\n", request.before);
+  return {};
+}
+
 void print(const std::vector<BehaviourChange>& changes, const Diff& request, const dsl::Sources& sources,
            Console& console) {
   switch (request.format) {
@@ -64,6 +72,13 @@ void print(const std::vector<BehaviourChange>& changes, const Diff& request, con
 
 int run(const Diff& request, Console& console) {
   dsl::Sources sources;
+  if (const std::string said = only_side(request); !said.empty()) {
+    if (request.format == Format::text)
+      console.out << said;
+    else
+      print({}, request, sources, console);
+    return clean;
+  }
   const std::optional<Checked> before = load_before(request, sources, console);
   if (!before) return misused;
   const std::optional<Checked> after = load_after(request, sources, console);

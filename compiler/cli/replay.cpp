@@ -26,6 +26,10 @@ void print(const Replayed& replayed, const std::string& trace, const std::string
     console.out << fmt::format("  recorded: {}\n  replayed: {}\n", it.recorded, it.replayed);
     console.out << fmt::format("  {} before it {} the same\n", many_counted(replayed.events, "event"),
                                replayed.events == 1 ? "is" : "are");
+    if (!other) // which decides the same every time
+      console.out
+          << "  it is the version that was recorded: lines of the trace are missing or were changed, or another "
+             "version of Director recorded it\n";
   } else if (!replayed.problem.empty()) {
     console.out << fmt::format("{}: {} the same{}, up to line {}, which cannot be read\n", trace,
                                many_counted(replayed.events, "event"), version, replayed.problem_line);

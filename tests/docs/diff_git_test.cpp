@@ -144,6 +144,20 @@ TEST_CASE("it is a tool of git difftool, and imports are those beside the new fi
   CHECK(ran.output.find("  `Walk` now needs `Arms`\n") != std::string::npos);
 }
 
+TEST_CASE("of a file that is new or gone git's difftool has nothing to compare") {
+  const Repository repository;
+  repository.write("new.yaml", Repository::walker("[]"));
+  REQUIRE(repository.run("git add new.yaml && git rm --quiet robot/walker.yaml").status == 0);
+  const auto tool = [&](const std::string& file) {
+    return repository.run("git difftool --no-prompt -x 'directorc diff' HEAD -- " + file).output;
+  };
+  CHECK(tool("new.yaml") == "`new.yaml` is new: there is nothing to compare\n");
+  CHECK(tool("robot/walker.yaml").ends_with("walker.yaml` is gone: there is nothing to compare\n"));
+  const Ran json = repository.run("directorc diff --format=json /dev/null new.yaml");
+  CHECK(json.output == "{\n  \"breaking\": false,\n  \"changes\": []\n}\n");
+  CHECK(json.status == 0);
+}
+
 TEST_CASE("the hook tells, and refuses what it was told to") {
   const Repository repository;
   const std::string hook = (source_dir() / "docs/hooks/pre-commit").string();

@@ -199,6 +199,20 @@ TEST_CASE("a damaged line ends a replay, and is never a decision") {
   }
 }
 
+TEST_CASE("where the version that was recorded decides otherwise, it is the trace that is not as it was") {
+  World world = with_trace();
+  std::string some;
+  for (std::size_t i = 1; i <= 38; ++i) some += i == 19 ? "" : traced_line(trace_in(world), i) + "\n";
+  world.files.add("less.jsonl", some);
+  CHECK(world.directorc({"replay", "less.jsonl"}) == 1);
+  CHECK(world.out == R"(less.jsonl:19: event 18, at 0.000000 s, is decided otherwise
+  recorded: run Drive.braking pushed
+  replayed: queue root>Photograph: waiting for Motion == still
+  17 events before it are the same
+  it is the version that was recorded: lines of the trace are missing or were changed, or another version of Director recorded it
+)");
+}
+
 TEST_CASE("damage behind a decision that is another one does not hide it") {
   World world = with_trace();
   std::string other = rover_that_is_recorded;
