@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/file_access.hpp"
 
+#include "dsl/load_file.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
@@ -61,6 +63,10 @@ Result<std::string, FileError> DiskFiles::read(const std::string& path, std::siz
     text.append(part.data(), static_cast<std::size_t>(size));
     if (text.size() > most) return FileError{FileError::Kind::too_large, "file too large"};
   }
+}
+
+std::string FileAccess::beside(const std::string& file, const std::string& relative) {
+  return dsl::beside(file, relative);
 }
 
 std::string DiskFiles::identity(const std::string& path) {

@@ -25,6 +25,8 @@ public:
   virtual Result<std::string, FileError> read(const std::string& path, std::size_t most) = 0;
   /// Equal for two ways of writing the path of one file, whether or not it exists.
   virtual std::string identity(const std::string& path) = 0;
+  /// The path of what `file` names relative to itself.
+  virtual std::string beside(const std::string& file, const std::string& relative);
 
 protected:
   ~FileAccess() = default;

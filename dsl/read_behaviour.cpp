@@ -54,7 +54,7 @@ private:
   }
 
   std::optional<FileId> follow(const std::string& importer, const Word& import) {
-    const std::string path = beside(importer, import.value);
+    const std::string path = files_.beside(importer, import.value);
     const std::string identity = files_.identity(path);
     const auto again =
         std::find_if(open_.begin(), open_.end(), [&](const OpenFile& file) { return file.identity == identity; });

@@ -13,4 +13,22 @@ inline std::string in_seconds(std::int64_t microseconds) {
   return fmt::format("{:.6f}", static_cast<double>(microseconds) / 1e6);
 }
 
+/// "250 us", "1.5 s", "59 min 59.99 s", "1 h 0 min 3 s": with three digits at most where the rest says nothing more.
+inline std::string as_duration(std::int64_t microseconds) {
+  constexpr std::int64_t thousand = 1000, minute = 60'000'000, hour = 60 * minute;
+  const auto plain = [](double number) {
+    std::string out = fmt::format("{:.3f}", number);
+    out.erase(out.find_last_not_of('0') + 1);
+    if (out.ends_with('.')) out.pop_back();
+    return out;
+  };
+  if (microseconds < thousand && microseconds != 0) return fmt::format("{} us", microseconds);
+  // To the millisecond first: else 59.9996 s would become 60 s of a minute.
+  const std::int64_t rounded = (microseconds + thousand / 2) / thousand * thousand;
+  std::string out;
+  if (rounded >= hour) out += fmt::format("{} h ", rounded / hour);
+  if (rounded >= minute) out += fmt::format("{} min ", rounded % hour / minute);
+  return out + plain(static_cast<double>(rounded % minute) / 1e6) + " s";
+}
+
 } // namespace director::compiler

@@ -24,14 +24,21 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
     return load_from(files, request.before, request, sources, console);
   }
   GitFiles files(console.programs, console.files, request.revision);
-  if (const std::optional<std::string> wrong = files.open(request.after)) {
+  if (const std::optional<std::string> wrong =
+          files.open(request.after, request.staged ? Newer::staged : Newer::lying_there)) {
     console.err << fmt::format("directorc: {}\n", *wrong);
     return {};
   }
   Diff there = request;
   std::error_code error; // a build is no part of a revision
   if (!there.build.empty()) there.build = std::filesystem::absolute(there.build, error).string();
-  return load_from(files, files.path(), there, sources, console);
+  std::optional<Checked> out = load_from(files, files.path(), there, sources, console);
+  if (!out)
+    console.err << fmt::format(
+        "  help: where it was called otherwise, `git add {}` lets git see that; any two files are "
+        "compared with `directorc diff OLD NEW`\n",
+        shown_path(request.after));
+  return out;
 }
 
 std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Console& console) {
@@ -42,6 +49,14 @@ std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Co
     return {};
   }
   return load_from(files, request.after, request, sources, console);
+}
+
+/// git's difftool names nothing where a file is new, or gone. What is said of that; empty: there are two files.
+std::string only_side(const Diff& request) {
+  const std::string nothing = "/dev/null";
+  if (request.before == nothing) return fmt::format("`{}` is new: there is nothing to compare\n", request.after);
+  if (request.after == nothing) return fmt::format("`{}` is gone: there is nothing to compare\n", request.before);
+  return {};
 }
 
 void print(const std::vector<BehaviourChange>& changes, const Diff& request, const dsl::Sources& sources,
@@ -57,6 +72,13 @@ void print(const std::vector<BehaviourChange>& changes, const Diff& request, con
 
 int run(const Diff& request, Console& console) {
   dsl::Sources sources;
+  if (const std::string said = only_side(request); !said.empty()) {
+    if (request.format == Format::text)
+      console.out << said;
+    else
+      print({}, request, sources, console);
+    return clean;
+  }
   const std::optional<Checked> before = load_before(request, sources, console);
   if (!before) return misused;
   const std::optional<Checked> after = load_after(request, sources, console);

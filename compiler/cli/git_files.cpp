@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/git_files.hpp"
 
+#include "dsl/load_file.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace director::compiler::cli {
 
@@ -61,7 +65,7 @@ dsl::Result<Repository, std::string> find_repository(Programs& programs, const s
   return out;
 }
 
-std::optional<std::string> GitFiles::open(const std::string& file) {
+std::optional<std::string> GitFiles::open(const std::string& file, Newer newer) {
   const auto found = find_repository(programs_, file);
   if (!found) return found.error();
   folder_ = found.value().folder;
@@ -69,16 +73,36 @@ std::optional<std::string> GitFiles::open(const std::string& file) {
       {"git", "-C", folder_, "rev-parse", "--verify", "--quiet", "--end-of-options", revision_ + "^{commit}"}, "");
   if (commit.status != 0) return fmt::format("git knows no revision `{}`", revision_);
   commit_ = first_line(commit.output);
-  path_ = revision_ + ":/" + inside(found.value(), file);
+  path_ = top() + name_before(inside(found.value(), file), newer);
   return {};
+}
+
+/// What the file was called in the revision, as far as git can tell: the same, where it knows no other name.
+std::string GitFiles::name_before(const std::string& name, Newer newer) {
+  const auto there = read_object(programs_, folder_, commit_ + ":" + name, "", dsl::largest_file);
+  if (there || there.error().kind != dsl::FileError::Kind::not_found) return name;
+  std::vector<std::string> command{
+      "git", "-C", folder_, "diff", "--find-renames", "--diff-filter=R", "--no-relative", "--name-status", "-z"};
+  if (newer == Newer::staged) command.emplace_back("--cached");
+  command.insert(command.end(), {commit_, "--"});
+  const Answer answer = programs_.run(command, "");
+  if (answer.status != 0) return name;
+  // R100, the old name and the new one, each with a zero behind it.
+  std::vector<std::string> words;
+  for (std::size_t at = 0, end = 0; (end = answer.output.find('\0', at)) != std::string::npos; at = end + 1)
+    words.push_back(answer.output.substr(at, end - at));
+  for (std::size_t i = 0; i + 2 < words.size(); i += 3) {
+    if (words[i + 2] == name) return words[i + 1];
+  }
+  return name;
 }
 
 dsl::Result<std::string, dsl::FileError> GitFiles::read(const std::string& path, std::size_t most) {
   if (path.starts_with('/')) return disk_.read(path, most);
-  const std::string top = revision_ + ":/";
-  if (!path.starts_with(top)) return dsl::FileError{dsl::FileError::Kind::not_found, "it is outside of the repository"};
-  return read_object(programs_, folder_, commit_ + ":" + path.substr(top.size()),
-                     fmt::format("in the revision `{}`", revision_), most);
+  const std::string name = path.substr(std::min(path.size(), top().size()));
+  if (!path.starts_with(top()) || name == ".." || name.starts_with("../"))
+    return dsl::FileError{dsl::FileError::Kind::not_found, "it is outside of the repository"};
+  return read_object(programs_, folder_, commit_ + ":" + name, fmt::format("in the revision `{}`", revision_), most);
 }
 
 std::optional<std::string> StagedFiles::open(const std::string& file) {
@@ -95,7 +119,12 @@ dsl::Result<std::string, dsl::FileError> StagedFiles::read(const std::string& pa
 }
 
 std::string GitFiles::identity(const std::string& path) {
-  return path.starts_with('/') ? disk_.identity(path) : fs::path(path).lexically_normal().string();
+  return path.starts_with('/') ? disk_.identity(path) : path; // as `beside` writes it
+}
+
+std::string GitFiles::beside(const std::string& file, const std::string& relative) {
+  if (!file.starts_with(top()) || fs::path(relative).is_absolute()) return FileAccess::beside(file, relative);
+  return top() + FileAccess::beside(file.substr(top().size()), relative); // the revision is no folder
 }
 
 FilesBeside::FilesBeside(dsl::FileAccess& files, const std::string& first, const std::string& second)

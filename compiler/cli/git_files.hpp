@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Files as they were in a revision of git. Their paths are REVISION:/PATH, from the top of the repository; absolute
-// ones are read from the disk, as what describes a build has no revision.
+// Files as they were in a revision of git. Their paths are REVISION:PATH, from the top of the repository, as git itself
+// takes them; absolute ones are read from the disk, as what describes a build has no revision.
 
 #include "compiler/facts/programs.hpp"
 #include "dsl/file_access.hpp"
@@ -19,6 +19,9 @@ struct Repository {
 /// Of a file that need not exist any more; or what is wrong.
 dsl::Result<Repository, std::string> find_repository(Programs& programs, const std::string& file);
 
+/// What is compared with a revision.
+enum class Newer { lying_there, staged };
+
 class GitFiles final : public dsl::FileAccess {
 public:
   GitFiles(Programs& programs, dsl::FileAccess& disk, std::string revision)
@@ -27,15 +30,19 @@ public:
         revision_(std::move(revision)) {}
 
   /// Looks for the repository around `file`, which need not exist any more, and for the revision. What is wrong, or
-  /// nothing.
-  std::optional<std::string> open(const std::string& file);
-  /// Of the file that it was opened with.
+  /// nothing. `newer`: where git looks for what the file was called in the revision, where it has another name now.
+  std::optional<std::string> open(const std::string& file, Newer newer);
+  /// Of the file that it was opened with, as it was called in the revision.
   const std::string& path() const { return path_; }
 
   dsl::Result<std::string, dsl::FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override;
+  std::string beside(const std::string& file, const std::string& relative) override;
 
 private:
+  std::string name_before(const std::string& name, Newer newer);
+  std::string top() const { return revision_ + ":"; }
+
   Programs& programs_;
   dsl::FileAccess& disk_;
   std::string revision_; ///< as it was given

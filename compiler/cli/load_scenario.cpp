@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load_scenario.hpp"
 
+#include "compiler/base/counted.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/resolve_scenario.hpp"
 #include "dsl/read_scenario.hpp"
+#include "dsl/render.hpp"
 
 #include <fmt/format.h>
 
@@ -35,12 +37,26 @@ Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
   return errors;
 }
 
+/// Those that have not been told yet; from now on they have. Several scenarios are of one behaviour.
+Findings not_among(std::set<std::string>& told, const Findings& findings, const dsl::Sources& sources) {
+  Findings out;
+  for (const dsl::Diagnostic& finding : findings) {
+    if (told.insert(dsl::render(finding, sources, {})).second) out.push_back(finding);
+  }
+  return out;
+}
+
 } // namespace
 
-LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console) {
+LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
+                             std::set<std::string>* told) {
   LoadedScenario out;
   const auto stop = [&](int status, const Findings& findings) {
-    print_findings(findings, sources, console.err, console.err_colours, console.err_width);
+    const Findings anew = told == nullptr ? findings : not_among(*told, findings, sources);
+    print_findings(anew, sources, console.err, console.err_colours, console.err_width);
+    if (anew.size() < findings.size())
+      console.err << fmt::format("directorc: `{}` cannot be played either: {} told above\n", shown_path(file),
+                                 counted_are(findings.size() - anew.size(), "error"));
     out.status = status;
     out.findings = findings;
   };

@@ -7,6 +7,10 @@
 #include "compiler/lower/lowered.hpp"
 #include "compiler/play/scenario.hpp"
 
+#include <set>
+#include <string>
+#include <vector>
+
 namespace director::compiler::cli {
 
 struct LoadedScenario {
@@ -20,6 +24,8 @@ struct LoadedScenario {
   Scenario scenario;
 };
 
-LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console);
+/// `told`: errors as they were told of scenarios before, which are not told again; null: there were none.
+LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
+                             std::set<std::string>* told = nullptr);
 
 } // namespace director::compiler::cli

@@ -7,11 +7,16 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <string_view>
 
 namespace director::compiler::cli {
 
-void say_problem(const std::string& file, std::size_t line, const std::string& problem, Console& console) {
-  console.err << fmt::format("{}:{}: error: {}\n", shown_path(file), line, problem);
+void say_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console) {
+  console.err << fmt::format(
+      "{0}:{1}: error: this line cannot be read: {2}\n"
+      "  help: expected is one JSON object a line, an event each, as a recorder writes them; the "
+      "lines before are good: `head -n {3} {0}` prints them\n",
+      shown_path(file), line, problem, line - 1);
 }
 
 LoadedTrace load_trace(const std::string& file, Console& console) {
@@ -24,10 +29,14 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   }
   out.text = std::move(read.value());
   TraceLines lines(out.text);
-  std::string problem = "this is no trace: its first line is not the header of one";
+  const std::string_view no_header = "this is no trace: its first line is not the header of one";
+  std::string problem(no_header);
   if (const std::optional<TraceLine> header = lines.next()) out.recorded = RecordedNames::read(header->json, problem);
   if (!out.recorded) {
-    say_problem(file, 1, problem, console);
+    console.err << fmt::format("{}:1: error: {}\n", shown_path(file), problem);
+    if (problem == no_header)
+      console.err << "  help: expected are the JSON lines of a recorder or of `directorc simulate --trace`; a "
+                     ".perfetto-trace is opened on https://ui.perfetto.dev\n";
     out.status = found;
   }
   return out;
@@ -72,7 +81,7 @@ bool say_end(const TraceLines& lines, const std::string& file, Console& console)
     console.err << fmt::format("{}:{}: note: the last line is cut off, and was left out\n", shown_path(file),
                                lines.number());
   if (lines.problem().empty()) return true;
-  say_problem(file, lines.number(), lines.problem(), console);
+  say_unreadable(file, lines.number(), lines.problem(), console);
   return false;
 }
 

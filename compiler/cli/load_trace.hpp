@@ -32,7 +32,7 @@ RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::strin
 /// is no trace from that line on.
 bool say_end(const TraceLines& lines, const std::string& file, Console& console);
 
-/// That one line is wrong.
-void say_problem(const std::string& file, std::size_t line, const std::string& problem, Console& console);
+/// That a line behind the header cannot be read, why, and what can be done.
+void say_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console);
 
 } // namespace director::compiler::cli

@@ -23,16 +23,21 @@ void print(const Replayed& replayed, const std::string& trace, const std::string
     const Replayed::Difference& it = *replayed.difference;
     console.out << fmt::format("{}:{}: event {}, at {} s, is decided otherwise{}\n", trace, it.line, it.event,
                                in_seconds(it.time), version);
-    const bool same_words = it.recorded == it.replayed;
-    console.out << fmt::format("  recorded: {}\n  replayed: {}\n", same_words ? it.recorded_line : it.recorded,
-                               same_words ? it.replayed_line : it.replayed);
-    console.out << fmt::format("  {} before it {} the same\n", counted(replayed.events, "event"),
+    console.out << fmt::format("  recorded: {}\n  replayed: {}\n", it.recorded, it.replayed);
+    console.out << fmt::format("  {} before it {} the same\n", many_counted(replayed.events, "event"),
                                replayed.events == 1 ? "is" : "are");
+    if (!other) // which decides the same every time
+      console.out
+          << "  it is the version that was recorded: lines of the trace are missing or were changed, or another "
+             "version of Director recorded it\n";
+  } else if (!replayed.problem.empty()) {
+    console.out << fmt::format("{}: {} the same{}, up to line {}, which cannot be read\n", trace,
+                               many_counted(replayed.events, "event"), version, replayed.problem_line);
   } else if (replayed.dropped != 0) {
-    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace, counted(replayed.events, "event"),
-                               version, counted_are(replayed.dropped, "event"));
+    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace,
+                               many_counted(replayed.events, "event"), version, counted_are(replayed.dropped, "event"));
   } else {
-    console.out << fmt::format("{}: {}, all the same{}\n", trace, counted(replayed.events, "event"), version);
+    console.out << fmt::format("{}: {}, all the same{}\n", trace, many_counted(replayed.events, "event"), version);
   }
 }
 
@@ -51,13 +56,16 @@ Json to_json(const Replayed& replayed, const std::string& trace, const std::stri
                                         {"recorded", event(it.recorded_line)},
                                         {"replayed", event(it.replayed_line)}}));
   }
+  if (!replayed.problem.empty())
+    out.add("unreadable",
+            Json::object({{"line", Json::count(replayed.problem_line)}, {"problem", Json::text(replayed.problem)}}));
   return out;
 }
 
 } // namespace
 
 int run(const Replay& request, Console& console) {
-  const LoadedTrace trace = load_trace(request.trace, console);
+  LoadedTrace trace = load_trace(request.trace, console);
   if (trace.status != clean) return trace.status;
   dsl::Sources sources;
   const RecordedBehaviour of = load_behaviour(*trace.recorded, request.trace, request.behaviour, sources, console);
@@ -67,14 +75,19 @@ int run(const Replay& request, Console& console) {
   const bool other = fingerprint_text(rows.names()) != trace.recorded->fingerprint;
   TraceLines lines(trace.text);
   lines.next(); // the header
-  const Replayed replayed = replay(lines, rows.names());
-  if (!say_end(lines, request.trace, console)) return found;
+  const director::Names recorded = trace.recorded->names();
+  const Replayed replayed = replay(lines, rows.names(), nullptr, &recorded);
+  // A replay reads ahead: what it met behind its end is not told.
+  if (!replayed.problem.empty())
+    say_unreadable(request.trace, replayed.problem_line, replayed.problem, console);
+  else if (!replayed.difference && replayed.dropped == 0)
+    say_end(lines, request.trace, console);
   const std::string shown = shown_path(request.trace);
   if (request.format == Format::json)
     console.out << to_line(to_json(replayed, shown, of.file, other)) << '\n';
   else
     print(replayed, shown, of.file, other, console);
-  return replayed.difference ? found : clean;
+  return replayed.difference || !replayed.problem.empty() ? found : clean;
 }
 
 } // namespace director::compiler::cli

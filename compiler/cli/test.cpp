@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace director::compiler::cli {
 
@@ -73,7 +74,7 @@ private:
 
   int test(const std::string& file) {
     dsl::Sources sources;
-    const LoadedScenario loaded = load_scenario(file, sources, console_);
+    const LoadedScenario loaded = load_scenario(file, sources, console_, &told_);
     if (loaded.status != clean) {
       Json row = Json::object({{"file", Json::text(shown_path(file))}, {"holds", Json::boolean(false)}});
       rows_.push_back(with(loaded.findings, sources, std::move(row)));
@@ -173,6 +174,7 @@ private:
   Console& console_;
   std::size_t played_ = 0, holding_ = 0;
   std::vector<Json> rows_;
+  std::set<std::string> told_; ///< errors that keep scenarios from being played
   std::vector<CoverageReport>
       reports_; ///< a behaviour each, in the order of the files; texts of all points until the end
 };

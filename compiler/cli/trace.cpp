@@ -1,12 +1,15 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/trace_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/counted.hpp"
+#include "compiler/cli/load.hpp"
 #include "compiler/cli/load_trace.hpp"
 #include "compiler/cli/trace_page.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
+
+#include <fmt/format.h>
 
 #include <array>
 
@@ -45,12 +48,23 @@ int put(const Trace& request, std::string text, int status, Console& console) {
     return status;
   }
   const auto is_own = request.to == "html" ? has_notice : is_trace;
-  return write({{request.output, std::move(text), is_own}}, console) ? status : misused;
+  if (!write({{request.output, std::move(text), is_own}}, console)) return misused;
+  if (request.to == "perfetto" && console.err_width != 0)
+    console.err << fmt::format(
+        "directorc: wrote `{}`; `Open trace file` on https://ui.perfetto.dev shows it, and keeps "
+        "it on this machine\n",
+        shown_path(request.output));
+  return status;
 }
 
 } // namespace
 
 int run(const Trace& request, Console& console) {
+  if (request.to == "perfetto" && request.output.empty() && console.out_width != 0) {
+    console.err << "directorc: --to=perfetto writes bytes that a terminal cannot show: -o FILE.perfetto-trace writes "
+                   "them to a file, for https://ui.perfetto.dev\n";
+    return misused;
+  }
   LoadedTrace trace = load_trace(request.file, console);
   if (trace.status != clean) return trace.status;
   if (request.to == "html") {
@@ -73,7 +87,7 @@ int run(const Trace& request, Console& console) {
   while (const std::optional<TraceLine> line = lines.next()) {
     const Lookup::Found event = line->dropped == 0 ? lookup.event(line->json) : Lookup::Found{};
     if (!event.problem.empty()) {
-      say_problem(request.file, line->number, event.problem, console);
+      say_unreadable(request.file, line->number, event.problem, console);
       status = found;
       break;
     }

@@ -30,6 +30,9 @@ std::string end_of(const Waits& waits) {
   if (replayed.dropped != 0)
     return fmt::format("{} missing before: why something waits is not known from there on",
                        counted_are(replayed.dropped, "event"));
+  if (!replayed.problem.empty())
+    return fmt::format("line {} of the trace cannot be read: why something waits is not known from there on",
+                       replayed.problem_line);
   if (replayed.difference)
     return fmt::format(
         "from {} s on it is decided otherwise when it is played again, so why something waits is not known",
@@ -57,7 +60,7 @@ public:
       }
       const Lookup::Found event = lookup_.event(line->json);
       if (!event.problem.empty()) {
-        say_problem(file, line->number, event.problem, console);
+        say_unreadable(file, line->number, event.problem, console);
         return false;
       }
       recording_.event(event.event, unused);
@@ -103,12 +106,16 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   const std::string why_ends = end_of(waits);
   Recording recording(rows.names(), waits, why_ends);
   PageRecording page;
-  const bool whole = Reading(rows.names(), recording, page).read(lines, request.file, console);
+  bool whole = Reading(rows.names(), recording, page).read(lines, request.file, console);
   if (whole && waits.replayed.difference) // else it is the line that is wrong
     console.err << fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line,
                                why_ends);
-  page.about = fmt::format("{} in {}, from {}{}.", counted(recording.events(), "event"),
-                           in_seconds(recording.ends() - recording.begins()) + " s", shown_path(request.file),
+  if (whole && !waits.replayed.problem.empty()) { // only playing it shows that
+    say_unreadable(request.file, waits.replayed.problem_line, waits.replayed.problem, console);
+    whole = false;
+  }
+  page.about = fmt::format("{} in {}, from {}{}.", many_counted(recording.events(), "event"),
+                           as_duration(recording.ends() - recording.begins()), shown_path(request.file),
                            lines.cut_off() ? ", whose last line is cut off" : "");
   page.data = base64(packed(recording.bytes(header->json)));
   PageWish wish;

@@ -274,7 +274,7 @@ private:
     };
     if (ranks(edge) == ranks(*old) || edge.levels.empty() || old->levels.empty()) return;
     changes_.add(ChangeKind::priority, edge_name(edge),
-                 fmt::format("{} asks for `{}` with {}, before with {}; nobody can take a group for it",
+                 fmt::format("{} asks for `{}` with {}, before with {}; who can take a group from whom is as before",
                              requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge),
                              rank_text(*old)),
                  old->span, edge.span);

@@ -50,7 +50,7 @@ public:
   EventReading(const Lookup& lookup, const Json& line) : l_(lookup), json_(line) {}
 
   Lookup::Found read() {
-    if (!json_.is_object() || !json_["event"].is_text()) return fail("no event");
+    if (!json_.is_object() || !json_["event"].is_text()) return fail("it names no event");
     if (!find_word(e_.kind, Event::Kind::given, json_["event"].as_text()))
       return fail(fmt::format("no event is called `{}`", json_["event"].as_text()));
     for (std::size_t i = 0; i < json_.keys().size() && problem_.empty(); ++i) member(json_.keys()[i], json_.items()[i]);
@@ -171,7 +171,7 @@ private:
   void edge(std::string_view key, Index& out) {
     const Json& value = json_[key];
     if (value.is_null() || !problem_.empty()) return;
-    if (value.as_text() != "limbo") return row("edge", value, l_.edges_, out);
+    if (value.as_text() != "limbo") return row("task", value, l_.edges_, out);
     if (e_.group == nil)
       problem_ = "limbo without a group";
     else

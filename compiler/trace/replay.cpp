@@ -6,16 +6,14 @@
 // else decides what a micro-step does: how many of them a step had made no difference.
 #include "compiler/trace/replay.hpp"
 
+#include "compiler/trace/event_words.hpp"
 #include "compiler/trace/lookup.hpp"
-#include "runtime/core/api/event_names.hpp"
 #include "runtime/core/engine/engine.hpp"
-#include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 
-#include <array>
-#include <bit>
 #include <deque>
+#include <tuple>
 #include <vector>
 
 namespace director::compiler {
@@ -29,12 +27,14 @@ using Kind = Event::Kind;
 
 class Replayer {
 public:
-  Replayer(TraceLines& lines, const director::Names& names, ReplayWatch* watch)
+  Replayer(TraceLines& lines, const director::Names& names, ReplayWatch* watch, const director::Names& recorded)
       : lines_(lines),
         watch_(watch),
         names_(names),
+        recorded_names_(recorded),
         tables_(*names.tables),
         lookup_(names),
+        recorded_lookup_(recorded),
         cells_(most_records),
         inbox_(cells_),
         memory_(tables_),
@@ -65,6 +65,7 @@ private:
   struct Recorded {
     std::size_t line = 0;
     std::string_view text;
+    Json json;
     Event event;
     std::uint64_t dropped = 0;
     std::string problem; ///< nothing that this behaviour could tell
@@ -78,9 +79,9 @@ private:
     while (waiting_.size() <= places) {
       std::optional<TraceLine> line = lines_.next();
       if (!line) return nullptr;
-      Recorded recorded{line->number, line->text, {}, line->dropped, {}};
+      Recorded recorded{line->number, line->text, std::move(line->json), {}, line->dropped, {}};
       if (line->dropped == 0) {
-        Lookup::Found found = lookup_.event(line->json);
+        Lookup::Found found = lookup_.event(recorded.json);
         recorded.event = found.event;
         recorded.problem = std::move(found.problem);
         if (recorded.problem.empty() && (recorded.event.kind == Kind::lost || recorded.event.kind == Kind::exhausted)) {
@@ -96,7 +97,7 @@ private:
   const Recorded* coming() {
     const Recorded* const next = ahead(0);
     if (next == nullptr) {
-      out_.problem = lines_.problem();
+      if (!lines_.problem().empty()) cannot_read(lines_.number(), lines_.problem());
     } else if (next->dropped != 0) {
       out_.dropped = next->dropped;
     } else if (next->problem.empty()) {
@@ -262,28 +263,31 @@ private:
     ++out_.events;
   }
 
-  /// In the words of `simulate`; what it has none for, as in the trace.
-  std::string words(const Event& event, std::string_view line) const {
-    std::array<char, 1000> buffer{};
-    const std::string text = to_text(event, names_, buffer);
-    return text.empty() ? std::string(line) : text;
+  void cannot_read(std::size_t line, std::string problem) {
+    over_ = true;
+    out_.problem = std::move(problem);
+    out_.problem_line = line;
   }
 
   /// From what is recorded next. `event`: what the engine tells instead; null: nothing.
   void differ(const Event* event) {
     over_ = true;
     const Recorded& recorded = *ahead(0);
+    const Lookup::Found was = recorded_lookup_.event(recorded.json);
+    if (!was.problem.empty()) return cannot_read(recorded.line, was.problem);
+    std::string written;
+    append_event(was.event, recorded_names_, written);
+    if (written != recorded.text) return cannot_read(recorded.line, "a recorder would have written it as " + written);
     Replayed::Difference found;
     found.event = recorded.line - 1; // behind the header
     found.line = recorded.line;
-    found.time = recorded.event.time;
+    found.time = event != nullptr ? event->time : was.event.time;
     found.recorded_line = recorded.text;
-    found.recorded = recorded.problem.empty() ? words(recorded.event, recorded.text) : found.recorded_line;
     if (event != nullptr) {
-      found.time = event->time;
       found.replayed_line = line_;
-      found.replayed = words(*event, line_);
+      std::tie(found.recorded, found.replayed) = words_of_both(was.event, recorded_names_, *event, names_);
     } else {
+      found.recorded = words_of(was.event, recorded_names_);
       found.replayed = recorded.problem.empty() ? "nothing" : recorded.problem;
     }
     out_.difference = found;
@@ -292,8 +296,9 @@ private:
   TraceLines& lines_;
   ReplayWatch* const watch_;
   const director::Names names_;
+  const director::Names recorded_names_;
   const Tables& tables_;
-  Lookup lookup_;
+  Lookup lookup_, recorded_lookup_;
   std::deque<Recorded> waiting_;
   Replayed out_;
   bool over_ = false;
@@ -306,8 +311,8 @@ private:
 
 } // namespace
 
-Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch) {
-  return Replayer(lines, names, watch).play();
+Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch, const director::Names* recorded) {
+  return Replayer(lines, names, watch, recorded == nullptr ? names : *recorded).play();
 }
 
 } // namespace director::compiler

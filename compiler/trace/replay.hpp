@@ -22,14 +22,15 @@ struct Replayed {
     std::size_t event = 1; ///< counts from 1
     std::size_t line = 0;  ///< of the trace; counts from 1
     Time time = 0;
-    std::string recorded, replayed;           ///< in words; of what simulate says nothing about, the line
-    std::string recorded_line, replayed_line; ///< empty: the behaviour came to rest, or the trace has something else
+    std::string recorded, replayed;           ///< in words
+    std::string recorded_line, replayed_line; ///< as in a trace; empty: the behaviour tells nothing, or could not
   };
 
   std::size_t events = 0; ///< that are the same
   std::optional<Difference> difference;
-  std::uint64_t dropped = 0; ///< not 0: so many events are missing from the trace, and the replay ended there
-  std::string problem;       ///< what is wrong with the line of the trace at which `lines` stands
+  std::uint64_t dropped = 0;    ///< not 0: so many events are missing from the trace, and the replay ended there
+  std::string problem;          ///< why a line cannot be read, where the replay ended; empty: none was met
+  std::size_t problem_line = 0; ///< which line; counts from 1
 };
 
 /// Who looks on.
@@ -45,6 +46,9 @@ protected:
 };
 
 /// `lines`: behind the header. `names`: of the behaviour that is to play, with tables. `watch`: null: nobody looks on.
-Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch = nullptr);
+/// `recorded`: of the behaviour that was recorded, by which a line that is damaged is told from one that only another
+/// version could have written; null: it is the same one.
+Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch = nullptr,
+                const director::Names* recorded = nullptr);
 
 } // namespace director::compiler

@@ -16,7 +16,7 @@ std::optional<TraceLine> TraceLines::next() {
   std::optional<Json> json = parse_json(out.text);
   if (!json || !json->is_object()) {
     if (whole)
-      problem_ = "this is no line of a trace";
+      problem_ = "it is no JSON object";
     else
       cut_off_ = true;
     return {};

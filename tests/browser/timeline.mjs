@@ -87,6 +87,18 @@ await situation('a push is shown: who waits and why, who is pushed for it, in wo
   assert.deepEqual([await marked(page, 'running'), await page.locator('.note').count(), await page.locator('svg.moment').count()], [[], 0, 0]);
 });
 
+await situation('the event of the moment is in sight among those around it', 'minute', {}, async (page) => {
+  for (const part of [0, 0.2, 0.5, 0.9, 1]) {
+    await scrubTo(page, Math.min(part, 0.999));
+    if (part === 1) await press(page, 'End');
+    const [list, row] = await page.evaluate(() => [document.getElementById('events'), document.querySelector('#events [aria-current]')].map((each) => {
+      const { top, bottom } = each.getBoundingClientRect();
+      return { top, bottom };
+    }));
+    assert.ok(row.top >= list.top && row.bottom <= list.bottom, `${row.top} to ${row.bottom} in ${list.top} to ${list.bottom}`);
+  }
+});
+
 await situation('the mouse scrubs, and drags', 'minute', {}, async (page) => {
   await scrubTo(page, 0.5);
   assert.match(await where(page), /^(29\.9|30\.0)\d+ s, after event [\d,]+ of [\d,]+: /);

@@ -41,7 +41,7 @@ private:
 const char* const needs_arms = "needs_added: A provider needs one more group.\n"
                                "  `Walk` now needs `Arms`\n"
                                "    now    robot/walker.yaml:5:31\n"
-                               "    before HEAD:/robot/walker.yaml:5:10\n"
+                               "    before HEAD:robot/walker.yaml:5:10\n"
                                "\n"
                                "1 change\n";
 
@@ -56,6 +56,57 @@ TEST_CASE("a file is compared with itself in a revision, from wherever it is cal
   CHECK(ran.status == 0);
   CHECK(repository.run("cd robot/parts && directorc diff --git HEAD ../walker.yaml --breaking=needs_added").status ==
         1);
+}
+
+TEST_CASE("a place in a revision is one that git takes") {
+  const Repository repository;
+  // At the top, in a folder, and imported from a folder above; in a branch whose name has a slash.
+  std::string top = Repository::walker("[Legs]");
+  repository.write("top.yaml", top.insert(top.find("parts"), "robot/"));
+  repository.write("robot/up.yaml", "behaviour: up\nlanguage: 1\nimports: [../arms.yaml]\nroots: [Arms]\n");
+  repository.write("arms.yaml", "behaviour: arms\nlanguage: 1\ngroups: {Arms: {}}\n");
+  REQUIRE(repository.run("git add . && git commit --quiet -m second && git branch my/work").status == 0);
+  repository.write("arms.yaml", "behaviour: arms\nlanguage: 1\ngroups: {Arms: {stop: true}}\n");
+  const auto places = [&](const std::string& file) {
+    return repository
+        .run("cd robot && directorc diff --git my/work " + file +
+             " | sed -n 's/^    before \\(.*\\):[0-9]*:[0-9]*$/\\1/p' | sort -u")
+        .output;
+  };
+  CHECK(places("up.yaml") == "my/work:arms.yaml\n");
+  CHECK(repository.run("cd robot && git show my/work:arms.yaml").output.starts_with("behaviour: arms\n"));
+  repository.write("robot/parts/legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {stop: true}, Arms: {}}\n");
+  CHECK(places("../top.yaml") == "my/work:robot/parts/legs.yaml\n");
+  repository.write("robot/up.yaml", "behaviour: up\nlanguage: 1\nimports: [../../arms.yaml]\nroots: [Arms]\n");
+  REQUIRE(repository.run("git commit --quiet -a -m outside").status == 0);
+  CHECK(repository.run("directorc diff --git HEAD robot/up.yaml 2>&1 | grep -c 'it is outside of the repository'")
+            .output != "0\n");
+}
+
+TEST_CASE("a file that is called otherwise now is compared with what it was") {
+  const Repository repository;
+  REQUIRE(
+      repository.run("mkdir legged && git mv robot/walker.yaml legged/strider.yaml && git mv robot/parts legged/parts")
+          .status == 0);
+  const auto moved = [&] {
+    std::string out = needs_arms;
+    return out.replace(out.find("robot/walker"), 12, "legged/strider");
+  };
+  CHECK(repository.run("directorc diff --git HEAD legged/strider.yaml").output.empty());
+  CHECK(repository.run("directorc diff --staged legged/strider.yaml").output.empty());
+  repository.write("legged/strider.yaml", Repository::walker("[Legs, Arms]"));
+  CHECK(repository.run("directorc diff --git HEAD legged/strider.yaml").output == moved());
+  CHECK(repository.run("directorc diff --staged legged/strider.yaml").output.empty());
+  CHECK(repository.run("git add . && directorc diff --staged legged/strider.yaml").output == moved());
+  // The hook too.
+  REQUIRE(
+      repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit").status ==
+      0);
+  const Ran hook = repository.run("cd legged && git commit --quiet -m moved");
+  CHECK(hook.output == "legged/strider.yaml:\n" + moved() + "\n");
+  CHECK(hook.status == 0);
+  CHECK(repository.run("directorc diff --git HEAD~1 legged/strider.yaml").output ==
+        moved().replace(moved().find("HEAD"), 4, "HEAD~1"));
 }
 
 TEST_CASE("what the old one imported is read in that revision too") {
@@ -76,7 +127,10 @@ TEST_CASE("a revision or a file that there is not is said, with status 2") {
   CHECK(option.output == "directorc: git knows no revision `--help`\n");
   repository.write("new.yaml", Repository::walker("[]"));
   const Ran file = repository.run("directorc diff --git HEAD new.yaml");
-  CHECK(file.output == "directorc: cannot read `HEAD:/new.yaml`: no such file in the revision `HEAD`\n");
+  CHECK(file.output ==
+        "directorc: cannot read `HEAD:new.yaml`: no such file in the revision `HEAD`\n"
+        "  help: where it was called otherwise, `git add new.yaml` lets git see that; any two files are compared "
+        "with `directorc diff OLD NEW`\n");
   CHECK(file.status == 2);
   const TemporaryFolder outside;
   const Ran none = run_command("directorc diff --git HEAD walker.yaml 2>&1 | tail -n 1", outside.path());
@@ -88,6 +142,20 @@ TEST_CASE("it is a tool of git difftool, and imports are those beside the new fi
   repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
   const Ran ran = repository.run("git difftool --no-prompt -x 'directorc diff' HEAD -- robot/walker.yaml");
   CHECK(ran.output.find("  `Walk` now needs `Arms`\n") != std::string::npos);
+}
+
+TEST_CASE("of a file that is new or gone git's difftool has nothing to compare") {
+  const Repository repository;
+  repository.write("new.yaml", Repository::walker("[]"));
+  REQUIRE(repository.run("git add new.yaml && git rm --quiet robot/walker.yaml").status == 0);
+  const auto tool = [&](const std::string& file) {
+    return repository.run("git difftool --no-prompt -x 'directorc diff' HEAD -- " + file).output;
+  };
+  CHECK(tool("new.yaml") == "`new.yaml` is new: there is nothing to compare\n");
+  CHECK(tool("robot/walker.yaml").ends_with("walker.yaml` is gone: there is nothing to compare\n"));
+  const Ran json = repository.run("directorc diff --format=json /dev/null new.yaml");
+  CHECK(json.output == "{\n  \"breaking\": false,\n  \"changes\": []\n}\n");
+  CHECK(json.status == 0);
 }
 
 TEST_CASE("the hook tells, and refuses what it was told to") {
@@ -118,7 +186,8 @@ TEST_CASE("what is staged is compared, with what it imports, not what lies there
   // The file in the folder has gone on since.
   repository.write("robot/walker.yaml", "no behaviour any more");
   CHECK(repository.run("directorc diff --staged robot/walker.yaml").output == needs_arms);
-  CHECK(repository.run("cd robot/parts && directorc diff --staged --git HEAD \"$PWD/../walker.yaml\" --breaking=needs_added")
+  CHECK(repository
+            .run("cd robot/parts && directorc diff --staged --git HEAD \"$PWD/../walker.yaml\" --breaking=needs_added")
             .status == 1);
   // What it imports too: its own change is staged, and then undone in the folder.
   repository.write("robot/parts/legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {stop: true}, Arms: {}}\n");
@@ -127,19 +196,19 @@ TEST_CASE("what is staged is compared, with what it imports, not what lies there
         "handler: A start or stop handler is new, is gone, or sets other values.\n"
         "  `Legs` now has a stop handler (C++ has to follow)\n"
         "    now    robot/parts/legs.yaml:3:23\n"
-        "    before HEAD:/robot/parts/legs.yaml:3:10\n"
+        "    before HEAD:robot/parts/legs.yaml:3:10\n"
         "\n" +
             std::string(needs_arms).replace(std::string(needs_arms).find("1 change"), 8, "2 changes"));
 }
 
 TEST_CASE("a file that is not staged, or lies in no repository, is said") {
   const Repository repository;
-  const Ran gone = repository.run("git rm --quiet --cached robot/walker.yaml && directorc diff --staged robot/walker.yaml");
+  const Ran gone =
+      repository.run("git rm --quiet --cached robot/walker.yaml && directorc diff --staged robot/walker.yaml");
   CHECK(gone.output == "directorc: cannot read `robot/walker.yaml`: no such file is staged\n");
   CHECK(gone.status == 2);
   const Ran two = repository.run("directorc diff --staged robot/walker.yaml robot/walker.yaml");
-  CHECK(two.output ==
-        "directorc: with --git or --staged there is one file: directorc diff --git REVISION FILE\n");
+  CHECK(two.output == "directorc: with --git or --staged there is one file: directorc diff --git REVISION FILE\n");
   const TemporaryFolder outside;
   const Ran none = run_command("directorc diff --staged walker.yaml 2>&1 | tail -n 1", outside.path());
   CHECK(none.output == "directorc: `walker.yaml` is in no git repository\n");
@@ -147,15 +216,21 @@ TEST_CASE("a file that is not staged, or lies in no repository, is said") {
 
 TEST_CASE("the hook judges what is committed, not what lies beside it") {
   const Repository repository;
-  REQUIRE(repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit && "
-                         "git config director.breaking needs_added").status == 0);
+  REQUIRE(repository
+              .run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() +
+                   "' .git/hooks/pre-commit && "
+                   "git config director.breaking needs_added")
+              .status == 0);
   const std::string refused = std::string("robot/walker.yaml:\n") +
                               "needs_added: A provider needs one more group.\n"
                               "  breaking: `Walk` now needs `Arms`\n"
                               "    now    robot/walker.yaml:5:31\n"
-                              "    before HEAD:/robot/walker.yaml:5:10\n"
+                              "    before HEAD:robot/walker.yaml:5:10\n"
                               "\n"
-                              "1 change, 1 of them breaking\n\n";
+                              "1 change, 1 of them breaking\n\n"
+                              "pre-commit: this commit is refused for what is told above\n"
+                              "  git config director.breaking says what is breaking: needs_added\n"
+                              "  git commit --no-verify commits all the same\n";
   // A change that is not staged is no part of the commit.
   repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
   repository.write("other.yaml", "roots: of something else again\n");
@@ -178,15 +253,33 @@ TEST_CASE("the hook judges what is committed, not what lies beside it") {
   // A behaviour that the commit removes, and one that is new, have nothing to be compared with.
   repository.write("robot/walker.yaml", right);
   repository.write("new.yaml", "behaviour: new\nlanguage: 1\nroots: [Wait]\ngroups: {Wait: {}}\n");
-  const Ran others = repository.run("git rm --quiet -f robot/walker.yaml && git add new.yaml && git commit --quiet -m others");
+  const Ran others =
+      repository.run("git rm --quiet -f robot/walker.yaml && git add new.yaml && git commit --quiet -m others");
   CHECK(others.output.empty());
   CHECK(others.status == 0);
 }
 
+TEST_CASE("the hook says where the program is to be when it is not found") {
+  const Repository repository;
+  REQUIRE(
+      repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit").status ==
+      0);
+  repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
+  const Ran ran = repository.run("DIRECTORC=/nowhere/directorc git commit --quiet -a -m second");
+  CHECK(ran.output ==
+        "pre-commit: there is no program `/nowhere/directorc`: put its folder into PATH, or say where it is,\n"
+        "  DIRECTORC=/FOLDER/directorc git commit ...; git commit --no-verify commits without this hook\n");
+  CHECK(ran.status == 1); // git's own
+  CHECK(repository.run("DIRECTORC=/nowhere/directorc git commit --quiet --no-verify -a -m second").status == 0);
+}
+
 TEST_CASE("the hook works in a second working tree") {
   const Repository repository;
-  REQUIRE(repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit && "
-                         "git worktree add --quiet tree -b other").status == 0);
+  REQUIRE(repository
+              .run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() +
+                   "' .git/hooks/pre-commit && "
+                   "git worktree add --quiet tree -b other")
+              .status == 0);
   repository.write("tree/robot/walker.yaml", Repository::walker("[Legs, Arms]"));
   const Ran ran = repository.run("cd tree && git commit --quiet -a -m second");
   CHECK(ran.output == std::string("robot/walker.yaml:\n") + needs_arms + "\n");

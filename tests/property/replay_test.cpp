@@ -5,6 +5,7 @@
 //   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
 #include "compiler/lower/row_names.hpp"
 #include "compiler/play/play.hpp"
+#include "compiler/trace/lookup.hpp"
 #include "compiler/trace/replay.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "tests/property/compiled.hpp"
@@ -63,6 +64,20 @@ std::vector<std::string> lines_of(const std::string& text) {
   return out;
 }
 
+/// Each line is read and written again.
+std::string written_again(const std::string& recorded, const Compiled& compiled) {
+  const director::compiler::RowNames rows(compiled.model, compiled.lowered);
+  const director::Names names = rows.names();
+  const director::compiler::Lookup lookup(names);
+  director::compiler::TraceLines lines(recorded);
+  std::string out;
+  while (const auto line = lines.next()) {
+    director::append_event(lookup.event(line->json).event, names, out);
+    out += '\n';
+  }
+  return out;
+}
+
 /// One priority is another one.
 std::string mutated(std::string behaviour, Random& random) {
   constexpr std::string_view word = "priority: ";
@@ -87,6 +102,7 @@ TEST_CASE("what was recorded of random scenarios is the same when it is played a
     const CompileResult result = compile(behaviour, scenario);
     REQUIRE(result.compiled);
     const std::string recorded = record(*result.compiled);
+    CHECK(written_again(recorded, *result.compiled) == recorded); // else it would be taken for damaged
     const auto replayed = replay(recorded, *result.compiled);
     if (replayed.difference)
       FAIL("line " << replayed.difference->line << "\n"

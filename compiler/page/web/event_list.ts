@@ -25,7 +25,7 @@ export class EventList {
     const shown = events.filter((each) => each <= event).length - 1; // the last one that has happened
     this.list.replaceChildren(...events.map((each, i) => this.row(each, i === shown, each > event)));
     const current = this.list.children[shown] as HTMLElement | undefined;
-    if (current) this.element.scrollTop = Math.max(0, current.offsetTop - this.element.offsetTop - this.element.clientHeight / 2);
+    if (current) this.element.scrollTop += current.getBoundingClientRect().top - this.element.getBoundingClientRect().top - this.element.clientHeight / 2;
     if (events.length === 0) this.list.append(make('li', {}, 'None that the filter lets through.'));
   }
 

@@ -102,7 +102,9 @@ function textOf(shape: Shape, names: Names): string {
     case 'exhausted': return 'budget_exhausted';
     case 'lost': return `lost ${line.count} ${line.count === 1 ? 'input' : 'inputs'}`;
     case 'dropped': return `${line.count} ${line.count === 1 ? 'event is' : 'events are'} missing`;
-    case 'grant': return shape.from === nobody || shape.from === limbo ? `grant ${line.edge}` : `take over ${groupName}: ${line.edge} from ${line.from}`;
+    case 'grant':
+      if (shape.edge === limbo) return `hold ${groupName} for whoever comes after it`;
+      return shape.from === nobody || shape.from === limbo ? `grant ${line.edge}` : `take over ${groupName}: ${line.edge} from ${line.from}`;
     case 'lose': return `lose ${groupName}`;
     case 'withdraw': case 'ask': case 'keep': return `${line.event} ${line.edge}${line.level === undefined ? '' : `, level ${line.level}`}`;
     case 'begin': return 'begin';

@@ -71,6 +71,25 @@ TEST_CASE("a scenario that cannot be read, one whose behaviour cannot, and one o
   CHECK(world.err.find("s.yaml:1:12: error: `bulb.yaml` has no `roots`") == 0);
 }
 
+TEST_CASE("an error of a file that several scenarios share is told once") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp, Bulb]\ngroups: {Lamp: {}}\n");
+  for (const char* name : {"a.yaml", "b.yaml", "c.yaml"})
+    world.files.add(name, "behaviour: lamp.yaml\nsteps: [{request: Lamp}]\n");
+  CHECK(world.directorc({"test", "a.yaml"}) == 1);
+  const std::string once = world.err;
+  CHECK(once.starts_with("lamp.yaml:3:15: error: "));
+  CHECK(world.directorc({"test", "a.yaml", "b.yaml", "c.yaml"}) == 1);
+  CHECK(world.err == once + "directorc: `b.yaml` cannot be played either: 1 error is told above\n"
+                            "directorc: `c.yaml` cannot be played either: 1 error is told above\n");
+  CHECK(world.out == "0 of 3 hold\n");
+  // One of its own, and two tests one after another.
+  world.files.add("b.yaml", "behaviour: lamp.yaml\nsteps: [{reqest: Lamp}]\n");
+  CHECK(world.directorc({"test", "a.yaml", "b.yaml", "c.yaml"}) == 1);
+  CHECK(world.err.find("b.yaml:2:") != std::string::npos);
+  CHECK(world.err.ends_with("directorc: `c.yaml` cannot be played either: 1 error is told above\n"));
+}
+
 TEST_CASE("every stage can be printed") {
   World world = lamp("''");
   for (const std::string stage : {"spec", "model", "graph", "tables"}) {

@@ -85,6 +85,24 @@ TEST_CASE("a trace as JSON is the trace") {
   CHECK(world.outputs.files.at("again.jsonl") == trace_in(world));
 }
 
+TEST_CASE("bytes for Perfetto go to no terminal, and who reads it there is told how to look at them") {
+  World world = with_trace();
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto"}) == 0); // into a pipe
+  const std::string bytes = world.out;
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto", "-o", "run.perfetto-trace"}) == 0);
+  CHECK(world.err.empty());
+  world.width = 80;
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto"}) == 2);
+  CHECK(world.out.empty());
+  CHECK(world.err == "directorc: --to=perfetto writes bytes that a terminal cannot show: -o FILE.perfetto-trace writes "
+                     "them to a file, for https://ui.perfetto.dev\n");
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto", "-o", "run.perfetto-trace"}) == 0);
+  CHECK(world.outputs.files.at("run.perfetto-trace") == bytes);
+  CHECK(world.err ==
+        "directorc: wrote `run.perfetto-trace`; `Open trace file` on https://ui.perfetto.dev shows it, and "
+        "keeps it on this machine\n");
+}
+
 TEST_CASE("of a trace that was cut off in its last line the rest is read") {
   World world = with_trace();
   world.directorc({"trace", "run.jsonl"});
@@ -108,17 +126,24 @@ TEST_CASE("what is no trace is said with its line") {
     return world.err + world.out;
   };
   const std::string header = traced_line(trace_in(world), 1) + "\n";
-  CHECK(say("") == "bad.jsonl:1: error: this is no trace: its first line is not the header of one\n");
-  CHECK(say("\xff\x00\n{}") == "bad.jsonl:1: error: this is no trace: its first line is not the header of one\n");
+  const std::string none = "bad.jsonl:1: error: this is no trace: its first line is not the header of one\n"
+                           "  help: expected are the JSON lines of a recorder or of `directorc simulate --trace`; a "
+                           ".perfetto-trace is opened "
+                           "on https://ui.perfetto.dev\n";
+  CHECK(say("") == none);
+  CHECK(say("\xff\x00\n{}") == none);
   CHECK(say("{\"director_trace\":2}\n") == "bad.jsonl:1: error: a trace of version 2; this program reads version 1\n");
-  CHECK(say(header + "{\"t\":\n{}\n") == "bad.jsonl:2: error: this is no line of a trace\n");
-  CHECK(say(header + "[]\n") == "bad.jsonl:2: error: this is no line of a trace\n");
-  world.files.add("bad.jsonl", header + "{\"event\":\"run\",\"group\":\"Nobody\"}\n");
-  CHECK(world.directorc({"trace", "bad.jsonl"}) == 1);
-  CHECK(world.err == "bad.jsonl:2: error: the behaviour has no group called `Nobody`\n");
-  world.files.add("bad.jsonl", header + "{\"event\":\"run\",\"group\":\"Drive\"}\n");
-  CHECK(world.directorc({"trace", "bad.jsonl"}) == 1);
-  CHECK(world.err == "bad.jsonl:2: error: `run` without its provider\n");
+  const std::string help = "  help: expected is one JSON object a line, an event each, as a recorder writes them; the "
+                           "lines before are good: `head -n 1 bad.jsonl` prints them\n";
+  const std::string unreadable = "bad.jsonl:2: error: this line cannot be read: ";
+  const std::string none_before = "bad.jsonl: 0 events the same, up to line 2, which cannot be read\n";
+  CHECK(say(header + "{\"t\":\n{}\n") == unreadable + "it is no JSON object\n" + help + none_before);
+  CHECK(say(header + "[]\n") == unreadable + "it is no JSON object\n" + help + none_before);
+  CHECK(say(header + "{}\n") == unreadable + "it names no event\n" + help + none_before);
+  CHECK(say(header + "{\"event\":\"run\",\"group\":\"Nobody\"}\n") ==
+        unreadable + "the behaviour has no group called `Nobody`\n" + help + none_before);
+  CHECK(say(header + "{\"event\":\"run\",\"group\":\"Drive\"}\n") ==
+        unreadable + "`run` without its provider\n" + help + none_before);
   CHECK(world.directorc({"trace", "none.jsonl"}) == 2);
 }
 
@@ -129,6 +154,86 @@ TEST_CASE("the same behaviour decides the same") {
   CHECK(world.directorc({"replay", "run.jsonl", "--format=json"}) == 0);
   CHECK(world.out ==
         "{\"trace\":\"run.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":37,\"dropped\":0}\n");
+}
+
+TEST_CASE("a damaged line ends a replay, and is never a decision") {
+  World world = with_trace();
+  std::string other = rover_that_is_recorded;
+  other.replace(other.find("priority: 20"), 12, "priority: 21"); // nothing is decided otherwise
+  world.files.add("other.yaml", other);
+  const auto replay_with = [&](std::size_t damaged, const std::string& text, const char* behaviour) {
+    std::string some;
+    for (std::size_t i = 1; i <= 38; ++i) some += (i == damaged ? text : traced_line(trace_in(world), i)) + "\n";
+    world.files.add("bad.jsonl", some);
+    CHECK(world.directorc({"replay", "bad.jsonl", std::string("--behaviour=") + behaviour}) == 1);
+    return world.err.substr(0, world.err.find('\n') + 1) + world.out;
+  };
+  CHECK(replay_with(18, "garbage", "rover.yaml") ==
+        "bad.jsonl:18: error: this line cannot be read: it is no JSON object\n"
+        "bad.jsonl: 16 events the same, up to line 18, which cannot be read\n");
+  CHECK(replay_with(18, R"({"t":0,"n":5,"event":"push","group":"Drive","edge":"root>Photograph"})", "other.yaml") ==
+        "bad.jsonl:18: error: this line cannot be read: `push` without its provider\n"
+        "bad.jsonl: 16 events the same by `other.yaml`, another version than the one recorded, up to line 18, which "
+        "cannot be read\n");
+  CHECK(replay_with(18, R"({"t":0,"n":5,"event":"push","group":"Drvie","provider":"braking","edge":"root>Photograph"})",
+                    "other.yaml")
+            .starts_with("bad.jsonl:18: error: this line cannot be read: the behaviour has no group called `Drvie`\n"));
+  const std::string line = traced_line(trace_in(world), 18);
+  CHECK(replay_with(18, "{" + line.substr(line.find("\"event")), "rover.yaml") ==
+        "bad.jsonl:18: error: this line cannot be read: a recorder would have written it as " +
+            std::string("{\"t\":0,\"n\":0,") + line.substr(line.find("\"event")) + "\n" +
+            "bad.jsonl: 16 events the same, up to line 18, which cannot be read\n");
+  CHECK(world.directorc({"replay", "bad.jsonl", "--format=json"}) == 1);
+  CHECK(world.out.starts_with(
+      "{\"trace\":\"bad.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":16,"
+      "\"dropped\":0,\"unreadable\":{\"line\":18,\"problem\":\"a recorder would"));
+  // Whichever line it is.
+  for (std::size_t damaged = 2; damaged <= 38; ++damaged) {
+    const std::string at = std::to_string(damaged), before = std::to_string(damaged - 2);
+    CHECK(replay_with(damaged, "{\"t\":0", "rover.yaml") ==
+          "bad.jsonl:" + at + ": error: this line cannot be read: it is no JSON object\nbad.jsonl: " + before +
+              (damaged == 3 ? " event" : " events") + " the same, up to line " + at + ", which cannot be read\n");
+    CHECK(replay_with(damaged, "{\"t\":0,\"event\":\"rnu\"}", "rover.yaml") ==
+          "bad.jsonl:" + at + ": error: this line cannot be read: no event is called `rnu`\nbad.jsonl: " + before +
+              (damaged == 3 ? " event" : " events") + " the same, up to line " + at + ", which cannot be read\n");
+  }
+}
+
+TEST_CASE("where the version that was recorded decides otherwise, it is the trace that is not as it was") {
+  World world = with_trace();
+  std::string some;
+  for (std::size_t i = 1; i <= 38; ++i) some += i == 19 ? "" : traced_line(trace_in(world), i) + "\n";
+  world.files.add("less.jsonl", some);
+  CHECK(world.directorc({"replay", "less.jsonl"}) == 1);
+  CHECK(world.out == R"(less.jsonl:19: event 18, at 0.000000 s, is decided otherwise
+  recorded: run Drive.braking pushed
+  replayed: queue root>Photograph: waiting for Motion == still
+  17 events before it are the same
+  it is the version that was recorded: lines of the trace are missing or were changed, or another version of Director recorded it
+)");
+}
+
+TEST_CASE("damage behind a decision that is another one does not hide it") {
+  World world = with_trace();
+  std::string other = rover_that_is_recorded;
+  other.replace(other.find("priority: 20"), 12, "priority: 5");
+  world.files.add("other.yaml", other);
+  std::string some;
+  for (std::size_t i = 1; i <= 18; ++i) some += traced_line(trace_in(world), i) + "\n";
+  world.files.add("bad.jsonl", some + "garbage\n");
+  CHECK(world.directorc({"replay", "bad.jsonl", "--behaviour=other.yaml"}) == 1);
+  CHECK(world.out.starts_with("bad.jsonl:18: event 17, at 0.000000 s, is decided otherwise"));
+  CHECK(world.err.empty());
+}
+
+TEST_CASE("the page of a trace with a damaged line says so, and from where on `why` is not known") {
+  World world = with_trace();
+  std::string some = trace_in(world);
+  const std::string line = traced_line(some, 18);
+  some.replace(some.find(line), line.find("\"n\""), "{");
+  world.files.add("bad.jsonl", some);
+  CHECK(world.directorc({"trace", "bad.jsonl", "--to=html", "-o", "page.html"}) == 1);
+  CHECK(world.err.starts_with("bad.jsonl:18: error: this line cannot be read: a recorder would have written it as {"));
 }
 
 TEST_CASE("another version decides otherwise, and it is said where") {
@@ -160,10 +265,8 @@ TEST_CASE("a version without something that was recorded") {
   CHECK(
       world.out ==
       R"(run.jsonl:7: event 6, at 0.000000 s, is decided otherwise by `other.yaml`, another version than the one recorded
-  recorded: )" +
-          traced_line(trace_in(world), 7) +
-          R"(
-  replayed: the behaviour has no edge called `Explore>Drive`
+  recorded: ask Explore>Drive
+  replayed: the behaviour has no task called `Explore>Drive`
   5 events before it are the same
 )");
 }

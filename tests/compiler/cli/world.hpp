@@ -27,14 +27,14 @@ struct World {
   FakePrograms programs;
   std::string out, err;
 
-  std::size_t width = 0; ///< of the terminal; 0: it is none
+  std::size_t width = 0; ///< of the terminal that both streams are; 0: they are none
   bool colours = false;  ///< what goes to `out` may have them
 
   /// As main does it; gives the exit status.
   int directorc(const std::vector<std::string>& words) {
     std::ostringstream said, complained;
     compiler::cli::Console console{said, complained, colours, false, files, outputs, programs};
-    console.out_width = width;
+    console.out_width = console.err_width = width;
     const compiler::cli::Request request = compiler::cli::parse(words);
     const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
     out = said.str();

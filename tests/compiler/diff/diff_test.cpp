@@ -111,6 +111,14 @@ TEST_CASE("two tasks change ranks: the one gains what the other loses") {
       "transition_changed: from `Walk` to `Kick`: waits now, before hard\n");
 }
 
+TEST_CASE("another number that changes no rank is told as that: who could take a group still can") {
+  const char* const plain = "groups: {Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
+  CHECK(told(std::string("roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n") + plain,
+             std::string("roots: {Walk: {priority: 10}, Kick: {priority: 30}}\n") + plain) ==
+        "priority: the program asks for `Kick` with priority 30, before with priority 20; who can take a group from "
+        "whom is as before\n");
+}
+
 TEST_CASE("a task that leads to one more group can take that group too") {
   const char* const roots = "roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n";
   CHECK(

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Tests the traces for Perfetto: what protoc reads of them with the numbers of Perfetto's schema.
+#include "runtime/hosted/trace/recorder.hpp"
+#include "tests/runtime/hosted/trace/lamp.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
+#include <thread>
 
 using namespace director::tests;
 
@@ -48,7 +57,81 @@ std::string decoded(const std::string& scenario, std::string& slices) {
   return ran.output;
 }
 
+/// What protoc reads of these bytes.
+std::vector<Packet> packets_in(const std::string& bytes) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "t.pftrace").string();
+  std::ofstream(file, std::ios::binary) << bytes;
+  const Ran ran =
+      run_command("protoc --decode=perfetto.protos.Trace tests/support/perfetto.proto <" + file, source_dir());
+  REQUIRE(ran.status == 0);
+  return packets_of(ran.output);
+}
+
+/// The packets that are whole; as Perfetto itself reads a file, one after another.
+std::string whole_packets(const std::string& bytes) {
+  std::size_t whole = 0;
+  for (std::size_t at = 0; at < bytes.size();) {
+    REQUIRE(bytes[at] == '\x0a'); // the field `packet`
+    std::uint64_t length = 0;
+    std::size_t next = at + 1;
+    for (int bits = 0; next < bytes.size(); bits += 7) {
+      const auto byte = static_cast<std::uint8_t>(bytes[next++]);
+      length |= static_cast<std::uint64_t>(byte & 127) << bits;
+      if (byte < 128) break;
+    }
+    at = next + length;
+    if (at <= bytes.size()) whole = at;
+  }
+  return bytes.substr(0, whole);
+}
+
 } // namespace
+
+TEST_CASE("a counter in a trace for Perfetto says how many inputs were lost so far") {
+  const Lamp lamp;
+  const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
+  std::string bytes;
+  format->begin(bytes);
+  for (const std::uint32_t lost : {3U, 1U, 7U}) {
+    director::Event event = lamp.event(director::Event::Kind::lost, lost * 1000);
+    event.count = lost;
+    format->event(event, bytes);
+  }
+  std::string track, seen;
+  for (const Packet& packet : packets_in(bytes)) {
+    if (packet["name"] == "\"lost inputs\"") track = packet["uuid"];
+    if (packet["type"] == "TYPE_COUNTER" && packet["track_uuid"] == track)
+      seen += packet["timestamp"] + ": " + packet["counter_value"] + "\n";
+  }
+  CHECK(seen == "3000000: 3\n3000000: 4\n7000000: 11\n"); // time does not go back
+}
+
+TEST_CASE("of a process that is killed a trace for Perfetto can be read up to shortly before its end") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "run.perfetto-trace").string();
+  const Lamp lamp;
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    director::Recorder recorder{lamp.names, file, {.interval = std::chrono::milliseconds(1), .waits = true}};
+    for (int i = 0;; ++i) recorder.tell(lamp.event(director::Event::Kind::exhausted, i));
+  }
+  while (!std::filesystem::exists(file) || std::filesystem::file_size(file) < 200'000)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  const std::string bytes = read_file(file), whole = whole_packets(bytes);
+  CHECK(bytes.size() - whole.size() < 100); // at most one packet is cut off
+  const std::vector<Packet> packets = packets_in(whole);
+  std::uint64_t events = 0;
+  for (const Packet& packet : packets) {
+    if (packet["name"] != "\"budget_exhausted\"") continue;
+    if (std::stoull("0" + packet["timestamp"]) != events * 1000) FAIL(packet["timestamp"] << " after " << events);
+    ++events;
+  }
+  CHECK(events > 5000);
+}
 
 TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time goes on") {
   for (const char* scenario : {"tests/docs/rover/rover.scenario.yaml", "tests/conformance/timers.scenario.yaml",
