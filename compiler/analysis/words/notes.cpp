@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace director::analysis {
 
 using dsl::Note;
@@ -50,8 +52,11 @@ dsl::Note runs_only_while(const Model& model, ProviderId provider, const Conditi
 void shorten(std::vector<Note>& notes, std::size_t most) {
   if (notes.size() <= most) return;
   const std::size_t more = notes.size() - (most - 1);
-  notes[most - 1].message = fmt::format("and {} more of such notes, from here on", more);
-  notes[most - 1].link = Note::Link::aside;
+  Note& left_out = notes[most - 2];
+  left_out.message = fmt::format("and {} more of such notes, from here on", more);
+  left_out.link = Note::Link::aside;
+  notes[most - 1] = std::move(notes.back());
+  if (notes[most - 1].link == Note::Link::next) notes[most - 1].link = Note::Link::aside;
   notes.resize(most);
 }
 

@@ -21,7 +21,8 @@ dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition);
 /// The condition is one of the provider's `when`.
 dsl::Note runs_only_while(const Model& model, ProviderId provider, const ConditionUse& condition);
 
-/// Of many notes the first ones, and how many more there are: who reads more of them than this reads them in the file.
+/// Of many notes the first ones, how many more there are, and the last one, on which the others may rest: who reads
+/// more of them than this reads them in the file. `most` is 2 or more.
 constexpr std::size_t most_notes = 40;
 void shorten(std::vector<dsl::Note>& notes, std::size_t most = most_notes);
 

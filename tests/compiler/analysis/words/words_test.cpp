@@ -40,14 +40,15 @@ groups: {A: {tasks: [B]}, B: {tasks: [C]}, C: {}}
         "`B`, which needs `B`, which needs `B`, which needs `B`, which needs `B`, which needs `B`, which needs `C`");
 }
 
-TEST_CASE("of many notes the first ones are kept, and how many more there are") {
+TEST_CASE("of many notes the first ones and the last one are kept, and how many more there are") {
   std::vector<dsl::Note> notes{{{}, "one"}, {{}, "two"}, {{}, "three"}, {{}, "four"}};
   shorten(notes, 4);
   CHECK(notes.size() == 4);
   shorten(notes, 3);
   REQUIRE(notes.size() == 3);
-  CHECK(notes[1].message == "two");
-  CHECK(notes[2].message == "and 2 more of such notes, from here on");
+  CHECK(notes[0].message == "one");
+  CHECK(notes[1].message == "and 2 more of such notes, from here on");
+  CHECK(notes[2].message == "four");
 }
 
 } // namespace
