@@ -253,7 +253,7 @@ private:
   DIRECTOR_PART void report_decisions(Index component) const;
   void report_cancel(Index edge) const;
   void report_queued(Index component) const;
-  void tell(Event event) const; ///< with the time, which is the same for all
+  void tell(Event&& event) const; ///< with the time, which is the same for all
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 

@@ -11,7 +11,7 @@ using Kind = Event::Kind;
 
 void Engine::observe(Observer observer) { observer_ = observer; }
 
-void Engine::tell(Event event) const {
+void Engine::tell(Event&& event) const {
   event.time = x_.s.counters->now;
   event.until = x_.s.counters->until;
   event.micro_step = x_.s.counters->micro_step;
@@ -30,7 +30,7 @@ void Engine::report_request(Kind kind, Index edge, Index level) const {
 }
 
 void Engine::report_begin() const {
-  tell({.kind = Kind::begin});
+  report(Kind::begin);
   for (Index i = 0; i < x_.t.states.size(); ++i) {
     const std::int32_t value = x_.s.values[i].value;
     if (value != x_.t.states[i].initial) report_value(Kind::given, nil, nil, i, value);
@@ -65,7 +65,7 @@ void Engine::report_timer(Timers::Timer timer) const {
     break;
   case Timers::Kind::every: event.input = Event::Input::every, event.group = timer.row; break;
   }
-  tell(event);
+  tell(std::move(event));
 }
 
 /// Since the step before.
@@ -107,13 +107,13 @@ void Engine::report_input(const Input& record) const {
     event.provider = record.thing;
     break;
   }
-  tell(event);
+  tell(std::move(event));
 }
 
 void Engine::report_decisions(Index component) const {
   const auto groups = x_.t.list(x_.t.components[component].groups);
   for (const Index g : groups) {
-    if (x_.s.last[g].push.edge != nil && x_.s.now[g].push.edge == nil) tell({.kind = Kind::release, .group = g});
+    if (x_.s.last[g].push.edge != nil && x_.s.now[g].push.edge == nil) report(Kind::release, g);
   }
   for (const Index g : groups) {
     const auto [edge, provider, condition] = x_.s.now[g].push;
