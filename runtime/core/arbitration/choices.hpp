@@ -10,7 +10,7 @@
 namespace director::arbitration {
 
 DIRECTOR_PART bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration);
-DIRECTOR_PART bool plan_fits(Context& x, Index at, bool as_it_is, bool with_conditions, bool record, Index& keep);
+DIRECTOR_PART bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_conditions, bool record);
 DIRECTOR_PART Index entries_of(Context& x, Index group, const Assignment& of);
 
 inline void drop_entries(Context& x, Index begin, Index end) {
@@ -43,7 +43,7 @@ inline Index first_false(const Context& x, Index provider, Index edge) {
 
 bool combine(Context& x, Index count, bool with_conditions);
 bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool record);
-DIRECTOR_PART bool search_combination(Context& x, Index count, bool with_conditions, bool deniable);
+DIRECTOR_PART bool search_combination(Context& x, Index count, bool with_conditions);
 void leave_combination(Context& x, Index count);
 
 } // namespace director::arbitration

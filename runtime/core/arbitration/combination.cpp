@@ -1,6 +1,7 @@
 // docs/semantics.md, section 4.4, Grant: the first combination of choices of several members, or of one that equals
 // stand in the way of. SPDX-License-Identifier: MIT
 
+#include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/base/parts.hpp"
@@ -46,9 +47,15 @@ bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, 
 
 } // namespace
 
-/// Lexicographically over the members. `deniable`: an equal may stand in the way of one; then all choices of each are
-/// looked at once, before they are combined.
-bool search_combination(Context& x, Index count, bool with_conditions, bool deniable) {
+/// Lexicographically over the members. Which holders stood in the way counts over all choices of each member, also
+/// those that are never needed: so, where there can be any, each member's are looked at once, and then combined.
+bool search_combination(Context& x, Index count, bool with_conditions) {
+  for (Index i = 0; count > 1 && i < count; ++i) x.s.member[i].edge = x.s.unit[i];
+  const bool single = count == 1 && x.t.groups[target(x, x.s.member[0].edge)].single_choice();
+  bool deniable = false;
+  for (Index at = 0; x.row.equals && !single && at < count && !deniable; ++at)
+    deniable = may_be_denied(x, x.s.member[at].edge);
+  if (count == 1 && !deniable) return next_choice(x, 0, true, with_conditions, true);
   if (deniable && !each_has_choice(x, 0, count, with_conditions, true)) return false;
   Index at = 0;
   bool fresh = true, known = deniable; // that each has a choice for itself

@@ -93,14 +93,11 @@ bool plan_as_it_is(const Context& x, Index at) {
   return true;
 }
 
-} // namespace
-
 /// Can the plan in hand be claimed, and do its conditions hold? `as_it_is`: no other than the last one. `keep`: how
 /// many entries the next plan to try may share.
-bool plan_fits(Context& x, Index at, bool as_it_is, bool with_conditions, bool record, Index& keep) {
+bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& keep) {
   const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
   keep = end;
-  if (as_it_is && !plan_as_it_is(x, at)) return false;
   for (Index i = begin; i < end; ++i) {
     if (x.s.enabled[x.s.entry[i].provider] != 0 && available(x, x.s.entry[i].group, x.s.entry[i].need, record))
       continue;
@@ -111,6 +108,24 @@ bool plan_fits(Context& x, Index at, bool as_it_is, bool with_conditions, bool r
     if (first_false(x, x.s.entry[i].provider, x.s.entry[i].need) != nil) return false;
   }
   return true;
+}
+
+} // namespace
+
+/// The first (`first`) or next plan of the provider in hand that can be claimed, and whose conditions hold. `as_it_is`:
+/// no other than the last one.
+bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_conditions, bool record) {
+  const Index provider = x.s.member[at].provider, begin = entries_begin(x, at);
+  Index& end = x.s.member[at].entries_end;
+  while (search_plan(x, provider, begin, end, first, false)) {
+    first = false;
+    ++x.work;
+    Index keep = end;
+    if ((!as_it_is || plan_as_it_is(x, at)) && plan_fits(x, at, with_conditions, record, keep)) return true;
+    drop_entries(x, keep, end);
+    end = keep;
+  }
+  return false;
 }
 
 namespace {
