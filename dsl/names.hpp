@@ -14,7 +14,7 @@ bool is_identifier(std::string_view text);
 bool is_cpp_keyword(std::string_view text);
 /// What the compiler and its library keep for themselves: `__LINE__`, `_Complex`.
 bool is_reserved_in_cpp(std::string_view text);
-/// Of the standard headers, like `EOF` and `errno`, and of POSIX, like `O_RDONLY`.
+/// Of the standard headers, like `EOF` and `errno`.
 bool is_cpp_macro(std::string_view text); // standard_names.cpp, as the next one
 /// What the standard headers and those of POSIX declare outside of all namespaces, like `abs`, `FILE` and `stat`.
 bool is_cpp_global(std::string_view text);

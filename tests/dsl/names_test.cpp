@@ -50,8 +50,7 @@ TEST_CASE("What the standard headers define is known, with its case") {
         "pthread_create", "read",  "recv",   "select",   "send",       "shutdown", "sleep",  "socket",   "stat", "tee",
         "umask",          "write", "dlopen", "sem_wait", "strcasecmp", "tcflush",  "htons",  "inet_aton"})
     CHECK(is_cpp_global(name));
-  for (const char* macro : {"O_RDONLY", "POLLIN", "S_ISDIR", "AF_INET", "MAP_FAILED", "ECHO"})
-    CHECK(is_cpp_macro(macro));
+  for (const char* name : {"B0", "ECHO", "TAB1"}) CHECK_FALSE(is_cpp_macro(name)); // of terminals: robots may have them
   for (const char* name : {"Abs", "std", "robot", "vector", ""}) CHECK_FALSE(is_cpp_global(name));
 }
 

@@ -76,7 +76,7 @@ struct Tally {
 class Batch {
 public:
   Batch(std::string command, fs::path file) : command_(std::move(command)), file_(std::move(file)) {
-    text_ = tests::standard_headers() + tests::adversary_types +
+    text_ = tests::all_headers() + tests::adversary_types +
             "#include \"runtime/core/behaviour.hpp\"\n#include <cassert>\n";
   }
 

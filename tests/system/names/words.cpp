@@ -25,15 +25,26 @@ string_view strstream syncstream system_error thread tuple type_traits typeindex
 valarray variant vector version assert.h complex.h ctype.h errno.h fenv.h float.h inttypes.h iso646.h limits.h locale.h
 math.h setjmp.h signal.h stdalign.h stdarg.h stdatomic.h stdbool.h stddef.h stdint.h stdio.h stdlib.h string.h tgmath.h
 time.h uchar.h wchar.h wctype.h
+)";
+
+/// Their macros are no words: they are not refused.
+constexpr const char* headers_of_posix = R"(
 arpa/inet.h dirent.h dlfcn.h fcntl.h netinet/in.h poll.h pthread.h sched.h semaphore.h strings.h sys/ioctl.h sys/mman.h
 sys/select.h sys/socket.h sys/stat.h sys/time.h sys/types.h sys/wait.h termios.h unistd.h
 )";
+
+std::string include_lines(const char* list) {
+  std::string out;
+  std::istringstream names(list);
+  for (std::string name; names >> name;) out += "#if __has_include(<" + name + ">)\n#include <" + name + ">\n#endif\n";
+  return out;
+}
 
 /// Beside what is read from files.
 constexpr const char* others = R"(
 _ __ ___ _0 _1 _a a_ a__b _A _Complex _Bool _Generic __asm__ __attribute__ __int128 __null __LINE__ __FILE__ __func__ __cplusplus
 stat open poll read write select socket connect bind listen accept send recv kill link sleep pause sync tee pipe nice dup fork
-access DIR dirent sockaddr termios winsize iovec flock fcntl ioctl mmap truncate shutdown linger sem_t pthread_t ECHO B0 CTRL
+access DIR dirent sockaddr termios winsize iovec flock fcntl ioctl mmap truncate shutdown linger sem_t pthread_t
 std director detail names main abs exit abort int32_t size_t time clock signal raise log exp sin index remove rename div round
 FILE tm div_t max_align_t nullptr_t string vector array function chrono placeholders posix literals
 alignas auto bool char class const default delete do double else enum export extern false float for friend goto if inline int long
@@ -65,7 +76,7 @@ void add_words(const std::string& text, std::set<std::string>& words) {
 
 void add_macros(const std::string& compiler, const fs::path& folder, std::set<std::string>& words) {
   const fs::path source = folder / "headers.cpp", macros = folder / "macros.txt";
-  std::ofstream(source) << standard_headers();
+  std::ofstream(source) << include_lines(headers);
   const std::string command =
       compiler + " -std=gnu++20 -w -dM -E '" + source.string() + "' -o '" + macros.string() + "'";
   if (std::system(command.c_str()) != 0) return;
@@ -79,12 +90,7 @@ void add_macros(const std::string& compiler, const fs::path& folder, std::set<st
 
 } // namespace
 
-std::string standard_headers() {
-  std::string out;
-  std::istringstream names(headers);
-  for (std::string name; names >> name;) out += "#if __has_include(<" + name + ">)\n#include <" + name + ">\n#endif\n";
-  return out;
-}
+std::string all_headers() { return include_lines(headers) + include_lines(headers_of_posix); }
 
 std::vector<std::string> colliding_words(const std::string& compiler, const std::string& folder) {
   std::set<std::string> words;

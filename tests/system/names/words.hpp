@@ -7,11 +7,11 @@
 
 namespace director::tests {
 
-/// The headers of standard C++ and C, each as one line `#include <...>` where the compiler has it.
-std::string standard_headers();
+/// The headers of standard C++ and C, and those of POSIX, each included where the compiler has it.
+std::string all_headers();
 
-/// Sorted, each once: the compiler's macros behind those headers, the words of the runtime and of what is generated,
-/// keywords, names of functions and types of C, and what C++ reserves. `compiler`: its command.
+/// Sorted, each once: the compiler's macros behind the headers of standard C++ and C, the words of the runtime and of
+/// what is generated, keywords, names of functions and types of C, and what C++ reserves. `compiler`: its command.
 std::vector<std::string> colliding_words(const std::string& compiler, const std::string& folder);
 
 } // namespace director::tests
