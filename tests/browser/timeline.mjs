@@ -44,10 +44,17 @@ async function scrubTo(page, part) {
   await frame(page);
 }
 
+/** What is written in a box of the picture and comes near the right side of its frame, or goes beyond. */
+const beyondFrames = (page) => page.evaluate(() => [...document.querySelectorAll('.holder:not([hidden]) g.node')].flatMap((node) => {
+  const frame = node.querySelector('path')?.getBBox();
+  return frame ? [...node.querySelectorAll('text')].filter((text) => text.getBBox().x + text.getBBox().width > frame.x + frame.width - 2).map((text) => text.textContent) : [];
+}));
+
 for (const colorScheme of ['light', 'dark']) {
   for (const name of ['minute', 'gap', 'rover']) {
     await situation(`axe finds nothing, ${colorScheme}`, name, { colorScheme, bypassCSP: true }, async (page) => {
       await press(page, 'PageUp', 'PageUp', 'ArrowRight', 'ArrowRight', 'ArrowRight');
+      assert.deepEqual(await beyondFrames(page), []);
       await all.shot(page, `${name}_${colorScheme}`);
       await page.locator('.filter summary').click();
       await check(page);
@@ -81,6 +88,7 @@ await situation('a push is shown: who waits and why, who is pushed for it, in wo
   assert.deepEqual(await page.locator('.holder:not([hidden]) g.edge.is-pushed > title').allTextContents(), ['Photograph → Drive.braking']);
   assert.deepEqual((await page.locator('.holder:not([hidden]) .note').allTextContents()).sort(), ['pushed to braking for Photograph', 'queued: until Motion == still']);
   assert.equal(await page.locator('.holder:not([hidden]) text', { hasText: '▶ braking' }).count(), 1);
+  assert.deepEqual(await beyondFrames(page), []);
   await all.shot(page, 'rover_push');
   await page.getByLabel('Moment in the picture').uncheck();
   await frame(page);

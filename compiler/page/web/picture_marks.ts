@@ -19,6 +19,7 @@ interface Box {
   groups: number[];
   heads: Map<number, SVGTextElement>; // with the name of a group that has no rows
   rows: Map<string, SVGTextElement>;
+  lengths: Map<string, string>; // of what was written in it: none where it fits
   note: SVGGElement | undefined;
   shown: string;
 }
@@ -81,7 +82,7 @@ export class PictureMarks {
       const text = texts.find((each) => each.textContent === this.names.header.groups[group].name);
       if (text) heads.set(group, text);
     }
-    return { node, groups, heads, rows, note: undefined, shown: '' };
+    return { node, groups, heads, rows, lengths: new Map(), note: undefined, shown: '' };
   }
 
   private showBox(box: Box, event: number | undefined): void {
@@ -95,10 +96,30 @@ export class PictureMarks {
     if (box.shown === shown) return;
     box.shown = shown;
     for (const each of order) box.node.classList.toggle(`is-${each}`, each === mark);
-    for (const [name, text] of box.rows) text.textContent = (name === provider ? sign : '') + name;
-    for (const [group, text] of box.heads) text.textContent = (running.has(group) ? sign : '') + this.names.header.groups[group].name;
+    for (const [name, text] of box.rows) this.write(box, text, (name === provider ? sign : '') + name, mark);
+    for (const [group, text] of box.heads) this.write(box, text, (running.has(group) ? sign : '') + this.names.header.groups[group].name, mark);
     box.note?.remove();
     box.note = note === '' ? undefined : this.note(box.node, note, mark);
+  }
+
+  /** A sign and bold letters take more room than the frame was made for: then they stand closer together. */
+  private write(box: Box, text: SVGTextElement, words: string, mark: string): void {
+    text.textContent = words;
+    text.removeAttribute('textLength');
+    if (mark === '') return; // as it was drawn
+    const key = `${mark} ${words}`;
+    let length = box.lengths.get(key);
+    if (length === undefined) {
+      const frame = box.node.querySelector('path')?.getBBox();
+      const written = text.getBBox();
+      if (!frame || frame.width === 0) return; // it is not visible
+      const room = frame.x + frame.width - 3 - Math.max(written.x, frame.x + 3);
+      length = written.width > room ? room.toFixed(1) : '';
+      box.lengths.set(key, length);
+    }
+    if (length === '') return;
+    text.setAttribute('textLength', length);
+    text.setAttribute('lengthAdjust', 'spacingAndGlyphs');
   }
 
   /** In lines as wide as the box, or somewhat wider; large enough to be read also where the picture is small. */
