@@ -102,7 +102,7 @@ groups:
 constexpr const char* servos[] = {"LeftHip",  "LeftKnee", "LeftAnkle", "RightHip", "RightKnee", "RightAnkle",
                                   "Shoulder", "Elbow",    "Gripper",   "Pan",      "Tilt"};
 
-const std::string head = "behaviour: grown\nlanguage: 1\nlimits: {pass: 1000000000}\n"; // all of it is one component
+const std::string head = "behaviour: grown\nlanguage: 1\nlimits: {trials: 1000000, pass: 1000000000}\n"; // all of it is one component
 
 /// Numbered from 0.
 std::string rows(std::size_t count, fmt::format_string<std::size_t&> row) {
