@@ -70,12 +70,9 @@ void sibling_starvation(const Input& input, Findings& findings) {
     const Taker& taker = loser.taker;
     if (taker.kind != Taker::Kind::unit || !told.emplace(taker.by, taker.over, taker.group).second) continue;
     const EdgeId edge = loser.refused.task->edge;
-    if (never_runs(input, edge) && !lost[edge].empty()) {
-      lost[edge].push_back(&loser);
-      continue;
-    }
-    if (never_runs(input, edge)) lost[edge].push_back(&loser);
-    all.push_back(&loser);
+    const bool never = never_runs(input, edge);
+    if (!never || lost.count(edge) == 0) all.push_back(&loser);
+    if (never) lost[edge].push_back(&loser);
   }
   for (const Loser* loser : all) {
     const auto at = lost.find(loser->refused.task->edge);

@@ -39,7 +39,8 @@ std::string taken(const std::string& part, bool outermost) {
     return "C++ keeps names with two underscores, or that begin with one and a capital letter, for itself";
   if (dsl::is_cpp_macro(part)) return "that is a macro of the standard headers of C++";
   if (dsl::is_director_macro(part)) return "names that begin with `DIRECTOR_` are macros of Director's own";
-  if (outermost && dsl::is_cpp_global(part)) return "the standard headers of C++, C and POSIX declare something of that name";
+  if (outermost && dsl::is_cpp_global(part))
+    return "the standard headers of C++, C and POSIX declare something of that name";
   return {};
 }
 

@@ -3,12 +3,7 @@
 # Bundles the script and the style of pages anew and compares with compiler/page/bundle. With DIRECTOR_BLESS=1 in the environment it rewrites that.
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 set(from ${ROOT}/compiler/page/web)
-set(into ${WORK}/bundle)
-file(MAKE_DIRECTORY ${into}/out)
-install_packages(${from} ${into})
-if(NOT installed)
-  return()
-endif()
+begin(${from} bundle)
 file(GLOB sources ${from}/*.ts ${from}/*.css ${from}/*.mjs ${from}/tsconfig.json)
 file(COPY ${sources} DESTINATION ${into})
 execute_process(COMMAND ${NODE} bundle.mjs out WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)

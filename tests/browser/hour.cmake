@@ -2,12 +2,7 @@
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P hour.cmake
 # Records an hour of soccer as one page.
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
-set(into ${WORK}/hour)
-file(MAKE_DIRECTORY ${into}/out)
-install_packages(${FROM} ${into})
-if(NOT installed)
-  return()
-endif()
+begin(${FROM} hour)
 file(COPY ${FROM}/hour.mjs ${FROM}/situations.mjs DESTINATION ${into})
 execute_process(COMMAND ${SOCCER} --seconds 3600 --trace ${into}/hour.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${DIRECTORC} trace ${into}/hour.jsonl --to=html --behaviour behaviours/soccer/soccer.yaml -o ${into}/out/hour.html

@@ -16,3 +16,13 @@ function(install_packages from into)
     file(TOUCH ${into}/installed)
   endif()
 endfunction()
+
+# begin(<folder with package.json> <name>): sets `into`, a folder of WORK with these packages and a folder `out`. Ends the script where npm cannot install.
+macro(begin from name)
+  set(into ${WORK}/${name})
+  file(MAKE_DIRECTORY ${into}/out)
+  install_packages(${from} ${into})
+  if(NOT installed)
+    return()
+  endif()
+endmacro()

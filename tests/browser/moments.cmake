@@ -2,12 +2,7 @@
 # cmake -D NODE=<program> -D NPM=<program> -D MOMENTS=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P moments.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 set(web ${ROOT}/compiler/page/web)
-set(into ${WORK}/engine_moments)
-file(MAKE_DIRECTORY ${into})
-install_packages(${web} ${into})
-if(NOT installed)
-  return()
-endif()
+begin(${web} engine_moments)
 file(GLOB sources ${web}/*.ts ${FROM}/moments.mjs)
 file(COPY ${sources} DESTINATION ${into})
 execute_process(COMMAND ${NODE} moments.mjs ${MOMENTS} 1 1000 WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)

@@ -1,12 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P pages.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
-set(into ${WORK}/pages)
-file(MAKE_DIRECTORY ${into})
-install_packages(${FROM} ${into})
-if(NOT installed)
-  return()
-endif()
+begin(${FROM} pages)
 file(GLOB scripts ${FROM}/*.mjs)
 file(COPY ${scripts} DESTINATION ${into})
 execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml -o ${into}/out

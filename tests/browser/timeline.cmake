@@ -2,12 +2,7 @@
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
 # Records a minute of soccer, the same with events missing, and the rover, as pages.
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
-set(into ${WORK}/timeline)
-file(MAKE_DIRECTORY ${into}/out)
-install_packages(${FROM} ${into})
-if(NOT installed)
-  return()
-endif()
+begin(${FROM} timeline)
 file(GLOB scripts ${FROM}/*.mjs)
 file(COPY ${scripts} DESTINATION ${into})
 execute_process(COMMAND ${SOCCER} --trace ${into}/minute.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

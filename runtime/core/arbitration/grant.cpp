@@ -22,7 +22,7 @@ void try_members(Context& x, Index count, bool outdated) {
   if (outdated && any_new(x, count) && !injected(Fault::outdated_orders_acquire)) return wait_for_orders(x, count);
   if (count == 1 && taken(x, x.s.member[0].edge)) return block(x, 1);
   if (!combine(x, count, true)) return x.t.conditions.empty() ? block(x, count) : refuse(x, count);
-  if (x.stale_granted == 0 || !premature(x, count)) return grant(x, count);
+  if (!premature(x, count)) return grant(x, count);
   x.depends_on_stale = true;
   leave_combination(x, count);
   defer(x, count); // of a stale requester nothing gets here: the members in hand are those of the unit

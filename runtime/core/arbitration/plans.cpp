@@ -93,8 +93,8 @@ bool plan_as_it_is(const Context& x, Index at) {
   return true;
 }
 
-/// Can the plan in hand be claimed, and do its conditions hold? `as_it_is`: no other than the last one. `keep`: how
-/// many entries the next plan to try may share.
+/// Can the plan in hand be claimed, and do its conditions hold? `keep`: how many entries the next plan to try may
+/// share.
 bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& keep) {
   const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
   keep = end;

@@ -61,9 +61,9 @@ void defer(Context& x, Index count) {
   }
 }
 
-/// For a member that is new, the combination in hand claims what a stale group that goes before it may still ask for.
-bool premature(Context& x, Index count) {
-  if (x.stale_granted == 0 || injected(Fault::nothing_is_deferred)) return false;
+/// There are stale groups that are granted.
+bool takes_from_stale(Context& x, Index count) {
+  if (injected(Fault::nothing_is_deferred)) return false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.member[at].edge;
     if (runs_for_now(x, edge)) continue;

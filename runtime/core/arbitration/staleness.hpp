@@ -13,13 +13,16 @@ DIRECTOR_PART Index stale_source(const Context& x, Index group);
 DIRECTOR_PART bool any_new(const Context& x, Index count);
 DIRECTOR_PART void wait_for_orders(Context& x, Index count);
 DIRECTOR_PART void defer(Context& x, Index count);
-DIRECTOR_PART bool premature(Context& x, Index count);
+DIRECTOR_PART bool takes_from_stale(Context& x, Index count);
 bool reached_from_stale(Context& x, Index found, Index edge);
 bool outdates(const Context& x, Index group);
 
 inline bool is_outdated(const Context& x, Index group) { return (x.s.group_marks[group] & mark::outdated) != 0; }
 
 inline bool stale(const Context& x, Index group) { return stale_source(x, group) != up_to_date; }
+
+/// For a member that is new, the combination in hand claims what a stale group that goes before it may still ask for.
+inline bool premature(Context& x, Index count) { return x.stale_granted != 0 && takes_from_stale(x, count); }
 
 inline bool stale_requester(const Context& x, Index edge) {
   const Index group = x.t.edges[edge].requester;
