@@ -40,6 +40,7 @@ constexpr Parts parts_of(const Tables& t, bool data) {
     return false;
   };
   const bool requests = t.edges.size() > t.root_edges;
+  const bool shared = any(t.components, [](const Component& row) { return row.groups.size() > 1; }); // by groups
   const bool pushes = any(t.conditions, [](const Condition& row) { return !row.causers.empty(); });
   const bool equals = any(t.components, [](const Component& row) { return row.equals; });
   const bool search = t.most_edges > 1 || equals;
@@ -51,10 +52,10 @@ constexpr Parts parts_of(const Tables& t, bool data) {
                       any(t.states, [](const StateVariable& row) { return row.expires != 0; });
   const auto use = [](bool used, const char& name) { return used ? &name : nullptr; };
   return {use(requests, part::units),
-          use(requests, part::staleness),
-          use(requests, part::plans),
-          use(requests, part::limbo),
-          use(requests || t.components.size() > 1, part::order),
+          use(shared, part::staleness),
+          use(shared || pushes, part::plans),
+          use(shared, part::limbo),
+          use(shared || t.components.size() > 1, part::order),
           use(!t.conditions.empty(), part::conditions),
           use(pushes, part::pushes),
           use(equals, part::equals),
