@@ -25,9 +25,9 @@ bool waived(const Context& x, Index provider, Index condition, Index edge) {
   const Index group = x.t.providers[provider].group;
   const Push& push = x.s.now[group].push;
   if (injected(Fault::nothing_is_waived)) return false;
-  if (push.edge == nil || push.provider != provider || (x.s.last[group].flags & flag::in_force) == 0 ||
-      x.s.last[group].push.provider != provider)
-    return false;
+  if (push.edge == nil || push.provider != provider) return false;
+  x.depends_on_last = true;
+  if ((x.s.last[group].flags & flag::in_force) == 0 || x.s.last[group].push.provider != provider) return false;
   for (const Index state : x.t.list(x.t.providers[provider].causing)) {
     if (state == x.t.conditions[condition].state) return applies(x, push, edge);
   }

@@ -32,15 +32,15 @@ void keep_in_limbo(Context& x, Index group) {
   sweep_below(x, group);
 }
 
-/// What was in limbo goes in the order of declaration from now on: so what is queued below it may find other groups
-/// claimed than last time.
-void reach_queued_in_limbo(Context& x) {
+/// What was in limbo goes in the order of declaration from now on: so what is below it, and has a choice or is queued,
+/// may find other groups claimed than last time.
+void reach_below_limbo(Context& x) {
   for (Index i = x.s.order_count[x.component]; i-- != 0;) { // limbo comes last
     const Index group = x.s.order[x.row.order + i];
     if (!lies_in_limbo(x, group)) return;
     const Range edges = x.s.now[group].holder == nil ? x.t.groups[group].edges : Range{};
     for (Index e = edges.begin; e != edges.end; ++e) {
-      if (x.s.queued[e].why != Why::none) reach_edge(x, e);
+      if (x.s.queued[e].why != Why::none || !x.t.groups[target(x, e)].simple) reach_edge(x, e);
     }
   }
 }
@@ -50,7 +50,7 @@ void reach_queued_in_limbo(Context& x) {
 /// Hand-over: live groups that nobody claims are kept for an heir that is about to run.
 void keep_for_heirs(Context& x) {
   if (injected(Fault::nobody_inherits)) return;
-  if (!x.whole) reach_queued_in_limbo(x);
+  if (!x.whole) reach_below_limbo(x);
   for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
     const Index group = x.s.order[x.row.order + i];
     if (x.s.last[group].active == nil || x.s.now[group].holder != nil) continue;

@@ -257,8 +257,6 @@ void push_for(Context& x, Index count, Index unmet) {
     x.s.first[at] = Push{};
     x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
   };
-  // It looks at the requests, claims and pushes of many.
-  for (Index at = 0; at < count; ++at) x.s.edge_trail[x.s.member[at].edge] |= trail::waits;
   for (Index at = 0; at < x.pushed_count; ++at) begin(at);
   bool all_served = true;
   for (Index i = 0; i < unmet; ++i) {
@@ -270,6 +268,8 @@ void push_for(Context& x, Index count, Index unmet) {
     }
     Push push;
     if (served) continue;
+    // The search looks at the requests, claims and pushes of many.
+    for (Index at = 0; at < count; ++at) x.s.edge_trail[x.s.member[at].edge] |= trail::waits;
     if (!find_chain(x, x.s.unmet[i].condition, x.s.unmet[i].member, push)) {
       all_served = false;
       continue;

@@ -169,7 +169,7 @@ void take_up_last(Context& x, Index group) {
   if (injected(Fault::the_last_result_is_overlooked)) return;
   each_user_edge(x, group, [&](Index e) {
     if (stands_behind(x, e)) return;
-    if (x.had_pushes || (x.s.edge_trail[e] & trail::on_last) != 0) reach_edge(x, e);
+    if ((x.s.edge_trail[e] & trail::on_last) != 0) reach_edge(x, e);
   });
 }
 
