@@ -25,9 +25,9 @@ extern const char units, staleness, plans, limbo, order, conditions, pushes, equ
 extern const char timers, together, several, states, handlers, promises, data; // engine
 } // namespace part
 
-/// A component of at most so many groups is decided whole: to find out what a change reaches costs more there. Where
-/// memory is short it is more, as what finds that out is code of its own: 5 kB, for an eighth of the time at 24 groups.
-inline constexpr Index most_decided_whole = sizeof(Index) == 2 ? 32 : 16;
+/// A component of at most so many groups is decided whole: to find out what a change reaches costs more there. It is
+/// more on a 32-bit machine, as what finds that out is code of its own: 5 kB, for an eighth of the time at 24 groups.
+inline constexpr Index most_decided_whole = sizeof(void*) < 8 ? 32 : 16;
 
 using Parts = std::array<const char*, 17>;
 
