@@ -47,7 +47,7 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
   if (injected(Fault::equals_take) || (x.s.edge_marks[holder] & mark::refused) != 0 || !alive(x, holder) ||
       compare(x, {edge, Chains::current}, {holder, Chains::previous}, false) != 0)
     return false;
-  x.depends_on_last = x.depends_on_stale = true;
+  x.depends_on_last = x.depends_on_stale = x.depends_on_all_stale = true;
   if ((x.s.group_marks[group] & mark::forgotten) != 0) return false;
   if (record && (x.s.group_marks[group] & mark::denied) == 0) {
     open(x, group);

@@ -42,6 +42,7 @@ struct Context {
   bool disturbed = false; ///< something is, or may be, another than in the last pass
   /// The result may be another one when it is the last assignment itself, or when other groups are stale.
   mutable bool depends_on_last = false, depends_on_stale = false;
+  bool depends_on_all_stale = false;      ///< on more of these than those that RunQueueEntry::counts names
   bool on_last = false, on_stale = false; ///< the same of the units decided before the one in hand
 
   // Pushes.

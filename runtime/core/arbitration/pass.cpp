@@ -40,7 +40,7 @@ void finish(Context& x) {
   for (const Index g : opened(x)) {
     if (x.s.now[g].holder == nil || x.s.now[g].active != nil || x.s.last[g].active == nil) continue;
     x.depends_on_last = x.depends_on_stale = true;
-    if (stale(x, g) || injected(Fault::unwanted_needs_live_on)) x.s.now[g].active = x.s.last[g].active;
+    if (waits_for_stale(x, g) || injected(Fault::unwanted_needs_live_on)) x.s.now[g].active = x.s.last[g].active;
   }
   x.s.next_count[x.component] = x.placed;
   x.s.first_moved[x.component] = x.first_moved;
@@ -59,7 +59,7 @@ void decide(Context& x, Index component) {
   x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = 0;
   x.whole ? open_all(x) : begin_trail(x);
   x.had_pushes = x.pushed_count != 0;
-  x.depends_on_stale = false;
+  x.depends_on_stale = x.depends_on_all_stale = false;
   x.depends_on_last = x.had_pushes || x.s.on_last[component] != 0;
   if ((x.s.component[component] & work::reordered) != 0) {
     x.s.component[component] &= static_cast<std::uint8_t>(~work::reordered);

@@ -226,6 +226,7 @@ void keep_own_pushes(Context& x, Index count) {
   if (!injected(Fault::served_pushes_end)) keep_serving_pushes(x, count);
   // What serves one member of a unit serves all; below a stale group each member has only its own.
   x.depends_on_stale = x.depends_on_stale || count > 1;
+  x.depends_on_all_stale = x.depends_on_all_stale || count > 1;
 }
 
 /// The group has a push, in the last assignment or in this one.

@@ -92,7 +92,10 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
       const Index group = x.t.edges[up].requester;
       if (group == nil || (x.s.group_marks[group] & mark::reached) != 0) continue;
       x.s.group_marks[group] |= mark::reached;
-      yes = yes || counts(group);
+      if (!yes && counts(group)) {
+        x.s.run_queue[group].counts = 1; // its run
+        yes = true;
+      }
       bool listed = false;
       for (Index j = 0; j < claims; ++j) listed = listed || x.s.reach[j] == group;
       if (!listed) x.s.reach[found++] = group;

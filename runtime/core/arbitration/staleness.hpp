@@ -21,6 +21,13 @@ inline bool is_outdated(const Context& x, Index group) { return (x.s.group_marks
 
 inline bool stale(const Context& x, Index group) { return stale_source(x, group) != up_to_date; }
 
+/// The same, and its run counts.
+inline bool waits_for_stale(Context& x, Index group) {
+  const Index source = stale_source(x, group);
+  if (source < x.t.groups.size()) x.s.run_queue[source].counts = 1;
+  return source != up_to_date;
+}
+
 /// For a member that is new, the combination in hand claims what a stale group that goes before it may still ask for.
 inline bool premature(Context& x, Index count) { return x.stale_granted != 0 && takes_from_stale(x, count); }
 

@@ -24,7 +24,7 @@ void Engine::arbitrate() {
     arbitration::decide(x_, component);
     const bool other = changed(component, stops);
     arbitration::end(x_);
-    std::uint8_t left = x_.depends_on_stale ? work::stale_counts : 0;
+    std::uint8_t left = x_.depends_on_all_stale ? work::stale_counts : 0;
     if (other && (x_.depends_on_last || x_.depends_on_stale)) left |= work::unsettled;
     x_.s.component[component] = left | work::listed | work::passed;
   }
