@@ -6,6 +6,7 @@
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 
 namespace director::arbitration {
@@ -113,8 +114,11 @@ void begin_followed(Context& x, Index count) {
 
 /// What the decision rests on is noted, and what came out otherwise than in the last pass reaches others.
 void compare_with_last(Context& x, Index count) {
+  const bool below_stale = (x.s.edge_marks[x.s.unit[0]] & mark::below_stale) != 0;
+  if (below_stale) note_if_stale(x, x.t.edges[x.s.unit[0]].requester);
   const auto bits =
-      static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0));
+      static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0) |
+                                (below_stale ? trail::below_stale : 0));
   x.depends_on_last = x.depends_on_last || x.on_last;
   x.depends_on_stale = x.depends_on_stale || x.on_stale;
   bool pushing = false;

@@ -21,8 +21,8 @@ inline bool is_outdated(const Context& x, Index group) { return (x.s.group_marks
 
 inline bool stale(const Context& x, Index group) { return stale_source(x, group) != up_to_date; }
 
-/// The same, and its run counts.
-inline bool waits_for_stale(Context& x, Index group) {
+/// The same; and if it is, the run of the group whose orders are outdated counts.
+inline bool note_if_stale(Context& x, Index group) {
   const Index source = stale_source(x, group);
   if (source < x.t.groups.size()) x.s.run_queue[source].counts = 1;
   return source != up_to_date;

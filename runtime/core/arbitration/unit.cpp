@@ -37,7 +37,7 @@ void look_ahead(Context& x, Index group) {
   std::uint8_t marks = asks ? std::uint8_t{0} : mark::tried;
   if (is_stale) marks |= mark::below_stale;
   const auto known = static_cast<std::uint8_t>((is_stale ? trail::stale : 0) | (asks ? trail::asks : 0));
-  const bool other = (x.s.group_trail[group] & (trail::stale | trail::asks)) != known;
+  const auto differs = static_cast<std::uint8_t>((x.s.group_trail[group] & (trail::stale | trail::asks)) ^ known);
   x.s.group_trail[group] &= static_cast<std::uint8_t>(~(trail::stale | trail::asks));
   x.s.group_trail[group] |= known;
   const Index base = x.ahead;
@@ -47,13 +47,17 @@ void look_ahead(Context& x, Index group) {
   for (Index e = edges.end; e != edges.begin;) {
     --e;
     const Index level = x.s.request[e].level;
-    if (other && !x.whole && level != nil && !injected(Fault::outdated_orders_are_overlooked)) {
-      reach_edge(x, e);
-      if (!asks) reach_pushes_of(x, e);
+    if (!x.whole && level != nil && !injected(Fault::outdated_orders_are_overlooked)) {
+      const bool decided_below = (x.s.edge_trail[e] & trail::below_stale) != 0;
+      if (decided_below && is_stale && source != nil) x.s.run_queue[source].counts = 1;
+      if ((differs & (decided_below ? trail::asks | trail::stale : trail::asks)) != 0) {
+        reach_edge(x, e);
+        if (!asks) reach_pushes_of(x, e);
+      }
     }
     if (level == nil || !asks) {
       if (holder_now(x, x.t.edges[e].target) != e) {
-        if (other && !x.whole && x.s.last[x.t.edges[e].target].holder == e &&
+        if (differs != 0 && !x.whole && x.s.last[x.t.edges[e].target].holder == e &&
             !injected(Fault::lost_needs_are_overlooked))
           move(x, x.t.edges[e].target);
         continue;
@@ -80,7 +84,7 @@ void look_ahead(Context& x, Index group) {
     }
   }
   if (together == 1) x.s.edge_marks[member] |= mark::alone;
-  if (is_stale && source != nil && asked) x.s.run_queue[source].counts = 1;
+  if (is_stale && source != nil && asked && x.whole) x.s.run_queue[source].counts = 1;
   if (in_order) return;
   heap_sort({x.s.candidate + base, static_cast<std::size_t>(x.ahead - base)}, [&](Index a, Index b) {
     return compare_siblings(x, {b, false}, {a, false}, true) < 0;
