@@ -15,9 +15,9 @@ Inbox::Inbox(std::span<Cell> cells, std::span<OverflowSlots::Slot> words) : cell
 }
 
 bool Inbox::post(std::span<const Input> records) {
-  const bool room = claim(records);
-  if (!room) words_.count_lost();
-  return room;
+  if (claim(records)) return true;
+  words_.count_lost();
+  return false;
 }
 
 /// False: there is no room.
@@ -50,6 +50,22 @@ bool Inbox::put(const Input& record, Index slot) {
   Input word = record;
   word.handle = words_.reserve(slot);
   if (word.handle != nil) words_.publish(slot, word, tail_.load(std::memory_order_relaxed));
+  return true;
+}
+
+const Input* Inbox::take_posted() {
+  word_ = words_.any_in_hand() && words_.take(head_, record_);
+  closed_ = !word_ && (head_ == limit_ || !take_cell());
+  return closed_ ? nullptr : &record_;
+}
+
+bool Inbox::take_cell() {
+  const auto size = static_cast<std::uint32_t>(cells_.size());
+  Cell& cell = cells_[head_ & (size - 1)];
+  if (cell.sequence.load(std::memory_order_acquire) != head_ + 1) return false;
+  record_ = cell.input;
+  cell.sequence.store(head_ + size, std::memory_order_release);
+  ++head_;
   return true;
 }
 

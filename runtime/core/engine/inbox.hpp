@@ -36,7 +36,7 @@ public:
   /// An input of one record, without data, that has a slot of OverflowSlots: it is not refused.
   bool put(const Input& record, Index slot);
 
-  // For requests of root tasks that are several or have data: they are not refused either.
+  // Requests of root tasks that are several or have data are not refused either.
   /// False: it is full, or a request or cancel of one of these tasks waits outside, and this one must wait behind it.
   bool post_in_turn(std::span<const Input> records);
   /// Reserves a place of OverflowSlots for each record, as its handle: there its data go before they are published.
@@ -44,9 +44,7 @@ public:
   void reserve(std::span<Input> records);
   void publish(std::span<const Input> records);
 
-  // For any thread.
-
-  std::uint32_t lost() const { return words_.lost(); } ///< inputs that were refused or replaced so far
+  std::uint32_t lost() const { return words_.lost(); } ///< inputs refused or replaced so far; from any thread
 
   // For the reader's thread.
 
@@ -54,19 +52,13 @@ public:
   /// would overtake that.
   bool put_first(const Input& record) {
     if (first_waits_ || !empty() || words_.any_in_hand()) return false;
-    first_.kind = record.kind; // one by one: a copy of it all would wait until it was written
-    first_.thing = record.thing;
-    first_.handle = record.handle;
-    first_.value = record.value;
+    record_.kind = record.kind; // one by one: a copy of it all would wait until it was written
+    record_.more = false;
+    record_.thing = record.thing;
+    record_.handle = record.handle;
+    record_.value = record.value;
     first_waits_ = true;
     return true;
-  }
-  /// That input, which stays where it is until there is another; null: there is none.
-  Input* take_first() {
-    if (!first_waits_) return nullptr;
-    first_waits_ = false;
-    closed_ = head_ == limit_ && !words_.any_in_hand();
-    return &first_;
   }
 
   /// What is in it now may be taken, until it is opened again.
@@ -74,10 +66,15 @@ public:
   bool due() const { return first_waits_ || (!closed_ && (head_ != limit_ || words_.any_in_hand())); }
   /// False: nothing is due. True: mostly something is.
   bool is_open() const { return !closed_; }
-  /// The next record, if one is due and there.
-  bool take(Input& out);
-  /// The next record of the same input, where the last one says that there is more.
-  DIRECTOR_PART bool take_more(Input& out);
+  /// The next record, which stays where it is until another one is asked for; null: none is due and there.
+  const Input* take() {
+    if (!first_waits_) return take_posted();
+    first_waits_ = false;
+    closed_ = head_ == limit_ && !words_.any_in_hand();
+    return &record_;
+  }
+  /// Likewise, of the same input, where the last one says that there is more.
+  DIRECTOR_PART const Input* take_more();
 
   /// Records claimed by writers and not taken yet, as seen by the reader.
   std::uint32_t waiting() const { return tail_.load(std::memory_order_acquire) - head_; }
@@ -89,16 +86,17 @@ public:
 
 private:
   bool claim(std::span<const Input> records);
-  bool take_cell(Input& out);
+  const Input* take_posted();
+  bool take_cell();
 
   std::span<Cell> cells_;
   std::atomic<std::uint32_t> tail_{0};
   std::uint32_t head_ = 0;
-  std::uint32_t limit_ = 0; ///< the reader takes cells up to here
-  bool closed_ = false;     ///< nothing is due, or the next record's writer is not ready yet
-  bool first_waits_ = false;
-  Input first_;       ///< taken before what is in the cells
-  bool word_ = false; ///< what was taken last came by an overflow slot
+  std::uint32_t limit_ = 0;  ///< the reader takes cells up to here
+  bool closed_ = false;      ///< nothing is due, or the next record's writer is not ready yet
+  bool first_waits_ = false; ///< in `record_`
+  Input record_;             ///< what was put first, or was taken last
+  bool word_ = false;        ///< it came by an overflow slot
   OverflowSlots words_;
 };
 
@@ -107,24 +105,6 @@ inline void Inbox::open() {
   limit_ = tail_.load(std::memory_order_acquire);
   if (!words_.none_spoken()) words_.open();
   closed_ = !first_waits_ && head_ == limit_ && !words_.any_in_hand();
-}
-
-inline bool Inbox::take(Input& out) {
-  word_ = words_.any_in_hand() && words_.take(head_, out);
-  if (word_) return true;
-  if (head_ != limit_ && take_cell(out)) return true;
-  closed_ = true;
-  return false;
-}
-
-inline bool Inbox::take_cell(Input& out) {
-  const auto size = static_cast<std::uint32_t>(cells_.size());
-  Cell& cell = cells_[head_ & (size - 1)];
-  if (cell.sequence.load(std::memory_order_acquire) != head_ + 1) return false;
-  out = cell.input;
-  cell.sequence.store(head_ + size, std::memory_order_release);
-  ++head_;
-  return true;
 }
 
 } // namespace director

@@ -1,14 +1,16 @@
 // docs/semantics.md, section 7: what a full inbox does not refuse.
 // SPDX-License-Identifier: MIT
-//
-// A place is free, then being filled by one writer, then published (at most one in a slot, the newest record), then in
-// the reader's hands, then free again. Each step is a compare-and-swap of the slot's one word of states. To publish
-// frees the record before it in the same step. Only a writer that finds no free place takes the newest record away
-// before it has its own ready.
 
-#include "runtime/core/engine/place_states.hpp"
+#include "runtime/core/engine/overflow_slots.hpp"
 
 namespace director {
+
+namespace {
+
+/// Is `a` before `b`? Both count round and round, and are never far apart.
+bool precedes(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) < 0; }
+
+} // namespace
 
 bool OverflowSlots::wait(Index slot) const {
   return has(slot) && any_published(slots_[slot].states.load(std::memory_order_acquire));

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 // Where requests and cancels of root tasks, and values of external states, go that find no room in the inbox, so that
 // these are never refused: one slot for each root task, and one for each such state, in which the last one counts. Many
-// writers, one reader, without locks. A writer prepares its note in a place of the slot that only it has, and makes it
-// the slot's newest record by one compare-and-swap. What a slot held before, and the reader did not take, is counted as
-// lost.
+// writers, one reader, without locks. A place of a slot is free, then being filled by one writer, then published (at
+// most one in a slot, the newest record), then in the reader's hands, then free again. Each step is a compare-and-swap
+// of the slot's one word of states; to publish frees the record before it in the same step. What a slot held before,
+// and the reader did not take, is counted as lost.
 
 #include "runtime/core/base/parts.hpp"
 
@@ -67,14 +68,12 @@ public:
   /// The records of one input about root tasks, whose edges are their slots; each with the handle that was reserved for
   /// it, or nil.
   void publish(std::span<const Input> records, std::uint32_t position);
-  /// An input of one record, with its handle.
+  /// An input of one record, with its handle, about anything that has a slot.
   void publish(Index slot, const Input& record, std::uint32_t position);
   /// One more input was lost; from here on the reader has something to see.
   void count_lost();
 
-  // For anybody.
-
-  std::uint32_t lost() const { return lost_.load(std::memory_order_acquire); }
+  std::uint32_t lost() const { return lost_.load(std::memory_order_acquire); } ///< for anybody
 
   // For the reader.
 
@@ -90,6 +89,33 @@ public:
   bool none_spoken() const { return spoken_.load(std::memory_order_relaxed) == 0; }
 
 private:
+  enum class PlaceState : std::uint32_t { free = 0, filling = 1, published = 2, held = 3 };
+
+  static PlaceState state_of(std::uint32_t states, Index place) {
+    return static_cast<PlaceState>(states >> (2 * place) & 3U);
+  }
+  static std::uint32_t with(std::uint32_t states, Index place, PlaceState state) {
+    return (states & ~(3U << (2 * place))) | static_cast<std::uint32_t>(state) << (2 * place);
+  }
+  static Index find(std::uint32_t states, PlaceState state) {
+    for (Index place = 0; place < places; ++place) {
+      if (state_of(states, place) == state) return place;
+    }
+    return nil;
+  }
+  static bool any_published(std::uint32_t states) { return (states >> 1 & ~states & 0x55U) != 0; }
+
+  /// Replaces the number by what `next` makes of it, in one step; what it was before.
+  template <class Next>
+  static std::uint32_t change(std::atomic<std::uint32_t>& number, Next next) {
+    std::uint32_t now = number.load(std::memory_order_acquire);
+    while (!number.compare_exchange_weak(now, next(now), std::memory_order_acq_rel, std::memory_order_acquire)) {}
+    return now;
+  }
+  static std::uint32_t count(std::atomic<std::uint32_t>& number) {
+    return change(number, [](std::uint32_t now) { return now + 1; });
+  }
+
   void put(Index slot, const Note& note);
   bool sweep();
   DIRECTOR_PART void wait_for_leader(Slot& slot);

@@ -4,9 +4,7 @@
 // In OverflowSlots the records of one input are published from the last to the first, the leader, and all places are
 // reserved before: who sees a record whose leader is still to come leaves it where it is.
 
-#include "runtime/core/base/parts.hpp"
 #include "runtime/core/engine/inbox.hpp"
-#include "runtime/core/engine/place_states.hpp"
 
 namespace director {
 
@@ -19,7 +17,7 @@ void link(std::span<Input> records) {
 }
 
 /// The writer published it before the first one.
-bool Inbox::take_more(Input& out) { return word_ ? words_.take_more(out) : take_cell(out); }
+const Input* Inbox::take_more() { return (word_ ? words_.take_more(record_) : take_cell()) ? &record_ : nullptr; }
 
 bool Inbox::post_in_turn(std::span<const Input> records) {
   for (const Input& record : records) {

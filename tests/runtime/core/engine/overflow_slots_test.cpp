@@ -40,13 +40,16 @@ struct Small {
   std::vector<std::string> read() {
     std::vector<std::string> out;
     inbox.open();
-    for (Input input; inbox.due() && inbox.take(input);) out.push_back(text(input));
+    while (inbox.due()) {
+      if (const Input* const input = inbox.take(); input != nullptr) out.push_back(text(*input));
+    }
     return out;
   }
-  std::string text(Input input) {
+  std::string text(const Input& input) {
     std::string line = input.kind == Kind::fire ? "fire" : input.kind == Kind::cancel ? "cancel " : "request ";
     if (input.kind != Kind::fire) line += std::to_string(input.thing);
-    while (input.more && inbox.take_more(input)) line += "+" + std::to_string(input.thing);
+    for (const Input* next = &input; next->more && (next = inbox.take_more()) != nullptr;)
+      line += "+" + std::to_string(next->thing);
     return line;
   }
 };
@@ -77,13 +80,13 @@ TEST_CASE("what comes about a root task later waits behind its newest record, th
   small.fill();
   CHECK(small.say(Kind::request, {1}));
   small.inbox.open();
-  Input input;
-  CHECK(small.inbox.take(input));
-  CHECK(small.inbox.take(input)); // the inbox is empty, the request is in the reader's hands
+  CHECK(small.inbox.take() != nullptr);
+  CHECK(small.inbox.take() != nullptr); // the inbox is empty, the request is in the reader's hands
   CHECK(small.say(Kind::cancel, {1}));
-  CHECK(small.inbox.take(input));
-  CHECK(small.text(input) == "request 1");
-  CHECK(!small.inbox.take(input)); // the cancel came after the step began
+  const Input* const input = small.inbox.take();
+  REQUIRE(input != nullptr);
+  CHECK(small.text(*input) == "request 1");
+  CHECK(small.inbox.take() == nullptr); // the cancel came after the step began
   CHECK(small.read() == Lines{"cancel 1"});
 }
 
