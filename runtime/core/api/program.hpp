@@ -188,11 +188,8 @@ private:
 template <class Task, bool root>
 void move_data(auto& data, Bodies::Data what, Index place, Index handle) noexcept {
   auto& slots = data.template of<Task>();
-  switch (what) {
-  case Bodies::Data::settle: return slots.settle(place);
-  case Bodies::Data::retain: return slots.retain(place);
-  case Bodies::Data::accept: break;
-  }
+  if (what == Bodies::Data::settle) return slots.settle(place);
+  if (what == Bodies::Data::retain) return slots.retain(place);
   if constexpr (root) {
     auto& waiting = data.template waiting<Task>();
     slots.stage(place, std::move(waiting.value(handle)));

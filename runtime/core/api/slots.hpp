@@ -83,12 +83,8 @@ public:
   }
 
   const Data& at(DataPlace::Slot slot, Index place) const {
-    switch (slot) {
-    case DataPlace::Slot::edge: return settled_[place].value();
-    case DataPlace::Slot::staging: return staged_[place].value();
-    case DataPlace::Slot::group: break;
-    }
-    return retained_.value();
+    if (slot == DataPlace::Slot::group) return retained_.value();
+    return (slot == DataPlace::Slot::edge ? settled_ : staged_)[place].value();
   }
 
 private:

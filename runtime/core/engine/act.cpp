@@ -66,12 +66,8 @@ void Engine::act(Index passes, bool stops) {
   c.touched_count = 0;
   for (Index i = 0; i < differing_; ++i) adopt(x_.s.differing[i]);
   for (Index i = 0; i < passes; ++i) {
-    const Index component = x_.s.work[i];
-    adopt_order(component);
-    if (x_.t.promises.empty()) continue;
-    for (const Index g : x_.t.list(x_.t.components[component].groups)) {
-      if (x_.s.promised[g].provider != nil) keep_promises(g);
-    }
+    adopt_order(x_.s.work[i]);
+    if (!x_.t.promises.empty()) keep_promises_in(x_.s.work[i]);
   }
 }
 

@@ -167,6 +167,7 @@ private:
   DIRECTOR_PART bool fire(Index trigger);
   DIRECTOR_PART bool break_promise(Index promise);
   DIRECTOR_PART void keep_promises(Index group);
+  DIRECTOR_PART void keep_promises_in(Index component);
 
   // handlers.cpp
   DIRECTOR_PART void begin_what_it_has(Index group);
@@ -193,7 +194,6 @@ private:
   const Input* take_more(const Input& record);
   bool set_value(Index state, std::int32_t value);
   bool assign(Index state, std::int32_t value);
-  void settle_requests();
   bool asks_again(Index edge, Index level) const;
   void give_what_is_asked_again(Index edge);
 
@@ -237,8 +237,6 @@ private:
   DIRECTOR_PART void report_value(Event::Kind kind, Index group, Index provider, Index state, std::int32_t value) const;
   DIRECTOR_PART void remember_queued(Index component);
   DIRECTOR_PART void report_decisions(Index component) const;
-  void report_cancel(Index edge) const;
-  void report_queued(Index component) const;
   void tell(Event&& event) const; ///< with the time, which is the same for all
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // What a micro-step notes on its way: components to be decided again, groups with a new reason. Small, and called from
-// everywhere in it: so it is inline, and only the engine's own files include it.
+// everywhere in it: so it is inline. Only the engine's own files include it.
 
 #include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/inline.hpp"
@@ -144,17 +144,6 @@ inline bool Engine::assign(Index state, std::int32_t value) {
   x_.s.values[state].value = value;
   if (!x_.s.values[state].unchanged.has(value)) look_at_conditions(state);
   return true;
-}
-
-/// What was requested in this micro-step is not new any more.
-inline void Engine::settle_requests() {
-  Counters& c = *x_.s.counters;
-  const Index count = c.asked_count;
-  c.asked_count = 0;
-  if (bodies_.data != nullptr) {
-    for (Index i = 0; i < count; ++i) settle_data(x_.s.asked[i]);
-  }
-  for (Index i = 0; i < count; ++i) x_.s.anew[x_.s.asked[i]] = 0;
 }
 
 /// Of a micro-step that asks for this task and for nothing else: it does so again, and nobody looks at whose orders are

@@ -51,9 +51,7 @@ void OverflowSlots::count_lost() {
 
 void OverflowSlots::open() {
   std::uint32_t spoken = 1;
-  if (spoken_.load(std::memory_order_relaxed) == 0 ||
-      !spoken_.compare_exchange_strong(spoken, 0, std::memory_order_acquire, std::memory_order_relaxed))
-    return;
+  if (!spoken_.compare_exchange_strong(spoken, 0, std::memory_order_acquire, std::memory_order_relaxed)) return;
   // Again until nothing is new: what was published before a record that was seen must be seen with it.
   for (std::size_t i = 0; i <= slots_.size() && sweep(); ++i) {}
   for (Slot& slot : slots_) {

@@ -93,7 +93,11 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   } else if (c.touched_count != 0) { // as is what was asked for
     act_on_touched();
   }
-  if (c.asked_count != 0) settle_requests();
+  if (bodies_.data != nullptr) {
+    for (Index i = 0; i < c.asked_count; ++i) settle_data(x_.s.asked[i]);
+  }
+  for (Index i = 0; i < c.asked_count; ++i) x_.s.anew[x_.s.asked[i]] = 0; // new for one micro-step
+  c.asked_count = 0;
   if (!x_.t.promises.empty() && ran != nil) keep_promises(ran);
   return true;
 }
