@@ -8,7 +8,7 @@
 
 namespace director {
 
-/// Which slot of OverflowSlots belongs to whom: first each root task has one, then each external state, then
+/// Which overflow slot belongs to whom: first each root task has one, then each external state, then
 /// cancel_all.
 template <class Facts>
 struct OverflowSlotOf {

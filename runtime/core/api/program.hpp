@@ -170,7 +170,7 @@ private:
 
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
-  std::array<OverflowSlots::Slot, OverflowSlotOf<Facts>::count> words_;
+  std::array<OverflowSlot, OverflowSlotOf<Facts>::count> words_;
   static constexpr std::size_t memory_bytes = State::bytes(Facts::shape);
   static constexpr auto layout = [] {
     constexpr State::Layout wide = State::layout(Facts::shape);

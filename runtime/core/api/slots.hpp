@@ -5,7 +5,7 @@
 // Root requests wait in slots of their own until the engine takes them.
 
 #include "runtime/core/api/task.hpp"
-#include "runtime/core/engine/overflow_slots.hpp"
+#include "runtime/core/engine/inbox.hpp"
 #include "runtime/core/engine/run.hpp"
 
 #include <array>
@@ -110,7 +110,7 @@ public:
       return place;
     }
   }
-  /// The same for a record of OverflowSlots: the caller has this handle for itself.
+  /// The same for a record of an overflow slot: the caller has this handle for itself.
   void put_at(Index handle, Data&& data) noexcept { slots_[handle].put(std::move(data)); }
   Data& value(Index handle) { return slots_[handle].value(); }
   /// The handle of such a record is free again when its place is.
@@ -122,7 +122,7 @@ public:
   }
 
 private:
-  std::array<Slot<Data>, waiting_requests + OverflowSlots::places> slots_;
+  std::array<Slot<Data>, waiting_requests + OverflowSlot::places> slots_;
   std::atomic<std::uint32_t> taken_{0};
 };
 

@@ -10,13 +10,13 @@
 
 namespace director {
 
-Inbox::Inbox(std::span<Cell> cells, std::span<OverflowSlots::Slot> words) : cells_(cells), words_(words) {
+Inbox::Inbox(std::span<Cell> cells, std::span<OverflowSlot> slots) : cells_(cells), slots_(slots) {
   for (std::uint32_t i = 0; i < cells_.size(); ++i) cells_[i].sequence.store(i, std::memory_order_relaxed);
 }
 
 bool Inbox::post(std::span<const Input> records) {
   if (claim(records)) return true;
-  words_.count_lost();
+  count_lost();
   return false;
 }
 
@@ -45,17 +45,20 @@ bool Inbox::claim(std::span<const Input> records) {
 }
 
 bool Inbox::put(const Input& record, Index slot) {
-  if (!words_.has(slot)) return post({&record, 1});
-  if (!words_.wait(slot) && claim({&record, 1})) return true;
-  Input word = record;
-  word.handle = words_.reserve(slot);
-  if (word.handle != nil) words_.publish(slot, word, tail_.load(std::memory_order_relaxed));
+  if (slot >= slots_.size()) return post({&record, 1});
+  if (!waits_outside(slot) && claim({&record, 1})) return true;
+  OverflowSlot::Note note{.input = record, .leader = slot};
+  note.input.handle = reserve(slot);
+  if (note.input.handle == nil) return true;
+  note.position = tail_.load(std::memory_order_relaxed);
+  note.ticket = count(tickets_);
+  publish(slot, note);
   return true;
 }
 
 const Input* Inbox::take_posted() {
-  word_ = words_.any_in_hand() && words_.take(head_, record_);
-  closed_ = !word_ && (head_ == limit_ || !take_cell());
+  by_slot_ = in_hand_ != 0 && take_slot();
+  closed_ = !by_slot_ && (head_ == limit_ || !take_cell());
   return closed_ ? nullptr : &record_;
 }
 
