@@ -20,6 +20,7 @@ struct OverflowSlotOf {
     }
     return slot;
   }
+  /// That of cancel_all.
   static constexpr Index of_all = of_state(static_cast<Index>(Facts::States::domains.size()));
   static constexpr std::size_t count = of_all + std::size_t{1}; ///< how many there are
 };
