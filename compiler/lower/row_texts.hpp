@@ -3,7 +3,7 @@
 // What the rows of tables are called, as texts, behind the functions by which the printers and writers of the runtime
 // ask for them.
 
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <string>
 #include <vector>

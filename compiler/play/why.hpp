@@ -7,7 +7,7 @@
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/source_file.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 // (compiler/page/web/shape.ts).
 
 #include "runtime/core/base/observer.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <string>
 #include <utility>

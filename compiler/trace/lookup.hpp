@@ -4,7 +4,7 @@
 
 #include "compiler/base/json.hpp"
 #include "runtime/core/base/observer.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <map>
 #include <optional>

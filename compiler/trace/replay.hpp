@@ -8,7 +8,7 @@
 #include "compiler/trace/trace_lines.hpp"
 #include "runtime/core/base/observer.hpp"
 #include "runtime/core/inspect/view.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <cstdint>
 #include <optional>

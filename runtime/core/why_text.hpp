@@ -1,3 +1,3 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"

@@ -10,7 +10,7 @@
 // microseconds, and a disk or a terminal that is slow makes the step slow.
 
 #include "runtime/core/base/observer.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <cstdio>
 #include <span>

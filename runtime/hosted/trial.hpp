@@ -98,7 +98,7 @@ struct Rig {
 
   typename Whole::Data data;
   std::array<Inbox::Cell, Whole::inbox_cells> cells;
-  std::array<OverflowSlots::Slot, OverflowSlotOf<Whole>::count> words;
+  std::array<OverflowSlot, OverflowSlotOf<Whole>::count> words;
   alignas(8) std::array<std::byte, State::bytes(Whole::shape)> memory;
   Inbox inbox;
   Engine engine;

@@ -3,7 +3,7 @@
 // What stands below the answer of `why`: who is in the way and for whom, what the state is worth that is missing, and
 // what becomes of each who could cause it.
 
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <string>
 #include <string_view>

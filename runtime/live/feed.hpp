@@ -7,7 +7,7 @@
 // is too slow gets those lines again, without the header. The `id` of a message is the number of the event behind it:
 // a browser that comes back sends the last one, and goes on there.
 
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 #include "runtime/hosted/trace/event_queue.hpp"
 #include "runtime/live/backlog.hpp"
 #include "runtime/live/moments.hpp"

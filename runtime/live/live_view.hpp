@@ -16,7 +16,7 @@
 // the view's own does all the rest, for all viewers. Nothing that viewers do, or leave undone, reaches the thread that
 // steps. docs/live.md has the whole.
 
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 #include "runtime/hosted/trace/event_queue.hpp"
 #include "runtime/live/commands.hpp"
 #include "runtime/live/moments.hpp"

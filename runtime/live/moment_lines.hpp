@@ -3,7 +3,7 @@
 // A moment in words: as lines of a trace, for who begins in the middle, and why something waits.
 
 #include "runtime/core/inspect/view.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <string>
 

@@ -4,7 +4,7 @@
 // to `/request`, `/cancel`, `/cancel_all` and `/set` is posted what the behaviour is to do. Every error says what to
 // do.
 
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 #include "runtime/live/commands.hpp"
 #include "runtime/live/http.hpp"
 #include "runtime/live/moments.hpp"

@@ -69,6 +69,7 @@ bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
                                              reinterpret_cast<const std::byte*>(s.counters));
     for (auto* each : {&before, &after}) std::memset(each->data() + at, 0, count * sizeof *begin);
   };
+  leave_out(&s.counters->quiet_until, 1); // the next step looks for itself whether there is anything to do
   leave_out(s.first_root, n.components);
   leave_out(s.next_root, n.edges);
   leave_out(s.component, n.components); // work::reordered

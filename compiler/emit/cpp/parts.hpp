@@ -35,7 +35,7 @@ std::string state_in(const Model& model, StateId state);
 void document(Code& code, const CppEmission& e, std::string_view doc, const dsl::Span& span);
 /// Whether a pack is whole without it: it has a level that is optional.
 bool may_be_omitted(const Model& model, const Task& task);
-/// `director::Must<Walk, 4, 0, 7>`
+/// `director::Member<Walk, 4, 0, 7>`
 std::string member_text(const CppEmission& e, const Task& task);
 /// Words for a comment: "LeftLeg, LeftArm (optional)".
 std::string tasks_text(const Model& model, const std::vector<Task>& tasks);

@@ -9,7 +9,7 @@
 #include "runtime/core/api/slots.hpp"
 #include "runtime/core/api/task.hpp"
 #include "runtime/core/engine/engine.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 namespace director {
 

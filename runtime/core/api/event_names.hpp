@@ -12,10 +12,10 @@ namespace director {
 
 namespace detail {
 
-/// In the order in which the enumeration declares them; of what it does not declare, empty.
-template <std::size_t count, class Row>
-constexpr const char* name_in(const std::array<const char*, count>& names, Row row) {
-  const auto at = static_cast<std::size_t>(row);
+/// In the order in which the enumeration, which ends with `last`, declares them; of what it does not declare, empty.
+template <std::size_t last, std::size_t count>
+constexpr const char* name_in(const std::array<const char*, count>& names, std::size_t at) {
+  static_assert(count == last + 1);
   return at < count ? names[at] : "";
 }
 
@@ -26,35 +26,31 @@ constexpr const char* name_of(Event::Kind row) {
                              "lose",   "queue",     "push",  "release", "set",      "refused", "broken",
                              "fault",  "exhausted", "ask",   "keep",    "withdraw", "wait",    "lost",
                              "answer", "assign",    "begin", "given"};
-  static_assert(names.size() == static_cast<std::size_t>(Event::Kind::given) + 1);
-  return detail::name_in(names, row);
+  return detail::name_in<std::size_t(Event::Kind::given)>(names, std::size_t(row));
 }
 
 /// As steps of scenarios have it.
 constexpr const char* name_of(Event::Input row) {
   constexpr std::array names{"none",    "request", "cancel", "set",    "trigger", "enable",
                              "disable", "expire",  "wait",   "within", "every"};
-  static_assert(names.size() == static_cast<std::size_t>(Event::Input::every) + 1);
-  return detail::name_in(names, row);
+  return detail::name_in<std::size_t(Event::Input::every)>(names, std::size_t(row));
 }
 
 /// In the order of their bits.
 constexpr const char* name_of(Reason reason) {
   constexpr std::array names{"new_task", "pushed", "subtask_done", "wait", "trigger", "started", "stopped"};
-  return detail::name_in(names, std::countr_zero(static_cast<std::uint8_t>(reason)));
+  return detail::name_in<6>(names, static_cast<std::size_t>(std::countr_zero(static_cast<std::uint8_t>(reason))));
 }
 
 constexpr const char* name_of(Why row) {
   constexpr std::array names{"none", "blocked", "waiting", "outdated", "deferred"};
-  static_assert(names.size() == static_cast<std::size_t>(Why::deferred) + 1);
-  return detail::name_in(names, row);
+  return detail::name_in<std::size_t(Why::deferred)>(names, std::size_t(row));
 }
 
 /// As scripts of scenarios have it.
 constexpr const char* name_of(Outcome::Kind row) {
   constexpr std::array names{"pack", "done", "failed", "keep", "fault"};
-  static_assert(names.size() == static_cast<std::size_t>(Outcome::Kind::fault) + 1);
-  return detail::name_in(names, row);
+  return detail::name_in<std::size_t(Outcome::Kind::fault)>(names, std::size_t(row));
 }
 
 /// In the order in which a run lists them.

@@ -11,10 +11,9 @@ namespace director {
 /// An entry of a pack, of `tasks` or of `roots`. `edge`: from the requester to the task. `place`: that edge's place
 /// among those that lead to the task, for its data. `rows`: of Tables::levels, first that of the entry's first level,
 /// then one for each level that the task has a name for (LevelOf::number), nil where this entry does not have it.
-template <class T, bool mandatory, Index edge_row, Index place_at, Index... rows>
+template <class T, Index edge_row, Index place_at, Index... rows>
 struct Member {
   using Task = T;
-  static constexpr bool needed = mandatory;
   static constexpr Index edge = edge_row;
   static constexpr Index place = place_at;
   static constexpr Index row(LevelOf<T> level) {
@@ -24,18 +23,10 @@ struct Member {
   }
 };
 
-// Classes and no aliases: GCC takes several times as long to read an alias of a template.
-/// A pack is not whole without it.
-template <class T, Index edge, Index place, Index... rows>
-struct Must : Member<T, true, edge, place, rows...> {};
-/// It may be omitted.
-template <class T, Index edge, Index place, Index... rows>
-struct May : Member<T, false, edge, place, rows...> {};
-
 namespace detail {
 
-template <class T, bool mandatory, Index edge, Index place, Index... rows>
-Member<T, mandatory, edge, place, rows...> member_for(const Member<T, mandatory, edge, place, rows...>&);
+template <class T, Index edge, Index place, Index... rows>
+Member<T, edge, place, rows...> member_for(const Member<T, edge, place, rows...>&);
 
 template <class Task, class... Given>
 inline constexpr std::size_t times = (std::size_t{std::is_same_v<Task, TaskOf<Given>>} + ... + 0U);

@@ -5,15 +5,11 @@
 
 #include "runtime/core/api/body.hpp"
 #include "runtime/core/engine/engine.hpp"
-#include "runtime/core/engine/inbox.hpp"
-
-#include <array>
-#include <utility>
 
 namespace director {
 
-/// Which slot of OverflowSlots belongs to whom: one to each root task, in their order; then one to each state that is
-/// external, in theirs; then one to cancel_all.
+/// Which overflow slot belongs to whom: first each root task has one, then each external state, then
+/// cancel_all.
 template <class Facts>
 struct OverflowSlotOf {
   /// `state`: one that is external.
@@ -60,7 +56,7 @@ public:
     if constexpr (sizeof...(More) > 0) {
       link(records);
     } else if constexpr (!has_data<Task>) {
-      return goes_first(records) || inbox_->put(records[0], records[0].thing);
+      return put(records[0], records[0].thing);
     }
     Input* input = records.data();
     const bool room = (wait(task, *input) && ... && wait(more, *++input));
@@ -85,15 +81,11 @@ public:
   template <class Task>
   bool cancel() const {
     static_assert(Roots::template has<Task>, "only tasks that stand in `roots` can be cancelled from outside");
-    const std::array input{Input{.kind = Input::Kind::cancel, .thing = Roots::template For<Task>::edge}};
-    return goes_first(input) || inbox_->put(input[0], input[0].thing);
+    return cancel_row(Roots::template For<Task>::edge);
   }
 
   /// All root tasks are cancelled together: nothing starts between one and the next. Never refused.
-  bool cancel_all() const {
-    const std::array input{Input{.kind = Input::Kind::cancel, .thing = nil}};
-    return goes_first(input) || inbox_->put(input[0], OverflowSlotOf<Facts>::of_all);
-  }
+  bool cancel_all() const { return put({.kind = Input::Kind::cancel, .thing = nil}, OverflowSlotOf<Facts>::of_all); }
 
   /// A state of this type is set from outside.
   template <class Value>
@@ -117,7 +109,7 @@ public:
       return inside && send(records);
     } else {
       constexpr Index slot = OverflowSlotOf<Facts>::of_state(States::template row<Value>);
-      return inside && (goes_first(records) || inbox_->put(records[0], slot));
+      return inside && put(records[0], slot);
     }
   }
 
@@ -125,17 +117,17 @@ public:
   template <class Trigger>
   [[nodiscard]] bool fire() const {
     static_assert(Facts::Triggers::template has<Trigger>, "this is not a trigger of the behaviour");
-    const std::array input{Input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>}};
-    return send(input);
+    const Input input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>};
+    return send({&input, 1});
   }
 
   /// A provider that is not enabled does not run. `enable<soccer::Walk::Halting>(false)`
   template <class Provider>
   [[nodiscard]] bool enable(bool enabled) const {
     static_assert(Facts::Providers::template has<Provider>, "this is not a provider of the behaviour");
-    const std::array input{Input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
-                                 .thing = Facts::Providers::template row<Provider>}};
-    return send(input);
+    const Input input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
+                      .thing = Facts::Providers::template row<Provider>};
+    return send({&input, 1});
   }
 
   // By number, for whoever meets names only while the program runs, such as a bridge to other processes.
@@ -143,35 +135,28 @@ public:
   /// Root tasks that carry no data. False: there is no such edge, the task carries data, or the level is not the
   /// edge's.
   [[nodiscard]] bool request_row(Index edge, Index level) const {
-    if (!Roots::bare_at(edge) || !has_level(edge, level)) return false;
-    return inbox_->put({.kind = Input::Kind::request, .thing = edge, .value = static_cast<std::int32_t>(level)}, edge);
+    if (!Roots::bare_at(edge)) return false;
+    const Range levels = Facts::tables().edges[edge].levels;
+    return levels.begin <= level && level < levels.end &&
+           put({.kind = Input::Kind::request, .thing = edge, .value = static_cast<std::int32_t>(level)}, edge);
   }
   /// False: root has no such edge.
   bool cancel_row(Index edge) const {
-    return edge < Roots::size && inbox_->put({.kind = Input::Kind::cancel, .thing = edge}, edge);
+    return edge < Roots::size && put({.kind = Input::Kind::cancel, .thing = edge}, edge);
   }
   /// False also for a state that is not external.
   [[nodiscard]] bool set_row(Index state, std::int32_t value) const {
     if (state >= States::domains.size() || !States::domains[state].external) return false;
-    const Input input{.kind = Input::Kind::set, .thing = state, .value = value};
-    return States::domains[state].has(value) && inbox_->put(input, OverflowSlotOf<Facts>::of_state(state));
+    return States::domains[state].has(value) && put(record({state, value}), OverflowSlotOf<Facts>::of_state(state));
   }
 
 private:
-  static bool has_level(Index edge, Index level) {
-    const Range levels = Facts::tables().edges[edge].levels;
-    return levels.begin <= level && level < levels.end;
-  }
-
   /// True: the engine has it, as nothing waits that it would overtake.
-  template <std::size_t count>
-  bool goes_first(const std::array<Input, count>& records) const {
-    return count == 1 && engine_ != nullptr && engine_->take_first(records[0]);
+  bool goes_first(std::span<const Input> records) const {
+    return records.size() == 1 && engine_ != nullptr && engine_->take_first(records[0]);
   }
-  template <std::size_t count>
-  bool send(const std::array<Input, count>& records) const {
-    return engine_ != nullptr ? engine_->post(records) : inbox_->post(records);
-  }
+  bool send(std::span<const Input> records) const { return goes_first(records) || inbox_->post(records); }
+  bool put(const Input& record, Index slot) const { return goes_first({&record, 1}) || inbox_->put(record, slot); }
 
   static Input record(Setting setting) {
     return {.kind = Input::Kind::set, .thing = setting.state, .value = setting.value};

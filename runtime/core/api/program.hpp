@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a program sees of a behaviour from outside: the base of every generated Behaviour, which holds all its memory,
-// and the words by which the outside acts on it. `Facts` is the generated struct that says what the specification
-// declares:
+// The base of every generated Behaviour, which holds all its memory. `Facts` is the generated struct that says what the
+// specification declares:
 //   shape, tables()   sizes, known while compiling, and the tables
 //   inbox_cells       how many records of inputs can wait
 //   Data, places      the slots of task data; edge -> its place among those that lead to its task
@@ -18,15 +17,10 @@
 #include "runtime/core/api/behaviour_view.hpp"
 #include "runtime/core/api/post.hpp"
 #include "runtime/core/api/saved_data.hpp"
-#include "runtime/core/engine/engine.hpp"
-
-#include <array>
-#include <type_traits>
-#include <utility>
 
 namespace director {
 
-/// The base of every generated Behaviour. Not to be copied or moved: bodies and the inbox point into it.
+/// Not to be copied or moved: bodies and the inbox point into it.
 template <class Facts>
 class Program {
   static_assert(Facts::shape.edges + Facts::shape.groups < nil, "more rows than an Index can tell apart");
@@ -119,8 +113,7 @@ public:
   /// Bytes that save() writes.
   static constexpr std::size_t saved_bytes() { return saved::bytes_of_behaviour<Facts>; }
 
-  /// Writes the state into the first saved_bytes() of these bytes. Not if anything waits in the inbox: to_text(result)
-  /// says what to do.
+  /// Into the first saved_bytes() of these bytes. Not if anything waits in the inbox: to_text(result) says what to do.
   [[nodiscard]] SaveResult save(std::span<std::byte> to) {
     return outside() ? saved::save<Facts>(engine_, data_, to) : SaveResult::refused;
   }
@@ -177,7 +170,7 @@ private:
 
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
-  std::array<OverflowSlots::Slot, OverflowSlotOf<Facts>::count> words_;
+  std::array<OverflowSlot, OverflowSlotOf<Facts>::count> words_;
   static constexpr std::size_t memory_bytes = State::bytes(Facts::shape);
   static constexpr auto layout = [] {
     constexpr State::Layout wide = State::layout(Facts::shape);
@@ -195,11 +188,8 @@ private:
 template <class Task, bool root>
 void move_data(auto& data, Bodies::Data what, Index place, Index handle) noexcept {
   auto& slots = data.template of<Task>();
-  switch (what) {
-  case Bodies::Data::settle: return slots.settle(place);
-  case Bodies::Data::retain: return slots.retain(place);
-  case Bodies::Data::accept: break;
-  }
+  if (what == Bodies::Data::settle) return slots.settle(place);
+  if (what == Bodies::Data::retain) return slots.retain(place);
   if constexpr (root) {
     auto& waiting = data.template waiting<Task>();
     slots.stage(place, std::move(waiting.value(handle)));

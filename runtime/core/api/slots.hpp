@@ -5,7 +5,7 @@
 // Root requests wait in slots of their own until the engine takes them.
 
 #include "runtime/core/api/task.hpp"
-#include "runtime/core/engine/overflow_slots.hpp"
+#include "runtime/core/engine/inbox.hpp"
 #include "runtime/core/engine/run.hpp"
 
 #include <array>
@@ -83,12 +83,8 @@ public:
   }
 
   const Data& at(DataPlace::Slot slot, Index place) const {
-    switch (slot) {
-    case DataPlace::Slot::edge: return settled_[place].value();
-    case DataPlace::Slot::staging: return staged_[place].value();
-    case DataPlace::Slot::group: break;
-    }
-    return retained_.value();
+    if (slot == DataPlace::Slot::group) return retained_.value();
+    return (slot == DataPlace::Slot::edge ? settled_ : staged_)[place].value();
   }
 
 private:
@@ -114,7 +110,7 @@ public:
       return place;
     }
   }
-  /// The same for a record of OverflowSlots: the caller has this handle for itself.
+  /// The same for a record of an overflow slot: the caller has this handle for itself.
   void put_at(Index handle, Data&& data) noexcept { slots_[handle].put(std::move(data)); }
   Data& value(Index handle) { return slots_[handle].value(); }
   /// The handle of such a record is free again when its place is.
@@ -126,7 +122,7 @@ public:
   }
 
 private:
-  std::array<Slot<Data>, waiting_requests + OverflowSlots::places> slots_;
+  std::array<Slot<Data>, waiting_requests + OverflowSlot::places> slots_;
   std::atomic<std::uint32_t> taken_{0};
 };
 

@@ -39,7 +39,7 @@ enum class Fault : unsigned char {
   unwanted_needs_live_on,
   a_lost_state_is_nobodys_concern,
   done_outlives_a_new_task,
-  // What has to be decided again (settle.cpp): of the changes this is overlooked
+  // What has to be decided again (act.cpp): of the changes this is overlooked
   who_is_stale_is_overlooked,
   conditions_are_overlooked,
   enabling_is_overlooked,

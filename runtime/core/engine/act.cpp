@@ -1,26 +1,73 @@
-// docs/semantics.md, section 5: acting on the difference between the last assignment and the new one.
+// docs/semantics.md, sections 3 and 5: after every micro-step, arbitrate and act on the difference.
 // SPDX-License-Identifier: MIT
 //
-// First stops, in the old order, so that a group is cleaned up before others begin; then, in the new order, starts and
-// reasons to run.
+// Arbitration is a pass, but only over the components whose result can be another one than the last: those with a
+// changed input, those whose last pass may decide differently on its own result, and those in which it counts whose
+// orders are outdated, when that has changed (pass.hpp). Everything else stays as it is, and only groups that gained a
+// reason to run have to be looked at.
 
-#include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/engine/notes.hpp"
 
 namespace director {
 
+void Engine::arbitrate() {
+  Counters& c = *x_.s.counters;
+  forget_work();
+  const Index passes = c.work_count;
+  bool stops = false;
+  differing_ = 0;
+  for (Index i = 0; i < passes; ++i) {
+    const Index component = x_.s.work[i];
+    if (observed()) remember_queued(component);
+    ++passes_;
+    arbitration::decide(x_, component);
+    const bool other = changed(component, stops);
+    arbitration::end(x_);
+    std::uint8_t left = x_.depends_on_all_stale ? work::stale_counts : 0;
+    if (other && (x_.depends_on_last || x_.depends_on_stale)) left |= work::unsettled;
+    x_.s.component[component] = left | work::listed | work::passed;
+  }
+  act(passes, stops);
+  forget_work();
+}
+
+/// Is the new assignment another one? In what the page calls a change (holders, providers, who is granted, pushes), it
+/// is arbitrated once more at rest. `stops`: a group is not live any more.
+bool Engine::changed(Index component, bool& stops) {
+  const Index before = differing_;
+  const bool plans = arbitration::alternatives(x_, component);
+  bool decision = false;
+  for (const Index g : arbitration::opened(x_)) {
+    const GroupAssignment &now = x_.s.now[g], &last = x_.s.last[g];
+    if (now == last && !(plans && other_plan(g))) continue;
+    x_.s.group_marks[g] |= mark::differs;
+    x_.s.group_trail[g] |= trail::disturbed;
+    x_.s.differing[differing_++] = g;
+    decision = decision || now.decides_otherwise_than(last);
+    stops = stops || now.stops_after(last);
+  }
+  if (decision) x_.s.counters->unsettled = true;
+  return differing_ != before;
+}
+
+/// First stops, in the old order, so that a group is cleaned up before others begin; then, in the new one, starts and
+/// reasons to run. The new assignment becomes the last one.
 void Engine::act(Index passes, bool stops) {
+  Counters& c = *x_.s.counters;
   for (Index i = 0; i < passes && observed(); ++i) report_decisions(x_.s.work[i]);
   if (stops) {
-    for (const Index group : held_before(passes)) {
+    for (const Index group : passes == 1 ? held_in(x_.s.work[0]) : held_in_all(passes)) {
       if (x_.s.now[group].stops_after(x_.s.last[group])) stop_group(group);
     }
   }
   for (const Index group : with_reasons()) give_reasons(group);
-  adopt_differing();
+  for (Index i = 0; i < c.touched_count; ++i) untouch(x_.s.touched[i]);
+  c.touched_count = 0;
+  for (Index i = 0; i < differing_; ++i) adopt(x_.s.differing[i]);
   for (Index i = 0; i < passes; ++i) {
     adopt_order(x_.s.work[i]);
-    keep_promises_in(x_.s.work[i]);
+    if (!x_.t.promises.empty()) keep_promises_in(x_.s.work[i]);
   }
 }
 
@@ -32,11 +79,6 @@ void Engine::act_on_touched() {
   const Index group = x_.s.touched[0];
   untouch(group);
   if (granted(group)) give_again(group, x_.s.anew[x_.s.last[group].holder] != 0);
-}
-
-/// What was held in the components decided again, in the old order.
-std::span<const Index> Engine::held_before(Index passes) {
-  return passes == 1 ? held_in(x_.s.work[0]) : held_in_all(passes);
 }
 
 /// What is granted and can have a new reason to run, in the new order: it stands elsewhere than before, or was touched.
@@ -95,24 +137,20 @@ std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment&
 void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
   if ((x_.s.run_queue[group].flags & group_flag::ends) != 0) begin_what_it_has(group);
-  note_given(group, now.holder, reasons(last, now));
+  live_on(group, now.holder);
+  std::uint8_t bits = reasons(last, now);
+  if (x_.s.anew[now.holder] != 0) bits |= reason::new_task;
+  if (bits != 0) note_reasons(group, bits);
   queue().enter(group);
 }
 
-/// The new assignment becomes the last one. Runs of groups that are not granted leave the queue; what is pending stays.
+/// Runs of groups that are not granted leave the queue; what is pending stays.
 inline void Engine::adopt(Index group) {
   if (!x_.s.now[group].granted() && !injected(Fault::who_leaves_stays_queued)) queue().leave(group);
   x_.s.group_marks[group] &= static_cast<std::uint8_t>(~mark::differs);
   x_.s.last[group] = x_.s.now[group];
   const Range slots = x_.t.groups[group].slots;
   for (Index slot = slots.begin; slot != slots.end; ++slot) x_.s.last.plan[slot] = x_.s.now.plan[slot];
-}
-
-inline void Engine::adopt_differing() {
-  Counters& c = *x_.s.counters;
-  for (Index i = 0; i < c.touched_count; ++i) untouch(x_.s.touched[i]);
-  c.touched_count = 0;
-  for (Index i = 0; i < differing_; ++i) adopt(x_.s.differing[i]);
 }
 
 void Engine::adopt_order(Index component) {

@@ -9,12 +9,12 @@ namespace part {
 const char data = 0;
 }
 
-Engine::Taken Engine::take_request_with_data(Input& record) {
+bool Engine::take_request_with_data(const Input& record) {
   if (record.more || !asks_again(record.thing, record.level())) return take_requests(record);
   bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
   give_what_is_asked_again(record.thing);
   settle_data(record.thing);
-  return Taken::no_change;
+  return false;
 }
 
 /// The data of a new request take their slot. What was there is kept for a group that still lives on it.

@@ -43,7 +43,10 @@ public:
   void set_work_budget(std::uint64_t work) { work_budget_ = work; }
 
   /// The step that runs ends with this micro-step, with StepResult::fault. For who calls an observer that throws.
-  void end_with_fault();
+  void end_with_fault() {
+    faulted_ = true;
+    left_ = 1;
+  }
 
   /// Micro-steps until quiescence: the inputs that are in the inbox now (at time `now`), then what is due, each due
   /// time to quiescence before the next. An earlier `now` counts as the last one, `never` as last_time.
@@ -59,8 +62,10 @@ public:
     return c.quiet_until == first_time || !inbox_.empty() ? take_step(c.now) : StepResult::quiescent;
   }
 
-  /// An input that sets a state, without the way through the inbox: taken at once where the next step would take it
-  /// first, and nothing else could come of it. False: post it. For the thread that calls step().
+  // For the thread that calls step().
+
+  /// An input that sets a state, taken at once where the next step would take it first, and nothing else could come of
+  /// it. False: post it.
   bool take_at_once(Index state, std::int32_t value) {
     Counters& c = *x_.s.counters;
     if (c.quiet_until == first_time || observed() || inside_ || !x_.s.values[state].unchanged.has(value) ||
@@ -71,16 +76,15 @@ public:
     return true;
   }
 
-  /// An input of one record, without the way through the inbox: the next step takes it before all that is posted from
-  /// now on. False: something waits already, so post it. For the thread that calls step().
+  /// An input of one record, which the next step takes before all that is posted from now on. False: something waits
+  /// already, so post it.
   bool take_first(const Input& input) {
     if (inside_ || !inbox_.put_first(input)) return false;
     x_.s.counters->quiet_until = first_time;
     return true;
   }
 
-  /// An input for the next step, by as short a way as there is. False: the inbox is full. For the thread that calls
-  /// step().
+  /// An input for the next step, by as short a way as there is. False: the inbox is full.
   bool post(std::span<const Input> records) {
     return (records.size() == 1 && take_first(records[0])) || inbox_.post(records);
   }
@@ -103,9 +107,7 @@ public:
   std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< so far
   std::uint64_t passes() const { return passes_; }                        ///< of arbitration over a component, so far
   bool inside() const { return inside_; } ///< a body, handler or observer is running; for the thread that calls step()
-  bool inputs_wait() const {
-    return inbox_.waits();
-  } ///< something was posted that no step has taken yet; for that thread too
+  bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread too
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs so far; from any thread
   std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
   /// So far: groups placed, units decided, and choices and plans tried, those of searches for pushes among them.
@@ -130,34 +132,32 @@ private:
 
   // step.cpp: section 3
   StepResult take_step(Time now);
-  void take_first_step(Time now);
   bool micro_step();
   Taken take_next(Index& ran);
+  Index run_next();
+  void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
+  void answer(Index group, bool failed);
   StepResult come_to_rest();
-  bool work_left() const;
 
-  // inputs.cpp
-  Taken take_posted();
-  Taken take_input(Input& record);
-  Taken take_rarer(Input& record);
-  bool take_more(Input& record);
-  Taken take_request(Input& record);
-  DIRECTOR_PART Taken take_request_with_data(Input& record); // data.cpp
-  Taken take_requests(Input& record);
-  Taken take_cancel(Index edge);
-  Taken take_cancel_of_all();
-  Taken take_enabled(Index provider, std::uint8_t wanted);
+  // inputs.cpp: what takes one is true where that changes anything
+  bool take_input(const Input& record);
+  bool take_requests(const Input& first);
+  bool take_cancel(Index edge);
+  bool take_enabled(Index provider, std::uint8_t wanted);
+
+  // data.cpp
+  DIRECTOR_PART bool take_request_with_data(const Input& record);
+  DIRECTOR_PART void settle_data(Index edge);
 
   // timers.cpp
-  DIRECTOR_PART Taken take_timer();
-  bool serve(Timers::Timer timer, Time when);
+  DIRECTOR_PART bool take_timer();
   DIRECTOR_PART void begin_wait(Index group, Time wait);
   DIRECTOR_PART void stop_waiting(Index group);
   void end_wait(Index group);
 
   // states.cpp
   DIRECTOR_PART void begin_to_expire();
-  DIRECTOR_PART Taken take_states(Input& record);
+  DIRECTOR_PART bool take_states(const Input& first);
   DIRECTOR_PART bool expire(Index state);
   DIRECTOR_PART void look_at_conditions(Index state);
   DIRECTOR_PART void commit_states(bool fault);
@@ -167,59 +167,47 @@ private:
   DIRECTOR_PART bool fire(Index trigger);
   DIRECTOR_PART bool break_promise(Index promise);
   DIRECTOR_PART void keep_promises(Index group);
+  DIRECTOR_PART void keep_promises_in(Index component);
 
   // handlers.cpp
   DIRECTOR_PART void begin_what_it_has(Index group);
   DIRECTOR_PART void end_what_it_has(Index group);
   DIRECTOR_PART void end_period(Index group, Time when);
-  DIRECTOR_PART Taken take_handlers_input();
+  DIRECTOR_PART bool take_handlers_input();
   void set_by_handler(Index state, std::int32_t value);
   void handle(Index group, Reason reason);
-
-  Index run_next();
-  void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
-#ifdef __OPTIMIZE_SIZE__
-  DIRECTOR_PART
-#endif
-  void commit_pack(Range edges); // pack.hpp
-  void answer(Index group, bool failed);
 
   // notes.hpp
   void mark(Index component, std::uint8_t bits);
   void mark_stale(Index group);
-  static bool needs_pass(std::uint8_t bits);
   void forget_work();
   void touch(Index group);
   void untouch(Index group);
   bool note_reasons(Index group, std::uint8_t bits);
   void live_on(Index group, Index edge);
-  void note_given(Index group, Index holder, std::uint8_t bits);
   void add_reason(Index group, Reason reason);
   void give_again(Index group, bool anew);
   void forget_triggers(Index group);
   void mark_request(Index edge);
   void request(Index edge, Index level);
-  void withdraw(Index edge);
+  bool withdraw(Index edge);
+  const Input* take_more(const Input& record);
   bool set_value(Index state, std::int32_t value);
   bool assign(Index state, std::int32_t value);
-  void settle_requests();
-  void keep_promises_in(Index component);
   bool asks_again(Index edge, Index level) const;
   void give_what_is_asked_again(Index edge);
 
-  // settle.cpp: after every micro-step
-  void arbitrate();
-  bool changed(Index component, bool& stops);
-
   // several.cpp
+  DIRECTOR_PART void commit_pack(Range edges);
   DIRECTOR_PART bool other_plan(Index group) const;
   DIRECTOR_PART void act_on_all_touched();
   DIRECTOR_PART std::span<const Index> held_in_all(Index passes);
 
-  // act.cpp: section 5
+  // act.cpp: after every micro-step, section 5
+  void arbitrate();
+  bool changed(Index component, bool& stops);
   void act(Index passes, bool stops);
   void act_on_touched();
-  std::span<const Index> held_before(Index passes);
   std::span<const Index> held_in(Index component) const {
     return {x_.s.order + x_.t.components[component].order, x_.s.order_count[component]};
   }
@@ -227,9 +215,7 @@ private:
   void stop_group(Index group);
   static std::uint8_t reasons(const GroupAssignment& last, const GroupAssignment& now);
   void give_reasons(Index group);
-  DIRECTOR_PART void settle_data(Index edge); // data.cpp
   void adopt(Index group);
-  void adopt_differing();
   void adopt_order(Index component);
 
   bool said(Index edge, std::uint8_t answer) const;
@@ -251,8 +237,6 @@ private:
   DIRECTOR_PART void report_value(Event::Kind kind, Index group, Index provider, Index state, std::int32_t value) const;
   DIRECTOR_PART void remember_queued(Index component);
   DIRECTOR_PART void report_decisions(Index component) const;
-  void report_cancel(Index edge) const;
-  void report_queued(Index component) const;
   void tell(Event&& event) const; ///< with the time, which is the same for all
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;

@@ -1,5 +1,5 @@
-// docs/semantics.md, section 5: what begins and ends with a group or a provider: handlers are called, states of the
-// group's own go back to their initial values, periods run. SPDX-License-Identifier: MIT
+// docs/semantics.md, section 5: states of a group's own, handlers, periods: what few groups have.
+// SPDX-License-Identifier: MIT
 
 #include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/engine/notes.hpp"
@@ -10,7 +10,6 @@ namespace part {
 const char handlers = 0;
 }
 
-/// What few groups have: states of their own, handlers, periods.
 void Engine::end_what_it_has(Index group) {
   for (const Index state : x_.t.list(x_.t.groups[group].owned)) {
     if (!injected(Fault::owned_states_stay)) set_by_handler(state, x_.t.states[state].initial);
@@ -19,7 +18,6 @@ void Engine::end_what_it_has(Index group) {
   timers_.disarm({Timers::Kind::every, group});
 }
 
-/// Calls the start or stop handler.
 void Engine::handle(Index group, Reason reason) {
   const bool starts = reason == Reason::started;
   if (starts ? !x_.t.groups[group].start : !x_.t.groups[group].stop) return;
@@ -65,7 +63,7 @@ void Engine::end_period(Index group, Time when) {
 }
 
 /// What start and stop handlers set during one act, merged into one input.
-Engine::Taken Engine::take_handlers_input() {
+bool Engine::take_handlers_input() {
   Counters& c = *x_.s.counters;
   ++c.micro_step;
   c.handlers_set = false;
@@ -80,7 +78,7 @@ Engine::Taken Engine::take_handlers_input() {
     changes = true;
     if (observed()) report_set(state);
   }
-  return changes ? Taken::change : Taken::no_change;
+  return changes;
 }
 
 void Engine::set_by_handler(Index state, std::int32_t value) {

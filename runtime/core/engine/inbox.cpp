@@ -10,14 +10,14 @@
 
 namespace director {
 
-Inbox::Inbox(std::span<Cell> cells, std::span<OverflowSlots::Slot> words) : cells_(cells), words_(words) {
+Inbox::Inbox(std::span<Cell> cells, std::span<OverflowSlot> slots) : cells_(cells), slots_(slots) {
   for (std::uint32_t i = 0; i < cells_.size(); ++i) cells_[i].sequence.store(i, std::memory_order_relaxed);
 }
 
 bool Inbox::post(std::span<const Input> records) {
-  const bool room = claim(records);
-  if (!room) words_.count_lost();
-  return room;
+  if (claim(records)) return true;
+  count_lost();
+  return false;
 }
 
 /// False: there is no room.
@@ -45,11 +45,30 @@ bool Inbox::claim(std::span<const Input> records) {
 }
 
 bool Inbox::put(const Input& record, Index slot) {
-  if (!words_.has(slot)) return post({&record, 1});
-  if (!words_.wait(slot) && claim({&record, 1})) return true;
-  Input word = record;
-  word.handle = words_.reserve(slot);
-  if (word.handle != nil) words_.publish(slot, word, tail_.load(std::memory_order_relaxed));
+  if (slot >= slots_.size()) return post({&record, 1});
+  if (!waits_outside(slot) && claim({&record, 1})) return true;
+  OverflowSlot::Note note{.input = record, .leader = slot};
+  note.input.handle = reserve(slot);
+  if (note.input.handle == nil) return true;
+  note.position = tail_.load(std::memory_order_relaxed);
+  note.ticket = count(tickets_);
+  publish(slot, note);
+  return true;
+}
+
+const Input* Inbox::take_posted() {
+  by_slot_ = in_hand_ != 0 && take_slot();
+  closed_ = !by_slot_ && (head_ == limit_ || !take_cell());
+  return closed_ ? nullptr : &record_;
+}
+
+bool Inbox::take_cell() {
+  const auto size = static_cast<std::uint32_t>(cells_.size());
+  Cell& cell = cells_[head_ & (size - 1)];
+  if (cell.sequence.load(std::memory_order_acquire) != head_ + 1) return false;
+  record_ = cell.input;
+  cell.sequence.store(head_ + size, std::memory_order_release);
+  ++head_;
   return true;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // What a micro-step notes on its way: components to be decided again, groups with a new reason. Small, and called from
-// everywhere in it: so it is inline, and only the engine's own files include it.
+// everywhere in it: so it is inline. Only the engine's own files include it.
 
 #include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/inline.hpp"
@@ -55,13 +55,6 @@ inline void Engine::live_on(Index group, Index edge) {
   if (bodies_.data != nullptr) x_.s.data_from[group] = edge;
 }
 
-/// To a group that is granted to the holder.
-DIRECTOR_INLINE void Engine::note_given(Index group, Index holder, std::uint8_t bits) {
-  live_on(group, holder);
-  if (x_.s.anew[holder] != 0) bits |= reason::new_task;
-  if (bits != 0) note_reasons(group, bits);
-}
-
 inline void Engine::add_reason(Index group, Reason reason) {
   if (note_reasons(group, static_cast<std::uint8_t>(reason))) touch(group);
 }
@@ -80,13 +73,9 @@ DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
 
 // What the next arbitration has to look at.
 
-inline bool Engine::needs_pass(std::uint8_t bits) {
-  constexpr std::uint8_t outdated = work::stale_counts | work::stale_changed;
-  return (bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated;
-}
-
 /// Leaves it in State::work.
 DIRECTOR_INLINE void Engine::forget_work() {
+  constexpr std::uint8_t outdated = work::stale_counts | work::stale_changed;
   Counters& c = *x_.s.counters;
   const Index before = c.work_count;
   Index left = 0;
@@ -94,7 +83,7 @@ DIRECTOR_INLINE void Engine::forget_work() {
     const Index component = x_.s.work[i];
     Bits& bits = x_.s.component[component];
     bits &= static_cast<std::uint8_t>(~work::passed);
-    if (needs_pass(bits)) {
+    if ((bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated) {
       x_.s.work[left++] = component;
     } else {
       bits &= work::kept;
@@ -106,10 +95,10 @@ DIRECTOR_INLINE void Engine::forget_work() {
 // What inputs and runs ask for.
 
 /// The next record of the same input.
-inline bool Engine::take_more(Input& record) {
-  if (!record.more || !inbox_.take_more(record)) return false;
-  if (observed()) report_input(record);
-  return true;
+inline const Input* Engine::take_more(const Input& record) {
+  const Input* const next = record.more ? inbox_.take_more() : nullptr;
+  if (next != nullptr && observed()) report_input(*next);
+  return next;
 }
 
 /// Of an edge that is requested at another level than before, or not any more.
@@ -134,10 +123,12 @@ DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) 
   touch(request.target);
 }
 
-DIRECTOR_INLINE void Engine::withdraw(Index edge) {
-  if (x_.s.request[edge].level == nil) return;
+/// True if it was requested.
+DIRECTOR_INLINE bool Engine::withdraw(Index edge) {
+  if (x_.s.request[edge].level == nil) return false;
   mark_request(edge);
   x_.s.request[edge].level = nil;
+  return true;
 }
 
 /// True if the value changes. What expires counts anew, also where it does not.
@@ -153,24 +144,6 @@ inline bool Engine::assign(Index state, std::int32_t value) {
   x_.s.values[state].value = value;
   if (!x_.s.values[state].unchanged.has(value)) look_at_conditions(state);
   return true;
-}
-
-inline void Engine::keep_promises_in(Index component) {
-  if (x_.t.promises.empty()) return;
-  for (const Index g : x_.t.list(x_.t.components[component].groups)) {
-    if (x_.s.promised[g].provider != nil) keep_promises(g);
-  }
-}
-
-/// What was requested in this micro-step is not new any more.
-inline void Engine::settle_requests() {
-  Counters& c = *x_.s.counters;
-  const Index count = c.asked_count;
-  c.asked_count = 0;
-  if (bodies_.data != nullptr) {
-    for (Index i = 0; i < count; ++i) settle_data(x_.s.asked[i]);
-  }
-  for (Index i = 0; i < count; ++i) x_.s.anew[x_.s.asked[i]] = 0;
 }
 
 /// Of a micro-step that asks for this task and for nothing else: it does so again, and nobody looks at whose orders are

@@ -1,75 +1,78 @@
 // docs/semantics.md, section 7: what a full inbox does not refuse.
 // SPDX-License-Identifier: MIT
-//
-// A place is free, then being filled by one writer, then published (at most one in a slot, the newest record), then in
-// the reader's hands, then free again. Each step is a compare-and-swap of the slot's one word of states. To publish
-// frees the record before it in the same step. Only a writer that finds no free place takes the newest record away
-// before it has its own ready.
 
-#include "runtime/core/engine/place_states.hpp"
+#include "runtime/core/engine/inbox.hpp"
 
 namespace director {
 
-bool OverflowSlots::wait(Index slot) const {
-  return has(slot) && any_published(slots_[slot].states.load(std::memory_order_acquire));
+namespace {
+
+using PlaceState = OverflowSlot::PlaceState;
+
+/// Is `a` before `b`? Both count round and round, and are never far apart.
+bool precedes(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) < 0; }
+
+} // namespace
+
+/// The newest record in this slot was not seen by the reader yet.
+bool Inbox::waits_outside(Index slot) const {
+  return slot < slots_.size() && OverflowSlot::any_published(slots_[slot].states.load(std::memory_order_acquire));
 }
 
-Index OverflowSlots::reserve(Index slot) {
+/// A handle for a record in this slot and its data, which only the caller has until it publishes. Nil: so many others
+/// are writing right now that no place is left; theirs count as the later ones, and there is nothing to do.
+Index Inbox::reserve(Index slot) {
   Index place = nil;
   const std::uint32_t before = change(slots_[slot].states, [&](std::uint32_t now) {
-    place = find(now, PlaceState::free);
-    if (place == nil) place = find(now, PlaceState::published); // it is about to be replaced anyway
-    return place == nil ? now : with(now, place, PlaceState::filling);
+    place = OverflowSlot::find(now, PlaceState::free);
+    if (place == nil) place = OverflowSlot::find(now, PlaceState::published); // it is about to be replaced anyway
+    return place == nil ? now : OverflowSlot::with(now, place, PlaceState::filling);
   });
-  if (place == nil || state_of(before, place) == PlaceState::published) count_lost();
+  if (place == nil || OverflowSlot::state_of(before, place) == PlaceState::published) count_lost();
   return place == nil ? nil : static_cast<Index>(waiting_requests + place);
 }
 
-void OverflowSlots::publish(Index slot, const Input& record, std::uint32_t position) {
-  put(slot, {record, position, count(tickets_), slot});
-  spoken_.store(1, std::memory_order_release);
-}
-
 /// Into the place that was reserved, which is the newest record from then on.
-void OverflowSlots::put(Index slot, const Note& note) {
+void Inbox::publish(Index slot, const OverflowSlot::Note& note) {
   const auto place = static_cast<Index>(note.input.handle - waiting_requests);
   slots_[slot].notes[place] = note;
   const std::uint32_t before = change(slots_[slot].states, [&](std::uint32_t now) {
-    const Index last = find(now, PlaceState::published);
-    if (last != nil) now = with(now, last, PlaceState::free);
-    return with(now, place, PlaceState::published);
+    const Index last = OverflowSlot::find(now, PlaceState::published);
+    if (last != nil) now = OverflowSlot::with(now, last, PlaceState::free);
+    return OverflowSlot::with(now, place, PlaceState::published);
   });
-  if (any_published(before)) count_lost();
+  if (OverflowSlot::any_published(before)) count_lost();
+  spoken_.store(1, std::memory_order_release);
 }
 
-void OverflowSlots::count_lost() {
+/// One more input was lost; from here on the reader has something to see.
+void Inbox::count_lost() {
   count(lost_);
   spoken_.store(1, std::memory_order_release);
 }
 
-void OverflowSlots::open() {
+/// Takes the newest record of every slot in hand; what is published later waits for the next time.
+void Inbox::open_slots() {
   std::uint32_t spoken = 1;
-  if (spoken_.load(std::memory_order_relaxed) == 0 ||
-      !spoken_.compare_exchange_strong(spoken, 0, std::memory_order_acquire, std::memory_order_relaxed))
-    return;
+  if (!spoken_.compare_exchange_strong(spoken, 0, std::memory_order_acquire, std::memory_order_relaxed)) return;
   // Again until nothing is new: what was published before a record that was seen must be seen with it.
   for (std::size_t i = 0; i <= slots_.size() && sweep(); ++i) {}
-  for (Slot& slot : slots_) {
-    if (slot.held != nil && &slot != given_ && slot.notes[slot.held].input.more) wait_for_leader(slot);
+  for (OverflowSlot& slot : slots_) {
+    if (slot.held != nil && &slot != given_ && slot.in_hand().input.more) wait_for_leader(slot);
   }
 }
 
-bool OverflowSlots::sweep() {
+bool Inbox::sweep() {
   bool found = false;
-  for (Slot& slot : slots_) {
-    if (!any_published(slot.states.load(std::memory_order_acquire))) continue;
+  for (OverflowSlot& slot : slots_) {
+    if (!OverflowSlot::any_published(slot.states.load(std::memory_order_acquire))) continue;
     if (given_ == &slot) given_ = nullptr, let_go(slot);
     Index place = nil;
     change(slot.states, [&](std::uint32_t now) {
-      place = find(now, PlaceState::published);
-      if (place == nil) return now;                                       // a writer took it back to replace it
-      if (slot.held != nil) now = with(now, slot.held, PlaceState::free); // the later one counts
-      return with(now, place, PlaceState::held);
+      place = OverflowSlot::find(now, PlaceState::published);
+      if (place == nil) return now; // a writer took it back to replace it
+      if (slot.held != nil) now = OverflowSlot::with(now, slot.held, PlaceState::free); // the later one counts
+      return OverflowSlot::with(now, place, PlaceState::held);
     });
     if (place == nil) continue;
     if (slot.held == nil) {
@@ -83,33 +86,30 @@ bool OverflowSlots::sweep() {
   return found;
 }
 
-void OverflowSlots::let_go(Slot& slot) {
-  change(slot.states, [&](std::uint32_t now) { return with(now, slot.held, PlaceState::free); });
-  slot.held = nil;
-}
-
-bool OverflowSlots::take(std::uint32_t position, Input& out) {
-  Slot* first = nullptr;
-  for (Slot& slot : slots_) {
-    if (slot.held == nil || &slot == given_) continue;
-    const Note& note = slot.notes[slot.held];
-    if (precedes(position, note.position)) continue;
-    if (first == nullptr || precedes(note.ticket, first->notes[first->held].ticket)) first = &slot;
+/// Of those in hand that are not behind the next record of the queue, the one that was published first.
+bool Inbox::take_slot() {
+  OverflowSlot* first = nullptr;
+  for (OverflowSlot& slot : slots_) {
+    if (slot.held == nil || &slot == given_ || precedes(head_, slot.in_hand().position)) continue;
+    if (first == nullptr || precedes(slot.in_hand().ticket, first->in_hand().ticket)) first = &slot;
   }
-  if (first == nullptr) return false;
-  taken_ = first->notes[first->held].ticket;
-  out = give(*first);
-  return true;
+  if (first != nullptr) give(*first);
+  return first != nullptr;
 }
 
 /// The place stays held until the next one is given, so that the data that belong to it can be moved.
-Input OverflowSlots::give(Slot& slot) {
+void Inbox::give(OverflowSlot& slot) {
   if (given_ != nullptr) let_go(*given_);
   given_ = &slot;
   --in_hand_;
-  Input out = slot.notes[slot.held].input;
-  if (out.more) out.more = first_of(slot.notes[slot.held].ticket) != nullptr;
-  return out;
+  taken_ = slot.in_hand().ticket;
+  record_ = slot.in_hand().input;
+  if (record_.more) record_.more = first_of(taken_) != nullptr;
+}
+
+void Inbox::let_go(OverflowSlot& slot) {
+  change(slot.states, [&](std::uint32_t now) { return OverflowSlot::with(now, slot.held, PlaceState::free); });
+  slot.held = nil;
 }
 
 } // namespace director

@@ -9,7 +9,7 @@ namespace part {
 const char promises = 0;
 }
 
-/// Section 7: with its first run on a push its promises begin.
+/// With its first run on a push its promises begin.
 void Engine::take_promises(Index group) {
   Promised& promised = x_.s.promised[group];
   if (promised.provider != nil) return;
@@ -19,7 +19,13 @@ void Engine::take_promises(Index group) {
     timers_.arm({Timers::Kind::promise, i}, later(x_.s.counters->now, x_.t.promises[i].within));
 }
 
-/// Section 7: a promise ends with its push, and when its condition has come true.
+void Engine::keep_promises_in(Index component) {
+  for (const Index group : x_.t.list(x_.t.components[component].groups)) {
+    if (x_.s.promised[group].provider != nil) keep_promises(group);
+  }
+}
+
+/// A promise ends with its push, and when its condition has come true.
 void Engine::keep_promises(Index group) {
   Promised& promised = x_.s.promised[group];
   const Index provider = promised.provider;

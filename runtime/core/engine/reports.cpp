@@ -54,18 +54,14 @@ void Engine::report_set(Index state) const { report_value(Kind::set, nil, nil, s
 void Engine::report_wait(Index group, Time due) const { tell({.kind = Kind::wait, .group = group, .due = due}); }
 
 void Engine::report_timer(Timers::Timer timer) const {
-  Event event{.kind = Kind::input};
   switch (timer.kind) {
-  case Timers::Kind::expiry: event.input = Event::Input::expire, event.state = timer.row; break;
-  case Timers::Kind::wait: event.input = Event::Input::wait, event.group = timer.row; break;
-  case Timers::Kind::promise:
-    event.input = Event::Input::within;
-    event.provider = x_.t.promises[timer.row].provider;
-    event.group = x_.t.providers[event.provider].group;
-    break;
-  case Timers::Kind::every: event.input = Event::Input::every, event.group = timer.row; break;
+  case Timers::Kind::expiry: return tell({.input = Event::Input::expire, .state = timer.row});
+  case Timers::Kind::wait: return tell({.input = Event::Input::wait, .group = timer.row});
+  case Timers::Kind::every: return tell({.input = Event::Input::every, .group = timer.row});
+  case Timers::Kind::promise: break;
   }
-  tell(std::move(event));
+  const Index provider = x_.t.promises[timer.row].provider;
+  tell({.input = Event::Input::within, .group = x_.t.providers[provider].group, .provider = provider});
 }
 
 /// Since the step before.
@@ -74,40 +70,25 @@ void Engine::report_lost() {
   tell({.kind = Kind::lost, .count = so_far - std::exchange(told_lost_, so_far)});
 }
 
-void Engine::report_cancel(Index edge) const {
-  const Index group = edge == nil ? nil : x_.t.edges[edge].target;
-  tell({.kind = Kind::input, .input = Event::Input::cancel, .group = group, .edge = edge});
-}
-
 void Engine::report_input(const Input& record) const {
-  Event event{.kind = Kind::input};
+  const Index row = record.thing;
   switch (record.kind) {
-  case Input::Kind::cancel:
-    report_cancel(record.thing);
-    for (Index edge = 0; edge < x_.t.root_edges && record.thing == nil; ++edge) {
-      if (x_.s.request[edge].level != nil) report_cancel(edge);
-    }
-    return;
   case Input::Kind::request:
-    event.input = Event::Input::request;
-    event.group = x_.t.edges[record.thing].target;
-    event.edge = record.thing;
-    event.level = record.level();
-    break;
-  case Input::Kind::set:
-    event.input = Event::Input::set;
-    event.state = record.thing;
-    event.value = record.value;
-    break;
-  case Input::Kind::fire: event.input = Event::Input::fire, event.trigger = record.thing; break;
+    return tell(
+        {.input = Event::Input::request, .group = x_.t.edges[row].target, .edge = row, .level = record.level()});
+  case Input::Kind::set: return tell({.input = Event::Input::set, .state = row, .value = record.value});
+  case Input::Kind::fire: return tell({.input = Event::Input::fire, .trigger = row});
   case Input::Kind::enable:
+    return tell({.input = Event::Input::enable, .group = x_.t.providers[row].group, .provider = row});
   case Input::Kind::disable:
-    event.input = record.kind == Input::Kind::enable ? Event::Input::enable : Event::Input::disable;
-    event.group = x_.t.providers[record.thing].group;
-    event.provider = record.thing;
-    break;
+    return tell({.input = Event::Input::disable, .group = x_.t.providers[row].group, .provider = row});
+  case Input::Kind::cancel: break;
   }
-  tell(std::move(event));
+  if (row != nil) return tell({.input = Event::Input::cancel, .group = x_.t.edges[row].target, .edge = row});
+  tell({.input = Event::Input::cancel});
+  for (Index edge = 0; edge < x_.t.root_edges; ++edge) {
+    if (x_.s.request[edge].level != nil) report_input({.kind = Input::Kind::cancel, .thing = edge});
+  }
 }
 
 void Engine::report_decisions(Index component) const {
@@ -121,19 +102,15 @@ void Engine::report_decisions(Index component) const {
     if (edge == nil || (edge == last.edge && provider == last.provider)) continue;
     tell({.kind = Kind::push, .group = g, .provider = provider, .edge = edge, .condition = condition});
   }
-  report_queued(component);
-  for (const Index g : groups) {
-    const Index now = x_.s.now[g].holder, last = x_.s.last[g].holder;
-    const Kind kind = now == nil ? Kind::lose : Kind::grant;
-    if (now != last) tell({.kind = kind, .group = g, .provider = x_.s.now[g].active, .edge = now, .other = last});
-  }
-}
-
-void Engine::report_queued(Index component) const {
   for (const Index e : x_.t.list(x_.t.components[component].edges)) {
     const auto [why, condition] = x_.s.queued[e];
     if (why == Why::none || x_.s.queued[e] == x_.s.last_queued[e]) continue;
     tell({.kind = Kind::queue, .why = why, .group = x_.t.edges[e].target, .edge = e, .condition = condition});
+  }
+  for (const Index g : groups) {
+    const Index now = x_.s.now[g].holder, last = x_.s.last[g].holder;
+    const Kind kind = now == nil ? Kind::lose : Kind::grant;
+    if (now != last) tell({.kind = kind, .group = g, .provider = x_.s.now[g].active, .edge = now, .other = last});
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The groups that have a reason to run, in the order in which they came to have it. docs/semantics.md, section 3.
+// docs/semantics.md, section 3: the queue of runs.
 
 #include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/marks.hpp"

@@ -1,15 +1,34 @@
-// docs/semantics.md, section 5: what only behaviours of several groups have to do when they act.
+// docs/semantics.md, sections 3 and 5: what only behaviours of several groups have to do.
 // SPDX-License-Identifier: MIT
 
-#ifdef __OPTIMIZE_SIZE__
-#include "runtime/core/engine/pack.hpp"
-#endif
 #include "runtime/core/engine/notes.hpp"
 
 namespace director {
 
 namespace part {
 const char several = 0;
+}
+
+/// What a run asks of other groups takes effect.
+void Engine::commit_pack(Range edges) {
+  Staged* staged = x_.s.staged_request;
+  for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
+    const Index level = staged->level;
+    if (level == nil) {
+      if (observed() && x_.s.request[e].level != nil) report_request(Event::Kind::withdraw, e);
+      withdraw(e);
+      continue;
+    }
+    staged->level = nil;
+    if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
+    if (staged->keep) continue;
+    if (edges.size() != 1 || !asks_again(e, level)) {
+      request(e, level);
+      continue;
+    }
+    give_what_is_asked_again(e);
+    if (bodies_.data != nullptr) settle_data(e);
+  }
 }
 
 bool Engine::other_plan(Index group) const {

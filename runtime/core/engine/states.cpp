@@ -22,11 +22,11 @@ void Engine::begin_to_expire() {
   }
 }
 
-Engine::Taken Engine::take_states(Input& record) {
+bool Engine::take_states(const Input& first) {
   bool changes = false;
-  do changes = set_value(record.thing, record.value) || changes;
-  while (take_more(record));
-  return changes ? Taken::change : Taken::no_change;
+  for (const Input* record = &first; record != nullptr; record = take_more(*record))
+    changes = set_value(record->thing, record->value) || changes;
+  return changes;
 }
 
 bool Engine::expire(Index state) {

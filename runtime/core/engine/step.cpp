@@ -1,26 +1,13 @@
 // docs/semantics.md, section 3: micro-steps, and runs.
 // SPDX-License-Identifier: MIT
 //
-// One loop takes them in the order of choice: what handlers set, the oldest input, what is due
-// at the time being served, the oldest run, one more arbitration; then the next due time. What most micro-steps are
-// made of, a run, is a part of that loop, without a call.
+// What most micro-steps are made of, a run, is a part of the loop, without a call.
 
-#include "runtime/core/base/inline.hpp"
 #include "runtime/core/engine/notes.hpp"
-#ifndef __OPTIMIZE_SIZE__
-#include "runtime/core/engine/pack.hpp"
-#endif
+
+#include <utility>
 
 namespace director {
-
-void Engine::take_first_step(Time now) {
-  x_.s.counters->begun = true;
-  x_.s.counters->until = x_.s.counters->now = now;
-  if (observed()) report_begin();
-  if (!x_.t.states.empty()) begin_to_expire();
-}
-
-// A run.
 
 /// Everything that a run asked for, together.
 DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
@@ -69,20 +56,17 @@ DIRECTOR_INLINE Index Engine::run_next() {
   return group;
 }
 
-// All that a step takes.
-
-/// Without its end. `ran`: the group that ran, if one did.
+/// The first of what there is to do, without what follows from it. `ran`: the group that ran, if one did.
 DIRECTOR_INLINE Engine::Taken Engine::take_next(Index& ran) {
   Counters& c = *x_.s.counters;
+  const auto taken = [](bool changes) { return changes ? Taken::change : Taken::no_change; };
   for (;;) {
-    if (c.handlers_set) return take_handlers_input();
+    if (c.handlers_set) return taken(take_handlers_input());
     if (inbox_.is_open()) {
-      if (Input* const first = inbox_.take_first(); first != nullptr) return take_input(*first);
-      if (const Taken posted = take_posted(); posted != Taken::nothing) return posted;
+      if (const Input* const record = inbox_.take(); record != nullptr) return taken(take_input(*record));
     }
-    if (c.serving) {
-      if (const Taken timer = take_timer(); timer != Taken::nothing) return timer;
-    }
+    if (c.serving && c.next_due <= c.now) return taken(take_timer());
+    c.serving = false;
     if (!queue().empty()) {
       ran = run_next();
       return Taken::change;
@@ -91,9 +75,8 @@ DIRECTOR_INLINE Engine::Taken Engine::take_next(Index& ran) {
       ++c.micro_step;
       return Taken::change;
     }
-    const Time due = next_due();
-    if (due > c.until) return Taken::nothing;
-    c.now = due;
+    if (c.next_due > c.until) return Taken::nothing;
+    c.now = c.next_due;
     c.serving = true;
   }
 }
@@ -107,11 +90,14 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   c.unsettled = false;
   if (c.work_count != 0) {
     arbitrate();
-    if (c.asked_count != 0) settle_requests();
   } else if (c.touched_count != 0) { // as is what was asked for
     act_on_touched();
-    if (c.asked_count != 0) settle_requests();
   }
+  if (bodies_.data != nullptr) {
+    for (Index i = 0; i < c.asked_count; ++i) settle_data(x_.s.asked[i]);
+  }
+  for (Index i = 0; i < c.asked_count; ++i) x_.s.anew[x_.s.asked[i]] = 0; // new for one micro-step
+  c.asked_count = 0;
   if (!x_.t.promises.empty() && ran != nil) keep_promises(ran);
   return true;
 }
@@ -120,7 +106,12 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   if (inside_) return StepResult::refused;
   if (now > last_time) now = last_time;
   Counters& c = *x_.s.counters;
-  if (!c.begun) take_first_step(now);
+  if (!c.begun) {
+    c.begun = true;
+    c.until = c.now = now;
+    if (observed()) report_begin();
+    if (!x_.t.states.empty()) begin_to_expire();
+  }
   c.quiet_until = first_time;
   // Called again for the same time because the budget ran out: what was begun goes on at its own time.
   const bool further = now > c.until;
@@ -130,26 +121,19 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   inbox_.open();
   if (observed()) {
     if (inbox_.lost() != told_lost_) report_lost();
-    if (faulted_) { // the observer threw
-      faulted_ = false;
-      return StepResult::fault;
-    }
+    if (std::exchange(faulted_, false)) return StepResult::fault; // the observer threw
   }
   const std::uint64_t before = work();
   for (left_ = budget_; left_ != 0; --left_) {
     if (!micro_step()) return come_to_rest();
     if (work_budget_ != 0 && work() - before >= work_budget_) break;
   }
-  if (!faulted_ && !work_left()) return come_to_rest(); // the budget may end together with what is due
-  if (!faulted_) report(Event::Kind::exhausted);
-  if (!faulted_) return StepResult::budget_exhausted;
-  faulted_ = false;
-  return StepResult::fault;
-}
-
-void Engine::end_with_fault() {
-  faulted_ = true;
-  left_ = 1;
+  if (!faulted_) {
+    const bool left = c.handlers_set || !queue().empty() || c.unsettled || inbox_.due() || c.next_due <= c.until;
+    if (!left) return come_to_rest(); // the budget ended together with what is due
+    report(Event::Kind::exhausted);
+  }
+  return std::exchange(faulted_, false) ? StepResult::fault : StepResult::budget_exhausted;
 }
 
 StepResult Engine::come_to_rest() {
@@ -158,11 +142,6 @@ StepResult Engine::come_to_rest() {
   c.now = c.until;
   c.quiet_until = c.next_due;
   return StepResult::quiescent;
-}
-
-bool Engine::work_left() const {
-  const Counters& c = *x_.s.counters;
-  return c.handlers_set || !queue().empty() || c.unsettled || inbox_.due() || next_due() <= c.until;
 }
 
 void Engine::answer(Index group, bool failed) {

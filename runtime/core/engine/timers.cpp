@@ -1,7 +1,5 @@
-// Timers, and what is due by them: docs/semantics.md, section 3, Time.
+// docs/semantics.md, section 3, Time: timers, and what is due by them.
 // SPDX-License-Identifier: MIT
-//
-// Cost: the root of the tree is read; a change climbs as far as it matters.
 
 #include "runtime/core/engine/notes.hpp"
 
@@ -49,30 +47,18 @@ void Engine::stop_waiting(Index group) {
   timers_.disarm({Timers::Kind::wait, group});
 }
 
-/// What is due at the time being served, which began with the earliest: states that expire, waits, promises, `every`,
-/// each in order of declaration. Each is an input of its own. What one of them cancels is not due any more when its
-/// turn comes.
-Engine::Taken Engine::take_timer() {
-  Counters& c = *x_.s.counters;
-  const Time when = c.next_due;
-  if (when > c.now) {
-    c.serving = false;
-    return Taken::nothing;
-  }
+/// The next of what is due together, an input of its own: what one of them cancels is not due any more. True if it has
+/// an effect.
+bool Engine::take_timer() {
+  const Time when = x_.s.counters->next_due;
   const Timers::Timer timer = timers_.take_first();
-  ++c.micro_step;
+  ++x_.s.counters->micro_step;
   if (observed()) report_timer(timer);
-  return serve(timer, when) ? Taken::change : Taken::no_change;
-}
-
-/// True if that is an input with an effect.
-bool Engine::serve(Timers::Timer timer, Time when) {
-  const Index row = timer.row;
   switch (timer.kind) {
-  case Timers::Kind::expiry: return expire(row);
-  case Timers::Kind::promise: return break_promise(row);
-  case Timers::Kind::wait: add_reason(row, Reason::wait); break;
-  case Timers::Kind::every: end_period(row, when); break;
+  case Timers::Kind::expiry: return expire(timer.row);
+  case Timers::Kind::promise: return break_promise(timer.row);
+  case Timers::Kind::wait: add_reason(timer.row, Reason::wait); break;
+  case Timers::Kind::every: end_period(timer.row, when); break;
   }
   return true;
 }

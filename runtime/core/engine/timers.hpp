@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// When each timer is due, and which one is due first. docs/semantics.md, section 3, Time. A part (base/parts.hpp),
-// which a body that waits names as well as the tables: where nobody has it, no timer is ever armed.
+// docs/semantics.md, section 3, Time. A part (base/parts.hpp), which a body that waits names as well as the tables:
+// where nobody has it, no timer is ever armed.
 
 #include "runtime/core/base/parts.hpp"
 #include "runtime/core/base/state.hpp"
@@ -41,7 +41,8 @@ public:
     if (due_[number(timer)] != never) set(number(timer), never);
   }
   Time due(Timer timer) const { return due_[number(timer)]; } ///< never: it is not armed
-  /// Takes away the one that is due first; there is one.
+  /// Takes away the one that is due first; there is one. The root of a tree is read, a change climbs as far as it
+  /// counts.
   DIRECTOR_PART Timer take_first();
 
 private:

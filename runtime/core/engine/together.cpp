@@ -1,12 +1,10 @@
 // docs/semantics.md, section 7: inputs of several records, which are taken together.
 // SPDX-License-Identifier: MIT
 //
-// In OverflowSlots the records of one input are published from the last to the first, the leader, and all places are
+// In overflow slots the records of one input are published from the last to the first, the leader, and all places are
 // reserved before: who sees a record whose leader is still to come leaves it where it is.
 
-#include "runtime/core/base/parts.hpp"
 #include "runtime/core/engine/inbox.hpp"
-#include "runtime/core/engine/place_states.hpp"
 
 namespace director {
 
@@ -19,11 +17,16 @@ void link(std::span<Input> records) {
 }
 
 /// The writer published it before the first one.
-bool Inbox::take_more(Input& out) { return word_ ? words_.take_more(out) : take_cell(out); }
+const Input* Inbox::take_more() {
+  if (!by_slot_) return take_cell() ? &record_ : nullptr;
+  OverflowSlot* const next = first_of(taken_);
+  if (next != nullptr) give(*next);
+  return next != nullptr ? &record_ : nullptr;
+}
 
 bool Inbox::post_in_turn(std::span<const Input> records) {
   for (const Input& record : records) {
-    if (words_.wait(record.thing)) return false;
+    if (waits_outside(record.thing)) return false;
   }
   return claim(records);
 }
@@ -32,54 +35,46 @@ void Inbox::reserve(std::span<Input> records) {
   for (std::size_t i = 0; i < records.size(); ++i) {
     bool last = true; // asked twice, the last one counts
     for (std::size_t j = i + 1; j < records.size(); ++j) last = last && records[j].thing != records[i].thing;
-    records[i].handle = last && words_.has(records[i].thing) ? words_.reserve(records[i].thing) : nil;
+    records[i].handle = last && records[i].thing < slots_.size() ? reserve(records[i].thing) : nil;
   }
 }
 
-void Inbox::publish(std::span<const Input> records) { words_.publish(records, tail_.load(std::memory_order_relaxed)); }
-
-void OverflowSlots::publish(std::span<const Input> records, std::uint32_t position) {
+void Inbox::publish(std::span<const Input> records) {
+  const std::uint32_t position = tail_.load(std::memory_order_relaxed), ticket = count(tickets_);
   Index leader = nil;
   for (const Input& record : records) {
     if (record.handle != nil && leader == nil) leader = record.thing;
   }
-  if (leader == nil) return;
-  const std::uint32_t ticket = count(tickets_);
   for (std::size_t i = records.size(); i-- > 0;) {
     if (records[i].handle == nil) continue;
-    Note note{records[i], position, ticket, leader};
+    OverflowSlot::Note note{records[i], position, ticket, leader};
     note.input.more = records.size() > 1;
-    put(records[i].thing, note);
+    publish(records[i].thing, note);
   }
-  spoken_.store(1, std::memory_order_release);
 }
 
 /// Back into its slot, if the rest of its input is about to be published. A later record may have come meanwhile; then
 /// this one is forgotten.
-void OverflowSlots::wait_for_leader(Slot& slot) {
-  const Note& note = slot.notes[slot.held];
-  const Slot& first = slots_[note.leader];
-  if (first.held != nil && &first != given_ && first.notes[first.held].ticket == note.ticket) return;
+void Inbox::wait_for_leader(OverflowSlot& slot) {
+  using PlaceState = OverflowSlot::PlaceState;
+  const OverflowSlot::Note& note = slot.in_hand();
+  const OverflowSlot& first = slots_[note.leader];
+  if (first.held != nil && &first != given_ && first.in_hand().ticket == note.ticket) return;
   const std::uint32_t leading = first.states.load(std::memory_order_acquire);
-  if (find(leading, PlaceState::filling) == nil && !any_published(leading)) return;
+  if (OverflowSlot::find(leading, PlaceState::filling) == nil && !OverflowSlot::any_published(leading)) return;
   const std::uint32_t before = change(slot.states, [&](std::uint32_t now) {
-    return with(now, slot.held, any_published(now) ? PlaceState::free : PlaceState::published);
+    const PlaceState next = OverflowSlot::any_published(now) ? PlaceState::free : PlaceState::published;
+    return OverflowSlot::with(now, slot.held, next);
   });
-  if (any_published(before)) count_lost();
+  if (OverflowSlot::any_published(before)) count_lost();
   slot.held = nil;
   --in_hand_;
   spoken_.store(1, std::memory_order_relaxed);
 }
 
-bool OverflowSlots::take_more(Input& out) {
-  Slot* next = first_of(taken_);
-  if (next != nullptr) out = give(*next);
-  return next != nullptr;
-}
-
-OverflowSlots::Slot* OverflowSlots::first_of(std::uint32_t ticket) {
-  for (Slot& slot : slots_) {
-    if (slot.held != nil && &slot != given_ && slot.notes[slot.held].ticket == ticket) return &slot;
+OverflowSlot* Inbox::first_of(std::uint32_t ticket) {
+  for (OverflowSlot& slot : slots_) {
+    if (slot.held != nil && &slot != given_ && slot.in_hand().ticket == ticket) return &slot;
   }
   return nullptr;
 }

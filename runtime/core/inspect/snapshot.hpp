@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // Two buffers between one writer and any number of readers, in any threads: the writer fills one while readers may be
-// in the other. Nobody waits for anybody. Needs what the inbox needs.
+// in the other. Nobody waits for anybody: readers only enter the buffer that was finished last, so the other one
+// becomes empty by itself. Needs what the inbox needs.
 
 #include "runtime/core/base/tables.hpp"
 
@@ -13,16 +14,46 @@ namespace director {
 class DoubleBuffer {
 public:
   // The writer's.
-  Index begin(); ///< a buffer to write into; nil: somebody is still in the older one, and this time is left out
-  void finish(Index buffer); ///< from now on readers enter this one
+
+  /// A buffer to write into; nil: somebody is still in the older one, and this time is left out.
+  Index begin() const {
+    const std::uint32_t now = state_.load(std::memory_order_acquire);
+    const Index spare = last(now) == 1 ? 1 : 0;
+    return readers(now, spare) == 0 ? spare : nil;
+  }
+  /// From now on readers enter this one.
+  void finish(Index buffer) {
+    std::uint32_t now = state_.load(std::memory_order_relaxed);
+    while (!replace(now, (now & ~3U) | (buffer + 1U))) {}
+  }
 
   // The readers'.
-  Index enter(); ///< the buffer that was finished last; nil: none was, or 255 readers are in it
-  void leave(Index buffer);
+
+  /// The buffer that was finished last; nil: none was, or 255 readers are in it.
+  Index enter() {
+    std::uint32_t now = state_.load(std::memory_order_relaxed);
+    while (last(now) != 0) {
+      const auto buffer = static_cast<Index>(last(now) - 1);
+      if (readers(now, buffer) == 0xFF) break;
+      if (replace(now, now + one_reader(buffer))) return buffer;
+    }
+    return nil;
+  }
+  void leave(Index buffer) {
+    std::uint32_t now = state_.load(std::memory_order_relaxed);
+    while (!replace(now, now - one_reader(buffer))) {}
+  }
 
 private:
-  std::atomic<std::uint32_t> state_{
-      0}; ///< bits 0-1: 0, or one more than the buffer to enter; a byte for each buffer's readers
+  static std::uint32_t last(std::uint32_t state) { return state & 3U; }
+  static std::uint32_t one_reader(Index buffer) { return 0x100U << (8 * buffer); }
+  static std::uint32_t readers(std::uint32_t state, Index buffer) { return state >> (8 + 8 * buffer) & 0xFFU; }
+  bool replace(std::uint32_t& now, std::uint32_t next) {
+    return state_.compare_exchange_weak(now, next, std::memory_order_acq_rel, std::memory_order_relaxed);
+  }
+
+  /// Bits 0-1: 0, or one more than the buffer to enter; then a byte for each buffer's readers.
+  std::atomic<std::uint32_t> state_{0};
 };
 
 } // namespace director

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Why does this group not run? Found from the tables and from what holds, without memory of its own. It tells of the
 // request that would be granted first, and of the first thing that keeps it: where there are alternatives, there may be
-// more in the way than what is told.
+// more in the way than what is told. In words for people, where names are compiled in: why_text.cpp.
 
 #include "runtime/core/inspect/view.hpp"
 
@@ -56,6 +56,25 @@ Because why(const View& view, Index group);
 
 /// What edge `holder` holds is in the way of the request `edge`: it goes before it, or is its equal.
 bool stands_in_the_way(const View& view, Index holder, Index edge);
+
+/// What rows are called. `self` is given back to each function. For `why` alone the first four are enough.
+struct Names {
+  const void* self = nullptr;                                                         ///< given to each function
+  const char* (*group)(const void* self, Index row) = nullptr;                        ///< `Walk`
+  const char* (*provider)(const void* self, Index row) = nullptr;                     ///< without its group
+  const char* (*edge)(const void* self, Index row) = nullptr;                         ///< `root>Walk`
+  const char* (*condition)(const void* self, Index row) = nullptr;                    ///< `Stability == standing`
+  const char* (*state)(const void* self, Index row) = nullptr;                        ///< `Stability`
+  const char* (*value)(const void* self, Index state, std::int32_t number) = nullptr; ///< empty for a number of a range
+  const char* (*trigger)(const void* self, Index row) = nullptr;                      ///< `Sensors`
+  const char* (*level)(const void* self, Index row) = nullptr; ///< empty for the first of a task; may be null
+  const Tables* tables = nullptr;                              ///< whose rows they are; only recorders ask
+  const char* behaviour = nullptr;                             ///< what it is called; likewise
+};
+
+/// One line without an end of line, such as `Kick waits (root>Kick): until Stability == standing, which Walk.halting
+/// could cause`. Written into `buffer`, which it returns; cut off where that is too small (at least one byte).
+const char* to_text(const Because& because, const Names& names, std::span<char> buffer);
 
 /// All providers that promise a condition, enabled or not.
 inline std::span<const TableIndex> causers(const Tables& tables, Index condition) {

@@ -1,7 +1,7 @@
 // The answers of why.cpp as sentences.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 namespace director {
 

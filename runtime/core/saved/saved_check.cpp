@@ -24,7 +24,9 @@ public:
         head_(read<HeadRow>(from, 0)) {}
 
   bool all() const {
-    if ((head_.flags & ~head::all) != 0 || head_.now > head_.until || head_.until > last_time) return false;
+    if ((head_.begun | head_.unsettled | head_.handlers_set | head_.serving) > 1 || head_.now > head_.until ||
+        head_.until > last_time)
+      return false;
     bool good = true;
     Layout::each_kind(Shape::of(t_), [&]<class Row>(std::size_t Layout::*kind, std::size_t count) {
       for (std::size_t i = 0; i < count && good; ++i)
@@ -53,8 +55,7 @@ private:
   }
   bool fits(const PlanRow& row, Index slot) const { return provider_of(t_.plan_groups[slot], row.provider); }
   bool fits(const StateRow& row, Index i) const {
-    return (row.expiry == never || t_.states[i].expires != 0) &&
-           (row.by_handler == unset || (head_.flags & head::handlers_set) != 0);
+    return (row.expiry == never || t_.states[i].expires != 0) && (row.by_handler == unset || head_.handlers_set != 0);
   }
   bool fits(const PromiseRow&, Index) const { return true; } // any time may be
   bool fits(const EnabledRow& row, Index) const { return row.set <= 1; }

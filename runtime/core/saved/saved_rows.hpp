@@ -18,7 +18,7 @@ class Engine;
 namespace saved {
 
 /// Grows when what is written changes.
-inline constexpr std::uint32_t format = 1;
+inline constexpr std::uint32_t format = 2;
 
 /// A `D`, the format, whether the data of tasks have their lowest byte first, and the bytes of an Index.
 inline constexpr std::uint32_t version_word = 0x44000000U | format << 16 |
@@ -27,13 +27,6 @@ inline constexpr std::uint32_t version_word = 0x44000000U | format << 16 |
 
 /// The check sum is of what lies from this byte on: behind HeadRow::version and itself.
 inline constexpr std::size_t summed_from = 8;
-
-/// Bits of HeadRow::flags.
-namespace head {
-inline constexpr std::uint8_t begun = 1, unsettled = 2, handlers_set = 4, serving = 8;
-inline constexpr std::uint8_t rests = 16; ///< nothing is to be done without an input before the first timer
-inline constexpr std::uint8_t all = 31;
-} // namespace head
 
 /// Of State::component, what lasts longer than a micro-step.
 inline constexpr std::uint8_t component_bits =
@@ -49,18 +42,20 @@ constexpr Member* at(T* array, Index row, Member T::*member) {
   return array == nullptr ? nullptr : &(array[row].*member);
 }
 
-/// What it is of all is in Counters, or follows from the tables.
 struct HeadRow {
   std::uint32_t version = version_word;
   std::uint32_t check_sum = 0; ///< of all that follows it
   std::uint32_t size = 0;      ///< in bytes, of all
   std::uint64_t behaviour = 0; ///< its fingerprint
-  Time now = 0, until = 0;     ///< as in Counters
+  Time now = 0, until = 0;     ///< as in Counters, as what follows
   std::uint64_t micro_step = 0;
-  std::uint8_t flags = 0;
-  constexpr void each(auto visit) {
+  std::uint8_t begun = 0, unsettled = 0, handlers_set = 0, serving = 0;
+  constexpr void each(auto visit, const State& s = {}) {
     visit(version), visit(check_sum), visit(size), visit(behaviour);
-    visit(now), visit(until), visit(micro_step), visit(flags);
+    visit(now, at(s.counters, 0, &Counters::now)), visit(until, at(s.counters, 0, &Counters::until));
+    visit(micro_step, at(s.counters, 0, &Counters::micro_step)), visit(begun, at(s.counters, 0, &Counters::begun));
+    visit(unsettled, at(s.counters, 0, &Counters::unsettled)), visit(serving, at(s.counters, 0, &Counters::serving));
+    visit(handlers_set, at(s.counters, 0, &Counters::handlers_set));
   }
 };
 

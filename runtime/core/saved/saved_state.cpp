@@ -39,6 +39,7 @@ struct FromMemory {
     if (place != nullptr) number = static_cast<Number>(*place);
   }
   void operator()(Time& due, Timers::Timer timer) const { due = timers.due(timer); }
+  void operator()(auto&) const {} // it lies nowhere
 };
 
 } // namespace
@@ -60,17 +61,9 @@ SaveResult write_decisions(const Engine& engine, std::span<std::byte> to, std::u
   const Counters& c = *s.counters;
   const Timers timers(engine.tables(), s);
   const Shape n = Shape::of(engine.tables());
-  const auto bit = [](bool set, std::uint8_t value) { return set ? value : std::uint8_t{0}; };
-  write(to.data(), 0,
-        HeadRow{.size = static_cast<std::uint32_t>(size),
-                .behaviour = behaviour,
-                .now = c.now,
-                .until = c.until,
-                .micro_step = c.micro_step,
-                .flags =
-                    static_cast<std::uint8_t>(bit(c.begun, head::begun) | bit(c.unsettled, head::unsettled) |
-                                              bit(c.handlers_set, head::handlers_set) | bit(c.serving, head::serving) |
-                                              bit(c.quiet_until != first_time, head::rests))});
+  HeadRow head{.size = static_cast<std::uint32_t>(size), .behaviour = behaviour};
+  head.each(FromMemory{timers}, s);
+  write(to.data(), 0, head);
   const Layout at(n);
   Layout::each_kind(n, [&]<class Row>(std::size_t Layout::*kind, std::size_t count) {
     if constexpr (std::is_same_v<Row, GroupRow> || std::is_same_v<Row, ComponentRow>)
@@ -131,7 +124,9 @@ public:
     });
     states();
     components();
-    counters();
+    head_.each([&](auto& number, auto... place) { (put(number, place), ...); }, s_);
+    s_.counters->until = now_;
+    s_.counters->now = saved::moved(head_.now, head_.until, now_);
     engine_.forget_trail();
   }
 
@@ -197,23 +192,10 @@ private:
     s_.order_count[component] = count;
   }
 
-  void counters() {
-    Counters& c = *s_.counters;
-    const auto is = [&](std::uint8_t bit) { return (head_.flags & bit) != 0; };
-    c.until = now_;
-    c.now = saved::moved(head_.now, head_.until, now_);
-    c.micro_step = head_.micro_step;
-    c.begun = is(saved::head::begun);
-    c.unsettled = is(saved::head::unsettled);
-    c.handlers_set = is(saved::head::handlers_set);
-    c.serving = is(saved::head::serving);
-    c.quiet_until = is(saved::head::rests) ? c.next_due : first_time;
-  }
-
   Engine& engine_;
   const Tables& t_;
   const State s_;
-  const saved::HeadRow head_;
+  saved::HeadRow head_;
   const Time now_;
 };
 

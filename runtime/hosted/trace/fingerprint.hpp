@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A number that tells two behaviours apart: of all rows of the tables, and of what they are called.
 
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <cstdint>
 #include <string>

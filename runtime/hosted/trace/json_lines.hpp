@@ -4,7 +4,7 @@
 // its own with them.
 
 #include "runtime/core/base/observer.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <cstdint>
 #include <string>

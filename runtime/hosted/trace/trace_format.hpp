@@ -4,7 +4,7 @@
 // in the middle of it, all that stands before can be read.
 
 #include "runtime/core/base/observer.hpp"
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <cstdint>
 #include <memory>

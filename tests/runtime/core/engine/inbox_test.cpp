@@ -27,15 +27,15 @@ bool post(Inbox& inbox, Index thing) {
 TEST_CASE("records come out in the order in which they went in, round and round") {
   std::vector<Inbox::Cell> cells(4);
   Inbox inbox(cells);
-  Input out;
   for (Index i = 0; i < 100; ++i) {
     REQUIRE(post(inbox, i));
     inbox.open();
     REQUIRE(inbox.waiting() == 1);
-    REQUIRE(inbox.take(out));
-    REQUIRE(out.thing == i);
+    const Input* const taken = inbox.take();
+    REQUIRE(taken != nullptr);
+    REQUIRE(taken->thing == i);
   }
-  CHECK_FALSE(inbox.take(out));
+  CHECK(inbox.take() == nullptr);
 }
 
 TEST_CASE("a full inbox refuses, and takes again when one was taken") {
@@ -45,8 +45,7 @@ TEST_CASE("a full inbox refuses, and takes again when one was taken") {
   CHECK(post(inbox, 2));
   CHECK_FALSE(post(inbox, 3));
   inbox.open();
-  Input out;
-  CHECK(inbox.take(out));
+  CHECK(inbox.take() != nullptr);
   CHECK(post(inbox, 3));
 }
 
@@ -65,26 +64,26 @@ TEST_CASE("an input of several records goes in whole or not at all") {
 TEST_CASE("what is put first is taken before what is posted behind it, and overtakes nothing") {
   std::vector<Inbox::Cell> cells(4);
   Inbox inbox(cells);
-  CHECK(inbox.take_first() == nullptr);
+  CHECK(inbox.take() == nullptr);
   CHECK(inbox.put_first(numbered(1)));
   CHECK_FALSE(inbox.put_first(numbered(2))); // one waits already
   CHECK(post(inbox, 2));
   inbox.open();
   CHECK(inbox.due());
-  const Input* const first = inbox.take_first();
+  const Input* const first = inbox.take();
   REQUIRE(first != nullptr);
   CHECK(first->thing == 1);
   CHECK_FALSE(inbox.put_first(numbered(3))); // it would overtake
   CHECK(inbox.is_open());
-  Input out;
-  CHECK(inbox.take(out));
-  CHECK(out.thing == 2);
-  CHECK(inbox.take_first() == nullptr);
+  const Input* const second = inbox.take();
+  REQUIRE(second != nullptr);
+  CHECK(second->thing == 2);
+  CHECK(inbox.take() == nullptr);
 
   CHECK(inbox.put_first(numbered(4))); // and nothing else
   inbox.open();
   CHECK(inbox.is_open());
-  CHECK(inbox.take_first() != nullptr);
+  CHECK(inbox.take() != nullptr);
   CHECK_FALSE(inbox.is_open());
   CHECK_FALSE(inbox.due());
 }
@@ -106,15 +105,17 @@ TEST_CASE("what several threads post arrives whole, each one's in its order") {
   std::array<Index, threads> seen{};
   bool in_order = true;
   for (Index taken = 0; taken < threads * each;) {
-    Input first, second;
     inbox.open();
-    if (!inbox.take(first)) {
+    const Input* const record = inbox.take();
+    if (record == nullptr) {
       std::this_thread::yield();
       continue;
     }
     ++taken;
-    in_order = in_order && inbox.take_more(second) && first.more && !second.more && first.thing == second.thing &&
-               first.value == static_cast<std::int32_t>(seen[first.thing]) && second.value == first.value;
+    const Input first = *record;
+    const Input* const second = inbox.take_more();
+    in_order = in_order && second != nullptr && first.more && !second->more && first.thing == second->thing &&
+               first.value == static_cast<std::int32_t>(seen[first.thing]) && second->value == first.value;
     ++seen[first.thing];
   }
   for (std::thread& writer : writers) writer.join();

@@ -17,7 +17,7 @@ using Kind = Input::Kind;
 /// An inbox of two cells for four root tasks.
 struct Small {
   std::vector<Inbox::Cell> cells = std::vector<Inbox::Cell>(2);
-  std::vector<OverflowSlots::Slot> slots = std::vector<OverflowSlots::Slot>(4);
+  std::vector<OverflowSlot> slots = std::vector<OverflowSlot>(4);
   Inbox inbox{cells, slots};
 
   bool fire(Index trigger) {
@@ -40,13 +40,16 @@ struct Small {
   std::vector<std::string> read() {
     std::vector<std::string> out;
     inbox.open();
-    for (Input input; inbox.due() && inbox.take(input);) out.push_back(text(input));
+    while (inbox.due()) {
+      if (const Input* const input = inbox.take(); input != nullptr) out.push_back(text(*input));
+    }
     return out;
   }
-  std::string text(Input input) {
+  std::string text(const Input& input) {
     std::string line = input.kind == Kind::fire ? "fire" : input.kind == Kind::cancel ? "cancel " : "request ";
     if (input.kind != Kind::fire) line += std::to_string(input.thing);
-    while (input.more && inbox.take_more(input)) line += "+" + std::to_string(input.thing);
+    for (const Input* next = &input; next->more && (next = inbox.take_more()) != nullptr;)
+      line += "+" + std::to_string(next->thing);
     return line;
   }
 };
@@ -77,13 +80,13 @@ TEST_CASE("what comes about a root task later waits behind its newest record, th
   small.fill();
   CHECK(small.say(Kind::request, {1}));
   small.inbox.open();
-  Input input;
-  CHECK(small.inbox.take(input));
-  CHECK(small.inbox.take(input)); // the inbox is empty, the request is in the reader's hands
+  CHECK(small.inbox.take() != nullptr);
+  CHECK(small.inbox.take() != nullptr); // the inbox is empty, the request is in the reader's hands
   CHECK(small.say(Kind::cancel, {1}));
-  CHECK(small.inbox.take(input));
-  CHECK(small.text(input) == "request 1");
-  CHECK(!small.inbox.take(input)); // the cancel came after the step began
+  const Input* const input = small.inbox.take();
+  REQUIRE(input != nullptr);
+  CHECK(small.text(*input) == "request 1");
+  CHECK(small.inbox.take() == nullptr); // the cancel came after the step began
   CHECK(small.read() == Lines{"cancel 1"});
 }
 
@@ -121,50 +124,53 @@ TEST_CASE("a task that is asked for twice in one input is there once") {
 
 TEST_CASE("a writer that is interrupted in the middle holds nobody up") {
   Small small;
-  OverflowSlots words(small.slots);
-  std::vector<Index> handles;
-  for (Index i = 0; i < OverflowSlots::places; ++i) handles.push_back(words.reserve(1));
-  CHECK(words.reserve(1) == nil); // one of those in the middle of it will count as the later one
+  const auto reserve = [&] {
+    std::array record{Input{.kind = Kind::request, .thing = 1}};
+    small.inbox.reserve(record);
+    return record[0].handle;
+  };
   const auto publish = [&](Index handle, Index level) {
     const Input input{.kind = Kind::request, .thing = 1, .handle = handle, .value = static_cast<std::int32_t>(level)};
-    words.publish({&input, 1}, 0);
+    small.inbox.publish({&input, 1});
   };
+  std::vector<Index> handles;
+  for (Index i = 0; i < OverflowSlot::places; ++i) handles.push_back(reserve());
+  CHECK(reserve() == nil); // one of those in the middle of it will count as the later one
   publish(handles[2], 2);
-  const Index again = words.reserve(1); // the newest record gives up its place
+  const Index again = reserve(); // the newest record gives up its place
   CHECK(again == handles[2]);
   publish(again, 5);
   publish(handles[0], 7);
-  words.open();
-  Input input;
-  REQUIRE(words.take(0, input));
-  CHECK(input.level() == 7);
-  CHECK(!words.take(0, input));
+  small.inbox.open();
+  const Input* const input = small.inbox.take();
+  REQUIRE(input != nullptr);
+  CHECK(input->level() == 7);
+  CHECK(small.inbox.take() == nullptr);
 }
 
 TEST_CASE("what is published before its leader waits for it") {
   Small small;
-  OverflowSlots words(small.slots);
-  const Index leader = words.reserve(0);
-  Input follower{.kind = Kind::request, .thing = 1, .handle = words.reserve(1)};
+  std::array both{Input{.kind = Kind::request, .more = true, .thing = 0}, Input{.kind = Kind::request, .thing = 1}};
+  small.inbox.reserve(both);
   // As far as a writer of both comes that is interrupted: the leader is still to be published.
-  const std::array both{Input{.kind = Kind::request, .more = true, .thing = 0, .handle = leader}, follower};
-  words.publish({&both[1], 1}, 0);
-  const Index place = static_cast<Index>(follower.handle - waiting_requests);
-  small.slots[1].notes[place].leader = 0;
-  small.slots[1].notes[place].input.more = true;
-  Input input;
-  words.open();
-  CHECK(!words.take(0, input));
-  words.publish({both.data(), 1}, 0);
-  OverflowSlots::Note& first = small.slots[0].notes[static_cast<Index>(leader - waiting_requests)];
-  first.ticket = small.slots[1].notes[place].ticket;
+  small.inbox.publish({&both[1], 1});
+  OverflowSlot::Note& follower = small.slots[1].notes[static_cast<Index>(both[1].handle - waiting_requests)];
+  follower.leader = 0;
+  follower.input.more = true;
+  small.inbox.open();
+  CHECK(small.inbox.take() == nullptr);
+  small.inbox.publish({both.data(), 1});
+  OverflowSlot::Note& first = small.slots[0].notes[static_cast<Index>(both[0].handle - waiting_requests)];
+  first.ticket = follower.ticket;
   first.input.more = true;
-  words.open();
-  REQUIRE(words.take(0, input));
-  CHECK(input.thing == 0);
-  REQUIRE(input.more);
-  REQUIRE(words.take_more(input));
-  CHECK(input.thing == 1);
+  small.inbox.open();
+  const Input* input = small.inbox.take();
+  REQUIRE(input != nullptr);
+  CHECK(input->thing == 0);
+  REQUIRE(input->more);
+  input = small.inbox.take_more();
+  REQUIRE(input != nullptr);
+  CHECK(input->thing == 1);
 }
 
 TEST_CASE("an inbox without overflow slots refuses when it is full") {

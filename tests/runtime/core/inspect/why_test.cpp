@@ -2,7 +2,7 @@
 // Why a group does not run, in words: each kind of answer in a situation of its own. That answers are true is held
 // against the oracle on random scenarios, in tests/property.
 
-#include "runtime/core/inspect/why_text.hpp"
+#include "runtime/core/inspect/why.hpp"
 #include "tests/runtime/core/machine.hpp"
 
 #include <catch2/catch.hpp>

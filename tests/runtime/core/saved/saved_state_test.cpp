@@ -143,7 +143,7 @@ TEST_CASE("a row that is not there, or that may not stand there, is refused") {
   CHECK(saved.with<FiredRow>(saved.at.listens, 0, [](FiredRow& row) { row.set = 2; }) == impossible);
   CHECK(saved.with<ComponentRow>(saved.at.components, 0, [](ComponentRow& row) { row.bits = 32; }) == impossible);
   CHECK(saved.with<ComponentRow>(saved.at.components, 0, [](ComponentRow& row) { row.work_place = 1; }) == impossible);
-  CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.flags = 32; }) == impossible);
+  CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.begun = 2; }) == impossible);
   CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.now = 11; }) == impossible); // later than what step was given
   CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.until = never; }) == impossible);
   CHECK(saved.load() == LoadResult::loaded); // unless nothing is changed
