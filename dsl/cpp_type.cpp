@@ -246,13 +246,21 @@ std::optional<CppFault> enum_fault(std::string_view text) {
 std::optional<CppFault> header_fault(std::string_view text) {
   constexpr const char* help = "for example `robot/messages.hpp`, or `<vector>`";
   if (has_controls(text)) return CppFault{"this is no header: its path has control characters", help};
-  std::string_view path = text;
-  if (path.starts_with('<') && path.ends_with('>') && path.size() > 1) path = path.substr(1, path.size() - 2);
+  const std::string_view path = named_header(text).path;
   const auto bad = path.find_first_of("\"<>\\");
   if (bad != std::string_view::npos)
     return CppFault{fmt::format("`{}` is no header: its path has a `{}`", shown(text), path[bad]), help};
   if (path.empty()) return CppFault{fmt::format("`{}` is no header: it has no path", text), help};
   return {};
+}
+
+NamedHeader named_header(std::string_view text) {
+  if (!text.starts_with('<') || !text.ends_with('>') || text.size() < 2) return {text, false};
+  return {text.substr(1, text.size() - 2), true};
+}
+
+std::string include_line(std::string_view header) {
+  return named_header(header).angled ? fmt::format("#include {}", header) : fmt::format("#include \"{}\"", header);
 }
 
 std::vector<FirstWord> first_words(std::string_view type) {
