@@ -58,13 +58,31 @@ bool has_controls(std::string_view text) {
   });
 }
 
+/// A whole number as C++ has it, with what it may end with: `3`, `0x1F`, `8u`.
+bool is_number(std::string_view word) {
+  constexpr std::array<std::string_view, 7> endings{"u", "l", "ul", "lu", "ll", "ull", "llu"};
+  std::string text(word);
+  std::transform(text.begin(), text.end(), text.begin(), lower);
+  const bool is_hexadecimal = text.starts_with("0x"), is_binary = text.starts_with("0b");
+  const std::string_view digits = is_hexadecimal          ? "0123456789abcdef"
+                                  : is_binary             ? "01"
+                                  : text.starts_with('0') ? "01234567"
+                                                          : "0123456789";
+  std::string_view rest = text;
+  if (is_hexadecimal || is_binary) rest.remove_prefix(2);
+  const std::string_view ending = rest.substr(std::min(rest.find_first_not_of(digits), rest.size()));
+  rest.remove_suffix(ending.size());
+  return all_among(rest, digits) &&
+         (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end());
+}
+
 /// Tokens: words, numbers, `::`, `&&`, single characters. An empty one is the end.
 class Tokens {
 public:
   explicit Tokens(std::string_view text) : text_(text) { next(); }
   std::string_view now() const { return now_; }
   bool at_word() const { return !now_.empty() && is_word(now_[0]) && !is_digit(now_[0]); }
-  bool at_number() const { return !now_.empty() && is_digit(now_[0]); }
+  bool at_number() const { return is_number(now_); }
   bool take(std::string_view token) {
     if (now_ != token) return false;
     next();
@@ -115,25 +133,32 @@ private:
   }
   bool go_on() const { return fault_.empty(); }
 
-  bool take_cv() {
-    bool constant = false;
-    while (tokens_.now() == "const" || tokens_.now() == "volatile") {
-      constant = true;
+  /// `const` and `volatile`, each once: a second one stays where it is.
+  struct Qualifiers {
+    bool constant = false, unstable = false;
+    bool any() const { return constant || unstable; }
+  };
+  void take(Qualifiers& qualifiers) {
+    while ((!qualifiers.constant && tokens_.now() == "const") ||
+           (!qualifiers.unstable && tokens_.now() == "volatile")) {
+      (tokens_.now() == "const" ? qualifiers.constant : qualifiers.unstable) = true;
       tokens_.next();
     }
-    return constant;
   }
 
   Shape type(int depth) {
     Shape shape;
     if (depth > deepest) fail("fewer brackets within brackets");
-    shape.constant = take_cv();
+    Qualifiers qualifiers;
+    take(qualifiers);
     if (go_on()) name(shape, depth);
-    shape.constant = take_cv() || shape.constant;
+    take(qualifiers);
     while (go_on() && tokens_.take("*")) {
       shape.pointer = true;
-      shape.constant = take_cv();
+      qualifiers = {};
+      take(qualifiers);
     }
+    shape.constant = qualifiers.any();
     if (!go_on()) return shape;
     shape.reference = tokens_.take("&") || tokens_.take("&&");
     if (tokens_.take("(")) {
@@ -246,13 +271,21 @@ std::optional<CppFault> enum_fault(std::string_view text) {
 std::optional<CppFault> header_fault(std::string_view text) {
   constexpr const char* help = "for example `robot/messages.hpp`, or `<vector>`";
   if (has_controls(text)) return CppFault{"this is no header: its path has control characters", help};
-  std::string_view path = text;
-  if (path.starts_with('<') && path.ends_with('>') && path.size() > 1) path = path.substr(1, path.size() - 2);
+  const std::string_view path = named_header(text).path;
   const auto bad = path.find_first_of("\"<>\\");
   if (bad != std::string_view::npos)
     return CppFault{fmt::format("`{}` is no header: its path has a `{}`", shown(text), path[bad]), help};
   if (path.empty()) return CppFault{fmt::format("`{}` is no header: it has no path", text), help};
   return {};
+}
+
+NamedHeader named_header(std::string_view text) {
+  if (!text.starts_with('<') || !text.ends_with('>') || text.size() < 2) return {text, false};
+  return {text.substr(1, text.size() - 2), true};
+}
+
+std::string include_line(std::string_view header) {
+  return named_header(header).angled ? fmt::format("#include {}", header) : fmt::format("#include \"{}\"", header);
 }
 
 std::vector<FirstWord> first_words(std::string_view type) {

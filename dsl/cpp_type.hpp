@@ -22,6 +22,15 @@ std::optional<CppFault> enum_fault(std::string_view text);
 /// A path behind `#include`, bare or in angle brackets.
 std::optional<CppFault> header_fault(std::string_view text);
 
+/// A header as it is named, which must be without faults: where it is looked for, and what includes it.
+struct NamedHeader {
+  std::string_view path; ///< without angle brackets
+  bool angled = false;
+};
+NamedHeader named_header(std::string_view text);
+/// `#include "robot/messages.hpp"`, `#include <vector>`
+std::string include_line(std::string_view header);
+
 /// The first word of a name in a type.
 struct FirstWord {
   std::string word;

@@ -33,7 +33,11 @@ struct Descriptor {
 
 Result<std::string, FileError> DiskFiles::read(const std::string& path, std::size_t most) {
   const auto error = [](int number) {
-    return FileError{number == ENOENT || number == ENOTDIR ? FileError::Kind::not_found : FileError::Kind::not_readable,
+    using Kind = FileError::Kind;
+    const bool is_lost = number == ENOENT || number == ENOTDIR;
+    return FileError{is_lost            ? Kind::not_found
+                     : number == EISDIR ? Kind::folder
+                                        : Kind::not_readable,
                      std::generic_category().message(number)};
   };
   // A pipe is opened without waiting for who writes to it: that may be nobody.

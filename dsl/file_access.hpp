@@ -14,7 +14,7 @@
 namespace director::dsl {
 
 struct FileError {
-  enum class Kind { not_found, not_readable, too_large };
+  enum class Kind { not_found, not_readable, too_large, folder };
   Kind kind = Kind::not_found;
   std::string message; ///< what the system says: "no such file", "is a directory"
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/read_data.hpp"
 
+#include "dsl/characters.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,10 +17,6 @@ namespace {
 
 std::string_view without_sign(std::string_view text) {
   return text.substr(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
-}
-
-bool all_among(std::string_view text, std::string_view characters) {
-  return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
 }
 
 /// In decimal, without needless zeros.

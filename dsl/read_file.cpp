@@ -31,8 +31,9 @@ bool read_language(Reader& reader, const YamlNode& root) {
 CppSpec read_cpp(Reader& reader, const YamlNode* node) {
   static const Keys keys{"namespace", "headers"};
   CppSpec cpp;
-  if (!reader.is_mapping(node, "cpp")) return cpp;
-  reader.know_keys(*node, "`cpp`", keys);
+  if (!reader.is_mapping(node, "cpp", "a mapping", "headers are a list: `cpp: {headers: [robot/messages.hpp]}`"))
+    return cpp;
+  reader.know_keys(*node, "`cpp`", keys, slips_of_cpp());
   cpp.name_space = reader.word(node->find("namespace"), "namespace", "a C++ namespace");
   const YamlNode* headers = node->find("headers");
   if (!reader.is_list(headers, "headers")) return cpp;

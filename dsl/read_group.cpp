@@ -38,13 +38,24 @@ void read_provider_words(Reader& reader, const YamlNode& mapping, ProviderSpec& 
   if (provider.tasks && provider.packs) provider.packs.reset();
 }
 
-ProviderSpec read_provider(Reader& reader, const YamlNode& mapping) {
-  static const Keys keys{"name",     "when",  "stay",  "causing", "sets", "needs", "uses",
+const Keys provider_keys{"name",     "when",  "stay",  "causing", "sets", "needs", "uses",
                          "triggers", "every", "tasks", "packs",   "doc",  "allow", "because"};
+
+/// `- walking: {...}`
+const YamlPair* named_by_its_key(const YamlNode& mapping) {
+  if (mapping.pairs.size() != 1) return nullptr;
+  const YamlPair& pair = mapping.pairs.front();
+  const bool is_key = std::find(provider_keys.begin(), provider_keys.end(), pair.key.value) != provider_keys.end();
+  const bool is_body = pair.value.kind == YamlNode::Kind::mapping || pair.value.kind == YamlNode::Kind::null;
+  return is_key || !is_body ? nullptr : &pair;
+}
+
+ProviderSpec read_provider(Reader& reader, const YamlNode& mapping) {
   const Span first = mapping.pairs.empty() ? mapping.span : mapping.pairs.front().key.span;
   const YamlNode* name = mapping.find("name");
   const bool named = name && name->kind == YamlNode::Kind::scalar;
-  reader.know_keys(mapping, named ? fmt::format("provider `{}`", name->text) : "a provider", keys, slips_of_group());
+  reader.know_keys(mapping, named ? fmt::format("provider `{}`", name->text) : "a provider", provider_keys,
+                   slips_of_group());
   ProviderSpec provider;
   provider.span = mapping.span;
   provider.name = reader.word(reader.require(mapping, "name", "a provider", first, "name: walking"), "name", "a name")
@@ -66,9 +77,18 @@ std::string help_for_providers(const YamlNode* node) {
 std::vector<ProviderSpec> read_providers(Reader& reader, const YamlNode* node) {
   std::vector<ProviderSpec> out;
   if (!reader.is_list(node, "providers", "a list of providers", help_for_providers(node))) return out;
-  for (const YamlNode& item : node->items)
-    if (reader.is_mapping(&item, "providers", "a mapping such as {name: walking}"))
+  for (const YamlNode& item : node->items) {
+    const std::string word = item.kind == YamlNode::Kind::scalar ? item.text : "";
+    if (!reader.is_mapping(&item, "providers", "a mapping such as {name: walking}",
+                           word.empty() ? "" : fmt::format("write `{{name: {}}}`", word)))
+      continue;
+    if (const YamlPair* pair = named_by_its_key(item)) {
+      reader.error("missing_key", pair->key.span, "a provider needs `name`",
+                   fmt::format("write `- name: {}`, and its other words below", pair->key.value));
+    } else {
       out.push_back(read_provider(reader, item));
+    }
+  }
   return out;
 }
 
@@ -113,11 +133,24 @@ std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, st
   return handler;
 }
 
-/// For `Walk: [Legs]`.
-std::string help_for_list(const YamlPair& pair) {
-  if (pair.value.kind != YamlNode::Kind::list) return "";
-  return fmt::format("what it requests stands in `tasks`, what it must control in `needs`: `{}: {{tasks: [...]}}`",
-                     pair.key.value);
+/// For `Walk: [Legs]` and `Walk: Legs`, which is no key that lacks its colon.
+std::string help_for_short_group(const YamlPair& pair) {
+  const YamlNode& value = pair.value;
+  const bool is_word = value.kind == YamlNode::Kind::scalar && value.text.find(' ') == std::string::npos;
+  if (value.kind != YamlNode::Kind::list && !is_word) return "";
+  return fmt::format("what it requests stands in `tasks`, what it must control in `needs`: `{}: {{tasks: [{}]}}`",
+                     pair.key.value, is_word ? value.text : "...");
+}
+
+/// A structure is C++'s own matter.
+std::optional<Word> read_type_of_data(Reader& reader, const YamlNode* node) {
+  constexpr std::string_view expected = "a C++ type";
+  if (node == nullptr || (node->pairs.empty() && node->items.empty()))
+    return reader.cpp_word(node, "data", expected, "bad_type", data_fault);
+  reader.unexpected(*node, "data", expected,
+                    "what has members is a struct in a header of yours: `data: robot::Course`, and under `cpp` "
+                    "`headers: [robot/course.hpp]`");
+  return std::nullopt;
 }
 
 } // namespace
@@ -131,12 +164,12 @@ GroupSpec read_group(Reader& reader, const YamlPair& pair) {
   group.name = reader.name(pair);
   group.realtime.span = pair.key.span;
   const YamlNode& mapping = pair.value;
-  if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_list(pair))) return group;
+  if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short_group(pair))) return group;
   reader.know_keys(mapping, fmt::format("group `{}`", pair.key.value), keys, slips_of_group());
   group.doc = reader.text(mapping.find("doc"), "doc");
   group.layer = reader.word(mapping.find("layer"), "layer", "the name of a layer");
   group.module = reader.word(mapping.find("module"), "module", "the name of a module");
-  group.data = reader.cpp_word(mapping.find("data"), "data", "a C++ type", "bad_type", data_fault);
+  group.data = read_type_of_data(reader, mapping.find("data"));
   if (const auto flag = reader.flag(mapping.find("realtime"), "realtime")) group.realtime = *flag;
   group.start = read_handler(reader, mapping.find("start"), "start");
   group.stop = read_handler(reader, mapping.find("stop"), "stop");

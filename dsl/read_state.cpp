@@ -14,9 +14,10 @@ namespace {
 
 std::optional<RangeSpec> read_range(Reader& reader, const YamlNode* node) {
   constexpr std::string_view expected = "a list of the lowest and the highest number";
-  if (!reader.is_list(node, "range", expected)) return std::nullopt;
+  constexpr const char* help = "for example `[0, 100]`";
+  if (!reader.is_list(node, "range", expected, help)) return std::nullopt;
   if (node->items.size() != 2) {
-    reader.unexpected(*node, "range", expected, "for example `[0, 100]`");
+    reader.unexpected(*node, "range", expected, help);
     return std::nullopt;
   }
   const auto low = reader.number(&node->items[0], "range"), high = reader.number(&node->items[1], "range");

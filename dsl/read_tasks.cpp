@@ -38,7 +38,10 @@ std::string help_for_short_task(const YamlPair& pair) {
   if (parse_number(value.text)) return fmt::format("write `{}: {{priority: {}}}`", name, value.text);
   for (const std::string_view word : {"optional", "apart"})
     if (value.text == word) return fmt::format("write `{}: {{{}: true}}`", name, word);
-  return value.text == "true" ? fmt::format("write `{}: {{}}`", name) : "";
+  if (value.text == "true") return fmt::format("write `{}: {{}}`", name);
+  // What has blanks may be a key that lacks its colon.
+  if (value.text.find(' ') != std::string::npos) return "";
+  return fmt::format("a priority is a whole number: `{}: {{priority: 10}}`", name);
 }
 
 bool names_a_level(Reader& reader, const YamlNode& mapping, std::string_view subject) {

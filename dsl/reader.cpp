@@ -26,6 +26,20 @@ std::string in_quotes(std::string_view text) {
   return fmt::format("`{}…`", text.substr(0, size));
 }
 
+/// Of `open|shut` and `open, shut` each of both.
+std::vector<std::string_view> parts_of(std::string_view text) {
+  std::vector<std::string_view> out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of(",|"), text.size());
+    std::string_view part = text.substr(0, end);
+    part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+    part = part.substr(0, part.find_last_not_of(' ') + 1);
+    if (!part.empty()) out.push_back(part);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
 } // namespace
 
 std::string found(const YamlNode& node) {
@@ -73,7 +87,8 @@ bool Reader::is_list(const YamlNode* node, std::string_view subject, std::string
   if (!node) return false;
   const bool good = node->kind == YamlNode::Kind::list;
   if (node->kind == YamlNode::Kind::null) help = "an empty one is `[]`";
-  if (node->kind == YamlNode::Kind::scalar && !node->text.empty()) help = fmt::format("write `[{}]`", node->text);
+  if (help.empty() && node->kind == YamlNode::Kind::scalar && !node->text.empty())
+    help = fmt::format("write `[{}]`", node->text);
   if (!good) unexpected(*node, subject, expected, std::move(help));
   return good;
 }
@@ -154,6 +169,8 @@ std::vector<Word> Reader::words(const YamlNode* node, std::string_view subject, 
   std::vector<std::string_view> keys; // of a mapping that stands there instead
   if (node)
     for (const YamlPair& pair : node->pairs) keys.push_back(pair.key.value);
+  // Or a list in the spelling of another tool, `open|shut`.
+  if (node && node->kind == YamlNode::Kind::scalar) keys = parts_of(node->text);
   const bool named = !keys.empty() && keys.size() <= most_quoted_words;
   if (!is_list(node, subject, "a list", named ? fmt::format("write `[{}]`", fmt::join(keys, ", ")) : "")) return out;
   for (const YamlNode& item : node->items)

@@ -50,6 +50,14 @@ const Slips& slips_of_scenario_file() {
   return slips;
 }
 
+const Slips& slips_of_cpp() {
+  static const Slips slips{
+      {{"include", "includes", "imports", "types"}, "what is included stands in `headers`: `headers: [types.hpp]`"},
+      {{"package", "module"}, "the namespace of what is generated stands in `namespace`"},
+  };
+  return slips;
+}
+
 const Slips& slips_of_state() {
   static const Slips slips{
       {{"default", "value"}, "the value at the start stands in `initial`"},
@@ -119,15 +127,18 @@ const Slips& slips_of_step() {
 
 const std::string* help_for_type(std::string_view type) {
   static const Slips slips{
-      {{"bool"}, "leave it out and name the two values: `values: [closed, open]`; an enum is generated for them"},
-      {{"int",          "unsigned",     "unsigned int",  "short",         "long",         "size_t",
-        "int8_t",       "int16_t",      "int32_t",       "int64_t",       "uint8_t",      "uint16_t",
-        "uint32_t",     "uint64_t",     "std::size_t",   "std::int8_t",   "std::int16_t", "std::int32_t",
-        "std::int64_t", "std::uint8_t", "std::uint16_t", "std::uint32_t", "std::uint64_t"},
+      {{"bool", "boolean"},
+       "leave it out and name the two values: `values: [closed, open]`; an enum is generated for them"},
+      {{"integer",       "int8",         "int16",        "int32",        "int64",        "uint8",
+        "uint16",        "uint32",       "uint64",       "int",          "unsigned",     "unsigned int",
+        "short",         "long",         "size_t",       "int8_t",       "int16_t",      "int32_t",
+        "int64_t",       "uint8_t",      "uint16_t",     "uint32_t",     "uint64_t",     "std::size_t",
+        "std::int8_t",   "std::int16_t", "std::int32_t", "std::int64_t", "std::uint8_t", "std::uint16_t",
+        "std::uint32_t", "std::uint64_t"},
        "leave it out and say which whole numbers: `range: [0, 100]`"},
       {{"float", "double"},
        "leave it out: a state has whole numbers, `range: [0, 1000]`, in a unit that is small enough"},
-      {{"char", "std::string", "std::string_view", "enum"},
+      {{"char", "string", "std::string", "std::string_view", "enum"},
        "leave it out and list the words: `values: [lost, seen]`; an enum is generated for them"},
   };
   return help_for(slips, type);

@@ -20,12 +20,14 @@ const std::string* help_for(const Slips& slips, std::string_view key);
 
 const Slips& slips_of_file();
 const Slips& slips_of_scenario_file();
+const Slips& slips_of_cpp();
 const Slips& slips_of_state();
 const Slips& slips_of_group(); ///< and of a provider
 const Slips& slips_of_task();
 const Slips& slips_of_step();
 
-/// What is wrong with a type that C++ has itself where an enum is wanted, as help; null: it has no such type.
+/// What is wrong with a type that C++ or another language has itself where an enum is wanted, as help; null: none has
+/// such a type.
 const std::string* help_for_type(std::string_view type);
 
 } // namespace director::dsl

@@ -1,12 +1,25 @@
-// Header: compiler/base/html.hpp. Test: tests/compiler/page/pages_test.cpp, tests/compiler/cli/picture_svg_test.cpp.
+// Header: compiler/base/html.hpp. Test: tests/compiler/base/html_test.cpp, tests/compiler/cli/picture_svg_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/html.hpp"
 
 namespace director::compiler {
 
+std::string without_controls(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto letter = static_cast<unsigned char>(text[i]);
+    const bool is_no_character =
+        text.substr(i).starts_with("\xEF\xBF\xBE") || text.substr(i).starts_with("\xEF\xBF\xBF");
+    const bool is_control = letter < 0x20 && letter != '\t' && letter != '\n' && letter != '\r';
+    out += is_no_character || is_control ? ' ' : text[i];
+    if (is_no_character) i += 2;
+  }
+  return out;
+}
+
 std::string html(std::string_view text) {
   std::string out;
-  for (const char letter : text) {
+  for (const char letter : without_controls(text)) {
     switch (letter) {
     case '&': out += "&amp;"; break;
     case '<': out += "&lt;"; break;

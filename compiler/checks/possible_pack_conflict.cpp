@@ -207,9 +207,7 @@ void look_at(const Input& input, Units& units, const Pack& pack, Findings& findi
 
 void possible_pack_conflict(const Input& input, Findings& findings) {
   Units& units = input.shared.units();
-  for (const PackConflict& conflict : input.conflicts.pack_conflicts()) {
-    if (!input.model.providers[conflict.provider].has_packs) report_pack_conflict(input, units, conflict, findings);
-  }
+  report_pack_conflicts(input, false, findings);
   for (const ProviderId id : input.model.providers.ids()) {
     const Provider& provider = input.model.providers[id];
     if (!provider.has_packs || !input.facts.active.contains(id)) continue;

@@ -7,6 +7,7 @@
 #include "compiler/clang/places.hpp"
 #include "compiler/clang/subcommands.hpp"
 #include "compiler/clang/units.hpp"
+#include "dsl/cpp_type.hpp"
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclTemplate.h>
@@ -28,7 +29,7 @@ Source write_source(const Json& request) {
   Source out;
   unsigned line = 1;
   for (const Json& header : request["headers"].items()) {
-    out.text += "#include \"" + header.as_text() + "\"\n";
+    out.text += dsl::include_line(header.as_text()) + "\n";
     ++line;
   }
   out.text += "namespace " + request["namespace"].as_text() + " {\n";

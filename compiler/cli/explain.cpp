@@ -3,6 +3,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/page_text.hpp"
 #include "compiler/reference/explain_key.hpp"
+#include "dsl/slips.hpp"
 #include "dsl/suggest.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,15 @@ std::string shown(std::string_view page, const Console& console) {
   return page_text(page, console.out_width, console.out_colours);
 }
 
+/// What stands for it here, if it is a key that other tools have.
+const std::string* help_for_slip(std::string_view key) {
+  using namespace dsl;
+  for (const Slips* slips : {&slips_of_group(), &slips_of_state(), &slips_of_task(), &slips_of_file(), &slips_of_cpp(),
+                             &slips_of_step(), &slips_of_scenario_file()})
+    if (const std::string* help = help_for(*slips, key)) return help;
+  return nullptr;
+}
+
 } // namespace
 
 int run(const Explain& request, Console& console) {
@@ -27,6 +37,10 @@ int run(const Explain& request, Console& console) {
   if (const std::optional<std::string> text = explain_key(page, request.id)) {
     console.out << shown(*text, console);
     return clean;
+  }
+  if (const std::string* help = help_for_slip(request.id)) {
+    console.err << fmt::format("directorc: there is no check and no key `{}`: {}\n", request.id, *help);
+    return misused;
   }
   std::vector<std::string> known = keys_of(page);
   for (const checks::Registered& check : checks::registered()) known.emplace_back(check.id);

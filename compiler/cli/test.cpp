@@ -58,9 +58,14 @@ private:
     if (named.ends_with(".yaml") || named.ends_with(".yml")) return {named};
     while (named.size() > 1 && named.ends_with('/')) named.pop_back();
     std::vector<std::string> below = console_.outputs.list(named);
-    if (below.empty()) return {named}; // whatever it is: who reads it says so
+    if (below.empty() && !is_folder(named)) return {named}; // whatever it is: who reads it says so
     std::erase_if(below, [](const std::string& path) { return !path.ends_with(".scenario.yaml"); });
     return below;
+  }
+
+  bool is_folder(const std::string& path) {
+    const auto read = console_.files.read(path, 0);
+    return !read && read.error().kind == dsl::FileError::Kind::folder;
   }
 
   bool text() const { return request_.format == Format::text; }

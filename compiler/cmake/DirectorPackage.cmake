@@ -28,13 +28,16 @@ if(TARGET directorc)
     install(FILES ${CMAKE_CURRENT_LIST_DIR}/${module} DESTINATION ${package_folder} COMPONENT compiler)
     configure_file(${CMAKE_CURRENT_LIST_DIR}/${module} ${build_folder}/${module} COPYONLY)
   endforeach()
-  # For editors. In a build tree they lie as they do where Director is installed: directorc finds them from its own place.
+  # In a build tree schemas, for editors, and the headers of the runtime, for who reads C++, lie as they do where Director is installed: directorc finds
+  # them from its own place.
   file(GLOB schemas CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/schemas/*.schema.json)
   install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/director/schemas COMPONENT compiler)
   foreach(schema IN LISTS schemas)
     cmake_path(GET schema FILENAME name)
     configure_file(${schema} ${PROJECT_BINARY_DIR}/share/director/schemas/${name} COPYONLY)
   endforeach()
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/director)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/runtime ${PROJECT_BINARY_DIR}/include/director/runtime SYMBOLIC)
 endif()
 if(TARGET director-clang)
   install(TARGETS director-clang EXPORT DirectorClangTargets RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/director COMPONENT clang)

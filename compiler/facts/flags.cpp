@@ -190,13 +190,14 @@ Words Compilers::complete(const Flags& flags) {
   return out;
 }
 
-Words include_folders(const Words& words, const std::string& directory) {
+Words include_folders(const Words& words, const std::string& directory, bool angled) {
   Words out;
   const auto add = [&](const std::string& folder) {
     const fs::path path(folder);
     out.push_back((path.is_absolute() ? path : fs::path(directory) / path).lexically_normal().string());
   };
   for (const std::string_view option : {"-iquote", "-I", "-isystem", "-idirafter"}) {
+    if (angled && option == "-iquote") continue;
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (words[i] == option && i + 1 < words.size()) {
         add(words[++i]);

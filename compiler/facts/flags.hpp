@@ -41,8 +41,9 @@ private:
   std::map<std::string, Habits> known_;
 };
 
-/// Where `#include "..."` looks, in order: absolute folders.
-std::vector<std::string> include_folders(const std::vector<std::string>& words, const std::string& directory);
+/// Where `#include "..."` looks, or `#include <...>` where it is `angled`, in order: absolute folders.
+std::vector<std::string> include_folders(const std::vector<std::string>& words, const std::string& directory,
+                                         bool angled = false);
 
 /// Files that are read before the source, as `-include` says: absolute, in order. Those that no folder has are left out
 /// by whoever reads them.

@@ -3,6 +3,7 @@
 #include "compiler/facts/scanned_types.hpp"
 
 #include "compiler/base/version.hpp"
+#include "dsl/cpp_type.hpp"
 #include "dsl/load_file.hpp"
 
 #include <fmt/format.h>
@@ -44,11 +45,12 @@ const CppType* Types::find(std::string_view name) const {
 std::vector<std::string> ScannedTypes::missing_in(const CompileCommand& command,
                                                   const std::vector<std::string>& headers) {
   const auto without = [&](const std::vector<std::string>& words, const std::vector<std::string>& wanted) {
-    const std::vector<std::string> folders = include_folders(words, command.directory);
     std::vector<std::string> out;
     for (const std::string& header : wanted) {
+      const dsl::NamedHeader named = dsl::named_header(header);
+      const std::vector<std::string> folders = include_folders(words, command.directory, named.angled);
       const bool found = std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
-        return static_cast<bool>(files_.read((fs::path(folder) / header).string(), dsl::largest_file));
+        return static_cast<bool>(files_.read((fs::path(folder) / named.path).string(), dsl::largest_file));
       });
       if (!found) out.push_back(header);
     }

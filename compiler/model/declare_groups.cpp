@@ -35,7 +35,8 @@ void add_providers(Resolver& r, const Word& group, GroupSource& source, const st
     }
     const auto first = std::find_if(source.providers.begin(), source.providers.end(),
                                     [&](const dsl::ProviderSpec* p) { return capitalised(p->name.value) == name; });
-    if (first == source.providers.end()) {
+    // One that lacks its name is told of already.
+    if (first == source.providers.end() || name.empty()) {
       source.providers.insert(source.providers.begin() + static_cast<std::ptrdiff_t>(place++), &spec);
       continue;
     }

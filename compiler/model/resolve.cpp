@@ -4,6 +4,7 @@
 
 #include "compiler/model/cpp_names.hpp"
 #include "compiler/model/resolver.hpp"
+#include "dsl/cpp_type.hpp"
 #include "dsl/names.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ namespace {
 /// What is generated includes the headers, and `#include` looks beside it first.
 void check_header(Resolver& r, const Word& header) {
   for (const std::string& name : {header_name(r.main.name.value), facts_name(r.main.name.value)}) {
-    if (std::filesystem::path(header.value).lexically_normal() != name) continue;
+    if (std::filesystem::path(dsl::named_header(header.value).path).lexically_normal() != name) continue;
     r.error("reserved_name", header.span,
             fmt::format("a header cannot be called `{}`: a generated one of `{}` is, and would be found in its place",
                         name, r.main.name.value),

@@ -45,6 +45,7 @@ public:
     std::size_t queue = 65'536;        ///< events that can wait for the view's thread
     std::size_t memory = 4 << 20; ///< bytes of events that are kept for viewers who are late; together, not for each
     std::size_t connections = 64; ///< at a time
+    // Each from a millisecond to a day.
     std::chrono::milliseconds interval{20}; ///< how often viewers are told
     std::chrono::milliseconds patience{
         10'000}; ///< a viewer who takes nothing for so long is let go; a request gets half of it

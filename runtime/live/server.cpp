@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/live/server.hpp"
 
+#include "runtime/hosted/interval.hpp"
+
 #include <poll.h>
 #include <pthread.h>
 #include <sys/resource.h>
@@ -41,7 +43,7 @@ Server::Server(int socket, std::unique_ptr<Feed> feed, std::unique_ptr<Site> sit
     : socket_(socket),
       feed_(std::move(feed)),
       site_(std::move(site)),
-      options_(options),
+      options_{options.connections, within_a_day(options.interval), within_a_day(options.patience)},
       http_([this](const Request& request) {
         asked_ = request.last_event;
         return site_->answer(request, feed_->moment());

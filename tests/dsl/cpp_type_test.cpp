@@ -35,6 +35,8 @@ TEST_CASE("A task can carry a type of a name, of arguments, of the language, and
                            "const robot::Map* const*",
                            "std::function<int(const robot::Map&, Course&&, int[], int[3])>",
                            "std::unique_ptr<int[]>",
+                           "const volatile int* const volatile*",
+                           "Box<0, 017, 0X1f, 0b11, 8u, 8LL, 8uLL>",
                            "_1",
                            "a_",
                            "Box<0x1Fu, 1'0>"})
@@ -55,6 +57,15 @@ TEST_CASE("A type is read to its end, and says what was expected where") {
   wrong("decltype(x)", "expected a type of C++, found `decltype`");
   wrong("unsigned double", "expected the end, found `double`");
   wrong("5", "expected a type of C++, found `5`");
+  wrong("Box<3abc>", "expected a type of C++, found `3abc`");
+  wrong("Box<0x>", "expected a type of C++, found `0x`");
+  wrong("Box<08>", "expected a type of C++, found `08`");
+  wrong("Box<0b2>", "expected a type of C++, found `0b2`");
+  wrong("Box<1e5>", "expected a type of C++, found `1e5`");
+  wrong("Box<3ulu>", "expected a type of C++, found `3ulu`");
+  wrong("const const int*", "expected a type of C++, found `const`");
+  wrong("const int const*", "expected the end, found `const`");
+  wrong("int* const const", "expected the end, found `const`");
   wrong("a.b", "expected the end, found `.`");
   wrong("a{}", "expected the end, found `{`");
   wrong("a /* b", "expected the end, found `/`");

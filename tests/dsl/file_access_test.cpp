@@ -44,7 +44,7 @@ TEST_CASE("What cannot be read says why") {
   CHECK(missing.error().message == "No such file or directory");
   const auto directory = files.read(folder.path.string(), 100);
   REQUIRE_FALSE(directory);
-  CHECK(directory.error().kind == FileError::Kind::not_readable);
+  CHECK(directory.error().kind == FileError::Kind::folder);
   CHECK(directory.error().message == "Is a directory");
   const auto large = files.read(folder.file("large.yaml", std::string(100, 'x')), 99);
   REQUIRE_FALSE(large);

@@ -158,7 +158,7 @@ TEST_CASE("What stands wrong in a group is said where it stands") {
                 "is that of preference: write `- name: walking`, and its other words below)\n"},
            Case{"{providers: [walking, {needs: [Legs]}, {}]}",
                 "4:22 `walking` wrong_node_kind: `providers`: expected "
-                "a mapping such as {name: walking}, found `walking`\n"
+                "a mapping such as {name: walking}, found `walking` (write `{name: walking}`)\n"
                 "4:32 `needs` missing_key: a provider needs `name` (for example `name: walking`)\n"
                 "4:48 `{}` missing_key: a provider needs `name` (for example `name: walking`)\n"},
            Case{"{providers: [{nmae: walking}, {name: halting, layer: skill}]}",

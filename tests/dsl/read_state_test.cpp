@@ -78,7 +78,7 @@ TEST_CASE("What stands wrong in a state is said where it stands") {
                 "  4:20 `of` `of` stands here\n"},
            Case{"{range: 3}",
                 "4:14 `3` wrong_node_kind: `range`: expected a list of the lowest and the highest number, found "
-                "`3` (write `[3]`)\n"},
+                "`3` (for example `[0, 100]`)\n"},
            Case{"{range: [1, 2, 3]}",
                 "4:14 `[1, 2, 3]` wrong_node_kind: `range`: expected a list of the lowest and the "
                 "highest number, found a list (for example `[0, 100]`)\n"},

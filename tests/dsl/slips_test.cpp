@@ -125,3 +125,64 @@ TEST_CASE("no word of the language is taken for a slip where it belongs") {
     CHECK(help_for(slips_of_task(), key) == nullptr);
   }
 }
+
+TEST_CASE("what is no list is told as one, whatever stands between its parts") {
+  check_body("states: {X: {values: open|shut}}\n",
+             "3:22 `open|shut` wrong_node_kind: `values`: expected a list, found `open|shut` (write `[open, shut]`)\n");
+  check_body("groups: {A: {needs: 'Left , Right'}}\n",
+             "3:21 `'Left , Right'` wrong_node_kind: `needs`: expected a list, found the text `Left , Right` (write "
+             "`[Left, Right]`)\n");
+  for (const std::string range : {"0..100", "100", "{min: 0, max: 100}", "[0, 50, 100]"})
+    check_body("states: {X: {range: " + range + "}}\n",
+               "3:21 `" + range +
+                   "` wrong_node_kind: `range`: expected a list of the lowest and the highest number, found " +
+                   (range[0] == '{'   ? "a mapping"
+                    : range[0] == '[' ? "a list"
+                                      : "`" + range + "`") +
+                   " (for example `[0, 100]`)\n");
+}
+
+TEST_CASE("providers are written without the key `name`") {
+  check_body(
+      "groups: {A: {providers: [fast]}}\n",
+      "3:26 `fast` wrong_node_kind: `providers`: expected a mapping such as {name: walking}, found `fast` (write "
+      "`{name: fast}`)\n");
+  check_body("groups:\n  A:\n    providers:\n      - fast: {needs: [B]}\n      - slow:\n",
+             "6:9 `fast` missing_key: a provider needs `name` (write `- name: fast`, and its other words below)\n"
+             "7:9 `slow` missing_key: a provider needs `name` (write `- name: slow`, and its other words below)\n");
+  check_body("groups: {A: {providers: [{needs: [B]}]}}\n",
+             "3:27 `needs` missing_key: a provider needs `name` (for example `name: walking`)\n");
+}
+
+TEST_CASE("what should be a mapping is a word") {
+  check_body("groups: {A: Legs}\n",
+             "3:13 `Legs` wrong_node_kind: `A`: expected a mapping, found `Legs` (what it requests "
+             "stands in `tasks`, what it must control in `needs`: `A: {tasks: [Legs]}`)\n");
+  check_body("roots: {A: high}\n",
+             "3:12 `high` wrong_node_kind: `A`: expected a mapping, found `high` (a priority is a "
+             "whole number: `A: {priority: 10}`)\n");
+  check_body("cpp: types.hpp\n",
+             "3:6 `types.hpp` wrong_node_kind: `cpp`: expected a mapping, found `types.hpp` (headers are "
+             "a list: `cpp: {headers: [robot/messages.hpp]}`)\n");
+  check_body("cpp: {include: [types.hpp]}\n", "3:7 `include` unknown_key: `cpp` has no key `include` (what is included "
+                                              "stands in `headers`: `headers: [types.hpp]`)\n");
+}
+
+TEST_CASE("the members of a task's data, and types of other languages, are told where they belong") {
+  check_body(
+      "groups: {A: {data: {x: int}}}\n",
+      "3:20 `{x: int}` wrong_node_kind: `data`: expected a C++ type, found a mapping (what has members is a struct "
+      "in a header of yours: `data: robot::Course`, and under `cpp` `headers: [robot/course.hpp]`)\n");
+  check_body(
+      "states: {X: {type: boolean}}\n",
+      "3:20 `boolean` wrong_node_kind: `type`: expected a C++ enum, found `boolean` (leave it out and name the two "
+      "values: `values: [closed, open]`; an enum is generated for them)\n");
+  check_body(
+      "states: {X: {type: uint8}}\n",
+      "3:20 `uint8` wrong_node_kind: `type`: expected a C++ enum, found `uint8` (leave it out and say which whole "
+      "numbers: `range: [0, 100]`)\n");
+  check_body(
+      "states: {X: {type: string}}\n",
+      "3:20 `string` wrong_node_kind: `type`: expected a C++ enum, found `string` (leave it out and list the words: "
+      "`values: [lost, seen]`; an enum is generated for them)\n");
+}

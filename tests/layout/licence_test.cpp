@@ -16,7 +16,7 @@ constexpr std::size_t first_lines = 3;
 bool is_script(const ProjectFile& file) { return !file.lines.empty() && file.lines.front().starts_with("#!"); }
 
 bool is_source(const ProjectFile& file) {
-  for (const char* end : {".cpp", ".hpp", ".cmake", ".mjs", ".idl", "CMakeLists.txt"})
+  for (const char* end : {".cpp", ".hpp", ".cmake", ".ts", ".js", ".mjs", ".idl", "CMakeLists.txt"})
     if (file.path.ends_with(end)) return true;
   return is_script(file);
 }
@@ -49,6 +49,7 @@ TEST_CASE("a licence counts in the first lines, of all but users' projects") {
   CHECK_FALSE(names_its_licence({"a.hpp", {"#pragma once", "", "", "// SPDX-License-Identifier: MIT"}}));
   CHECK_FALSE(names_its_licence({"a.hpp", {}}));
   CHECK(is_source({"tests/x/CMakeLists.txt", {}}));
+  CHECK(is_source({"compiler/page/web/page.ts", {}}));
   CHECK(is_source({"start", {"#!/bin/bash"}}));
   CHECK_FALSE(is_source({"docs/page.md", {"# Page"}}));
   CHECK(is_a_users("tests/system/cmake/consumer/main.cpp"));

@@ -52,7 +52,9 @@ constexpr std::array values{"~",
                             "\"A = b\"",
                             "\"A == b|c\"",
                             "two words",
-                            "bool", // a type of C++ itself is no enum
+                            "bool", // a type of C++ itself is no enum, nor of another language
+                            "string",
+                            "\"const const int*\"",
                             "1.5",
                             "A.b",
                             "\"A == b within 1 s\"",

@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
 
+#include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/told.hpp"
 #include "compiler/analysis/words/words.hpp"
+#include "compiler/base/counted.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
 
 namespace director::analysis {
 
@@ -85,6 +90,9 @@ std::string propose(const Model& model, const PackConflict& conflict) {
   if (!model.providers[conflict.provider].has_packs)
     return "give the provider `packs`, one for each course of action: a flat list says that all may be asked for at "
            "once";
+  if (!conflict.others.empty())
+    return "ask for them in packs of their own, or make all but one of them `apart`, so that each waits for itself "
+           "alone";
   return conflict.members.size() == 2
              ? fmt::format("ask for them in two packs, or make {} `apart`, so that it waits for itself alone",
                            name_of(model, conflict.members[1]->target))
@@ -122,7 +130,10 @@ std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) 
   return out;
 }
 
-void report_pack_conflict(const Input& input, Units& units, const PackConflict& conflict, Findings& findings) {
+namespace {
+
+void report(const Input& input, const PackConflict& conflict, Findings& findings) {
+  Units& units = input.shared.units();
   const Model& model = input.model;
   const std::vector<const Task*>& members = conflict.members;
   const std::string names = members_in_words(model, members);
@@ -134,7 +145,11 @@ void report_pack_conflict(const Input& input, Units& units, const PackConflict& 
         .help = "with fewer alternatives it would be: give the groups below fewer providers, or fewer needs";
     return;
   }
-  const std::string begin = fmt::format("{} can never be granted together", names);
+  const std::size_t more = conflict.others.size();
+  const std::string begin =
+      more == 0 ? fmt::format("{} can never be granted together", names)
+                : fmt::format("{} can never be granted together with {} and {}", name_of(model, members[0]->target),
+                              name_of(model, members[1]->target), counted(more, "other"));
   const GroupId a = members[0]->target, b = members[1]->target;
   const auto shared = members.size() == 2 ? find_shared_group(input, a, b) : std::nullopt;
   const auto state = members.size() == 2 && !shared ? find_split_state(units, a, b) : std::nullopt;
@@ -149,7 +164,8 @@ void report_pack_conflict(const Input& input, Units& units, const PackConflict& 
     finding = &findings.add(place, fmt::format("{}: {} holds {} for itself", begin, name_of(model, of_first ? a : b),
                                                name_of(model, of_first ? b : a)));
   } else if (shared) {
-    finding = &findings.add(place, fmt::format("{}: both come down to {}", begin, name_of(model, shared->group)));
+    finding = &findings.add(
+        place, fmt::format("{}: {} come down to {}", begin, more == 0 ? "both" : "all", name_of(model, shared->group)));
   } else if (state) {
     finding = &findings.add(
         place, fmt::format("{}: what they accept of {} excludes each other", begin, name_of(model, *state)));
@@ -167,7 +183,47 @@ void report_pack_conflict(const Input& input, Units& units, const PackConflict& 
   } else {
     add_choices(model, members, *finding);
   }
+  for (const Task* other : conflict.others) {
+    finding->rules_out_together.push_back(other->span);
+    finding->notes.push_back({other->span, fmt::format("nor with {}", name_of(model, other->target))});
+  }
   finding->help = propose(model, conflict);
+}
+
+/// Why two members exclude each other, where a third one may do so for the same reason; else nothing.
+std::string reason_of(const Input& input, const PackConflict& conflict) {
+  const GroupId a = conflict.members[0]->target, b = conflict.members[1]->target;
+  if (const auto shared = find_shared_group(input, a, b))
+    return shared->group == a || shared->group == b ? "" : "group " + name_of(input.model, shared->group);
+  const auto state = find_split_state(input.shared.units(), a, b);
+  return state ? "state " + name_of(input.model, *state) : "";
+}
+
+/// Of a long unit what one member excludes for one reason is one conflict.
+std::vector<PackConflict> gathered(const Input& input, const std::vector<PackConflict>& all) {
+  std::vector<PackConflict> out;
+  std::map<std::tuple<const Pack*, const Task*, std::string>, std::size_t> known;
+  for (const PackConflict& each : all) {
+    const bool is_long = unit_members(input.model, *each.pack).size() > told_in_pairs;
+    const std::string reason = is_long && each.members.size() == 2 ? reason_of(input, each) : "";
+    if (!reason.empty()) {
+      const auto [at, is_new] = known.try_emplace({each.pack, each.members[0], reason}, out.size());
+      if (!is_new) {
+        out[at->second].others.push_back(each.members[1]);
+        continue;
+      }
+    }
+    out.push_back(each);
+  }
+  return out;
+}
+
+} // namespace
+
+void report_pack_conflicts(const Input& input, bool of_packs, Findings& findings) {
+  for (const PackConflict& conflict : gathered(input, input.conflicts.pack_conflicts())) {
+    if (input.model.providers[conflict.provider].has_packs == of_packs) report(input, conflict, findings);
+  }
 }
 
 } // namespace director::analysis

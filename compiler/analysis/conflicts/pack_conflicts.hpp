@@ -17,14 +17,16 @@ struct PackConflict {
   const Pack* pack = nullptr;
   std::vector<const Task*> members; ///< in the order written
   UnitVerdict verdict = UnitVerdict::impossible;
+  std::vector<const Task*> others =
+      {}; ///< of a long unit: what the first member excludes for the same reason as the second
 };
 
 /// Of every pack and flat list of every provider; of a flat list only pairs, since nobody says that all is asked for.
-/// Of long ones each member is told of once, with the first that it excludes.
+/// Of long ones each member stands in one, with the first that it excludes.
 std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units);
 
-/// Says what excludes what, to the bottom. `at`: the last member.
-void report_pack_conflict(const Input& input, Units& units, const PackConflict& conflict, Findings& findings);
+/// Says what excludes what, to the bottom, at the last member: of packs with names, or of flat lists.
+void report_pack_conflicts(const Input& input, bool of_packs, Findings& findings);
 
 /// "`A` and `B`".
 std::string members_in_words(const Model& model, const std::vector<const Task*>& members);

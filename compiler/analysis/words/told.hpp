@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // Of many that are in conflict over one thing, each is told of with the first of them, and not with every other: fifty
-// tasks that want one group are 49 findings, not 1,225. Of lists as people write them every pair is told of: who mends
+// tasks that want one group are 49 findings at most, not 1,225. Of lists as people write them every pair is told of: who mends
 // or allows one pair has not mended the others.
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
+#include "dsl/cpp_type.hpp"
 
 #include <fmt/format.h>
 
@@ -18,8 +19,7 @@ Code header(const Deployment& deployment) {
       "//");
   code.line("#pragma once");
   code.blank();
-  for (const std::string& include : model.headers)
-    code.line(include.starts_with('<') ? fmt::format("#include {}", include) : fmt::format("#include \"{}\"", include));
+  for (const std::string& each : model.headers) code.line(dsl::include_line(each));
   code.line("#include \"runtime/core/behaviour.hpp\"");
   code.blank();
   code.line("#ifdef __cpp_exceptions");

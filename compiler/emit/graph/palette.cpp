@@ -31,7 +31,7 @@ std::string wrapped(std::string_view text, std::size_t before) {
 
 std::string in_quotes(std::string_view text) {
   std::string out = "\"";
-  for (const char letter : text) {
+  for (const char letter : without_controls(text)) {
     if (letter == '"' || letter == '\\') out += '\\';
     if (letter == '\n') out += "\\n";
     if (letter != '\n') out += letter;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/hosted/trace/recorder.hpp"
 
+#include "runtime/hosted/interval.hpp"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -29,6 +31,7 @@ Recorder::Recorder(std::unique_ptr<TraceFormat> format, const std::string& path,
       options_(options),
       file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
   if (file_ < 0) error_ = errno;
+  options_.interval = within_a_day(options.interval);
   format_->begin(buffer_);
   flush();
   writer_ = std::thread([this] { write_all(); });
@@ -39,7 +42,7 @@ Recorder::~Recorder() {
     const std::lock_guard lock(mutex_);
     stop_ = true;
   }
-  stopped_.notify_one();
+  wake_.notify_one();
   writer_.join();
   write_waiting();
   if (const std::uint64_t dropped = queue_.dropped(); dropped != told_dropped_)
@@ -55,10 +58,17 @@ Observer Recorder::observer() {
 
 void Recorder::put_when_full(const Event& event) {
   if (!options_.waits) return queue_.drop();
-  while (!queue_.put(event)) std::this_thread::sleep_for(std::chrono::microseconds(100));
+  while (!queue_.put(event)) {
+    {
+      const std::lock_guard lock(mutex_);
+      is_full_ = true;
+    }
+    wake_.notify_one();
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
 }
 
-/// Who steps wakes nobody, since that would be a system call: so the writer looks now and then.
+/// Who steps and need not wait wakes nobody, since that would be a system call: so the writer looks now and then.
 void Recorder::write_all() {
   std::unique_lock lock(mutex_);
   while (!stop_) {
@@ -66,7 +76,7 @@ void Recorder::write_all() {
     write_waiting();
     flush();
     lock.lock();
-    stopped_.wait_for(lock, options_.interval, [&] { return stop_; });
+    wake_.wait_for(lock, options_.interval, [&] { return stop_ || std::exchange(is_full_, false); });
   }
 }
 

@@ -29,7 +29,7 @@ public:
   /// How much waits, how long, and what happens when there is no more room.
   struct Options {
     std::size_t queue = 65'536;             ///< how many events can wait
-    std::chrono::milliseconds interval{20}; ///< how often what waits is written
+    std::chrono::milliseconds interval{20}; ///< how often what waits is written, from a millisecond to a day
     bool waits = false; ///< who steps waits while the queue is full: for simulations, which run faster than the world
   };
 
@@ -73,8 +73,9 @@ private:
   std::uint64_t told_dropped_ = 0;
   std::atomic<int> error_{0};
   std::mutex mutex_;
-  std::condition_variable stopped_;
+  std::condition_variable wake_;
   bool stop_ = false;
+  bool is_full_ = false; ///< and somebody waits for a place
   std::thread writer_;
 };
 

@@ -39,6 +39,12 @@ TEST_CASE("a state's values are those that the flags of the program make") {
   CHECK(
       without.err.find("`overtime` is no value of the state `Phase`: its values are initial [value_outside_domain]") !=
       std::string::npos);
+  const std::string named = read_file(work.path("game.yaml"));
+  work.write("game.yaml", std::string(named).replace(named.find("phase.hpp"), 9, "<phase.hpp>, <array>"));
+  const Worked angled = generate("g++\n" + common + "-DWITH_OVERTIME\n");
+  CHECK(angled.err == "");
+  CHECK(angled.status == 0);
+  work.write("game.yaml", named);
   if (std::system("arm-none-eabi-g++ --version >/dev/null 2>&1") != 0) return;
   const Worked arm =
       generate("arm-none-eabi-g++\n-mcpu=cortex-m3\n-mthumb\n-ffreestanding\n" + common + "-DWITH_OVERTIME\n");

@@ -3,6 +3,7 @@
 #include "dsl/file_access.hpp"
 #include "tests/compiler/cli/world.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/own_folder.hpp"
 #include "tests/support/svg.hpp"
 
 #include <catch2/catch.hpp>
@@ -80,6 +81,16 @@ const Svg& svg_of(const Measured& picture) {
   REQUIRE(out.err.empty());
   REQUIRE(out.status == 0);
   return known[{picture.file, picture.options}] = read_svg(out.out);
+}
+
+TEST_CASE("a behaviour is drawn whatever characters its texts have") {
+  if (!has_graphviz()) return;
+  const OwnFolder folder("picture-controls");
+  folder.write("bot.yaml", "behaviour: bot\nlanguage: 1\ndoc: \"\\0 \\e[31m\"\nroots: [Walk]\n"
+                           "groups: {Walk: {doc: \"\\x01 \\uFFFE \\0 \\u0085 end\"}}\n");
+  const Drawn picture = drawn({folder.at("bot.yaml")});
+  CHECK(picture.err == "");
+  CHECK(picture.status == 0);
 }
 
 TEST_CASE("boxes and labels do not overlap, and nothing sticks out of the paper") {

@@ -111,6 +111,10 @@ TEST_CASE("a check is explained, and all are listed") {
   CHECK(world.directorc({"explain", "xylophone"}) == 2);
   CHECK(world.err == "directorc: there is no check and no key `xylophone`; `directorc checks` lists all checks, "
                      "docs/language.md all keys\n");
+  CHECK(world.directorc({"explain", "unless"}) == 2);
+  CHECK(world.err ==
+        "directorc: there is no check and no key `unless`: `when` says what must hold: write the opposite, "
+        "such as `when: [Motion != rolling]`\n");
   CHECK(world.directorc({"checks"}) == 0);
   CHECK(world.out.find("needs_cycle ") != std::string::npos);
 }

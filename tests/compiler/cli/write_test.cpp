@@ -243,6 +243,13 @@ TEST_CASE("a folder or a pipe in the way is told, with status 2") {
   CHECK(read_file(folder.at("err")) == "directorc: cannot write `out`: a folder is in the way\n");
 }
 
+TEST_CASE("in a folder without anything there is nothing to test either") {
+  const Folder folder;
+  fs::create_directories(folder.at("empty/inner"));
+  CHECK(directorc(folder, "test empty 2> err") == 2);
+  CHECK(read_file(folder.at("err")) == "directorc: there is no *.scenario.yaml in `empty` or below it\n");
+}
+
 TEST_CASE("what cannot be said ends with status 2, wherever it should have gone") {
   const Folder folder;
   folder.write("bot.yaml", bot + "triggers: [unused]\n"); // which is a lint

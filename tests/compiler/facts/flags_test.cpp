@@ -159,6 +159,7 @@ TEST_CASE("a clang, or a compiler that is not there, changes nothing") {
 TEST_CASE("folders in the order in which they are looked into") {
   CHECK(include_folders({"-isystem", "/s", "-Ia/../b", "-DX", "-iquote", "q", "-I", "/c"}, "/d") ==
         Words{"/d/q", "/d/b", "/c", "/s"});
+  CHECK(include_folders({"-isystem", "/s", "-Ia/../b", "-iquote", "q"}, "/d", true) == Words{"/d/b", "/s"});
 }
 
 TEST_CASE("whether a file may include the generated header") {

@@ -88,8 +88,18 @@ TEST_CASE("a header that no file of the program could include is missing") {
   CHECK(missing({"types.hpp", "more.hpp", "gone.hpp"}) ==
         std::pair(std::vector<std::string>{"gone.hpp"},
                   std::string("no include folder of `build` has the header `gone.hpp`")));
+  CHECK(missing({"<types.hpp>", "<gone.hpp>"}).first == std::vector<std::string>{"<gone.hpp>"});
   CHECK(missing({"types.hpp", "more.hpp"}) ==
         std::pair(std::vector<std::string>{}, std::string("no include folder of `build` has the header `types.hpp`")));
+}
+
+TEST_CASE("a header in angle brackets is not looked for where only one in quotes is") {
+  World world;
+  const TypeFlags flags{{{"/u/a.cpp", "/b", {"g++", "-iquote", "/u"}}}, {}, "`build`"};
+  Scanner scanner("director-clang", world.child);
+  ScannedTypes types(flags, scanner, world.child, world.files, world.store);
+  CHECK(types.read({{"types.hpp"}, {}, "x"}).missing.empty());
+  CHECK(types.read({{"<types.hpp>"}, {}, "x"}).missing == std::vector<std::string>{"<types.hpp>"});
 }
 
 TEST_CASE("where a header does not compile, what is missing may only not have been read, and is asked for again") {

@@ -15,6 +15,12 @@ TEST_CASE("faults in what is declared twice are found all the same") {
         "main.yaml:5: there is no group called `Lgs` [undefined_name]\n");
 }
 
+TEST_CASE("providers that lack their names are not declared twice") {
+  CHECK(findings("roots: [Walk]\ngroups:\n  Walk: {providers: [{needs: [Legs]}, {tasks: [Legs]}]}\n  Legs: {}\n") ==
+        "main.yaml:5: a provider needs `name` [missing_key]\n"
+        "main.yaml:5: a provider needs `name` [missing_key]\n");
+}
+
 TEST_CASE("a task that is listed twice") {
   CHECK(findings("roots: [Walk]\ngroups:\n  Walk: {tasks: [Legs, Legs]}\n  Legs: {}\n") ==
         "main.yaml:5: `Legs` is listed twice [redefined_name]\n");

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <deque>
 #include <fstream>
 #include <iterator>
@@ -200,6 +201,21 @@ TEST_CASE("who reads nothing is let go after a while, and the others stay") {
   const std::vector<std::string> happened = game.happened();
   while (!reader.are_at(happened)) reader.hear();
   CHECK(reader.wrong == "");
+}
+
+TEST_CASE("with the longest patience who reads nothing stays, and a view at the longest interval rests") {
+  LiveView patient{soccer::names::all(), {.interval = 1ms, .patience = std::chrono::milliseconds::max()}};
+  SoccerGame game(&patient);
+  const std::vector<Caller> deaf = deaf_viewers(patient.url(), 10);
+  wait_for_viewers(patient, 10);
+  for (int i = 0; i < 2000; ++i) game.step();
+  std::this_thread::sleep_for(50ms);
+  CHECK(patient.viewers() == 10);
+
+  const std::clock_t before = std::clock();
+  const LiveView seldom{soccer::names::all(), {.interval = std::chrono::milliseconds::max()}};
+  std::this_thread::sleep_for(400ms);
+  CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // of the time of a processor, the first view's included
 }
 
 TEST_CASE("who is slow for a while misses what is gone, knows how much, and goes on") {

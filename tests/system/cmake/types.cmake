@@ -40,7 +40,7 @@ build_with(types.hpp "Floor" "Storey" fails
            "project/lift.yaml:8:11: error: there is no type `lift::Floor` in the C++: no type named 'Floor' in namespace 'lift' [unknown_type]")
 build_with(lift.yaml "lift::Door," "lift::Dor," fails
            "project/lift.yaml:4:23: error: there is no type `lift::Dor` in the C++: no type named 'Dor' in namespace 'lift'")
-build_with(lift.yaml "[types.hpp]" "[types.hpp, lift.hpp]" fails "project/lift.yaml:3:28: error: a header cannot be called `lift.hpp`")
-build_with(lift.yaml "[types.hpp]" "[types.hpp, gone.hpp]" fails
+build_with(lift.yaml "types.hpp," "types.hpp, lift.hpp," fails "project/lift.yaml:3:28: error: a header cannot be called `lift.hpp`")
+build_with(lift.yaml "types.hpp," "types.hpp, gone.hpp," fails
            "project/lift.yaml:3:28: warning: no include folder of the program has `gone.hpp` [missing_header]")
 build_with(types.hpp "" "" builds)

@@ -50,10 +50,11 @@ public:
   }
   std::string text(const std::string& path) const { return read_file(folder_ / path); }
 
-  /// Both streams, and the status in the last line if it is not 0.
-  std::string stubs(const std::string& options = "") const {
+  /// Both streams, and the status in the last line if it is not 0. `runtime`: how its headers are found.
+  std::string stubs(const std::string& options = "",
+                    const std::string& runtime = "-I '" + source_dir().string() + "'") const {
     const std::string line = "{ cd '" + folder_.string() + "' && '" + (binary_dir() / "bin/directorc").string() +
-                             "' stubs cart.yaml -o src -I '" + source_dir().string() + "' " + options + "; } 2>&1";
+                             "' stubs cart.yaml -o src " + runtime + " " + options + "; } 2>&1";
     std::FILE* pipe = ::popen(line.c_str(), "r");
     REQUIRE(pipe != nullptr);
     std::string out;
@@ -81,6 +82,12 @@ std::string braking(const std::string& head, const std::string& indent = "", con
 }
 
 } // namespace
+
+TEST_CASE("the headers of the runtime are found from where directorc lies, in a build tree too") {
+  const Workshop work;
+  CHECK(work.stubs("", "") == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
+  CHECK(work.stubs("--check", "") == "");
+}
 
 TEST_CASE("what is there is left alone, however often stubs are asked for") {
   const Workshop shop;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests runtime/hosted/trace/recorder.hpp and the queue in it.
+#include "runtime/hosted/interval.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/hosted/trace/recorder.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <ctime>
 #include <semaphore>
 #include <thread>
 
@@ -123,6 +125,32 @@ TEST_CASE("a simulation waits for its recorder, and nothing is missing") {
     CHECK(recorder.dropped() == 0);
   }
   CHECK(read_file(file) == header(lamp.names) + lines(lamp, 0, 300));
+}
+
+TEST_CASE("a recorder that is to write at the longest interval rests, but not while somebody waits for it") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "run.jsonl").string();
+  const Lamp lamp;
+  for (const auto interval : {std::chrono::milliseconds::max(), std::chrono::milliseconds(std::chrono::hours(1)),
+                              std::chrono::milliseconds(0), std::chrono::milliseconds::min()}) {
+    const std::clock_t before = std::clock();
+    {
+      Recorder recorder{lamp.names, file, {.queue = 4, .interval = interval, .waits = true}};
+      for (int i = 0; i < 300; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+      CHECK(recorder.dropped() == 0);
+      std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    }
+    CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // of the time of a processor
+    CHECK(read_file(file) == header(lamp.names) + lines(lamp, 0, 300));
+  }
+}
+
+TEST_CASE("an interval is a millisecond at least, and a day at most") {
+  using std::chrono::milliseconds;
+  CHECK(within_a_day(milliseconds::max()) == std::chrono::hours(24));
+  CHECK(within_a_day(milliseconds::min()) == milliseconds(1));
+  CHECK(within_a_day(milliseconds(0)) == milliseconds(1));
+  CHECK(within_a_day(milliseconds(20)) == milliseconds(20));
 }
 
 TEST_CASE("a file that cannot be written is no reason to stop") {
