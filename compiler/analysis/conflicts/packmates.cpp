@@ -100,10 +100,9 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
                   return takers_.always_before(by, *each) || takers_.always_first_of_equals(requester, by, *each);
                 }));
   if (!rival.at_first || (!first && !together && !takers_.is_mandatory(over))) return std::nullopt;
-  // What is apart waits until who goes before it has run, and then for its requester if that has another provider by
-  // now: what the first one asked for may be granted meanwhile.
-  if (!out.from_below && takers_.is_apart(by) && input_.model.groups[requester].providers.size() > 1)
-    return std::nullopt;
+  // It waits until who goes before it has run, and then for its requester if that has new orders by now: what the
+  // first one asked for may be granted meanwhile.
+  if (!out.from_below && takers_.may_get_new_orders(requester)) return std::nullopt;
   out.taker.kind = Taker::Kind::before;
   out.taker.spoilers = spoilers(beside).of(takers_.takes(requester, *rival.unit).maybe);
   out.taker.steady = out.taker.spoilers.empty() && takers_.is_unconditional(by.target);

@@ -244,6 +244,13 @@ bool Takers::always_beside(GroupId requester, const Task& first, const Task& sec
   return true;
 }
 
+bool Takers::may_get_new_orders(GroupId id) const {
+  const Group& group = input_.model.groups[id];
+  return group.providers.size() > 1 || group.requesters.size() > 1 ||
+         std::any_of(group.requesters.begin(), group.requesters.end(),
+                     [&](EdgeId edge) { return input_.model.edges[edge].requester.has_value(); });
+}
+
 bool Takers::is_needed(GroupId group) const {
   const std::vector<EdgeId>& all = input_.model.groups[group].requesters;
   return std::any_of(all.begin(), all.end(), [&](EdgeId id) { return input_.model.edges[id].needed && is_alive(id); });
