@@ -65,6 +65,7 @@ TEST_CASE("a source that gets the generated header by its flags alone is read") 
   CHECK(with({"-include", "cart.hpp"}) == one);
   CHECK(with({"-include", "all.hpp"}) == one);
   CHECK(with({"-includeall.hpp"}) == one);
+  CHECK(with({"--include=all.hpp"}) == one);
   CHECK(with({"-Xclang", "-include", "-Xclang", "all.hpp"}) == one);
 }
 
