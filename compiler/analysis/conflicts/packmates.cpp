@@ -88,8 +88,8 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
       {before ? Taker::Kind::before : Taker::Kind::unit, group, {}, &by, &over, {}, {}, true}, rival.unit, false, true};
   if (is_in(*rival.unit, &over)) {
     if (!rival.always) return std::nullopt;
-    out.taker.steady =
-        takers_.is_unconditional(by.target) && spoilers(beside).of(input_.shared.units().needed(by.target)).empty();
+    out.taker.steady = takers_.is_unconditional(by.target) && takers_.takes(requester, *rival.unit).disputed.empty() &&
+                       spoilers(beside).of(input_.shared.units().needed(by.target)).empty();
     if (!out.taker.steady) out.taker.kind = Taker::Kind::unit; // then the others wait with it
     return out;
   }
@@ -104,7 +104,8 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
   // first one asked for may be granted meanwhile.
   if (!out.from_below && takers_.may_get_new_orders(requester)) return std::nullopt;
   out.taker.kind = Taker::Kind::before;
-  out.taker.spoilers = spoilers(beside).of(takers_.takes(requester, *rival.unit).maybe);
+  const UnitTakes& takes = takers_.takes(requester, *rival.unit);
+  out.taker.spoilers = joined(spoilers(beside).of(takes.maybe), in_common(takes.maybe, takes.disputed));
   out.taker.steady = out.taker.spoilers.empty() && takers_.is_unconditional(by.target);
   return out;
 }

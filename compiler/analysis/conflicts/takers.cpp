@@ -190,7 +190,28 @@ const UnitTakes& Takers::takes(GroupId requester, const Unit& unit) {
     }
     sort_out(out.maybe);
   }
+  out.disputed = find_disputed(requester, unit);
   return takes_[{requester, unit.front()}] = std::move(out);
+}
+
+Groups Takers::find_disputed(GroupId requester, const Unit& unit) const {
+  Groups out;
+  for (const Task* taking : unit) {
+    const Groups& taken = input_.shared.units().needed(taking->target);
+    for (const Task* other : unit) {
+      const bool never_equal = at_all_levels(input_.model, *taking, *other, [](const Level& a, const Level& b) {
+        return a.optional != b.optional || a.priority != b.priority;
+      });
+      if (other == taking || never_equal || always_beside(requester, *taking, *other)) continue;
+      const Claims& claims = input_.shared.claims(other->target);
+      std::copy_if(taken.begin(), taken.end(), std::back_inserter(out), [&](GroupId group) {
+        return group != other->target &&
+               (claims.find(group, Reach::own) != nullptr || claims.find(group, Reach::mandatory) != nullptr);
+      });
+    }
+  }
+  sort_out(out);
+  return out;
 }
 
 bool Takers::is_unconditional(GroupId group) {

@@ -50,6 +50,9 @@ struct UnitTakes {
   /// The same where nobody else holds anything: then it never has to wait. Nothing: it may.
   std::vector<Groups> at_first;
   Groups maybe; ///< all of them together, in these ways
+  /// What one member takes and another one's tasks may hold, with equal rank, from a time when that one was asked for
+  /// without the first: equals take nothing from each other.
+  Groups disputed;
 };
 
 class Takers {
@@ -95,6 +98,7 @@ public:
   bool is_never_whole(const Pack& pack) const { return never_whole_.count(&pack) != 0; }
 
 private:
+  Groups find_disputed(GroupId requester, const Unit& unit) const;
   /// Around all states in which something that the group requested may stand.
   Region region_of_requests(GroupId requester) const;
   /// Wherever the region holds one of the ways is open.
