@@ -236,7 +236,7 @@ private:
       if (out.explained.contains(causer)) continue;
       out.explained.add(causer);
       for (const Waiter& each : row.waiting) out.explained.add(each.provider);
-      out.never_kept.push_back(std::move(row));
+      if (!is_waited_for_as_is(causer)) out.never_kept.push_back(std::move(row));
     }
     std::stable_sort(out.never_kept.begin(), out.never_kept.end(),
                      [](const NeverKept& a, const NeverKept& b) { return a.causer < b.causer; });
