@@ -82,9 +82,10 @@ void unused_causing(const Input& input, Findings& findings) {
             if (model.providers[arrow.waiter].group == model.providers[id].group &&
                 !input.facts.pushed.contains(arrow.waiter))
               return false;
-            if (decisions.never_pushed(model, id, arrow.condition.id)) return false;
-            return input.facts.is_impossible(arrow.waiter, model.conditions[arrow.condition.id].state) ||
-                   (pushers.may_push(id, arrow.condition.id) && !pushers.preferred(id, arrow.condition.id));
+            // As things stand it may push for ever; the decisions take it for mended.
+            if (input.facts.is_impossible(arrow.waiter, model.conditions[arrow.condition.id].state)) return true;
+            return !decisions.never_pushed(model, id, arrow.condition.id) && pushers.may_push(id, arrow.condition.id) &&
+                   !pushers.preferred(id, arrow.condition.id);
           });
       if (input.facts.active.contains(id) && !decisions.never_runs(model, id) && any_runs && !any_pushes)
         report_unpushed(input, pushers, id, use, waiters, findings);

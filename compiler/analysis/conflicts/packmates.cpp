@@ -81,8 +81,10 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
   const Task &by = *rival.task, &over = *entry.task;
   const bool before = takers_.always_before(by, over);
   const bool first = before || takers_.always_first_of_equals(requester, by, over);
-  // Of two equals that are asked for together both are granted before anything below one of them is tried.
-  const bool together = !first && by.edge != over.edge && takers_.always_beside(requester, by, over);
+  // Of two equals that are asked for together both are granted before anything below one of them is tried. Not while
+  // the requester changes hands: what is held for it is nobody's then, and who asked first goes first with all below.
+  const bool together = !first && by.edge != over.edge && takers_.always_beside(requester, by, over) &&
+                        !takers_.may_change_hands(requester);
   const Beside beside{requester, rival.unit, &by, &over, together};
   Packmate out{
       {before ? Taker::Kind::before : Taker::Kind::unit, group, {}, &by, &over, {}, {}, true}, rival.unit, false, true};

@@ -86,6 +86,8 @@ public:
   bool always_first_of_equals(GroupId requester, const Task& first, const Task& second) const;
   /// They are equal at all levels, and whenever this requester asks for the second it asks for the first.
   bool always_beside(GroupId requester, const Task& first, const Task& second) const;
+  /// It may run on for somebody else, or for nobody until the next one has asked for it.
+  bool may_change_hands(GroupId group) const;
   /// Between two runs of others: it changes its provider or its holder, or is requested anew.
   bool may_get_new_orders(GroupId group) const;
   /// A plan of somebody else may hold the group, by any provider that can run.
