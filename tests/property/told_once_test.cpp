@@ -20,7 +20,7 @@ using namespace director;
 using namespace director::property;
 
 #ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 300;
+constexpr std::uint64_t usual_cases = 3'000;
 #else
 constexpr std::uint64_t usual_cases = 20;
 #endif
