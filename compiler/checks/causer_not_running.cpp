@@ -59,9 +59,9 @@ private:
     if (is_root) return;
     for (const Request& request : shared_.requests().of(task)) {
       if (!request.requester || !may_wait(request, use, groups)) continue;
-      const std::vector<const Task*> chain =
-          Company(model_, facts_, shared_.requests(), groups).find_bare_chain(request);
-      if (!chain.empty()) report(waiter, use, causers, request, chain);
+      Company company(model_, facts_, shared_.requests(), groups);
+      const std::vector<const Task*> chain = company.find_bare_chain(request);
+      if (!chain.empty()) report(waiter, use, causers, request, chain, company.held_back());
     }
   }
 
@@ -86,7 +86,7 @@ private:
   }
 
   void report(ProviderId waiter, const ConditionUse& use, const std::vector<ProviderId>& causers,
-              const Request& request, const std::vector<const Task*>& chain) {
+              const Request& request, const std::vector<const Task*>& chain, const std::set<const Task*>& held_back) {
     const ProviderId causer = causers.front();
     const std::string group = name_of(model_, model_.providers[causer].group);
     dsl::Diagnostic& finding = findings_.add(
@@ -98,7 +98,15 @@ private:
     for (std::size_t i = 1; i < chain.size(); ++i)
       finding.notes.push_back(
           {chain[i]->span, fmt::format("{} is requested here, without {}", name_of(model_, chain[i]->target), group)});
-    finding.help = request.pack->name.empty()
+    for (const Task& task : request.pack->tasks) {
+      if (held_back.count(&task) != 0)
+        finding.notes.push_back(
+            {task.span, fmt::format("{} would request {}, but is granted only together with {}",
+                                    name_of(model_, task.target), group, name_of(model_, request.task->target))});
+    }
+    finding.help = !held_back.empty() ? fmt::format("make {} `apart`, or request {} where it does not wait with it",
+                                                    name_of(model_, request.task->target), group)
+                   : request.pack->name.empty()
                        ? fmt::format("say with `packs` that {} is requested too: a push never starts a group", group)
                        : fmt::format("request {} too, here or above: a push never starts a group", group);
   }

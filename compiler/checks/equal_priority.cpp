@@ -242,8 +242,6 @@ std::optional<Rivalling> look_at(const Model& model, const Together& together, c
 /// So many entries of one list that compete at one priority, each with another one of them, are one finding: it is one
 /// decision that nobody took, and not as many as there are pairs.
 constexpr std::size_t many = 4;
-/// Of them so many have a note.
-constexpr std::size_t most_noted = 8;
 
 /// Entries that compete at one priority, by their places, and for what.
 struct Crowd {
@@ -266,10 +264,10 @@ void report_many(const Model& model, const std::vector<Task>& tasks, const Crowd
                                                    few_of(names), what));
   for (const std::size_t entry : crowd.entries) {
     if (entry == second) continue;
-    if (finding.notes.size() == most_noted) break;
     finding.notes.push_back({tasks[entry].span, fmt::format("{} is requested here, with the same priority {}",
                                                             name_of(model, tasks[entry].target), priority)});
   }
+  shorten(finding.notes, most_alike);
   finding.help = "give them priorities that tell who goes before whom";
 }
 

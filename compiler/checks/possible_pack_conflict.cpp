@@ -55,7 +55,8 @@ struct ClashingWays {
   const Way* second = nullptr;
   const Way* first_instead = nullptr; ///< two that do not
   const Way* second_instead = nullptr;
-  bool always = false; ///< the preferred provider of one of them is of no use here, whatever the states are
+  std::vector<ProviderId> losers; ///< of the two, those that never work here
+  bool always = false;            ///< the preferred provider of one of them is of no use here, whatever the states are
 };
 
 class PairSearch {
@@ -92,7 +93,14 @@ private:
   };
 
   ClashingWays make(const Pair& pair, bool always) const {
-    return {pair.first, pair.second, working_.front().first, working_.front().second, always};
+    ClashingWays out{pair.first, pair.second, working_.front().first, working_.front().second, {}, always};
+    for (const auto side : {&Pair::first, &Pair::second}) {
+      const ProviderId id = (pair.*side)->provider();
+      if (std::none_of(working_.begin(), working_.end(),
+                       [&](const Pair& works) { return (works.*side)->provider() == id; }))
+        out.losers.push_back(id);
+    }
+    return out;
   }
 
   /// A clash of a provider that is preferred to all that ever work here.
@@ -156,10 +164,7 @@ void report(const Input& input, const Task& first, const Task& second, const Cla
                                      a, b, want)
                        : fmt::format("{} and {} cannot always be granted together: {}", a, b, want));
   // Where they are asked for nowhere else, those never run.
-  for (const Way* way : {clash.first, clash.second}) {
-    const Provider& provider = model.providers[way->provider()];
-    if (!provider.needs.empty()) finding.rules_out.push_back(provider.span);
-  }
+  for (const ProviderId id : clash.losers) finding.rules_out.push_back(model.providers[id].span);
   finding.notes.push_back({first.span, fmt::format("{} is asked for in the same unit", a)});
   add_chain(model, *clash.first, group, finding);
   add_chain(model, *clash.second, group, finding);

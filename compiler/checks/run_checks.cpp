@@ -78,9 +78,9 @@ Diagnostic not_decided(const Budget& budget) {
                                 more == 0   ? ""
                                 : more == 1 ? ", nor one other question"
                                             : fmt::format(", nor {} other questions", more));
-  constexpr std::size_t most_noted = 8;
-  for (std::size_t i = 1; i < open.size() && i <= most_noted; ++i)
+  for (std::size_t i = 1; i < open.size(); ++i)
     finding.notes.push_back({open[i].span, fmt::format("nor {}", open[i].words)});
+  shorten(finding.notes, most_alike);
   finding.help = "with fewer alternatives it would be: fewer providers of one group, or conditions on fewer states";
   return finding;
 }
@@ -114,7 +114,6 @@ std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const
   }
   for (Diagnostic& finding : tell_decisions(conflicts.input(), all)) all.push_back(std::move(finding));
   if (!shared.budget().open().empty()) all.push_back(not_decided(shared.budget()));
-  for (Diagnostic& finding : all) shorten(finding.notes);
   dsl::sort_by_place(all);
   return all;
 }
@@ -161,6 +160,7 @@ std::vector<Diagnostic> apply_selection(const Selection& selection, std::vector<
   };
   findings.erase(std::remove_if(findings.begin(), findings.end(), is_unwanted), findings.end());
   for (Diagnostic& finding : findings) {
+    shorten(finding.notes);
     const bool asked = selection.every_warning_is_error || selection.warnings_as_errors.count(finding.id) != 0;
     if (finding.level == dsl::Level::warning && asked) finding.level = dsl::Level::error;
   }

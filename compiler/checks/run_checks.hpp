@@ -27,7 +27,8 @@ std::vector<dsl::Diagnostic> run_checks(const Model& model, const Graph& graph, 
 std::vector<dsl::Diagnostic> apply_allowances(const Model& model, std::vector<dsl::Diagnostic> findings,
                                               bool all_checks_ran);
 
-/// Drops what is allowed and lints that were not asked for, then makes warnings errors as asked.
+/// Drops what is allowed and lints that were not asked for, makes warnings errors as asked, and leaves of many notes
+/// those that one reads.
 std::vector<dsl::Diagnostic> apply_selection(const Selection& selection, std::vector<dsl::Diagnostic> findings);
 
 } // namespace director::checks

@@ -10,7 +10,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace director::checks {
 
@@ -41,13 +45,16 @@ std::string message_of(const Model& model, const Loser& loser) {
   const std::string name = name_of(model, loser.refused.task->target);
   const std::string above = name_of(model, loser.above), kept = name_of(model, loser.taker.group);
   const std::string by = name_of(model, *loser.refused.requester);
-  if (loser.taker.group == loser.refused.task->target && asks_above(loser))
-    return fmt::format("{} never runs for {}, which is below {} itself", name, by, above);
-  if (loser.refused.requester == loser.taker.holder)
-    return fmt::format("{} never runs for {}, which keeps {} for itself", name, above, kept);
-  return asks_above(loser)
-             ? fmt::format("{} never runs for {} below {}, which it needs", name, by, above)
-             : fmt::format("{} never runs for {} below {}, which keeps {} for itself", name, by, above, kept);
+  const bool is_direct = loser.refused.requester == loser.taker.holder; // no other group asks in between
+  if (asks_above(loser)) {
+    const std::string holder = name_of(model, loser.taker.holder);
+    if (loser.taker.group == loser.refused.task->target)
+      return fmt::format("{} never runs for {}, which is below {} itself", name, by, holder);
+    return is_direct ? fmt::format("{} never runs for {}, which it needs", name, by)
+                     : fmt::format("{} never runs for {} below {}, which it needs", name, by, holder);
+  }
+  return is_direct ? fmt::format("{} never runs for {}, which keeps {} for itself", name, above, kept)
+                   : fmt::format("{} never runs for {} below {}, which keeps {} for itself", name, by, above, kept);
 }
 
 /// The need of the provider that comes down to the group.
@@ -58,48 +65,99 @@ const Use<GroupId>* find_need(const Model& model, const Loser& loser) {
   return nullptr;
 }
 
+/// Where the finding about it stands.
+const Task& place_of(const Loser& loser) { return asks_above(loser) ? *loser.refused.task : *loser.entry; }
+
+/// Those that lose one group to one provider, below one entry. The nearest one, the first, stands for all: what helps
+/// it helps the others.
+using Losers = std::vector<const Loser*>;
+
+/// What loses the same elsewhere is told with the first one, wherever that is: below another entry, or another provider
+/// of the group.
+std::vector<std::vector<Losers>> losers_by_place(const Input& input) {
+  std::map<std::tuple<ProviderId, dsl::Span, GroupId>, Losers> by_entry;
+  for (const Loser& loser : input.conflicts.losers()) {
+    const EdgeId edge = loser.refused.task->edge;
+    if (loser.taker.kind != Taker::Kind::above || is_cycle(input.model, loser)) continue;
+    if (input.conflicts.closes_circle(edge)) continue;
+    // Elsewhere it may be asked for with a better chance, and then it is nobody's fault.
+    if (asks_above(loser) && input.conflicts.grants().refused().count(edge) == 0) continue;
+    by_entry[{loser.above, place_of(loser).span, loser.taker.group}].push_back(&loser);
+  }
+  std::map<std::tuple<bool, EdgeId, GroupId, GroupId>, std::size_t> places;
+  std::vector<std::vector<Losers>> out;
+  for (auto& [key, losers] : by_entry) {
+    const Loser& first = *losers.front();
+    // Of what asks for a group above it, it does not matter how many there are.
+    const auto holder = asks_above(first) ? GroupId{} : first.taker.holder;
+    const auto kept = asks_above(first) ? GroupId{} : first.taker.group;
+    const auto [at, is_new] =
+        places.try_emplace({asks_above(first), first.refused.task->edge, holder, kept}, out.size());
+    if (is_new) out.emplace_back();
+    out[at->second].push_back(std::move(losers));
+  }
+  return out;
+}
+
+void add_same(const Model& model, const Loser& first, const Loser& other, dsl::Diagnostic& finding) {
+  const auto is_told = [&](dsl::Span span) {
+    return span == finding.span || std::any_of(finding.notes.begin(), finding.notes.end(),
+                                               [&](const dsl::Note& note) { return note.span == span; });
+  };
+  if (asks_above(other) && other.taker.holder != first.taker.holder) {
+    finding.notes.push_back(
+        {other.entry->span, fmt::format("nor below {}, which leads to it here", name_of(model, other.taker.holder))});
+  } else if (!is_told(place_of(other).span)) {
+    finding.notes.push_back(
+        {place_of(other).span, other.above == first.above
+                                   ? std::string("the same here")
+                                   : fmt::format("the same here, below {}", name_of(model, other.above))});
+  }
+}
+
+void report(const Input& input, const std::vector<Losers>& all, Findings& findings) {
+  const Model& model = input.model;
+  const Losers& losers = all.front();
+  const Loser& loser = *losers.front();
+  const Use<GroupId>* need = find_need(model, loser);
+  dsl::Diagnostic& finding = findings.add(place_of(loser).span, message_of(model, loser));
+  const std::string above = name_of(model, loser.above), kept = name_of(model, loser.taker.group);
+  if (need != nullptr) {
+    finding.notes.push_back({need->span, fmt::format("{} needs {}", above, name_of(model, need->id))});
+    add_chain(model, need_path(model, need->id, loser.taker.group), finding.notes, dsl::Note::Link::next);
+  }
+  std::vector<ChainStep> chain = loser.chain;
+  chain.erase(asks_above(loser) ? chain.end() - 1 : chain.begin()); // the finding stands there
+  for (const ChainStep& step : need_path(model, loser.refused.task->target, loser.taker.group)) chain.push_back(step);
+  add_chain(model, chain, finding.notes);
+  for (const Losers& each : all) {
+    if (&each != &losers) add_same(model, loser, *each.front(), finding);
+    for (const Loser* other : each) finding.rules_out.push_back(other->refused.task->span);
+  }
+  std::set<EdgeId> told{loser.refused.task->edge};
+  for (const Losers& each : all) {
+    for (const Loser* other : each) {
+      if (told.insert(other->refused.task->edge).second)
+        finding.notes.push_back(
+            {other->refused.task->span, fmt::format("nor does {} for {}", name_of(model, other->refused.task->target),
+                                                    name_of(model, *other->refused.requester))});
+    }
+  }
+  if (need == nullptr) {
+    finding.help = fmt::format("ask for it where {} is not above it", kept);
+  } else if (need->id == loser.taker.group && loser.entry->target != need->id) {
+    finding.help = fmt::format("need {} instead of {}, or nothing: what a task needs is held when it is granted",
+                               name_of(model, loser.entry->target), kept);
+  } else {
+    finding.help = fmt::format("leave {} to {}, or do not need that: what a task needs is held when it is granted",
+                               kept, name_of(model, need->id));
+  }
+}
+
 } // namespace
 
 void self_conflict(const Input& input, Findings& findings) {
-  const Model& model = input.model;
-  // The nearest one that loses something below an entry stands for all: what helps it helps the others.
-  std::map<std::tuple<ProviderId, const Task*, GroupId>, std::vector<const Loser*>> all;
-  for (const Loser& loser : input.conflicts.losers()) {
-    if (loser.taker.kind != Taker::Kind::above || is_cycle(model, loser)) continue;
-    // Elsewhere it may be asked for with a better chance, and then it is nobody's fault.
-    if (asks_above(loser) && input.conflicts.grants().refused().count(loser.refused.task->edge) == 0) continue;
-    const Task* place = asks_above(loser) ? loser.refused.task : loser.entry;
-    all[{loser.above, place, loser.taker.group}].push_back(&loser);
-  }
-  for (const auto& [key, losers] : all) {
-    const Loser& loser = *losers.front();
-    const Use<GroupId>* need = find_need(model, loser);
-    dsl::Diagnostic& finding = findings.add(std::get<const Task*>(key)->span, message_of(model, loser));
-    for (const Loser* each : losers) finding.rules_out.push_back(each->refused.task->span);
-    const std::string above = name_of(model, loser.above), kept = name_of(model, loser.taker.group);
-    if (need != nullptr) {
-      finding.notes.push_back({need->span, fmt::format("{} needs {}", above, name_of(model, need->id))});
-      add_chain(model, need_path(model, need->id, loser.taker.group), finding.notes, dsl::Note::Link::next);
-    }
-    std::vector<ChainStep> chain = loser.chain;
-    chain.erase(asks_above(loser) ? chain.end() - 1 : chain.begin()); // the finding stands there
-    for (const ChainStep& step : need_path(model, loser.refused.task->target, loser.taker.group)) chain.push_back(step);
-    add_chain(model, chain, finding.notes);
-    for (std::size_t i = 1; i < losers.size(); ++i) {
-      const Refused& other = losers[i]->refused;
-      finding.notes.push_back({other.task->span, fmt::format("nor does {} for {}", name_of(model, other.task->target),
-                                                             name_of(model, *other.requester))});
-    }
-    if (need == nullptr) {
-      finding.help = fmt::format("ask for it where {} is not above it", kept);
-    } else if (need->id == loser.taker.group && loser.entry->target != need->id) {
-      finding.help = fmt::format("need {} instead of {}, or nothing: what a task needs is held when it is granted",
-                                 name_of(model, loser.entry->target), kept);
-    } else {
-      finding.help = fmt::format("leave {} to {}, or do not need that: what a task needs is held when it is granted",
-                                 kept, name_of(model, need->id));
-    }
-  }
+  for (const std::vector<Losers>& all : losers_by_place(input)) report(input, all, findings);
 }
 
 } // namespace director::checks

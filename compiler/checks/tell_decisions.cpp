@@ -6,6 +6,7 @@
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/untold/untold.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
 #include <fmt/format.h>
@@ -16,9 +17,6 @@
 namespace director::checks {
 
 namespace {
-
-/// Of many reasons the first ones have a note.
-constexpr std::size_t most_notes = 8;
 
 /// Where nothing was decided all may happen.
 Happening happening_of(const Model& model, const Decisions& decisions) {
@@ -222,7 +220,7 @@ private:
         break;
       }
     }
-    if (finding.notes.size() > most_notes) finding.notes.resize(most_notes);
+    shorten(finding.notes, most_alike);
   }
 
   /// And those that their needs may come down to.

@@ -25,8 +25,6 @@ namespace {
 constexpr std::size_t most_listed = 4;
 /// ... up to so many: beyond, nobody is helped by the number.
 constexpr std::size_t most_gaps = 1'000;
-/// Conditions of one group that have a note each.
-constexpr std::size_t most_conditions = 8;
 
 class Uncovered {
 public:
@@ -240,7 +238,7 @@ private:
 
   /// Of one group few, so that the next one is told of too.
   static void add(std::vector<dsl::Note> notes, dsl::Diagnostic& finding) {
-    shorten(notes, most_conditions);
+    shorten(notes, most_alike);
     std::move(notes.begin(), notes.end(), std::back_inserter(finding.notes));
   }
 

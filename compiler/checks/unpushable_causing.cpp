@@ -20,6 +20,7 @@ using dsl::Diagnostic;
 struct Obstacle {
   Meeting meeting;
   bool one_unit = false;
+  bool waits_with = false; ///< it is not granted while the task waits, but in one unit with that
 };
 
 /// The meetings of a waiting task and a group, the first at each pair of entries. None: one is always below the other.
@@ -29,7 +30,9 @@ std::vector<Obstacle> find_obstacles(const Chains& chains, GroupId waiter, Group
     const bool known = std::any_of(out.begin(), out.end(), [&](const Obstacle& obstacle) {
       return obstacle.meeting.first == meeting.first && obstacle.meeting.second == meeting.second;
     });
-    if (!known) out.push_back({meeting, meeting.one_unit() && meeting.second->target == other});
+    const bool in_unit = meeting.one_unit();
+    if (!known)
+      out.push_back({meeting, in_unit && meeting.second->target == other, in_unit && meeting.first->target == waiter});
   });
   return out;
 }
@@ -51,7 +54,7 @@ void explain(const Model& model, const Obstacle& obstacle, GroupId waiter, Group
     return;
   }
   const auto side = [&](GroupId entry, GroupId meant, const std::string& text) {
-    return entry == meant ? text : fmt::format("{}, which leads to {}", text, name_of(model, meant));
+    return entry == meant ? text : fmt::format("{}, which leads to {},", text, name_of(model, meant));
   };
   finding.notes.push_back(
       {meeting.second->span, fmt::format("here {} has {}", side(meeting.second->target, other, second),
@@ -70,6 +73,7 @@ std::string propose(const Model& model, const std::vector<Obstacle>& obstacles) 
                        obstacle.meeting.first_goes_before() ? second : first);
   if (obstacle.meeting.first_optional != obstacle.meeting.second_optional)
     return fmt::format("an optional task goes after all others: make {} mandatory, or {} optional too", first, second);
+  if (obstacle.waits_with) return fmt::format("make {} `apart`, with a higher priority than {}", first, second);
   return fmt::format("give {} a higher priority than {}", first, second);
 }
 

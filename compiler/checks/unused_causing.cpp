@@ -75,11 +75,18 @@ void unused_causing(const Input& input, Findings& findings) {
         return input.facts.active.contains(arrow->waiter) || input.facts.capable.contains(arrow->waiter);
       });
       const Decisions& decisions = input.shared.decisions();
-      const bool any_pushes = std::any_of(waiters.begin(), waiters.end(), [&](const Graph::Causing* arrow) {
-        if (decisions.never_pushed(model, id, arrow->condition.id)) return false;
-        return input.facts.is_impossible(arrow->waiter, model.conditions[arrow->condition.id].state) ||
-               (pushers.may_push(id, arrow->condition.id) && !pushers.preferred(id, arrow->condition.id));
-      });
+      const bool any_pushes =
+          std::any_of(input.graph.causing.begin(), input.graph.causing.end(), [&](const Graph::Causing& arrow) {
+            if (arrow.causer != id || arrow.promise.span != use.span) return false;
+            // One of its own group that is pushed may wait for it.
+            if (model.providers[arrow.waiter].group == model.providers[id].group &&
+                !input.facts.pushed.contains(arrow.waiter))
+              return false;
+            // As things stand it may push for ever; the decisions take it for mended.
+            if (input.facts.is_impossible(arrow.waiter, model.conditions[arrow.condition.id].state)) return true;
+            return !decisions.never_pushed(model, id, arrow.condition.id) && pushers.may_push(id, arrow.condition.id) &&
+                   !pushers.preferred(id, arrow.condition.id);
+          });
       if (input.facts.active.contains(id) && !decisions.never_runs(model, id) && any_runs && !any_pushes)
         report_unpushed(input, pushers, id, use, waiters, findings);
     }

@@ -10,6 +10,9 @@
 #include <clang/Lex/Lexer.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
 
 namespace director::scanning {
 
@@ -73,8 +76,10 @@ private:
       }
       if (const auto* name_space = llvm::dyn_cast<clang::NamespaceDecl>(decl)) walk(*name_space);
       if (const auto* linkage = llvm::dyn_cast<clang::LinkageSpecDecl>(decl)) walk(*linkage);
-      if (const auto* type_template = llvm::dyn_cast<clang::ClassTemplateDecl>(decl))
+      if (const auto* type_template = llvm::dyn_cast<clang::ClassTemplateDecl>(decl)) {
+        templates_[type_template->getNameAsString()] = type_template->getTemplatedDecl();
         read(*type_template->getTemplatedDecl());
+      }
       if (const auto* type = llvm::dyn_cast<clang::CXXRecordDecl>(decl)) read(*type);
       if (const auto* function = llvm::dyn_cast<clang::CXXMethodDecl>(decl)) read(*function);
     }
@@ -84,6 +89,7 @@ private:
     if (!type.isThisDeclarationADefinition()) return;
     std::set<std::string> interfaces, bases;
     look_up(type, interfaces, bases);
+    if (type.isInvalidDecl()) look_up_words(type, interfaces, bases);
     const SourceLocation end = type.getBraceRange().getEnd();
     if (!interfaces.empty() && end.isValid()) {
       Json row = row_at(sources_, type.getLocation());
@@ -111,6 +117,30 @@ private:
       } else if (is_users(base->getLocation()) && bases.insert(name).second) {
         look_up(*base, interfaces, bases);
       }
+    }
+  }
+
+  /// Of a template with a mistake in it, as with a body whose provider is gone, Clang does not make a base: what counts
+  /// then is which interfaces and templates the text names behind the colon.
+  void look_up_words(const clang::CXXRecordDecl& type, std::set<std::string>& interfaces,
+                     std::set<std::string>& bases) {
+    const auto is_last_part = [](const std::string& name, llvm::StringRef word) {
+      return llvm::StringRef(name).rsplit("::").second == word;
+    };
+    bool behind_colon = false;
+    auto next = clang::Lexer::findNextToken(type.getLocation(), sources_, compiler_.getLangOpts());
+    while (next && !next->isOneOf(clang::tok::l_brace, clang::tok::eof)) {
+      behind_colon = behind_colon || next->is(clang::tok::colon);
+      if (behind_colon && next->is(clang::tok::raw_identifier)) {
+        const llvm::StringRef word = next->getRawIdentifier();
+        for (const std::string& name : interfaces_) {
+          if (is_last_part(name, word)) interfaces.insert(name);
+        }
+        const auto found = templates_.find(word.str());
+        if (found != templates_.end() && bases.insert(found->second->getQualifiedNameAsString()).second)
+          look_up(*found->second, interfaces, bases);
+      }
+      next = clang::Lexer::findNextToken(next->getLocation(), sources_, compiler_.getLangOpts());
     }
   }
 
@@ -234,6 +264,7 @@ private:
   }
 
   Findings& out_;
+  std::map<std::string, const clang::CXXRecordDecl*> templates_; ///< of the user's, by name
   const std::set<std::string>& interfaces_;
   const std::string& header_;
   const Structure& structure_;

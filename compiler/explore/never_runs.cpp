@@ -3,6 +3,7 @@
 #include "compiler/explore/never_runs.hpp"
 
 #include "compiler/analysis/untold/untold.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/explore/search.hpp"
 
@@ -43,6 +44,7 @@ private:
       if (happening.requested.contains(edge) && !all.empty())
         finding.notes.push_back({all.front()->span, fmt::format("{} is requested here", name_of(model_, id))});
     }
+    analysis::shorten(finding.notes, analysis::most_alike);
     finding.help = help(id);
   }
 
@@ -55,6 +57,7 @@ private:
                                        row.requester ? name_of(model_, *row.requester) : std::string("the program")));
     for (std::size_t i = 1; i < all.size(); ++i)
       finding.notes.push_back({all[i]->span, fmt::format("{} is requested here too", name)});
+    analysis::shorten(finding.notes, analysis::most_alike);
     finding.help = help(row.target);
   }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 namespace director::compiler {
 
@@ -80,6 +82,14 @@ constexpr std::array<std::string_view, 42> dropped_beginnings{"-W",
 constexpr std::array<std::string_view, 12> kept_pairs{"-I",        "-isystem",  "-iquote", "-idirafter",
                                                       "-include",  "-imacros",  "-D",      "-U",
                                                       "-isysroot", "--sysroot", "-x",      "-target"};
+/// How both compilers write some of them at length, with `=` or the next word behind it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> long_forms{
+    {{"--include", "-include"},
+     {"--imacros", "-imacros"},
+     {"--include-directory", "-I"},
+     {"--include-directory-after", "-idirafter"},
+     {"--define-macro", "-D"},
+     {"--undefine-macro", "-U"}}};
 /// What a compiler must be told when it is asked for its habits.
 constexpr std::array<std::string_view, 8> telling{
     "-m", "--sysroot", "-isysroot", "-std=", "-stdlib=", "-nostdinc", "--target", "-B"};
@@ -92,6 +102,16 @@ bool among(std::string_view word, const auto& list) { return std::find(list.begi
 
 std::string stem_of(const std::string& program) { return fs::path(program).filename().string(); }
 
+/// The short form, and what stands behind `=`, if anything.
+Words shortened(const std::string& word) {
+  const std::size_t end = word.find('=');
+  for (const auto& [form, instead] : long_forms) {
+    if (word.substr(0, end) != form) continue;
+    return end == std::string::npos ? Words{std::string(instead)} : Words{std::string(instead), word.substr(end + 1)};
+  }
+  return {word};
+}
+
 bool is_launcher(const std::string& program) {
   const std::string name = stem_of(program);
   return name == "ccache" || name == "sccache" || name == "distcc" || name == "icecc" || name == "env";
@@ -101,7 +121,11 @@ bool is_clang(const std::string& program) { return stem_of(program).find("clang"
 
 } // namespace
 
-Flags fit_for_clang(const Words& command) {
+Flags fit_for_clang(const Words& as_written) {
+  Words command;
+  for (const std::string& word : as_written) {
+    for (std::string& each : shortened(word)) command.push_back(std::move(each));
+  }
   Flags out;
   std::size_t i = 0;
   while (i < command.size() && (is_launcher(command[i]) || (i > 0 && command[i].find('=') != std::string::npos))) ++i;

@@ -20,14 +20,14 @@ using namespace director;
 using namespace director::property;
 
 #ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 300;
+constexpr std::uint64_t usual_cases = 3'000;
 #else
 constexpr std::uint64_t usual_cases = 20;
 #endif
 
 /// They say of a task that it never runs for its requester, each for another reason.
-const std::set<std::string> speak_of_tasks{"optional_never_runs", "sibling_starvation", "starved_task",
-                                           "uncovered_state"};
+const std::set<std::string> speak_of_tasks{"optional_never_runs", "self_conflict", "sibling_starvation",
+                                           "starved_task",        "task_cycle",    "uncovered_state"};
 
 /// What is told twice, each in a line.
 std::string find_told_twice(std::uint64_t seed) {
@@ -46,7 +46,7 @@ std::string find_told_twice(std::uint64_t seed) {
       never[granted->edge].push_back(finding.id + ": " + finding.message);
       says_never = true;
     }
-    if (says_never) continue;
+    if (says_never || finding.id == "task_cycle") continue; // of an open circle it is now one, now another
     for (const compiler::EdgeId loser : losers_of(finding, checked.model))
       wanted[loser].push_back(finding.id + ": " + finding.message);
   }

@@ -212,12 +212,18 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     // "`Legs` never runs for `Walk` below `KickTo`, which keeps `Legs` for itself": the last one is what it keeps.
     const auto entry = places.entry(finding.span);
     const std::vector<std::string> names = quoted_in(finding.message);
-    if (!entry || !entry->provider || names.size() < 3) return out;
+    if (!entry || !entry->provider || names.size() < 2) return out;
     if (const auto edge = edge_between(model, names[1], names[0]);
         edge && names[1].find('.') == std::string::npos && !says(finding, "keeps")) {
       out.push_back(NeverGranted{*edge});
     } else if (const auto kept = model.find_group(names.back())) {
-      if (edge) out.push_back(NeverBelow{*entry->provider, entry->task->edge, *edge, *kept});
+      const auto add = [&](Span span) {
+        const auto place = places.entry(span);
+        if (edge && place && place->provider)
+          out.push_back(NeverBelow{*place->provider, place->task->edge, *edge, *kept});
+      };
+      add(finding.span);
+      for (const Span span : notes_with("the same here")) add(span);
     }
   } else if (id == "sibling_starvation") {
     const std::vector<std::string> names = quoted_in(finding.message);

@@ -18,9 +18,6 @@ namespace {
 
 using dsl::Note;
 
-/// Of many who ask for a group the first ones have a note.
-constexpr std::size_t most_notes = 8;
-
 class Exclusion {
 public:
   Exclusion(const Model& model, const Facts& facts, ProviderId id) : model_(model), facts_(facts), id_(id) {}
@@ -91,7 +88,7 @@ private:
     std::vector<GroupId> open{model_.providers[id_].group};
     SparseSet<GroupId> seen;
     seen.add(open.front());
-    for (std::size_t next = 0; next < open.size() && notes_.size() < most_notes; ++next) {
+    for (std::size_t next = 0; next < open.size() && notes_.size() < most_alike; ++next) {
       for (const EdgeId edge : model_.groups[open[next]].requesters) {
         const auto requester = model_.edges[edge].requester;
         if (!requester) continue;

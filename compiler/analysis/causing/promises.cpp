@@ -145,7 +145,8 @@ public:
     std::vector<Node> told;
     for (const std::vector<Node>& circle : lowest_circles(candidate_)) {
       told.insert(told.end(), circle.begin(), circle.end());
-      out.never_kept.push_back(make(ProviderId{circle.front()}));
+      NeverKept promise = make(ProviderId{circle.front()});
+      if (promise.pushable || !is_waited_for_as_is(promise.causer)) out.never_kept.push_back(std::move(promise));
     }
     out.explained = explained_by(told);
     find_lost(out);
@@ -235,7 +236,7 @@ private:
       if (out.explained.contains(causer)) continue;
       out.explained.add(causer);
       for (const Waiter& each : row.waiting) out.explained.add(each.provider);
-      out.never_kept.push_back(std::move(row));
+      if (!is_waited_for_as_is(causer)) out.never_kept.push_back(std::move(row));
     }
     std::stable_sort(out.never_kept.begin(), out.never_kept.end(),
                      [](const NeverKept& a, const NeverKept& b) { return a.causer < b.causer; });
@@ -299,6 +300,15 @@ private:
     }
     std::sort(out.begin(), out.end());
     return out;
+  }
+
+  /// By a provider whose conditions are reported as impossible: a task may wait for that one for ever, and push for it.
+  bool is_waited_for_as_is(ProviderId causer) const {
+    const std::vector<const Graph::Causing*>& all = arrows_of_[causer];
+    return std::any_of(all.begin(), all.end(), [&](const Graph::Causing* arrow) {
+      return !facts_.impossible_of(arrow->waiter).empty() &&
+             facts_.requested.contains(model_.providers[arrow->waiter].group);
+    });
   }
 
   NeverKept make(ProviderId causer) const {

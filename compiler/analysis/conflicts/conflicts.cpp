@@ -4,6 +4,8 @@
 
 #include "compiler/analysis/shared/shared.hpp"
 
+#include <algorithm>
+
 namespace director::analysis {
 
 const std::vector<Clash>& Conflicts::clashes() const {
@@ -14,6 +16,18 @@ const std::vector<Clash>& Conflicts::clashes() const {
 const std::vector<PackConflict>& Conflicts::pack_conflicts() const {
   if (!pack_conflicts_) pack_conflicts_ = find_pack_conflicts(input_.model, input_.shared.units());
   return *pack_conflicts_;
+}
+
+const std::vector<Circle>& Conflicts::circles() const {
+  if (!circles_) circles_ = find_circles(input_.model, input_.shared);
+  return *circles_;
+}
+
+bool Conflicts::closes_circle(EdgeId id) const {
+  const Edge& edge = input_.model.edges[id];
+  return std::any_of(circles().begin(), circles().end(), [&](const Circle& circle) {
+    return circle.is_known && edge.target == circle.groups.back() && edge.requester == circle.last_requester();
+  });
 }
 
 Takers& Conflicts::takers() const {

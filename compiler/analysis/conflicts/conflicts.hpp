@@ -4,6 +4,7 @@
 // what is shared is, from which it follows.
 
 #include "compiler/analysis/clashes/clashes.hpp"
+#include "compiler/analysis/conflicts/circles.hpp"
 #include "compiler/analysis/conflicts/grants.hpp"
 #include "compiler/analysis/conflicts/losers.hpp"
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
@@ -28,6 +29,9 @@ public:
   const std::vector<Clash>& clashes() const;
   /// Of all packs and flat lists.
   const std::vector<PackConflict>& pack_conflicts() const;
+  const std::vector<Circle>& circles() const;
+  /// It leads back to a group that is always above it: that it is never granted is told of the circle.
+  bool closes_circle(EdgeId edge) const;
   /// Below all roots.
   const Grants& grants() const;
   const std::vector<Loser>& losers() const;
@@ -40,6 +44,7 @@ private:
   Takers& takers() const;
   Packmates& packmates() const;
 
+  mutable std::optional<std::vector<Circle>> circles_;
   mutable std::optional<Takers> takers_;
   mutable std::optional<Packmates> packmates_;
   mutable std::optional<Grants> grants_;

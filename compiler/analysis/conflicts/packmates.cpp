@@ -81,15 +81,17 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
   const Task &by = *rival.task, &over = *entry.task;
   const bool before = takers_.always_before(by, over);
   const bool first = before || takers_.always_first_of_equals(requester, by, over);
-  // Of two equals that are asked for together both are granted before anything below one of them is tried.
-  const bool together = !first && by.edge != over.edge && takers_.always_beside(requester, by, over);
+  // Of two equals that are asked for together both are granted before anything below one of them is tried. Not while
+  // the requester changes hands: what is held for it is nobody's then, and who asked first goes first with all below.
+  const bool together = !first && by.edge != over.edge && takers_.always_beside(requester, by, over) &&
+                        !takers_.may_change_hands(requester);
   const Beside beside{requester, rival.unit, &by, &over, together};
   Packmate out{
       {before ? Taker::Kind::before : Taker::Kind::unit, group, {}, &by, &over, {}, {}, true}, rival.unit, false, true};
   if (is_in(*rival.unit, &over)) {
     if (!rival.always) return std::nullopt;
-    out.taker.steady =
-        takers_.is_unconditional(by.target) && spoilers(beside).of(input_.shared.units().needed(by.target)).empty();
+    out.taker.steady = takers_.is_unconditional(by.target) && takers_.takes(requester, *rival.unit).disputed.empty() &&
+                       spoilers(beside).of(input_.shared.units().needed(by.target)).empty();
     if (!out.taker.steady) out.taker.kind = Taker::Kind::unit; // then the others wait with it
     return out;
   }
@@ -100,12 +102,12 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
                   return takers_.always_before(by, *each) || takers_.always_first_of_equals(requester, by, *each);
                 }));
   if (!rival.at_first || (!first && !together && !takers_.is_mandatory(over))) return std::nullopt;
-  // What is apart waits until who goes before it has run, and then for its requester if that has another provider by
-  // now: what the first one asked for may be granted meanwhile.
-  if (!out.from_below && takers_.is_apart(by) && input_.model.groups[requester].providers.size() > 1)
-    return std::nullopt;
+  // It waits until who goes before it has run, and then for its requester if that has new orders by now: what the
+  // first one asked for may be granted meanwhile.
+  if (!out.from_below && takers_.may_get_new_orders(requester)) return std::nullopt;
   out.taker.kind = Taker::Kind::before;
-  out.taker.spoilers = spoilers(beside).of(takers_.takes(requester, *rival.unit).maybe);
+  const UnitTakes& takes = takers_.takes(requester, *rival.unit);
+  out.taker.spoilers = joined(spoilers(beside).of(takes.maybe), in_common(takes.maybe, takes.disputed));
   out.taker.steady = out.taker.spoilers.empty() && takers_.is_unconditional(by.target);
   return out;
 }

@@ -19,7 +19,7 @@ std::vector<StarvingTask> find_starving_tasks(const Input& input) {
   for (const Loser& loser : input.conflicts.losers()) lost.insert(loser.refused.task->edge);
   std::vector<StarvingTask> out;
   for (const auto& [edge, places] : input.conflicts.grants().refused()) {
-    if (lost.count(edge) != 0) continue;
+    if (lost.count(edge) != 0 || input.conflicts.closes_circle(edge)) continue;
     StarvingTask starving{places, false};
     // Where one entry of several has another reason, what goes before tells more.
     std::stable_partition(starving.places.begin(), starving.places.end(), [](const Refused& refused) {

@@ -17,7 +17,7 @@ struct StarvingTask {
   const Taker& taker() const { return places.front().refusals.front().taker; }
 };
 
-/// Of tasks that are never granted those that no loser is, in order of edges.
+/// Of tasks that are never granted those that no loser is, and that close no circle, in order of edges.
 std::vector<StarvingTask> find_starving_tasks(const Input& input);
 
 void report_starving_task(const Input& input, const StarvingTask& starving, Findings& findings);

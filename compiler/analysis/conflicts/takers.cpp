@@ -190,7 +190,28 @@ const UnitTakes& Takers::takes(GroupId requester, const Unit& unit) {
     }
     sort_out(out.maybe);
   }
+  out.disputed = find_disputed(requester, unit);
   return takes_[{requester, unit.front()}] = std::move(out);
+}
+
+Groups Takers::find_disputed(GroupId requester, const Unit& unit) const {
+  Groups out;
+  for (const Task* taking : unit) {
+    const Groups& taken = input_.shared.units().needed(taking->target);
+    for (const Task* other : unit) {
+      const bool never_equal = at_all_levels(input_.model, *taking, *other, [](const Level& a, const Level& b) {
+        return a.optional != b.optional || a.priority != b.priority;
+      });
+      if (other == taking || never_equal || always_beside(requester, *taking, *other)) continue;
+      const Claims& claims = input_.shared.claims(other->target);
+      std::copy_if(taken.begin(), taken.end(), std::back_inserter(out), [&](GroupId group) {
+        return group != other->target &&
+               (claims.find(group, Reach::own) != nullptr || claims.find(group, Reach::mandatory) != nullptr);
+      });
+    }
+  }
+  sort_out(out);
+  return out;
 }
 
 bool Takers::is_unconditional(GroupId group) {
@@ -242,6 +263,16 @@ bool Takers::always_beside(GroupId requester, const Task& first, const Task& sec
     }
   }
   return true;
+}
+
+bool Takers::may_change_hands(GroupId id) const {
+  const std::vector<EdgeId>& all = input_.model.groups[id].requesters;
+  return all.size() > 1 || std::any_of(all.begin(), all.end(),
+                                       [&](EdgeId edge) { return input_.model.edges[edge].requester.has_value(); });
+}
+
+bool Takers::may_get_new_orders(GroupId id) const {
+  return input_.model.groups[id].providers.size() > 1 || may_change_hands(id);
 }
 
 bool Takers::is_needed(GroupId group) const {

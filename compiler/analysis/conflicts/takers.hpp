@@ -50,6 +50,9 @@ struct UnitTakes {
   /// The same where nobody else holds anything: then it never has to wait. Nothing: it may.
   std::vector<Groups> at_first;
   Groups maybe; ///< all of them together, in these ways
+  /// What one member takes and another one's tasks may hold, with equal rank, from a time when that one was asked for
+  /// without the first: equals take nothing from each other.
+  Groups disputed;
 };
 
 class Takers {
@@ -83,6 +86,10 @@ public:
   bool always_first_of_equals(GroupId requester, const Task& first, const Task& second) const;
   /// They are equal at all levels, and whenever this requester asks for the second it asks for the first.
   bool always_beside(GroupId requester, const Task& first, const Task& second) const;
+  /// It may run on for somebody else, or for nobody until the next one has asked for it.
+  bool may_change_hands(GroupId group) const;
+  /// Between two runs of others: it changes its provider or its holder, or is requested anew.
+  bool may_get_new_orders(GroupId group) const;
   /// A plan of somebody else may hold the group, by any provider that can run.
   bool is_needed(GroupId group) const;
   bool is_mandatory(const Task& task) const;
@@ -93,6 +100,7 @@ public:
   bool is_never_whole(const Pack& pack) const { return never_whole_.count(&pack) != 0; }
 
 private:
+  Groups find_disputed(GroupId requester, const Unit& unit) const;
   /// Around all states in which something that the group requested may stand.
   Region region_of_requests(GroupId requester) const;
   /// Wherever the region holds one of the ways is open.

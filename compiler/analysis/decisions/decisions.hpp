@@ -54,14 +54,15 @@ struct Decisions {
   IdTable<EdgeId, Kept> refused;
   std::size_t moments = 0, passes = 0; ///< that were looked at
 
-  /// Of all parts together: a fifth of a second. A pass over five groups takes some fifty, over ten some hundreds.
-  static constexpr std::int64_t most_steps = 3'000'000;
+  /// Of all parts together: half a second. A pass over five groups takes some fifty, over ten some hundreds.
+  static constexpr std::int64_t most_steps = 9'000'000;
   /// Of a file of so many groups. With more of them than that the steps become fewer, as many fewer as there are more
-  /// groups, down to a sixth: in a file of very many it shall take no more than a tenth of what the other checks do.
-  static constexpr std::int64_t many_groups = 300;
+  /// groups, down to an eighteenth: in a file of very many it shall take no more than a tenth of what the other checks
+  /// do.
+  static constexpr std::int64_t many_groups = 100;
   static constexpr std::int64_t steps_for(std::size_t groups) {
     const auto all = static_cast<std::int64_t>(groups);
-    return all <= many_groups ? most_steps : std::max(most_steps * many_groups / all, most_steps / 6);
+    return all <= many_groups ? most_steps : std::max(most_steps * many_groups / all, most_steps / 18);
   }
 
   bool never_runs(const Model& model, ProviderId id) const {

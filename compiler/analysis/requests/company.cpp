@@ -6,14 +6,16 @@
 
 namespace director::analysis {
 
-std::vector<const Task*> Company::find_bare_chain(const Request& request) {
-  if (is_covered(request)) return {};
+std::vector<const Task*> Company::find_bare_chain(const Request& request) { return find_bare_chain(request, true); }
+
+std::vector<const Task*> Company::find_bare_chain(const Request& request, bool waits) {
+  if (is_covered(request, waits)) return {};
   std::vector<const Task*> out{request.task};
   if (!request.requester) return out;
   const GroupId requester = model_.providers[*request.requester].group;
   if (!visited_.insert(requester).second) return {};
   for (const Request& above : requests_.of(requester)) {
-    const std::vector<const Task*> chain = find_bare_chain(above);
+    const std::vector<const Task*> chain = find_bare_chain(above, false);
     if (chain.empty()) continue;
     out.insert(out.end(), chain.begin(), chain.end());
     return out;
@@ -34,15 +36,25 @@ void Company::find_leading() {
   }
 }
 
+bool Company::is_member(const Task& entry) const {
+  const Level& level = model_.edges[entry.edge].levels[entry.levels.front().level];
+  return !level.optional && !level.apart;
+}
+
 bool Company::is_wanted(GroupId group) const {
   return std::find(wanted_.begin(), wanted_.end(), group) != wanted_.end();
 }
 
-bool Company::is_covered(const Request& request) {
+bool Company::is_covered(const Request& request, bool waits) {
   if (request.requester && request.pack->name.empty()) return false;
   const std::vector<Task>& entries = request.requester ? request.pack->tasks : model_.roots;
+  // Members of one unit are granted together: none of them requests anything while one waits.
+  const bool in_unit = waits && request.requester && is_member(*request.task);
   const bool out = std::any_of(entries.begin(), entries.end(), [&](const Task& entry) {
-    return entry.target != request.task->target && brings(entry);
+    if (entry.target == request.task->target) return false;
+    if (!in_unit || is_wanted(entry.target) || !is_member(entry)) return brings(entry);
+    if (brings(entry)) held_back_.insert(&entry);
+    return false;
   });
   if (out) found_in_.insert(&entries);
   return out;

@@ -23,8 +23,12 @@ public:
     find_leading();
   }
 
-  /// The entries from this one up to a root among which nothing requests any; empty: there is always one.
+  /// The entries from this one up to a root among which nothing requests any while it waits; empty: there is always
+  /// one.
   std::vector<const Task*> find_bare_chain(const Request& request);
+
+  /// Entries that would lead to one, but are granted only together with what waits.
+  const std::set<const Task*>& held_back() const { return held_back_; }
 
   /// The lists in which one was found beside the chains that were looked at so far.
   const std::set<const std::vector<Task>*>& found_in() const { return found_in_; }
@@ -32,7 +36,9 @@ public:
 private:
   void find_leading();
   bool is_wanted(GroupId group) const;
-  bool is_covered(const Request& request);
+  bool is_member(const Task& entry) const;
+  std::vector<const Task*> find_bare_chain(const Request& request, bool waits);
+  bool is_covered(const Request& request, bool waits);
   bool brings(const Task& entry);
   bool always_requests(GroupId group);
 
@@ -44,6 +50,7 @@ private:
   std::set<GroupId> visited_;
   std::map<GroupId, bool> always_;
   std::set<const std::vector<Task>*> found_in_;
+  std::set<const Task*> held_back_;
 };
 
 } // namespace director::analysis

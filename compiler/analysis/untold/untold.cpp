@@ -38,9 +38,11 @@ private:
       const std::vector<Pack>& packs = model_.providers[id].packs;
       for (std::size_t i = 0; i < packs.size(); ++i) {
         const std::vector<EdgeId> members = members_of(model_, id, i);
+        std::vector<dsl::Span> spans;
         for (const Task& task : packs[i].tasks) {
-          if (std::find(members.begin(), members.end(), task.edge) != members.end()) whole_only_.insert(task.span);
+          if (std::find(members.begin(), members.end(), task.edge) != members.end()) spans.push_back(task.span);
         }
+        for (const dsl::Span span : spans) whole_only_.emplace(span, spans);
       }
     }
   }
@@ -109,9 +111,12 @@ private:
            (!all.empty() && std::all_of(all.begin(), all.end(), [&](const Task* task) { return is_in_vain(*task); }));
   }
 
-  /// Of a pack that a finding says is never granted whole.
+  /// Of a pack that a finding says is never granted whole, or one member of it never.
   bool is_in_vain(const Task& task) const {
-    return whole_only_.count(task.span) != 0 && told_in_packs_.count(task.span) != 0;
+    const auto members = whole_only_.find(task.span);
+    if (members == whole_only_.end()) return false;
+    return told_in_packs_.count(task.span) != 0 ||
+           std::any_of(members->second.begin(), members->second.end(), [&](dsl::Span span) { return is_told(span); });
   }
 
   /// Another finding speaks of it, or of all that could serve a need of it, or it waits for what only others that never
@@ -159,8 +164,9 @@ private:
   IdTable<StateId, std::vector<Source>> sources_;
   std::set<dsl::Span> told_;
   std::set<dsl::Span> told_in_packs_; ///< entries that are never granted together
-  std::set<dsl::Span> whole_only_;    ///< entries that are granted only together with others
-  std::set<EdgeId> in_packs_;         ///< members of packs that are never granted whole
+  /// Entries that are granted only together with others, and all of these.
+  std::map<dsl::Span, std::vector<dsl::Span>> whole_only_;
+  std::set<EdgeId> in_packs_; ///< members of packs that are never granted whole
   std::map<ProviderId, bool> silent_;
   Untold out_;
 };

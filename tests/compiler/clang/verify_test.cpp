@@ -65,6 +65,7 @@ TEST_CASE("a source that gets the generated header by its flags alone is read") 
   CHECK(with({"-include", "cart.hpp"}) == one);
   CHECK(with({"-include", "all.hpp"}) == one);
   CHECK(with({"-includeall.hpp"}) == one);
+  CHECK(with({"--include=all.hpp"}) == one);
   CHECK(with({"-Xclang", "-include", "-Xclang", "all.hpp"}) == one);
 }
 
@@ -175,6 +176,27 @@ TEST_CASE("of a library that is compiled already it is told what nobody can see,
   for (const std::string& each : (*json)["not_decided"].as_texts()) open.push_back(each.substr(each.find("body.cpp")));
   CHECK(open == std::vector<std::string>{"body.cpp:8:11: `chip::read`", "body.cpp:9:9: `chip::Bus::flush`",
                                          "body.cpp:10:11: `chip::read`, which `chip::twice` calls"});
+}
+
+TEST_CASE("of a long way to what blocks the first calls and the last one are noted") {
+  const Workshop work("long-way");
+  work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"
+                          "  Drive: {module: wheels, realtime: true}\n");
+  std::string calls = included + "#include <mutex>\nstatic std::mutex m;\nstatic void f0() { m.lock(); }\n";
+  for (int i = 1; i < 60; ++i)
+    calls += "static void f" + std::to_string(i) + "() { f" + std::to_string(i - 1) + "(); }\n";
+  work.write("body.cpp", calls + "class MyWheels final : public cart::Wheels {\n"
+                                 "  director::Outcome provide(cart::Drive::Default& run) override {\n"
+                                 "    f59();\n    return run.done();\n  }\n};\n");
+  REQUIRE(work.directorc({"generate", work.path("cart.yaml"), "-o", work.path("generated")}).status == 0);
+  work.write_commands({work.path("body.cpp")}, flags(work));
+  const auto json = director::compiler::parse_json(verified(work).out);
+  REQUIRE(json);
+  const std::vector<Json>& notes = (*json)["findings"].items().at(0)["notes"].items();
+  REQUIRE(notes.size() == 40);
+  CHECK(notes.front()["message"].as_text() == "it runs in `Drive`");
+  CHECK(notes[38]["message"].as_text() == "and 22 more of such notes, from here on");
+  CHECK(notes.back()["message"].as_text() == "which calls `f0`");
 }
 
 TEST_CASE("bodies that are as stubs wrote them are named in one line, and judged when they are written") {

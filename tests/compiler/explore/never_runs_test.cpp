@@ -55,6 +55,21 @@ TEST_CASE("what another finding tells is not told again") {
   CHECK(messages(never).empty());
 }
 
+/// Which of two of equal rank asks first is not reasoned about where one of them has another rank elsewhere.
+TEST_CASE("of many requests that never succeed some are noted, and how many more there are") {
+  std::string packs;
+  for (std::size_t i = 0; i < 60; ++i)
+    packs += "p" + std::to_string(i) + ": {Look: {priority: 10}, Head: {priority: 10, apart: true}}, ";
+  const NeverRuns never =
+      explore("allow: [equal_priority]\nbecause: who asks first keeps it\nroots: [Play]\ngroups:\n  Play: {packs: {" +
+              packs + "rest: {Look: {}}}}\n  Look: {needs: [Head], packs: {turn: {Head: {}}}}\n  Head: {}\n");
+  CHECK(messages(never) == std::vector<std::string>{"`Head` never runs for `Play`, whatever happens"});
+  const std::vector<dsl::Note>& notes = never.findings.at(0).notes;
+  REQUIRE(notes.size() == 8);
+  CHECK(notes[5].message == "`Head` is requested here too");
+  CHECK(notes[6].message == "and 52 more of such notes, from here on");
+}
+
 TEST_CASE("a task that runs for others is told of at the entry where it never does") {
   // Nothing tells of a root task, which the program may as well not request; here the findings are left out.
   const tests::CheckedText checked =

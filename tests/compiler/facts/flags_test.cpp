@@ -62,6 +62,14 @@ TEST_CASE("files that flags include are looked for where the compiler runs, and 
             .words == Words{"-include", "a.hxx"});
 }
 
+TEST_CASE("flags that are written at length are those that they stand for") {
+  CHECK(fit_for_clang({"g++", "--include=a.hpp", "--include", "b.hpp", "--imacros=m.hpp", "--include-directory=i",
+                       "--include-directory-after", "j", "--define-macro=A=1", "--undefine-macro", "B", "--sysroot=/s",
+                       "x.cpp"})
+            .words == Words{"-include", "a.hpp", "-include", "b.hpp", "-imacros", "m.hpp", "-I", "i", "-idirafter", "j",
+                            "-D", "A=1", "-U", "B", "--sysroot=/s"});
+}
+
 TEST_CASE("compile_commands.json of a build, or what is wrong with it") {
   director::dsl::MemoryFiles files;
   const LoadedCommands absent = load_compile_commands("b", files);

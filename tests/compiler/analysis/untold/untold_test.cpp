@@ -90,7 +90,7 @@ const std::vector<std::pair<std::string, std::string>> rows_of_pages{
     {"needs_conflict", "Stand"},
     {"needs_cycle", "Balance Legs"},
     {"optional_never_runs", "Dance"},
-    {"possible_pack_conflict", "both_arms Wave"},
+    {"possible_pack_conflict", "both_arms"},
     {"push_cycle", "Lamp == lit Battery == full"},
     {"push_in_vain", "A == 1 B == 1 A == 1 B == 1"},
     {"self_defeating_handler", "Gripper == open"},

@@ -236,6 +236,19 @@ TEST_CASE("a template whose base is a parameter has bodies of whatever module it
   CHECK(shop.stubs("--check").empty());
 }
 
+TEST_CASE("a template with a body whose provider is gone is still a base of those that are put together with it") {
+  const Workshop shop;
+  shop.write("src/wheels.hpp",
+             "#pragma once\n#include \"cart.hpp\"\ntemplate <class I> struct WithBrakes : I {\n"
+             "  director::Outcome provide(cart::Drive::Braking& run) override { return run.keep(); }\n"
+             "  director::Outcome provide(cart::Drive::Skidding& run) override { return run.keep(); }\n"
+             "  void stop(cart::Drive::Stop&) override {}\n};\n"
+             "struct Mine final : WithBrakes<cart::Wheels> {\n"
+             "  director::Outcome provide(cart::Drive::Rolling& run) override { return run.keep(); }\n};\n");
+  CHECK(shop.stubs("--check") == "src/wheels.hpp:5:21: warning: `provide(cart::Drive::Skidding&)` of `WithBrakes` is "
+                                 "left over: cart has no such provider or handler\n");
+}
+
 TEST_CASE("a comment that is not true any more is told by --check, and stays") {
   const Workshop shop;
   shop.stubs();
