@@ -3,7 +3,7 @@
 // The pass of docs/semantics.md, section 4.4, is greedy along the order of edges: the first candidate takes what it
 // needs, and nobody behind it can change that. So one sweep decides, and only the rule that equals never take from each
 // other can ask for a repetition. A sweep goes along the order as the last one did and decides a unit again only where
-// something reaches it that is another than last time (reach.hpp); groups that hold nothing of that are passed by, each
+// something reaches it that is another than last time (reach.cpp); groups that hold nothing of that are passed by, each
 // with all below it (trail.hpp). What comes out equals the pass from nothing. Cost: some work for each edge of root and
 // for each edge of a group that is looked at, and for each unit reached providers and plans tried, each compared along
 // its chain of holders.
