@@ -231,7 +231,7 @@ TEST_CASE("what findings call impossible is never reached, and what is never rea
 
 TEST_CASE("nothing untrue is told of behaviours of which it once was") {
   Measure measure;
-  for (const std::uint64_t seed : {1'001'288, 1'001'557, 1'002'239, 2'001'694, 4'000'471, 4'000'477})
+  for (const std::uint64_t seed : {1'001'288U, 1'001'557U, 1'002'239U, 2'001'694U, 4'000'471U, 4'000'477U})
     take(measure, seed);
   for (const std::string& each : measure.contradictions) UNSCOPED_INFO(each);
   CHECK(measure.contradictions.empty());
