@@ -42,14 +42,14 @@ void look_ahead(Context& x, Index group) {
   x.s.group_trail[group] |= known;
   const Index base = x.ahead;
   Index together = 0, member = nil;
-  bool in_order = true, asked = false;
+  bool in_order = true, counts = false; // that the orders are outdated
   const Range edges = x.t.groups[group].edges;
   for (Index e = edges.end; e != edges.begin;) {
     --e;
     const Index level = x.s.request[e].level;
     if (!x.whole && level != nil && !injected(Fault::outdated_orders_are_overlooked)) {
       const bool decided_below = (x.s.edge_trail[e] & trail::below_stale) != 0;
-      if (decided_below && is_stale && source != nil) x.s.run_queue[source].counts = 1;
+      counts = counts || decided_below;
       if ((differs & (decided_below ? trail::asks | trail::stale : trail::asks)) != 0) {
         reach_edge(x, e);
         if (!asks) reach_pushes_of(x, e);
@@ -67,7 +67,7 @@ void look_ahead(Context& x, Index group) {
         continue;
       }
     }
-    asked = true;
+    counts = counts || x.whole;
     const Level& row = x.t.levels[level];
     std::uint8_t all = marks;
     if (row.optional || row.apart || injected(Fault::members_for_themselves)) {
@@ -84,7 +84,7 @@ void look_ahead(Context& x, Index group) {
     }
   }
   if (together == 1) x.s.edge_marks[member] |= mark::alone;
-  if (is_stale && source != nil && asked && x.whole) x.s.run_queue[source].counts = 1;
+  if (counts && is_stale && source != nil) x.s.run_queue[source].counts = 1;
   if (in_order) return;
   heap_sort({x.s.candidate + base, static_cast<std::size_t>(x.ahead - base)}, [&](Index a, Index b) {
     return compare_siblings(x, {b, false}, {a, false}, true) < 0;
