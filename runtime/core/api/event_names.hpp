@@ -39,7 +39,8 @@ constexpr const char* name_of(Event::Input row) {
 /// In the order of their bits.
 constexpr const char* name_of(Reason reason) {
   constexpr std::array names{"new_task", "pushed", "subtask_done", "wait", "trigger", "started", "stopped"};
-  return detail::name_in<6>(names, static_cast<std::size_t>(std::countr_zero(static_cast<std::uint8_t>(reason))));
+  constexpr auto bit_of = [](Reason row) { return std::size_t(std::countr_zero(std::uint8_t(row))); };
+  return detail::name_in<bit_of(Reason::stopped)>(names, bit_of(reason));
 }
 
 constexpr const char* name_of(Why row) {
