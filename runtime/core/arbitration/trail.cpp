@@ -59,8 +59,7 @@ void take_rerequested(Context& x, Take&& take) {
 
 /// What has to be looked at if something differs from the last pass, or when it has run, is left alone until then.
 bool can_stand(const Context& x, Index group) {
-  const bool lives_for_need = !x.s.last[group].granted() && x.s.last[group].active != nil;
-  if (lives_for_need || lies_in_limbo(x, group) || (is_outdated(x, group) && !outdates(x, group))) return false;
+  if (lies_in_limbo(x, group) || (is_outdated(x, group) && !outdates(x, group))) return false;
   const Range edges = x.t.groups[group].edges;
   for (Index e = edges.begin; e != edges.end; ++e) {
     if ((x.s.edge_trail[e] & trail::on_stale) != 0 || optional(x, e))
@@ -87,8 +86,7 @@ void open_waiting(Context& x) {
 /// By the next pass: something of it is decided again whatever happens, or what is below it stands apart from it.
 bool has_to_be_looked_at(const Context& x, Index group) {
   if (injected(Fault::what_is_always_decided_is_overlooked)) return false;
-  const GroupAssignment& now = x.s.now[group];
-  if (is_outdated(x, group) || (!now.granted() && now.active != nil)) return true;
+  if (is_outdated(x, group)) return true;
   const Range edges = x.t.groups[group].edges;
   for (Index e = edges.begin; e != edges.end; ++e) {
     if ((x.s.edge_trail[e] & (trail::on_stale | trail::waits)) != 0 || optional(x, e)) return true;
