@@ -20,12 +20,22 @@ const std::map<std::string, Format> formats{
 
 } // namespace
 
-void add_format(CLI::App& app, Format& format, const std::vector<std::string>& names) {
-  app.add_option_function<std::string>(
-         "--format", [&format](const std::string& name) { format = formats.at(name); },
-         fmt::format("one of {}; without it {}", fmt::join(names, ", "), names.front()))
+Format format_called(const std::string& name) { return formats.at(name); }
+
+CLI::Option* add_format(CLI::App& app, Format& format, const std::vector<std::string>& names) {
+  return app
+      .add_option_function<std::string>(
+          "--format", [&format](const std::string& name) { format = format_called(name); },
+          fmt::format("one of {}; without it {}", fmt::join(names, ", "), names.front()))
       ->type_name("NAME")
       ->check(CLI::IsMember(names));
+}
+
+std::string format_by_ending(const std::string& file, const Endings& endings) {
+  for (const auto& [ending, name] : endings) {
+    if (file.ends_with(ending)) return name;
+  }
+  return {};
 }
 
 void add_selection(CLI::App& app, SelectionWords& words) {

@@ -37,7 +37,13 @@ Make test_options(CLI::App& app);
 Make explore_options(CLI::App& app);
 
 /// `--format` with some of the formats.
-void add_format(CLI::App& app, Format& format, const std::vector<std::string>& names);
+CLI::Option* add_format(CLI::App& app, Format& format, const std::vector<std::string>& names);
+
+/// The endings of file names that say which format is meant where none is named, and the format's name.
+using Endings = std::vector<std::pair<std::string, std::string>>;
+/// Empty: the file's name says nothing, or there is none.
+std::string format_by_ending(const std::string& file, const Endings& endings);
+Format format_called(const std::string& name);
 
 struct SelectionWords {
   std::vector<std::string> werror, lint, allow;

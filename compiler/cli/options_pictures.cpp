@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/options_common.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 namespace director::compiler::cli {
@@ -19,12 +21,33 @@ CLI::Option* add_transitions(CLI::App& app, std::vector<std::string>& groups) {
       ->allow_extra_args(false);
 }
 
+/// The ending of a picture that Graphviz makes of `dot`, without the dot before it; or empty.
+std::string drawn_by_graphviz(const std::string& file) {
+  return format_by_ending(
+      file, {{".png", "png"}, {".pdf", "pdf"}, {".ps", "ps"}, {".jpg", "jpg"}, {".jpeg", "jpg"}, {".gif", "gif"}});
+}
+
+/// What the file's name says, where no format is named; or why there is no such picture.
+std::optional<Say> take_format_of(DrawGraph& request) {
+  const std::string name = format_by_ending(
+      request.output,
+      {{".svg", "svg"}, {".json", "json"}, {".mmd", "mermaid"}, {".mermaid", "mermaid"}, {".dot", "dot"}});
+  if (!name.empty()) request.format = format_called(name);
+  const std::string other = drawn_by_graphviz(request.output);
+  if (other.empty()) return {};
+  return Say{fmt::format("directorc: `{0}`: there is no format {1}; Graphviz makes it: directorc graph {2} | dot -T{1} "
+                         "-o {0}\n",
+                         request.output, other, request.file),
+             true};
+}
+
 } // namespace
 
 Make graph_options(CLI::App& app) {
   auto request = std::make_shared<DrawGraph>();
   app.add_option("FILE", request->file, "the behaviour")->required();
-  add_format(app, request->format, {"dot", "svg", "json", "mermaid"});
+  CLI::Option* format = add_format(app, request->format, {"dot", "svg", "json", "mermaid"});
+  format->description("one of dot, svg, json, mermaid; without it, as the file of -o ends, or else dot");
   app.add_option("-o,--output", request->output,
                  "file to write, unless somebody else has written it; without it, to the terminal")
       ->type_name("FILE");
@@ -67,6 +90,9 @@ Make graph_options(CLI::App& app) {
   return [=]() -> Request {
     if (!time->empty()) {
       if (const std::optional<Say> wrong = parse_time(*time, request->time)) return *wrong;
+    }
+    if (format->empty() && !request->frames) {
+      if (const std::optional<Say> wrong = take_format_of(*request)) return *wrong;
     }
     if (request->page && request->format != Format::json)
       return Say{"directorc: --page needs --format=json; `directorc docs` writes pages to read\n", true};

@@ -22,19 +22,25 @@ Make simulate_options(CLI::App& app) {
 Make trace_options(CLI::App& app) {
   auto request = std::make_shared<Trace>();
   app.add_option("FILE", request->file, "what was recorded, JSON lines")->required();
-  app.add_option(
-         "--to", request->to,
-         "text, as `simulate --decisions --times` prints it; json, line by line; perfetto, for ui.perfetto.dev; "
-         "html, the page of `directorc docs` with a timeline")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"text", "json", "perfetto", "html"}))
-      ->capture_default_str();
+  CLI::Option* to =
+      app.add_option(
+             "--to", request->to,
+             "text, as `simulate --decisions --times` prints it; json, line by line; perfetto, for ui.perfetto.dev; "
+             "html, the page of `directorc docs` with a timeline; without it, as the file of -o ends, or else text")
+          ->type_name("FORMAT")
+          ->check(CLI::IsMember({"text", "json", "perfetto", "html"}));
   app.add_option("-o,--output", request->output, "the file; without it, to the terminal")->type_name("FILE");
   app.add_option("--behaviour", request->behaviour,
                  "for html: the file of the behaviour that was recorded; without it, the one that the trace names")
       ->type_name("FILE");
   add_link(app, request->link);
   return [=]() -> Request {
+    const std::string by_ending = format_by_ending(request->output, {{".json", "json"},
+                                                                     {".jsonl", "json"},
+                                                                     {".html", "html"},
+                                                                     {".perfetto-trace", "perfetto"},
+                                                                     {".pftrace", "perfetto"}});
+    if (to->empty() && !by_ending.empty()) request->to = by_ending;
     if (request->to != "html" && !(request->behaviour.empty() && request->link.empty()))
       return Say{fmt::format("directorc: {} is for --to=html\n", request->behaviour.empty() ? "--link" : "--behaviour"),
                  true};

@@ -69,6 +69,26 @@ TEST_CASE("a picture is drawn by the program dot, and what it answers is written
   CHECK(world.outputs.files.at("walker.svg") == "<!-- " + notice_words("walker.yaml") + " -->\n<svg/>");
 }
 
+TEST_CASE("what the file is called says which picture is meant, where no format is named") {
+  World world = walker();
+  const auto written = [&](const std::string& file, std::vector<std::string> words = {}) {
+    words.insert(words.begin(), {"graph", "walker.yaml", "-o", file});
+    REQUIRE(world.directorc(words) == 0);
+    return world.outputs.files.at(file).substr(0, 4);
+  };
+  CHECK(written("walker.svg") == "<!--");
+  CHECK(written("walker.json") == "{\n  ");
+  CHECK(written("walker_page.json", {"--page"}) == "{\n  ");
+  CHECK(written("walker.mmd") == "%% G");
+  CHECK(written("walker.dot") == "// G");
+  CHECK(written("walker") == "// G");
+  CHECK(written("dot.svg", {"--format=dot"}) == "// G");
+  CHECK(world.directorc({"graph", "walker.yaml", "-o", "walker.png"}) == 2);
+  CHECK(world.err == "directorc: `walker.png`: there is no format png; Graphviz makes it: "
+                     "directorc graph walker.yaml | dot -Tpng -o walker.png\n");
+  CHECK_FALSE(world.outputs.files.contains("walker.png"));
+}
+
 TEST_CASE("without Graphviz a picture is refused with what to do") {
   World world = walker();
   world.programs.answer = {};

@@ -85,6 +85,23 @@ TEST_CASE("a trace as JSON is the trace") {
   CHECK(world.outputs.files.at("again.jsonl") == trace_in(world));
 }
 
+TEST_CASE("what the file is called says how a trace is written, where no format is named") {
+  World world = with_trace();
+  const auto written = [&](const std::string& file, std::vector<std::string> words = {}) {
+    words.insert(words.begin(), {"trace", "run.jsonl", "-o", file});
+    REQUIRE(world.directorc(words) == 0);
+    return world.outputs.files.at(file);
+  };
+  const std::string text = written("run.txt");
+  CHECK(text == written("other.txt", {"--to=text"}));
+  CHECK(written("again.jsonl") == trace_in(world));
+  CHECK(written("again.json") == trace_in(world));
+  CHECK(written("run.pftrace") == written("run", {"--to=perfetto"}));
+  CHECK(written("run.perfetto-trace") == written("run", {"--to=perfetto"}));
+  CHECK(written("run.html") == written("page", {"--to=html"}));
+  CHECK(written("text.html", {"--to=text"}) == text);
+}
+
 TEST_CASE("bytes for Perfetto go to no terminal, and who reads it there is told how to look at them") {
   World world = with_trace();
   CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto"}) == 0); // into a pipe
