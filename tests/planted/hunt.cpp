@@ -71,6 +71,7 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
     {"4.4", "so is who searched for somebody to push"},
     {"4.4", "so is who waits behind others for what is free now"},
     {"4.4", "the walk goes on for as long as something is to be looked at"},
+    {"4.4", "a result that is arbitrated once more may be another"},
     {"4.4", "so is what somebody asks for whose orders are outdated, or are not any more"},
     {"4.2", "so is who looks at the last result"},
     {"4.4", "what was requested for outdated orders that are over is lost"},

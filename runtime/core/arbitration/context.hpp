@@ -38,6 +38,8 @@ struct Context {
   Component row;          ///< of the component
   Index component = 0;    ///< which one that is
   bool whole = false;     ///< all of it is decided
+  bool settled = false;   ///< nothing has to be decided: the last result stands
+  bool had_limbo = false; ///< in the last assignment something was in limbo; only known where the pass is followed
   bool walking = false;   ///< the pass is on its way along the order
   bool disturbed = false; ///< something is, or may be, another than in the last pass
   /// The result may be another one when it is the last assignment itself, or when other groups are stale.

@@ -34,6 +34,23 @@ void open_all(Context& x) {
   if (x.pushed_count != 0) mark_pushers(x);
 }
 
+/// The last result stands.
+void keep_all(Context& x) {
+  x.rest = x.s.first_root[x.component];
+  x.limbo_begin = x.placed = x.s.order_count[x.component];
+}
+
+void sweep_all(Context& x) {
+  for (;; begin_sweep(x)) {
+    sweep(x);
+    if (x.denied_count == 0 || !denied_in_vain(x)) break;
+    take_back(x);
+  }
+  x.walking = false;
+  x.limbo_begin = x.placed;
+  if (x.stale_granted != 0 && x.inherited != x.s.order_count[x.component]) keep_for_heirs(x);
+}
+
 /// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
 void finish(Context& x) {
   if (is_followed(x)) leave_to(x, nil);
@@ -57,6 +74,7 @@ void decide(Context& x, Index component) {
   x.walking = !x.whole;
   x.disturbed = false;
   x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = 0;
+  x.settled = false;
   x.whole ? open_all(x) : begin_trail(x);
   x.had_pushes = x.pushed_count != 0;
   x.depends_on_stale = x.depends_on_all_stale = false;
@@ -66,14 +84,8 @@ void decide(Context& x, Index component) {
     const Index first = x.s.first_root[component];
     if (first != nil && x.s.next_root[first] != nil) sort_roots(x);
   }
-  for (begin_sweep(x);; begin_sweep(x)) {
-    sweep(x);
-    if (x.denied_count == 0 || !denied_in_vain(x)) break;
-    take_back(x);
-  }
-  x.walking = false;
-  x.limbo_begin = x.placed;
-  if (x.stale_granted != 0 && x.inherited != x.s.order_count[component]) keep_for_heirs(x);
+  begin_sweep(x);
+  x.settled ? keep_all(x) : sweep_all(x);
   finish(x);
 }
 

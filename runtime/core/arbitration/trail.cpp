@@ -59,7 +59,8 @@ void take_rerequested(Context& x, Take&& take) {
 
 /// What has to be looked at if something differs from the last pass, or when it has run, is left alone until then.
 bool can_stand(const Context& x, Index group) {
-  if (lies_in_limbo(x, group) || (is_outdated(x, group) && !outdates(x, group))) return false;
+  if (x.had_limbo && lies_in_limbo(x, group)) return false;
+  if (is_outdated(x, group) && !outdates(x, group)) return false;
   const Range edges = x.t.groups[group].edges;
   for (Index e = edges.begin; e != edges.end; ++e) {
     if ((x.s.edge_trail[e] & trail::on_stale) != 0 || optional(x, e))
@@ -83,6 +84,25 @@ void open_waiting(Context& x) {
   }
 }
 
+/// Nothing but the last result is another than for the last pass, and it reaches nobody: it is the result again.
+bool is_settled(const Context& x) {
+  const auto is_decided_again = [&](Index e) { return (x.s.edge_trail[e] & (trail::on_stale | trail::waits)) != 0; };
+  if ((x.s.component[x.component] & (work::changed | work::stale_changed)) != 0) return false;
+  if (injected(Fault::the_last_result_is_always_settled)) return true;
+  if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
+  for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
+    if (is_decided_again(e)) return false;
+  }
+  for (Index i = 0; i < x.kept_count; ++i) {
+    const Index g = x.s.news[x.row.order + i];
+    if (is_outdated(x, g) && !outdates(x, g) && x.s.run_queue[g].counts != 0) return false;
+    for (Index e = x.t.groups[g].edges.begin; e != x.t.groups[g].edges.end; ++e) {
+      if (is_decided_again(e)) return false;
+    }
+  }
+  return true;
+}
+
 /// By the next pass: something of it is decided again whatever happens, or what is below it stands apart from it.
 bool has_to_be_looked_at(const Context& x, Index group) {
   if (injected(Fault::what_is_always_decided_is_overlooked)) return false;
@@ -99,6 +119,8 @@ bool has_to_be_looked_at(const Context& x, Index group) {
 /// From what changed since the last pass to the units that it reaches.
 void begin_trail(Context& x) {
   const Index news = x.s.news_count[x.component];
+  const Index held = x.s.order_count[x.component];
+  x.had_limbo = held != 0 && lies_in_limbo(x, x.s.order[x.row.order + held - 1]); // it comes last
   x.pushed_count = x.s.pushed_count[x.component];
   for (const Index g : pushed_groups(x)) {
     open(x, g);
@@ -107,13 +129,18 @@ void begin_trail(Context& x) {
   if (x.pushed_count != 0) mark_pushers(x);
   // The last result first: what is reached now belongs to the next one.
   Index* const rows = x.s.news + x.row.order;
-  Index kept = 0;
   for (Index i = 0; i < news; ++i) {
     const Index g = rows[i];
     const std::uint8_t bits = x.s.group_trail[g];
     remove(x.s.group_trail[g], trail::disturbed | trail::again);
     if ((bits & trail::disturbed) != 0) take_up_last(x, g);
-    if ((bits & trail::again) == 0) continue;
+    if ((bits & trail::again) != 0) rows[x.kept_count++] = g;
+  }
+  x.settled = is_settled(x);
+  if (x.settled) return;
+  Index kept = 0;
+  for (Index i = 0; i < x.kept_count; ++i) {
+    const Index g = rows[i];
     if (can_stand(x, g)) {
       rows[kept++] = g;
       if (is_outdated(x, g)) ++x.stale_kept;
@@ -121,6 +148,7 @@ void begin_trail(Context& x) {
       open(x, g);
     }
   }
+  x.kept_count = 0;
   take_flipped(x, [&](Index g) {
     remove(x.s.group_trail[g], trail::touched);
     reach(x, g);

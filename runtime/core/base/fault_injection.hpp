@@ -50,6 +50,7 @@ enum class Fault : unsigned char {
   who_waits_is_overlooked,
   who_is_behind_is_overlooked,
   the_rest_stands_always,
+  the_last_result_is_always_settled,
   outdated_orders_are_overlooked,
   the_last_result_is_overlooked,
   lost_needs_are_overlooked,
