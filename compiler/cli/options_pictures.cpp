@@ -26,7 +26,7 @@ Make graph_options(CLI::App& app) {
   app.add_option("FILE", request->file, "the behaviour")->required();
   add_format(app, request->format, {"dot", "svg", "json", "mermaid"});
   app.add_option("-o,--output", request->output,
-                 "file to write, unless somebody else has written it; without it, to the terminal")
+                 "file to write, unless somebody else has written it; without it, or with -, to the terminal")
       ->type_name("FILE");
   app.add_option("--view", request->view, "only these arrows: tasks, needs, pushes or takes (who may take from whom)")
       ->type_name("NAME")
@@ -72,6 +72,11 @@ Make graph_options(CLI::App& app) {
       return Say{"directorc: --page needs --format=json; `directorc docs` writes pages to read\n", true};
     if (request->frames && request->output.empty())
       return Say{"directorc: --frames writes many files: -o names a folder for them\n", true};
+    if (request->frames) {
+      if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->output)) return *wrong;
+    } else if (request->output == standard_output) {
+      request->output.clear();
+    }
     if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
     return *request;
   };
@@ -87,6 +92,7 @@ Make docs_options(CLI::App& app) {
   add_transitions(app, request->transitions);
   add_link(app, request->link);
   return [=]() -> Request {
+    if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
     if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
     return *request;
   };
