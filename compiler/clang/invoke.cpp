@@ -7,6 +7,7 @@
 #include <clang/Frontend/Utils.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -42,7 +43,7 @@ public:
     const auto status = this->status(path);
     const bool waits = status && (status->getType() == llvm::sys::fs::file_type::fifo_file ||
                                   status->getType() == llvm::sys::fs::file_type::socket_file);
-    if (waits) return std::make_error_code(std::errc::no_such_device_or_address);
+    if (waits) return std::error_code(ENXIO, std::generic_category());
     return ProxyFileSystem::openFileForRead(path);
   }
 };
