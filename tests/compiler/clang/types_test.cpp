@@ -73,8 +73,7 @@ TEST_CASE("a header that is a pipe is told at once, also where another header in
   work.write("include/phase.hpp",
              "#include \"inner.hpp\"\nnamespace game { enum class Phase { initial, overtime }; }\n");
   const Worked within = work.directorc({"check", "-p", work.path(), work.path("game.yaml")});
-  CHECK(within.status == 1);
-  CHECK(within.out.find("Clang does not understand the headers: cannot open file") != std::string::npos);
+  CHECK(within.status == 0); // what the header says itself is known
   CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(9));
 }
 
