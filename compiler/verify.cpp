@@ -140,7 +140,7 @@ private:
   bool is_generated(const std::string& header) {
     const auto at = headers_.find(header);
     if (at != headers_.end()) return !at->second.empty();
-    const auto text = world_.files.read(header, dsl::largest_file);
+    const auto text = world_.files.read(header, dsl::largest_file, dsl::Kinds::ordinary);
     const bool ours = text && has_notice(text.value());
     return !headers_.emplace(header, ours ? text.value() : std::string{}).first->second.empty();
   }
@@ -154,8 +154,9 @@ private:
     bool all_fresh = true;
     for (const Candidate& each : candidates_) {
       if (each.header.empty() || !told.insert(each.header).second) continue;
-      const auto found = world_.files.read(
-          fs::path(each.header).replace_filename(facts_name(checked_.model.name)).string(), dsl::largest_file);
+      const auto found =
+          world_.files.read(fs::path(each.header).replace_filename(facts_name(checked_.model.name)).string(),
+                            dsl::largest_file, dsl::Kinds::ordinary);
       const bool fresh = headers_[each.header] == expected && found && found.value() == expected_facts;
       all_fresh = all_fresh && fresh;
       if (!fresh) code_.headers.push_back({code_files_.of(each.header), false});

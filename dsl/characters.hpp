@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Kinds of characters, whatever the locale says: of ASCII, the others are none of them.
 
+#include <cstddef>
 #include <string_view>
 
 namespace director::dsl {
@@ -16,6 +17,26 @@ constexpr bool is_word(char c) { return is_alphanumeric(c) || c == '_'; }
 /// One at least.
 constexpr bool all_among(std::string_view text, std::string_view characters) {
   return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
+}
+
+/// How many bytes the well-formed UTF-8 character at `at` has (Unicode, table 3-7); 0: there is none.
+constexpr std::size_t utf8_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const auto follows = [&](std::size_t i, unsigned low = 0x80U, unsigned high = 0xBFU) {
+    return byte(i) >= low && byte(i) <= high;
+  };
+  const unsigned lead = byte(at);
+  if (lead < 0x80U) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return follows(at + 1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const unsigned low = lead == 0xE0 ? 0xA0U : 0x80U, high = lead == 0xED ? 0x9FU : 0xBFU;
+    return follows(at + 1, low, high) && follows(at + 2) ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const unsigned low = lead == 0xF0 ? 0x90U : 0x80U, high = lead == 0xF4 ? 0x8FU : 0xBFU;
+    return follows(at + 1, low, high) && follows(at + 2) && follows(at + 3) ? 4 : 0;
+  }
+  return 0;
 }
 
 } // namespace director::dsl

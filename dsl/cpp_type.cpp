@@ -182,12 +182,20 @@ private:
         fail("a type of C++");
         return;
       }
-      if (first) first_words.push_back({std::string(tokens_.now()), from_outside, true});
+      const std::string_view word = tokens_.now();
+      if (first) first_words.push_back({std::string(word), from_outside, true});
       tokens_.next();
       if (tokens_.take("<")) arguments(">", depth);
-      if (!go_on() || !tokens_.take("::")) return;
+      if (!go_on()) return;
+      if (!tokens_.take("::")) return refuse_macro(word);
       first_words[own].whole = false;
     }
+  }
+
+  /// What the preprocessor leaves of it is no type.
+  void refuse_macro(std::string_view word) {
+    if (is_cpp_macro(word)) fault_ = fmt::format("`{}` is a macro of the standard headers of C++", word);
+    if (is_director_macro(word)) fault_ = "names that begin with `DIRECTOR_` are macros of Director's own";
   }
 
   void built_in_type(Shape& shape) {

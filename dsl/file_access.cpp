@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,6 +23,11 @@ namespace {
 /// Nobody minds to wait that long without a word.
 constexpr std::chrono::milliseconds a_moment{300};
 
+bool is_pipe(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode));
+}
+
 struct Descriptor {
   int number;
   ~Descriptor() {
@@ -31,7 +37,7 @@ struct Descriptor {
 
 } // namespace
 
-Result<std::string, FileError> DiskFiles::read(const std::string& path, std::size_t most) {
+Result<std::string, FileError> DiskFiles::fetch(const std::string& path, std::size_t most, Kinds kinds) {
   const auto error = [](int number) {
     using Kind = FileError::Kind;
     const bool is_lost = number == ENOENT || number == ENOTDIR;
@@ -40,24 +46,27 @@ Result<std::string, FileError> DiskFiles::read(const std::string& path, std::siz
                                         : Kind::not_readable,
                      std::generic_category().message(number)};
   };
+  const bool waits = kinds == Kinds::any;
+  if (!waits && is_pipe(path)) return FileError{FileError::Kind::pipe, "it is a pipe, and no ordinary file"};
   // A pipe is opened without waiting for who writes to it: that may be nobody.
   const Descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
   if (file.number < 0) return error(errno);
   // Read and not asked for its size: what is no plain file has none.
   std::string text;
   std::array<char, 1 << 16> part{};
+  const std::chrono::milliseconds patience = waits ? patience_ : std::chrono::milliseconds(0);
   bool is_told = !waiting_;
   const auto comes_within = [&](std::chrono::milliseconds time) {
     pollfd waiting{file.number, POLLIN, 0};
     return poll(&waiting, 1, static_cast<int>(time.count())) != 0;
   };
   while (true) {
-    const std::chrono::milliseconds first = is_told ? patience_ : std::min(a_moment, patience_);
+    const std::chrono::milliseconds first = is_told ? patience : std::min(a_moment, patience);
     bool comes = comes_within(first);
-    if (!comes && first < patience_) {
+    if (!comes && first < patience) {
       is_told = true;
-      waiting_(path, patience_ - first);
-      comes = comes_within(patience_ - first);
+      waiting_(path, patience - first);
+      comes = comes_within(patience - first);
     }
     if (!comes) return FileError{FileError::Kind::not_readable, "nobody writes to this pipe"};
     const ssize_t size = ::read(file.number, part.data(), part.size());
@@ -81,7 +90,7 @@ std::string DiskFiles::identity(const std::string& path) {
 
 void MemoryFiles::add(const std::string& path, std::string text) { files_[identity(path)] = std::move(text); }
 
-Result<std::string, FileError> MemoryFiles::read(const std::string& path, std::size_t most) {
+Result<std::string, FileError> MemoryFiles::fetch(const std::string& path, std::size_t most, Kinds) {
   const auto file = files_.find(identity(path));
   if (file == files_.end()) return FileError{FileError::Kind::not_found, "No such file or directory"};
   if (file->second.size() > most) return FileError{FileError::Kind::too_large, "file too large"};

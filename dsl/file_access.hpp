@@ -14,15 +14,23 @@
 namespace director::dsl {
 
 struct FileError {
-  enum class Kind { not_found, not_readable, too_large, folder };
+  enum class Kind { not_found, not_readable, too_large, folder, pipe }; ///< `pipe`: where none was wanted
   Kind kind = Kind::not_found;
   std::string message; ///< what the system says: "no such file", "is a directory"
+};
+
+/// What a path may lead to.
+enum class Kinds {
+  any,     ///< also to a pipe, and who writes to it is waited for
+  ordinary ///< to nothing that has to be waited for: a pipe is not even opened
 };
 
 class FileAccess {
 public:
   /// The whole content. More than `most` bytes: too_large, and no more than that is read.
-  virtual Result<std::string, FileError> read(const std::string& path, std::size_t most) = 0;
+  Result<std::string, FileError> read(const std::string& path, std::size_t most, Kinds kinds = Kinds::any) {
+    return fetch(path, most, kinds);
+  }
   /// Equal for two ways of writing the path of one file, whether or not it exists.
   virtual std::string identity(const std::string& path) = 0;
   /// The path of what `file` names relative to itself.
@@ -30,6 +38,9 @@ public:
 
 protected:
   ~FileAccess() = default;
+
+private:
+  virtual Result<std::string, FileError> fetch(const std::string& path, std::size_t most, Kinds kinds) = 0;
 };
 
 class DiskFiles final : public FileAccess {
@@ -41,10 +52,11 @@ public:
   explicit DiskFiles(std::chrono::milliseconds patience = std::chrono::seconds(10), Waiting waiting = {})
       : patience_(patience),
         waiting_(std::move(waiting)) {}
-  Result<std::string, FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override;
 
 private:
+  Result<std::string, FileError> fetch(const std::string& path, std::size_t most, Kinds kinds) override;
+
   std::chrono::milliseconds patience_;
   Waiting waiting_;
 };
@@ -53,10 +65,11 @@ private:
 class MemoryFiles final : public FileAccess {
 public:
   void add(const std::string& path, std::string text);
-  Result<std::string, FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override;
 
 private:
+  Result<std::string, FileError> fetch(const std::string& path, std::size_t most, Kinds kinds) override;
+
   std::map<std::string, std::string> files_;
 };
 

@@ -4,12 +4,15 @@
 
 #include "dsl/colours.hpp"
 #include "dsl/display_width.hpp"
+#include "dsl/harmless.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
+#include <utility>
 
 namespace director::dsl {
 
@@ -109,28 +112,20 @@ std::string snippet(const SourceFile& file, const Span& span, const RenderOption
   return out + marked_line(file, to.line, indentation, last.size(), false, options, colour);
 }
 
-/// Names may stand in quotes with anything in them: what would move a terminal's cursor or change its colours is
-/// spelled out.
-std::string harmless(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool c1 =
-        byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0; // U+0080 to U+009F
-    if (c1) ++i;
-    if (c1 || byte < 0x20 || byte == 0x7F)
-      out += fmt::format("\\x{:02X}", static_cast<unsigned char>(text[i]));
-    else
-      out += text[i];
-  }
-  return out;
-}
-
 std::string headline(const SourceFile& file, const Span& span, std::string_view kind, std::string_view message,
                      const Palette& colour) {
   const Place place = file.place(span.begin);
   return fmt::format("{}{}:{}:{}:{} {}{}:{} {}{}{}\n", colour.bold, harmless(file.path()), place.line, place.column,
                      colour.reset, colour.level, kind, colour.reset, colour.bold, harmless(message), colour.reset);
+}
+
+/// The last one that is shown of so many that say the same.
+Diagnostic last_of(const std::vector<const Diagnostic*>& all) {
+  const Diagnostic& last = *all[most_alike_findings - 1];
+  const std::size_t more = all.size() - most_alike_findings;
+  return {last.id,   last.level,
+          last.span, fmt::format("{}; it is the same at {} more place{}", last.message, more, more == 1 ? "" : "s"),
+          {},        {}};
 }
 
 } // namespace
@@ -157,11 +152,19 @@ std::string render(const Diagnostic& diagnostic, const Sources& sources, const R
 }
 
 std::string render(const std::vector<Diagnostic>& diagnostics, const Sources& sources, const RenderOptions& options) {
+  // One cause may show at very many places, as what a hundred packs have in common does in each of them.
+  std::map<std::pair<std::string_view, std::string_view>, std::vector<const Diagnostic*>> alike;
+  for (const Diagnostic& diagnostic : diagnostics) alike[{diagnostic.id, diagnostic.message}].push_back(&diagnostic);
   std::string out;
   std::array<std::size_t, 3> counts{};
   for (const Diagnostic& diagnostic : diagnostics) {
-    out += render(diagnostic, sources, options);
     ++counts[static_cast<std::size_t>(diagnostic.level)];
+    const std::vector<const Diagnostic*>& all = alike[{diagnostic.id, diagnostic.message}];
+    if (all.size() <= most_alike_findings || &diagnostic < all[most_alike_findings - 1]) {
+      out += render(diagnostic, sources, options);
+    } else if (&diagnostic == all[most_alike_findings - 1]) {
+      out += render(last_of(all), sources, options);
+    }
   }
   std::string summary;
   for (const Level level : {Level::error, Level::warning, Level::lint}) {

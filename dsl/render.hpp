@@ -10,6 +10,7 @@
 #include "dsl/diagnostic.hpp"
 #include "dsl/source_file.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,11 @@ struct RenderOptions {
 
 std::string render(const Diagnostic& diagnostic, const Sources& sources, const RenderOptions& options = {});
 
-/// All of them, and a closing line that counts: "2 errors, 1 warning". Nothing at all for an empty list.
+/// So many findings that say the same of different places are shown; what is for programs has all of them.
+constexpr std::size_t most_alike_findings = 8;
+
+/// All of them, and a closing line that counts: "2 errors, 1 warning". Nothing at all for an empty list. Of more than
+/// that which say the same the last one that is shown tells at how many other places it is so.
 std::string render(const std::vector<Diagnostic>& diagnostics, const Sources& sources,
                    const RenderOptions& options = {});
 

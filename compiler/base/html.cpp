@@ -2,17 +2,28 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/base/html.hpp"
 
+#include "dsl/characters.hpp"
+
 namespace director::compiler {
 
 std::string without_controls(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto letter = static_cast<unsigned char>(text[i]);
+    const std::size_t length = dsl::utf8_length(text, i);
+    if (length == 0) { // as a path may be
+      out += "\uFFFD";
+      continue;
+    }
     const bool is_no_character =
         text.substr(i).starts_with("\xEF\xBF\xBE") || text.substr(i).starts_with("\xEF\xBF\xBF");
     const bool is_control = letter < 0x20 && letter != '\t' && letter != '\n' && letter != '\r';
-    out += is_no_character || is_control ? ' ' : text[i];
-    if (is_no_character) i += 2;
+    if (is_no_character || is_control) {
+      out += ' ';
+    } else {
+      out += text.substr(i, length);
+    }
+    i += length - 1;
   }
   return out;
 }

@@ -4,7 +4,46 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace director::compiler {
+
+namespace {
+
+/// What anybody writes nests ten deep. Values are read and written by recursion, which has an end.
+constexpr std::size_t deepest = 500;
+
+bool is_too_deep(std::string_view text) {
+  std::size_t depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char letter = text[i];
+    if (letter == '"') {
+      while (++i < text.size() && text[i] != '"') i += text[i] == '\\' ? 1 : 0;
+    } else if (letter == '[' || letter == '{') {
+      if (++depth > deepest) return true;
+    } else if ((letter == ']' || letter == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return false;
+}
+
+/// The nearest there is.
+std::int64_t whole_number(const nlohmann::ordered_json& from) {
+  using Limits = std::numeric_limits<std::int64_t>;
+  if (from.is_number_float()) {
+    const double value = from.get<double>();
+    constexpr double end = 9223372036854775808.0; // 2^63, the first one that is too large
+    if (value >= end) return Limits::max();
+    if (value < -end) return Limits::min();
+    return static_cast<std::int64_t>(value);
+  }
+  if (from.is_number_unsigned() && from.get<std::uint64_t>() > static_cast<std::uint64_t>(Limits::max()))
+    return Limits::max();
+  return from.get<std::int64_t>();
+}
+
+} // namespace
 
 struct JsonAccess {
   static nlohmann::ordered_json convert(const Json& json) {
@@ -31,7 +70,7 @@ struct JsonAccess {
 
   static Json convert(const nlohmann::ordered_json& from) {
     if (from.is_boolean()) return Json::boolean(from.get<bool>());
-    if (from.is_number()) return Json::number(from.get<std::int64_t>());
+    if (from.is_number()) return Json::number(whole_number(from));
     if (from.is_string()) return Json::text(from.get_ref<const std::string&>());
     Json out = from.is_array() ? Json::list({}) : from.is_object() ? Json::object({}) : Json{};
     out.items_.reserve(from.size());
@@ -119,6 +158,7 @@ std::string to_line(const Json& json) { return JsonAccess::dump(json, -1); }
 std::string to_lines(const Json& json) { return JsonAccess::dump(json, 2) + "\n"; }
 
 std::optional<Json> parse_json(std::string_view text) {
+  if (is_too_deep(text)) return {};
   const auto parsed = nlohmann::ordered_json::parse(text, nullptr, false);
   if (parsed.is_discarded()) return {};
   return JsonAccess::convert(parsed);

@@ -61,7 +61,8 @@ std::string to_line(const Json& json);
 /// On many lines, indented by two, with a line break at the end.
 std::string to_lines(const Json& json);
 
-/// Nothing where the text is no JSON. A number that is not whole is rounded towards 0.
+/// Nothing where the text is no JSON, or nests deeper than anybody writes. A number that is not whole is rounded
+/// towards 0; of one that has no room in 64 bits the nearest is taken.
 std::optional<Json> parse_json(std::string_view text);
 
 } // namespace director::compiler

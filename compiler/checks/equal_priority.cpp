@@ -267,7 +267,7 @@ void report_many(const Model& model, const std::vector<Task>& tasks, const Crowd
     finding.notes.push_back({tasks[entry].span, fmt::format("{} is requested here, with the same priority {}",
                                                             name_of(model, tasks[entry].target), priority)});
   }
-  shorten(finding.notes, most_alike);
+  shorten_list(finding.notes);
   finding.help = "give them priorities that tell who goes before whom";
 }
 

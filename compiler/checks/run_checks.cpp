@@ -80,7 +80,7 @@ Diagnostic not_decided(const Budget& budget) {
                                             : fmt::format(", nor {} other questions", more));
   for (std::size_t i = 1; i < open.size(); ++i)
     finding.notes.push_back({open[i].span, fmt::format("nor {}", open[i].words)});
-  shorten(finding.notes, most_alike);
+  shorten_list(finding.notes);
   finding.help = "with fewer alternatives it would be: fewer providers of one group, or conditions on fewer states";
   return finding;
 }

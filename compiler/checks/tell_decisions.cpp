@@ -220,7 +220,7 @@ private:
         break;
       }
     }
-    shorten(finding.notes, most_alike);
+    shorten_list(finding.notes);
   }
 
   /// And those that their needs may come down to.

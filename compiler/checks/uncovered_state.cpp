@@ -238,7 +238,7 @@ private:
 
   /// Of one group few, so that the next one is told of too.
   static void add(std::vector<dsl::Note> notes, dsl::Diagnostic& finding) {
-    shorten(notes, most_alike);
+    shorten_list(notes);
     std::move(notes.begin(), notes.end(), std::back_inserter(finding.notes));
   }
 

@@ -135,7 +135,7 @@ Files files_of(const Json& request, const std::string& header) {
     add(begin->path, user_text(begin->path, {begin, end}).text);
     begin = end;
   }
-  auto out = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(llvm::vfs::createPhysicalFileSystem());
+  auto out = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(ordinary_files());
   out->pushOverlay(memory);
   return out;
 }

@@ -7,10 +7,12 @@
 #include <clang/Frontend/Utils.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <map>
 #include <regex>
 #include <set>
+#include <system_error>
 #include <utility>
 
 namespace director::scanning {
@@ -34,7 +36,23 @@ std::unique_ptr<clang::CompilerInvocation> ask_driver(const Invocation& invocati
   return out;
 }
 
+class OrdinaryFiles final : public llvm::vfs::ProxyFileSystem {
+public:
+  using ProxyFileSystem::ProxyFileSystem;
+  llvm::ErrorOr<std::unique_ptr<llvm::vfs::File>> openFileForRead(const llvm::Twine& path) override {
+    const auto status = this->status(path);
+    const bool waits = status && (status->getType() == llvm::sys::fs::file_type::fifo_file ||
+                                  status->getType() == llvm::sys::fs::file_type::socket_file);
+    if (waits) return std::error_code(ENXIO, std::generic_category());
+    return ProxyFileSystem::openFileForRead(path);
+  }
+};
+
 } // namespace
+
+Files ordinary_files() {
+  return new OrdinaryFiles(llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>(llvm::vfs::createPhysicalFileSystem()));
+}
 
 struct Frontend::Known {
   std::map<std::vector<std::string>, std::unique_ptr<clang::CompilerInvocation>> by_words;

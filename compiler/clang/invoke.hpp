@@ -26,6 +26,9 @@ struct Invocation {
 
 using Files = llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>;
 
+/// Those of the disk, but for pipes: to open one would wait for who writes to it, for ever if nobody does.
+Files ordinary_files();
+
 /// Remembers what Clang's driver made of a command line: to ask it takes longer than to read a small file, and most
 /// files of a program are compiled alike. For one thread.
 class Frontend {

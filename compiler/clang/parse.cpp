@@ -122,8 +122,7 @@ private:
 
 Reading parse_once(const Unit& unit, const std::vector<std::string>& arguments, const Callbacks& callbacks) {
   Reading reading;
-  llvm::IntrusiveRefCntPtr<llvm::vfs::OverlayFileSystem> disk(
-      new llvm::vfs::OverlayFileSystem(llvm::vfs::createPhysicalFileSystem()));
+  llvm::IntrusiveRefCntPtr<llvm::vfs::OverlayFileSystem> disk(new llvm::vfs::OverlayFileSystem(ordinary_files()));
   if (!unit.text.empty()) {
     llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> memory(new llvm::vfs::InMemoryFileSystem);
     memory->addFile(unit.file, 0, llvm::MemoryBuffer::getMemBufferCopy(unit.text));

@@ -8,17 +8,27 @@
 #include "compiler/clang/subcommands.hpp"
 #include "compiler/clang/units.hpp"
 #include "dsl/cpp_type.hpp"
+#include "dsl/names.hpp"
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclTemplate.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace director::scanning {
 
 namespace {
 
 constexpr const char* alias = "director_alias_";
+constexpr const char* macro = "director_macro_"; ///< an alias that is there where the name is a macro
+
+/// The number behind it, of a name that begins so.
+std::optional<std::size_t> row_of(llvm::StringRef name, llvm::StringRef begin, std::size_t count) {
+  std::size_t row = 0;
+  if (!name.consume_front(begin) || name.getAsInteger(10, row) || row >= count) return {};
+  return row;
+}
 
 struct Source {
   std::string text;
@@ -37,6 +47,13 @@ Source write_source(const Json& request) {
   std::size_t number = 0;
   for (const Json& name : request["names"].items())
     out.text += "using " + (alias + std::to_string(number++)) + " = " + name.as_text() + ";\n";
+  for (std::size_t i = 0; i < number; ++i) {
+    const std::string& name = request["names"].items()[i].as_text();
+    const std::size_t colon = name.rfind(':');
+    const std::string last = colon == std::string::npos ? name : name.substr(colon + 1);
+    if (dsl::is_identifier(last))
+      out.text += "#ifdef " + last + "\nusing " + (macro + std::to_string(i)) + " = int;\n#endif\n";
+  }
   // An enum within a template has values when somebody uses them.
   for (std::size_t i = 0; i < number; ++i)
     if (request["names"].items()[i].as_text().find('<') != std::string::npos)
@@ -73,6 +90,7 @@ Json tell_types(const Json& request) {
   unit.text = source.text;
   const std::size_t count = request["names"].items().size();
   std::vector<Json> types(count);
+  std::vector<bool> is_macro(count);
   Json places_of_files;
   const Reading reading = parse(unit, [&](clang::ASTContext& context) {
     Places places(context, unit.directory);
@@ -82,9 +100,10 @@ Json tell_types(const Json& request) {
         return;
       }
       const auto* found = llvm::dyn_cast<clang::TypeAliasDecl>(decl);
-      if (found == nullptr || !found->getName().starts_with(alias) || found->isInvalidDecl()) return;
-      const std::size_t row = std::stoul(found->getNameAsString().substr(std::string(alias).size()));
-      if (row >= count) return;
+      if (found == nullptr || found->isInvalidDecl()) return;
+      if (const auto row = row_of(found->getName(), macro, count)) is_macro[*row] = true;
+      const auto row = row_of(found->getName(), alias, count);
+      if (!row) return;
       const clang::QualType type = found->getUnderlyingType().getCanonicalType();
       Json answer = Json::object({{"complete", Json::boolean(is_complete(type))}});
       if (const clang::TagDecl* tag = type->getAsTagDecl()) {
@@ -92,7 +111,7 @@ Json tell_types(const Json& request) {
           answer.add("enum", describe(*definition, places));
         answer.add("at", places.of(tag->getLocation(), tag->getLocation()));
       }
-      types[row] = std::move(answer);
+      types[*row] = std::move(answer);
     };
     for (const clang::Decl* decl : context.getTraversalScope()) look(decl, look);
     places_of_files = places.files();
@@ -103,7 +122,8 @@ Json tell_types(const Json& request) {
       return each.file == unit.file && each.line == source.first_line + row;
     });
     if (fault != reading.errors.end()) {
-      list.add(Json::object({{"wrong", Json::text(fault->message)}}));
+      list.add(Json::object(
+          {{"wrong", Json::text(is_macro[row] ? "it is a macro, which stands for no type" : fault->message)}}));
     } else {
       list.add(std::move(types[row]));
     }

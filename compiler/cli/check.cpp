@@ -11,6 +11,7 @@
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/emit/findings_sarif.hpp"
 #include "compiler/lower/lower.hpp"
+#include "dsl/harmless.hpp"
 
 #include <fmt/format.h>
 
@@ -94,7 +95,7 @@ public:
     if (!checked) return misused;
     if (!request_.reachable.empty()) {
       if (const std::string wrong = explain(*checked); !wrong.empty()) {
-        console_.err << fmt::format("directorc: {}\n", wrong);
+        say(console_, fmt::format("directorc: {}\n", wrong));
         return misused;
       }
     }
@@ -142,8 +143,9 @@ private:
     print_findings(checked.findings, sources_, console_.out, console_.out_colours, console_.out_width);
     if (console_.out_width != 0 && !checked.findings.empty())
       console_.out << fmt::format("`directorc explain {}` says more\n", checked.findings.front().id);
-    if (explained_) console_.out << to_text(*explained_, sources_);
-    if (bounds_) console_.out << bounds_text(*bounds_, checked.model, shown_path(request_.file), request_.work_ns);
+    if (explained_) console_.out << dsl::harmless_lines(to_text(*explained_, sources_));
+    if (bounds_)
+      console_.out << bounds_text(*bounds_, checked.model, dsl::harmless(shown_path(request_.file)), request_.work_ns);
   }
 
   const Check& request_;

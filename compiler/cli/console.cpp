@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/console.hpp"
 
+#include "dsl/harmless.hpp"
+
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,9 +15,11 @@ namespace director::compiler::cli {
 
 namespace fs = std::filesystem;
 
+void say(Console& console, std::string_view lines) { console.err << dsl::harmless_lines(lines); }
+
 bool write(const std::vector<Output>& outputs, Console& console, std::string_view consequence) {
   const std::optional<std::string> fault = console.outputs.write(outputs);
-  if (fault) console.err << fmt::format("directorc: {}cannot write {}\n", consequence, *fault);
+  if (fault) say(console, fmt::format("directorc: {}cannot write {}\n", consequence, *fault));
   return !fault;
 }
 
@@ -40,8 +45,9 @@ Below all_below(const std::string& folder) {
         at.disable_recursion_pending();
       } else {
         out.folders.push_back(at->path().string());
+        if (::access(at->path().c_str(), R_OK | X_OK) != 0) out.files.push_back(at->path().string() + "/");
       }
-    } else if (!hidden && at->is_regular_file(unknown)) {
+    } else if (!hidden && (at->is_regular_file(unknown) || !at->exists(unknown))) {
       out.files.push_back(at->path().string());
     }
   }

@@ -23,7 +23,9 @@ public:
   virtual std::optional<std::string> write(const std::vector<Output>& outputs) = 0;
   /// Files of the user: all of the changes, or none and what is wrong.
   virtual std::optional<std::string> change(const std::vector<Change>& changes) = 0;
-  /// The files below a folder, by their whole paths, sorted; without hidden ones and what lies in build trees.
+  /// The files below a folder, by their whole paths, sorted; without hidden ones and what lies in build trees. Links
+  /// that lead nowhere are among them, and folders that nobody may read, with a `/` behind: what lies there is not
+  /// known.
   virtual std::vector<std::string> list(const std::string& folder) = 0;
 
 protected:
@@ -45,6 +47,9 @@ struct Console {
   bool out_clears = false; ///< it is a terminal that can be cleared
 };
 
+/// Whole lines to `err`. What they repeat of a user's input commands no terminal.
+void say(Console& console, std::string_view lines);
+
 /// False, and says why, where they cannot be written. `consequence`: of that, as "nothing is written; ".
 bool write(const std::vector<Output>& outputs, Console& console, std::string_view consequence = {});
 
@@ -53,7 +58,7 @@ Console with_files(const Console& console, dsl::FileAccess& files, Outputs& outp
 
 /// What lies below a folder of the disk, by whole paths, without hidden ones and what lies in build trees.
 struct Below {
-  std::vector<std::string> files; ///< sorted
+  std::vector<std::string> files; ///< sorted; as Outputs::list gives them
   std::vector<std::string> folders;
 };
 Below all_below(const std::string& folder);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/git_files.hpp"
 #include "compiler/cli/load.hpp"
+#include "dsl/harmless.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +27,7 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
   GitFiles files(console.programs, console.files, request.revision);
   if (const std::optional<std::string> wrong =
           files.open(request.after, request.staged ? Newer::staged : Newer::lying_there)) {
-    console.err << fmt::format("directorc: {}\n", *wrong);
+    say(console, fmt::format("directorc: {}\n", *wrong));
     return {};
   }
   Diff there = request;
@@ -34,10 +35,9 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
   if (!there.build.empty()) there.build = std::filesystem::absolute(there.build, error).string();
   std::optional<Checked> out = load_from(files, files.path(), there, sources, console);
   if (!out)
-    console.err << fmt::format(
-        "  help: where it was called otherwise, `git add {}` lets git see that; any two files are "
-        "compared with `directorc diff OLD NEW`\n",
-        shown_path(request.after));
+    say(console, fmt::format("  help: where it was called otherwise, `git add {}` lets git see that; any two files are "
+                             "compared with `directorc diff OLD NEW`\n",
+                             shown_path(request.after)));
   return out;
 }
 
@@ -45,7 +45,7 @@ std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Co
   if (!request.staged) return load(request.after, {}, sources, console, {request.build, {}});
   StagedFiles files(console.programs, console.files);
   if (const std::optional<std::string> wrong = files.open(request.after)) {
-    console.err << fmt::format("directorc: {}\n", *wrong);
+    say(console, fmt::format("directorc: {}\n", *wrong));
     return {};
   }
   return load_from(files, request.after, request, sources, console);
@@ -64,7 +64,7 @@ void print(const std::vector<BehaviourChange>& changes, const Diff& request, con
   switch (request.format) {
   case Format::json: console.out << to_lines(changes_json(changes, request.breaking, sources)); return;
   case Format::sarif: console.out << to_lines(changes_sarif(changes, request.breaking, sources)); return;
-  default: console.out << changes_text(changes, request.breaking, sources); return;
+  default: console.out << dsl::harmless_lines(changes_text(changes, request.breaking, sources)); return;
   }
 }
 
@@ -74,7 +74,7 @@ int run(const Diff& request, Console& console) {
   dsl::Sources sources;
   if (const std::string said = only_side(request); !said.empty()) {
     if (request.format == Format::text)
-      console.out << said;
+      console.out << dsl::harmless_lines(said);
     else
       print({}, request, sources, console);
     return clean;
@@ -93,9 +93,9 @@ int run(const Diff& request, Console& console) {
   const std::vector<BehaviourChange> changes = find_changes(*before, *after, &transitions);
   print(changes, request, sources, console);
   if (transitions.played < transitions.wanted)
-    console.err << fmt::format("directorc: not compared: {} of {} transitions between groups that may have changed; "
-                               "the behaviour is too large to play them all\n",
-                               transitions.wanted - transitions.played, transitions.wanted);
+    say(console, fmt::format("directorc: not compared: {} of {} transitions between groups that may have changed; "
+                             "the behaviour is too large to play them all\n",
+                             transitions.wanted - transitions.played, transitions.wanted));
   const bool breaks = std::any_of(changes.begin(), changes.end(), [&](const BehaviourChange& change) {
     return request.breaking.has(change) || change.kind == ChangeKind::refused;
   });

@@ -4,6 +4,7 @@
 #include "compiler/cli/progress.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/explore/report.hpp"
+#include "dsl/harmless.hpp"
 
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ bool write_scenarios(const Explore& request, const std::vector<std::pair<std::st
   for (const auto& [name, text] : scenarios)
     outputs.push_back({(fs::path(request.output) / name).string(), with_notice(behaviour, "# ", text), has_notice});
   if (!write(outputs, console, "no scenario is written; ")) return false;
-  for (const Output& output : outputs) console.out << fmt::format("wrote {}\n", output.path);
+  for (const Output& output : outputs) console.out << fmt::format("wrote {}\n", dsl::harmless(output.path));
   return true;
 }
 
@@ -51,9 +52,9 @@ int run(const Explore& request, Console& console) {
   if (!checked->lowerable) {
     print_findings(errors_of(checked->findings), sources, console.err, console.err_colours, console.err_width);
     if (dsl::has_errors(checked->findings)) return found;
-    console.err << fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can "
-                               "be explored in it alone\n",
-                               shown_path(request.file));
+    say(console, fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can "
+                             "be explored in it alone\n",
+                             shown_path(request.file)));
     return misused;
   }
   const Ground ground(checked->model);
@@ -65,7 +66,7 @@ int run(const Explore& request, Console& console) {
     options.progress = progress.shown();
     return explore(ground, options);
   }();
-  console.out << to_text(exploration, ground);
+  console.out << dsl::harmless_lines(to_text(exploration, ground));
   if (!request.output.empty() && !write_scenarios(request, scenarios_of(exploration, ground), console)) return misused;
   if (any(exploration, Verdict::Kind::refuted)) return found;
   return any(exploration, Verdict::Kind::undecided) || !exploration.searched.complete ? undecided : clean;

@@ -97,8 +97,8 @@ std::string GitFiles::name_before(const std::string& name, Newer newer) {
   return name;
 }
 
-dsl::Result<std::string, dsl::FileError> GitFiles::read(const std::string& path, std::size_t most) {
-  if (path.starts_with('/')) return disk_.read(path, most);
+dsl::Result<std::string, dsl::FileError> GitFiles::fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) {
+  if (path.starts_with('/')) return disk_.read(path, most, kinds);
   const std::string name = path.substr(std::min(path.size(), top().size()));
   if (!path.starts_with(top()) || name == ".." || name.starts_with("../"))
     return dsl::FileError{dsl::FileError::Kind::not_found, "it is outside of the repository"};
@@ -112,9 +112,10 @@ std::optional<std::string> StagedFiles::open(const std::string& file) {
   return {};
 }
 
-dsl::Result<std::string, dsl::FileError> StagedFiles::read(const std::string& path, std::size_t most) {
+dsl::Result<std::string, dsl::FileError> StagedFiles::fetch(const std::string& path, std::size_t most,
+                                                            dsl::Kinds kinds) {
   const std::string name = inside(repository_, path);
-  if (name == ".." || name.starts_with("../")) return disk_.read(path, most);
+  if (name == ".." || name.starts_with("../")) return disk_.read(path, most, kinds);
   return read_object(programs_, repository_.folder, ":" + name, "is staged", most);
 }
 
@@ -133,12 +134,13 @@ FilesBeside::FilesBeside(dsl::FileAccess& files, const std::string& first, const
       first_(fs::path(path_).parent_path().string()),
       second_(fs::path(second).lexically_normal().parent_path().string()) {}
 
-dsl::Result<std::string, dsl::FileError> FilesBeside::read(const std::string& path, std::size_t most) {
-  auto found = files_.read(path, most);
+dsl::Result<std::string, dsl::FileError> FilesBeside::fetch(const std::string& path, std::size_t most,
+                                                            dsl::Kinds kinds) {
+  auto found = files_.read(path, most, kinds);
   if (found || path == path_ || found.error().kind != dsl::FileError::Kind::not_found) return found;
   const fs::path inside = fs::path(path).lexically_normal().lexically_relative(first_.empty() ? "." : first_);
   if (inside.empty() || first_ == second_) return found;
-  auto other = files_.read((fs::path(second_) / inside).lexically_normal().string(), most);
+  auto other = files_.read((fs::path(second_) / inside).lexically_normal().string(), most, kinds);
   return other ? std::move(other) : std::move(found);
 }
 

@@ -35,11 +35,11 @@ public:
   /// Of the file that it was opened with, as it was called in the revision.
   const std::string& path() const { return path_; }
 
-  dsl::Result<std::string, dsl::FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override;
   std::string beside(const std::string& file, const std::string& relative) override;
 
 private:
+  dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override;
   std::string name_before(const std::string& name, Newer newer);
   std::string top() const { return revision_ + ":"; }
 
@@ -60,10 +60,11 @@ public:
   /// Looks for the repository around `file`. What is wrong, or nothing.
   std::optional<std::string> open(const std::string& file);
 
-  dsl::Result<std::string, dsl::FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override { return disk_.identity(path); }
 
 private:
+  dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override;
+
   Programs& programs_;
   dsl::FileAccess& disk_;
   Repository repository_;
@@ -74,10 +75,11 @@ private:
 class FilesBeside final : public dsl::FileAccess {
 public:
   FilesBeside(dsl::FileAccess& files, const std::string& first, const std::string& second);
-  dsl::Result<std::string, dsl::FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override { return files_.identity(path); }
 
 private:
+  dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override;
+
   dsl::FileAccess& files_;
   std::string path_, first_, second_; ///< folders, but the path
 };

@@ -50,8 +50,8 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
   out.focus = std::move(*focus);
   const bool takes = out.view == PictureOptions::View::takes;
   if ((takes || request.page) && !subject.lowerable) {
-    console.err << fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
-                               takes ? "--view=takes" : "--page");
+    say(console, fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
+                             takes ? "--view=takes" : "--page"));
     return {};
   }
   if (!takes) return out;
@@ -140,7 +140,7 @@ int draw_moments(const DrawGraph& request, Console& console) {
   if (loaded.status != clean) return loaded.status;
   const auto steps = static_cast<std::uint32_t>(loaded.scenario.steps.size());
   if (request.step > steps) {
-    console.err << fmt::format("directorc: `{}` has {} steps\n", request.file, steps);
+    say(console, fmt::format("directorc: `{}` has {} steps\n", request.file, steps));
     return misused;
   }
   const Graph graph = with_possible_pushes(loaded.model, loaded.graph);

@@ -87,9 +87,12 @@ public:
     TypeFlags flags = !cpp_.flags.empty()   ? flags_of_file(cpp_.flags, console_)
                       : !cpp_.build.empty() ? flags_of_build(load_compile_commands(cpp_.build, console_.files))
                                             : flags_near(file_, console_);
+    if (thorough()) fault_ = flags.fault;
     return ScannedTypes(std::move(flags), scanner_, console_.programs, console_.files, store_).read(question);
   }
   dsl::Span span(const CodePlace& place) override { return code_files_.span(place); }
+  /// What was wrong with the flags that were named; empty: nothing, or nobody has asked for types.
+  const std::string& fault() const { return fault_; }
 
 private:
   const std::string& file_;
@@ -98,24 +101,47 @@ private:
   CodeFiles code_files_;
   Scanner scanner_;
   DiskFacts store_;
+  std::string fault_;
 };
+
+/// Of the flags that are named; empty: they can be read, as far as can be told without reading them.
+std::string fault_of(const CppSource& cpp, dsl::FileAccess& files) {
+  const std::string file = !cpp.flags.empty()   ? cpp.flags
+                           : !cpp.build.empty() ? (fs::path(cpp.build) / "compile_commands.json").string()
+                                                : std::string{};
+  if (file.empty()) return {};
+  const auto text = files.read(file, 0, dsl::Kinds::ordinary);
+  using Kind = dsl::FileError::Kind;
+  const bool is_pipe =
+      !text && text.error().kind == Kind::pipe && !cpp.flags.empty(); // which is read when it is needed
+  if (text || text.error().kind == Kind::too_large || is_pipe) return {};
+  return fmt::format("cannot read `{}`: {}{}", file, text.error().message,
+                     cpp.flags.empty() ? "; CMake writes it with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON" : "");
+}
 
 } // namespace
 
-Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console,
-                   const CppSource& cpp) {
-  TypesWhenAsked types(path, cpp, sources, console);
+Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console) {
+  const CppSource unnamed;
+  TypesWhenAsked types(path, unnamed, sources, console);
   options.types = &types;
   return check(path, console.files, sources, options);
 }
 
 std::optional<Checked> load(const std::string& file, const CheckOptions& options, dsl::Sources& sources,
                             Console& console, const CppSource& cpp) {
-  Checked checked = check_file(shown_path(file), options, sources, console, cpp);
+  const std::string path = shown_path(file);
+  TypesWhenAsked types(path, cpp, sources, console);
+  CheckOptions with_types = options;
+  with_types.types = &types;
+  Checked checked = check(path, console.files, sources, with_types);
   const bool unreadable =
       checked.spec.files.empty() && !checked.findings.empty() && checked.findings.front().id == "import_not_found";
-  if (!unreadable) return checked;
-  console.err << fmt::format("directorc: {}\n", checked.findings.front().message);
+  const std::string fault = unreadable              ? checked.findings.front().message
+                            : types.fault().empty() ? fault_of(cpp, console.files)
+                                                    : types.fault();
+  if (fault.empty()) return checked;
+  say(console, fmt::format("directorc: {}\n", fault));
   return {};
 }
 
@@ -129,7 +155,7 @@ void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sou
 }
 
 bool print_undecided(const std::vector<std::string>& lines, Console& console) {
-  for (const std::string& line : lines) console.err << fmt::format("directorc: not decided: {}\n", line);
+  for (const std::string& line : lines) say(console, fmt::format("directorc: not decided: {}\n", line));
   return !lines.empty();
 }
 

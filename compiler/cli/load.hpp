@@ -21,13 +21,12 @@ struct CppSource {
   std::string build, flags;
 };
 
-/// Says so and gives nothing where the file itself cannot be read.
+/// Says so and gives nothing where the file itself cannot be read, or `cpp`.
 std::optional<Checked> load(const std::string& file, const CheckOptions& options, dsl::Sources& sources,
                             Console& console, const CppSource& cpp = {});
 
 /// The same without a word about a file that cannot be read.
-Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console,
-                   const CppSource& cpp = {});
+Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console);
 
 /// To the stream, or nothing where there is no finding. `width`: of its terminal, for the source that is shown; 0:
 /// none.

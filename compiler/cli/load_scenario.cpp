@@ -48,6 +48,10 @@ Findings not_among(std::set<std::string>& told, const Findings& findings, const 
 
 } // namespace
 
+bool is_called_scenario(std::string_view path) {
+  return path.ends_with(".scenario.yaml") || path.ends_with(".scenario.yml");
+}
+
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
                              std::set<std::string>* told) {
   LoadedScenario out;
@@ -55,15 +59,15 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
     const Findings anew = told == nullptr ? findings : not_among(*told, findings, sources);
     print_findings(anew, sources, console.err, console.err_colours, console.err_width);
     if (anew.size() < findings.size())
-      console.err << fmt::format("directorc: `{}` cannot be played either: {} told above\n", shown_path(file),
-                                 counted_are(findings.size() - anew.size(), "error"));
+      say(console, fmt::format("directorc: `{}` cannot be played either: {} told above\n", shown_path(file),
+                               counted_are(findings.size() - anew.size(), "error")));
     out.status = status;
     out.findings = findings;
   };
   const std::string path = shown_path(file);
   const dsl::ReadScenarioResult read = dsl::read_scenario(path, console.files, sources);
   if (!read.diagnostics.empty() && read.diagnostics.front().id == "import_not_found") {
-    console.err << fmt::format("directorc: {}\n", read.diagnostics.front().message);
+    say(console, fmt::format("directorc: {}\n", read.diagnostics.front().message));
     out.status = misused;
     return out;
   }

@@ -12,18 +12,17 @@
 namespace director::compiler::cli {
 
 void say_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console) {
-  console.err << fmt::format(
-      "{0}:{1}: error: this line cannot be read: {2}\n"
-      "  help: expected is one JSON object a line, an event each, as a recorder writes them; the "
-      "lines before are good: `head -n {3} {0}` prints them\n",
-      shown_path(file), line, problem, line - 1);
+  say(console, fmt::format("{0}:{1}: error: this line cannot be read: {2}\n"
+                           "  help: expected is one JSON object a line, an event each, as a recorder writes them; the "
+                           "lines before are good: `head -n {3} {0}` prints them\n",
+                           shown_path(file), line, problem, line - 1));
 }
 
 LoadedTrace load_trace(const std::string& file, Console& console) {
   LoadedTrace out;
   auto read = console.files.read(file, std::numeric_limits<std::int32_t>::max());
   if (!read) {
-    console.err << fmt::format("directorc: `{}` cannot be read: {}\n", shown_path(file), read.error().message);
+    say(console, fmt::format("directorc: `{}` cannot be read: {}\n", shown_path(file), read.error().message));
     out.status = misused;
     return out;
   }
@@ -33,7 +32,7 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   std::string problem(no_header);
   if (const std::optional<TraceLine> header = lines.next()) out.recorded = RecordedNames::read(header->json, problem);
   if (!out.recorded) {
-    console.err << fmt::format("{}:1: error: {}\n", shown_path(file), problem);
+    say(console, fmt::format("{}:1: error: {}\n", shown_path(file), problem));
     if (problem == no_header)
       console.err << "  help: expected are the JSON lines of a recorder or of `directorc simulate --trace`; a "
                      ".perfetto-trace is opened on https://ui.perfetto.dev\n";
@@ -49,7 +48,9 @@ std::string file_of(const RecordedNames& recorded, const std::string& trace, Con
   const std::size_t folder = trace.rfind('/');
   const std::string beside = folder == std::string::npos ? file : trace.substr(0, folder + 1) + file;
   constexpr std::size_t any = 1 << 30;
-  return console.files.read(file, any) || !console.files.read(beside, any) ? file : beside;
+  return console.files.read(file, any, dsl::Kinds::ordinary) || !console.files.read(beside, any, dsl::Kinds::ordinary)
+             ? file
+             : beside;
 }
 
 } // namespace
@@ -70,7 +71,7 @@ RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::strin
     const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
     print_findings(errors, sources, console.err, console.err_colours, console.err_width);
     if (errors.empty())
-      console.err << fmt::format("directorc: `{}` has no `roots`: a module alone cannot be played\n", out.file);
+      say(console, fmt::format("directorc: `{}` has no `roots`: a module alone cannot be played\n", out.file));
     out.status = errors.empty() ? misused : found;
   }
   return out;
@@ -78,8 +79,8 @@ RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::strin
 
 bool say_end(const TraceLines& lines, const std::string& file, Console& console) {
   if (lines.cut_off())
-    console.err << fmt::format("{}:{}: note: the last line is cut off, and was left out\n", shown_path(file),
-                               lines.number());
+    say(console,
+        fmt::format("{}:{}: note: the last line is cut off, and was left out\n", shown_path(file), lines.number()));
   if (lines.problem().empty()) return true;
   say_unreadable(file, lines.number(), lines.problem(), console);
   return false;

@@ -3,6 +3,7 @@
 #include "compiler/cli/parse.hpp"
 #include "compiler/cli/wrapping.hpp"
 #include "compiler/facts/scanner.hpp"
+#include "dsl/harmless.hpp"
 
 #include <fcntl.h>
 #include <sys/auxv.h>
@@ -110,7 +111,7 @@ void fill_streams() {
 /// On a terminal, so that nobody looks at a program that says nothing.
 void tell_waiting(const std::string& path, std::chrono::milliseconds longest) {
   if (::isatty(STDERR_FILENO) != 1) return;
-  std::cerr << "directorc: nothing comes from `" << path << "` yet: waiting for it, "
+  std::cerr << "directorc: nothing comes from `" << dsl::harmless(path) << "` yet: waiting for it, "
             << std::chrono::ceil<std::chrono::seconds>(longest).count() << " s at most\n"
             << std::flush;
 }

@@ -19,8 +19,8 @@ std::optional<std::vector<GroupId>> named_groups(const std::vector<std::string>&
       continue;
     }
     const dsl::Diagnostic& wrong = findings.front();
-    console.err << fmt::format("directorc: {}: {}{}\n", option, wrong.message,
-                               wrong.help.empty() ? "" : "; " + wrong.help);
+    say(console,
+        fmt::format("directorc: {}: {}{}\n", option, wrong.message, wrong.help.empty() ? "" : "; " + wrong.help));
     return {};
   }
   return out;

@@ -27,6 +27,8 @@ Make generate_options(CLI::App& app) {
   add_selection(app, *words);
   return [=]() -> Request {
     if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
+    if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
+    if (const std::optional<Say> wrong = wrong_place("--depfile", "a file", request->depfile)) return *wrong;
     request->selection = selection_of(*words);
     return *request;
   };
@@ -55,7 +57,10 @@ Make stubs_options(CLI::App& app) {
       "Each module gets a class in a .hpp and a .cpp. Where the program has one already, only the functions that\n"
       "it lacks are added; what nothing asks for any more is reported. To read what is there, director-clang is\n"
       "needed.");
-  return [=]() -> Request { return *request; };
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
+    return *request;
+  };
 }
 
 } // namespace director::compiler::cli

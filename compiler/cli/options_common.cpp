@@ -106,6 +106,13 @@ std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_
   return {};
 }
 
+std::optional<Say> wrong_place(const std::string& option, const std::string& what, const std::string& place) {
+  if (place != standard_output) return {};
+  return Say{fmt::format("directorc: {} names {}, and `-` is the standard output: {} called so is `./-`\n", option,
+                         what, what),
+             true};
+}
+
 void add_link(CLI::App& app, std::string& link) {
   app.add_option("--link", link, "address behind each box, arrow and place, with {file} and {line} in it")
       ->type_name("ADDRESS");

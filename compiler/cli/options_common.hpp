@@ -63,6 +63,12 @@ CLI::Option* add_watch(CLI::App& app, bool& watch);
 /// What programs read is one document, and no run after another.
 std::optional<Say> wrong_watch(bool watch, Format format);
 
+/// `-`: where one file is written, that is the standard output.
+inline constexpr const char* standard_output = "-";
+/// What is wrong with the name of something that is written beside what is printed, if something is. `what`: "a
+/// folder", "a file".
+std::optional<Say> wrong_place(const std::string& option, const std::string& what, const std::string& place);
+
 /// `--link`, and what is wrong with it, if something is.
 void add_link(CLI::App& app, std::string& link);
 std::optional<Say> wrong_link(const std::string& link);

@@ -49,7 +49,7 @@ Make graph_options(CLI::App& app) {
   CLI::Option* format = add_format(app, request->format, {"dot", "svg", "json", "mermaid"});
   format->description("one of dot, svg, json, mermaid; without it, as the file of -o ends, or else dot");
   app.add_option("-o,--output", request->output,
-                 "file to write, unless somebody else has written it; without it, to the terminal")
+                 "file to write, unless somebody else has written it; without it, or with -, to the terminal")
       ->type_name("FILE");
   app.add_option("--view", request->view, "only these arrows: tasks, needs, pushes or takes (who may take from whom)")
       ->type_name("NAME")
@@ -98,6 +98,11 @@ Make graph_options(CLI::App& app) {
       return Say{"directorc: --page needs --format=json; `directorc docs` writes pages to read\n", true};
     if (request->frames && request->output.empty())
       return Say{"directorc: --frames writes many files: -o names a folder for them\n", true};
+    if (request->frames) {
+      if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->output)) return *wrong;
+    } else if (request->output == standard_output) {
+      request->output.clear();
+    }
     if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
     return *request;
   };
@@ -113,6 +118,7 @@ Make docs_options(CLI::App& app) {
   add_transitions(app, request->transitions);
   add_link(app, request->link);
   return [=]() -> Request {
+    if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
     if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
     return *request;
   };

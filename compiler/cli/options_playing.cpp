@@ -16,7 +16,10 @@ Make simulate_options(CLI::App& app) {
   app.add_flag("--times", request->times, "also print when, in seconds; in JSON, in microseconds");
   app.add_option("--trace", request->trace, "also write all that happens, as a robot's recorder does")
       ->type_name("FILE");
-  return [=]() -> Request { return *request; };
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = wrong_place("--trace", "a file", request->trace)) return *wrong;
+    return *request;
+  };
 }
 
 Make trace_options(CLI::App& app) {
@@ -29,7 +32,7 @@ Make trace_options(CLI::App& app) {
              "html, the page of `directorc docs` with a timeline; without it, as the file of -o ends, or else text")
           ->type_name("FORMAT")
           ->check(CLI::IsMember({"text", "json", "perfetto", "html"}));
-  app.add_option("-o,--output", request->output, "the file; without it, to the terminal")->type_name("FILE");
+  app.add_option("-o,--output", request->output, "the file; without it, or with -, to the terminal")->type_name("FILE");
   app.add_option("--behaviour", request->behaviour,
                  "for html: the file of the behaviour that was recorded; without it, the one that the trace names")
       ->type_name("FILE");
@@ -45,6 +48,7 @@ Make trace_options(CLI::App& app) {
       return Say{fmt::format("directorc: {} is for --to=html\n", request->behaviour.empty() ? "--link" : "--behaviour"),
                  true};
     if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
+    if (request->output == standard_output) request->output.clear();
     return *request;
   };
 }
@@ -80,7 +84,9 @@ Make why_options(CLI::App& app) {
 
 Make test_options(CLI::App& app) {
   auto request = std::make_shared<Test>();
-  app.add_option("FILE", request->files, "scenarios, or folders: then all *.scenario.yaml below them")->required();
+  app.add_option("FILE", request->files,
+                 "scenarios, or folders: then all *.scenario.yaml and *.scenario.yml below them")
+      ->required();
   add_format(app, request->format, {"text", "json"});
   CLI::Option* coverage = app.add_flag("--coverage", request->coverage, "also print what no scenario exercises");
   app.add_option("--min", request->min, "fail where less of a behaviour is exercised")
@@ -102,7 +108,10 @@ Make explore_options(CLI::App& app) {
   app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
   add_bound(app, request->bound);
   app.add_option("-o,--output", request->output, "folder for what is found, as scenarios")->type_name("FOLDER");
-  return [=]() -> Request { return *request; };
+  return [=]() -> Request {
+    if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->output)) return *wrong;
+    return *request;
+  };
 }
 
 } // namespace director::compiler::cli

@@ -70,6 +70,17 @@ std::optional<Say> unknown_subcommand(const std::vector<std::string>& arguments)
              true};
 }
 
+/// A value without a letter in it, as "$BUILD" where nobody has set BUILD.
+std::optional<Say> empty_value(const CLI::App& subcommand) {
+  for (const CLI::Option* option : subcommand.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (std::find(values.begin(), values.end(), "") == values.end()) continue;
+    const std::string with = "directorc " + subcommand.get_name();
+    return Say{fmt::format("{}: {} is empty\nTry `{} --help`.\n", with, option->get_name(), with), true};
+  }
+  return {};
+}
+
 /// What stands below the list of subcommands.
 std::string last_words(const std::string& schemas) {
   std::string out =
@@ -118,7 +129,9 @@ Request parse(const std::vector<std::string>& arguments, const std::string& sche
     return Say{fmt::format("{}: {}\nTry `{} --help`.\n", with, error.what(), with), true};
   }
   for (std::size_t i = 0; i < apps.size(); ++i) {
-    if (apps[i]->parsed()) return make[i]();
+    if (!apps[i]->parsed()) continue;
+    if (const std::optional<Say> wrong = empty_value(*apps[i])) return *wrong;
+    return make[i]();
   }
   return Say{app.help(), true};
 }

@@ -8,6 +8,7 @@
 #include "compiler/cli/load_trace.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/row_names.hpp"
+#include "dsl/harmless.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <fmt/format.h>
@@ -16,29 +17,30 @@ namespace director::compiler::cli {
 
 namespace {
 
-void print(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other,
-           Console& console) {
+/// In lines.
+std::string to_text(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other) {
+  std::string out;
   const std::string version = other ? fmt::format(" by `{}`, another version than the one recorded", behaviour) : "";
   if (replayed.difference) {
     const Replayed::Difference& it = *replayed.difference;
-    console.out << fmt::format("{}:{}: event {}, at {} s, is decided otherwise{}\n", trace, it.line, it.event,
-                               in_seconds(it.time), version);
-    console.out << fmt::format("  recorded: {}\n  replayed: {}\n", it.recorded, it.replayed);
-    console.out << fmt::format("  {} before it {} the same\n", many_counted(replayed.events, "event"),
-                               replayed.events == 1 ? "is" : "are");
+    out += fmt::format("{}:{}: event {}, at {} s, is decided otherwise{}\n", trace, it.line, it.event,
+                       in_seconds(it.time), version);
+    out += fmt::format("  recorded: {}\n  replayed: {}\n", it.recorded, it.replayed);
+    out += fmt::format("  {} before it {} the same\n", many_counted(replayed.events, "event"),
+                       replayed.events == 1 ? "is" : "are");
     if (!other) // which decides the same every time
-      console.out
-          << "  it is the version that was recorded: lines of the trace are missing or were changed, or another "
+      out += "  it is the version that was recorded: lines of the trace are missing or were changed, or another "
              "version of Director recorded it\n";
   } else if (!replayed.problem.empty()) {
-    console.out << fmt::format("{}: {} the same{}, up to line {}, which cannot be read\n", trace,
-                               many_counted(replayed.events, "event"), version, replayed.problem_line);
+    out += fmt::format("{}: {} the same{}, up to line {}, which cannot be read\n", trace,
+                       many_counted(replayed.events, "event"), version, replayed.problem_line);
   } else if (replayed.dropped != 0) {
-    console.out << fmt::format("{}: {} the same{}, up to where {} missing\n", trace,
-                               many_counted(replayed.events, "event"), version, counted_are(replayed.dropped, "event"));
+    out += fmt::format("{}: {} the same{}, up to where {} missing\n", trace, many_counted(replayed.events, "event"),
+                       version, counted_are(replayed.dropped, "event"));
   } else {
-    console.out << fmt::format("{}: {}, all the same{}\n", trace, many_counted(replayed.events, "event"), version);
+    out += fmt::format("{}: {}, all the same{}\n", trace, many_counted(replayed.events, "event"), version);
   }
+  return out;
 }
 
 Json to_json(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other) {
@@ -86,7 +88,7 @@ int run(const Replay& request, Console& console) {
   if (request.format == Format::json)
     console.out << to_line(to_json(replayed, shown, of.file, other)) << '\n';
   else
-    print(replayed, shown, of.file, other, console);
+    console.out << dsl::harmless_lines(to_text(replayed, shown, of.file, other));
   return replayed.difference || !replayed.problem.empty() ? found : clean;
 }
 

@@ -64,7 +64,8 @@ Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console&
   out.folder = whole_path(request.folder);
   for (const std::string& path : console.outputs.list(out.folder)) {
     if (!stubs::is_cpp(path)) continue;
-    if (const auto text = console.files.read(path, dsl::largest_file)) out.texts[whole_path(path)] = text.value();
+    if (const auto text = console.files.read(path, dsl::largest_file, dsl::Kinds::ordinary))
+      out.texts[whole_path(path)] = text.value();
   }
   read_commands(request, console, out);
   out.default_flags = {"-std=c++20", "-I" + whole_path(fs::path(request.file).parent_path())};

@@ -13,6 +13,7 @@
 #include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/scan.hpp"
 #include "compiler/stubs/stale.hpp"
+#include "dsl/harmless.hpp"
 
 #include <fmt/format.h>
 
@@ -62,7 +63,7 @@ public:
       const Plan plan = formatted_plan(planned());
       return carry_out(plan);
     } catch (const Refusal& refusal) {
-      console_.err << refusal.text;
+      say(console_, refusal.text);
       return refusal.status;
     }
   }
@@ -124,7 +125,7 @@ private:
   }
 
   bool is_free(const std::string& path) const {
-    const auto there = console_.files.read(path, 0);
+    const auto there = console_.files.read(path, 0, dsl::Kinds::ordinary);
     return !there && there.error().kind == dsl::FileError::Kind::not_found;
   }
 
@@ -190,11 +191,11 @@ private:
 
   void tell(const Plan& plan) {
     for (const Remark& each : plan.obstacles)
-      console_.err << fmt::format("{}: error: {}\n", shown(each.place), each.message);
+      say(console_, fmt::format("{}: error: {}\n", shown(each.place), each.message));
     for (const Remark& each : plan.leftovers)
-      console_.err << fmt::format("{}: warning: {}\n", shown(each.place), each.message);
+      say(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
     for (const Remark& each : plan.stale)
-      console_.err << fmt::format("{}: warning: {}\n", shown(each.place), each.message);
+      say(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
   }
 
   void print_diff(const Plan& plan) {
@@ -204,9 +205,10 @@ private:
   }
 
   void list(const Plan& plan, std::string_view fresh, std::string_view added) {
-    for (const Artefact& file : plan.fresh) console_.out << fmt::format("{} {}\n", fresh, shown_path(file.path));
+    for (const Artefact& file : plan.fresh)
+      console_.out << fmt::format("{} {}\n", fresh, dsl::harmless(shown_path(file.path)));
     for (const std::vector<Insertion>& each : stubs::by_file(plan.insertions))
-      console_.out << fmt::format("{} {}\n", added, shown_path(each[0].path));
+      console_.out << fmt::format("{} {}\n", added, dsl::harmless(shown_path(each[0].path)));
   }
 
   int carry_out(const Plan& plan) {
@@ -251,9 +253,9 @@ int run(const Stubs& request, Console& console) {
   print_findings(errors_of(checked->findings), sources, console.err, console.err_colours, console.err_width);
   if (dsl::has_errors(checked->findings)) return found;
   if (!checked->model.deployment) {
-    console.err << fmt::format("directorc: `{}` has no `roots`: what its modules are called is decided where they are "
-                               "imported\n",
-                               shown_path(request.file));
+    say(console, fmt::format("directorc: `{}` has no `roots`: what its modules are called is decided where they are "
+                             "imported\n",
+                             shown_path(request.file)));
     return misused;
   }
   const Lowered lowered = lower(checked->model);

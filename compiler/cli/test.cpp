@@ -7,6 +7,7 @@
 #include "compiler/play/print_coverage.hpp"
 #include "compiler/play/write_expect.hpp"
 #include "dsl/colours.hpp"
+#include "dsl/harmless.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,10 @@ namespace director::compiler::cli {
 
 namespace {
 
+std::string titled(const std::string& path, const std::string& title) {
+  return dsl::harmless(title.empty() ? path : path + ": " + title);
+}
+
 class Testing {
 public:
   Testing(const Test& request, Console& console) : request_(request), console_(console) {}
@@ -26,10 +31,16 @@ public:
     for (const std::string& named : request_.files) {
       const std::vector<std::string> files = scenarios(named);
       if (files.empty()) {
-        console_.err << fmt::format("directorc: there is no *.scenario.yaml in `{}` or below it\n", named);
+        say(console_,
+            fmt::format("directorc: there is no *.scenario.yaml or *.scenario.yml in `{}` or below it\n", named));
         status = std::max(status, misused);
       }
       for (const std::string& file : files) {
+        if (file.ends_with('/')) {
+          say(console_, fmt::format("directorc: cannot look into `{}`, where scenarios may be\n", shown_path(file)));
+          status = std::max(status, misused);
+          continue;
+        }
         const int one = test(file);
         status = std::max(status, one);
         ++played_;
@@ -45,8 +56,8 @@ public:
     console_.out.flush();
     for (const CoverageReport& report : reports_) {
       if (!is_low(report)) continue;
-      console_.err << fmt::format("directorc: {} % of {} is covered; --min asks for {} %\n", report.coverage.percent(),
-                                  report.behaviour, request_.min);
+      say(console_, fmt::format("directorc: {} % of {} is covered; --min asks for {} %\n", report.coverage.percent(),
+                                report.behaviour, request_.min));
       status = std::max(status, found);
     }
     return status;
@@ -55,16 +66,16 @@ public:
 private:
   /// A file, or those below a folder.
   std::vector<std::string> scenarios(std::string named) {
-    if (named.ends_with(".yaml") || named.ends_with(".yml")) return {named};
+    if ((named.ends_with(".yaml") || named.ends_with(".yml")) && !is_folder(named)) return {named};
     while (named.size() > 1 && named.ends_with('/')) named.pop_back();
     std::vector<std::string> below = console_.outputs.list(named);
     if (below.empty() && !is_folder(named)) return {named}; // whatever it is: who reads it says so
-    std::erase_if(below, [](const std::string& path) { return !path.ends_with(".scenario.yaml"); });
+    std::erase_if(below, [](const std::string& path) { return !is_called_scenario(path) && !path.ends_with('/'); });
     return below;
   }
 
   bool is_folder(const std::string& path) {
-    const auto read = console_.files.read(path, 0);
+    const auto read = console_.files.read(path, 0, dsl::Kinds::ordinary);
     return !read && read.error().kind == dsl::FileError::Kind::folder;
   }
 
@@ -95,17 +106,17 @@ private:
     if (text()) {
       console_.out << (result.holds() ? dsl::painted("holds", dsl::colours::bold_green, console_.out_colours)
                                       : dsl::painted("fails", dsl::colours::bold_red, console_.out_colours))
-                   << fmt::format(" {}{}\n", shown_path(file), title.empty() ? "" : ": " + title)
+                   << fmt::format(" {}\n", titled(shown_path(file), title))
                    << render(result, sources, console_.out_colours);
     }
     if (text() && result.compared == 0 && result.holds() && !request_.coverage) {
       console_.out.flush();
-      console_.err << (result.happened.empty()
-                           ? fmt::format("directorc: `{}` has no steps, so nothing is tested\n", shown_path(file))
-                           : fmt::format(
-                                 "directorc: `{0}` expects nothing, so nothing is compared; `directorc test --update "
-                                 "{0}` writes what happens\n",
-                                 shown_path(file)));
+      say(console_,
+          result.happened.empty()
+              ? fmt::format("directorc: `{}` has no steps, so nothing is tested\n", shown_path(file))
+              : fmt::format("directorc: `{0}` expects nothing, so nothing is compared; `directorc test --update "
+                            "{0}` writes what happens\n",
+                            shown_path(file)));
     }
     std::vector<dsl::Diagnostic> findings = loaded.findings;
     if (result.played.refused) {
@@ -120,7 +131,7 @@ private:
   int write(const std::string& file, const std::string& title, const std::string& before, const Updated& updated) {
     const std::string path = shown_path(file);
     if (const auto failed = console_.outputs.change({{file, before, updated.text}})) {
-      console_.err << fmt::format("directorc: {}\n", *failed);
+      say(console_, fmt::format("directorc: {}\n", *failed));
       return misused;
     }
     std::vector<Json> steps;
@@ -128,7 +139,7 @@ private:
     rows_.push_back(Json::object(
         {{"file", Json::text(path)}, {"holds", Json::boolean(true)}, {"updated", Json::list(std::move(steps))}}));
     if (text())
-      console_.out << fmt::format("wrote {}{}\n    what happens in step {}\n", path, title.empty() ? "" : ": " + title,
+      console_.out << fmt::format("wrote {}\n    what happens in step {}\n", titled(path, title),
                                   fmt::join(updated.steps, ", "));
     return clean;
   }
@@ -164,7 +175,7 @@ private:
 
   void print_text() const {
     if (played_ > 1) console_.out << fmt::format("{} of {} hold\n", holding_, played_);
-    for (const CoverageReport& report : reports_) console_.out << to_text(report);
+    for (const CoverageReport& report : reports_) console_.out << dsl::harmless_lines(to_text(report));
   }
 
   void print_json() {

@@ -6,6 +6,7 @@
 #include "compiler/cli/trace_page.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/trace/lookup.hpp"
+#include "dsl/harmless.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
@@ -26,7 +27,7 @@ public:
     std::array<char, 1000> line{};
     std::array<char, 40> time{};
     if (*to_text(event, names_, line) == '\0') return;
-    out.append(time_text(event.time, time)).append(line.data()).append("\n");
+    out.append(time_text(event.time, time)).append(dsl::harmless(line.data())).append("\n");
   }
   void dropped(std::uint64_t count, std::string& out) override {
     out += "... " + counted_are(count, "event") + " missing\n";
@@ -50,10 +51,9 @@ int put(const Trace& request, std::string text, int status, Console& console) {
   const auto is_own = request.to == "html" ? has_notice : is_trace;
   if (!write({{request.output, std::move(text), is_own}}, console)) return misused;
   if (request.to == "perfetto" && console.err_width != 0)
-    console.err << fmt::format(
-        "directorc: wrote `{}`; `Open trace file` on https://ui.perfetto.dev shows it, and keeps "
-        "it on this machine\n",
-        shown_path(request.output));
+    say(console, fmt::format("directorc: wrote `{}`; `Open trace file` on https://ui.perfetto.dev shows it, and keeps "
+                             "it on this machine\n",
+                             shown_path(request.output)));
   return status;
 }
 

@@ -93,10 +93,10 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   const Lowered lowered = lower(of.checked.model);
   const RowNames rows(of.checked.model, lowered);
   if (fingerprint_text(rows.names()) != trace.recorded->fingerprint) {
-    console.err << fmt::format(
-        "{}:1: error: this is a trace of another version of `{}`\n  help: --behaviour names the version "
-        "that was recorded; `directorc replay` says what this one decides otherwise\n",
-        shown_path(request.file), of.file);
+    say(console,
+        fmt::format("{}:1: error: this is a trace of another version of `{}`\n  help: --behaviour names the version "
+                    "that was recorded; `directorc replay` says what this one decides otherwise\n",
+                    shown_path(request.file), of.file));
     return {{}, found};
   }
   TraceLines replayed(trace.text), lines(trace.text);
@@ -108,8 +108,7 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   PageRecording page;
   bool whole = Reading(rows.names(), recording, page).read(lines, request.file, console);
   if (whole && waits.replayed.difference) // else it is the line that is wrong
-    console.err << fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line,
-                               why_ends);
+    say(console, fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line, why_ends));
   if (whole && !waits.replayed.problem.empty()) { // only playing it shows that
     say_unreadable(request.file, waits.replayed.problem_line, waits.replayed.problem, console);
     whole = false;

@@ -7,6 +7,7 @@
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/watched_files.hpp"
 #include "dsl/colours.hpp"
+#include "dsl/harmless.hpp"
 
 #include <fmt/format.h>
 #include <sys/signalfd.h>
@@ -162,7 +163,7 @@ public:
 private:
   int once(World& world, const std::string& why) {
     if (console_.out_clears) console_.out << "\033[H\033[2J";
-    line(why.empty() ? time_text() : time_text() + " " + why);
+    line(why.empty() ? time_text() : time_text() + " " + dsl::harmless(why));
     began_ = Clock::now();
     Console watched = with_files(console_, world.files, world.folders);
     return once_(watched);
@@ -191,7 +192,7 @@ private:
 
 int watch(const std::vector<std::string>& named, Console& console, const std::function<int(Console&)>& once) {
   if (const std::optional<std::string> wrong = unwatchable(named)) {
-    console.err << fmt::format("directorc: {}\n", *wrong);
+    say(console, fmt::format("directorc: {}\n", *wrong));
     return misused;
   }
   return Watching(console, once).run();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/watched_files.hpp"
 
+#include "compiler/cli/load_scenario.hpp"
 #include "dsl/load_file.hpp"
 
 #include <sys/stat.h>
@@ -29,7 +30,7 @@ bool is_recent(const FileStamp& stamp) {
 std::size_t sum_of(const std::string& text) { return std::hash<std::string>{}(text); }
 
 std::vector<std::string> scenarios_among(std::vector<std::string> paths) {
-  std::erase_if(paths, [](const std::string& path) { return !path.ends_with(".scenario.yaml"); });
+  std::erase_if(paths, [](const std::string& path) { return !is_called_scenario(path); });
   return paths;
 }
 
@@ -48,10 +49,11 @@ FileStamp stamp_of(const std::string& path) {
   return {true, status.st_dev, status.st_ino, status.st_size, nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
 }
 
-dsl::Result<std::string, dsl::FileError> WatchedFiles::read(const std::string& path, std::size_t most) {
+dsl::Result<std::string, dsl::FileError> WatchedFiles::fetch(const std::string& path, std::size_t most,
+                                                             dsl::Kinds kinds) {
   // Before it is read: what is written meanwhile is a change.
   const FileStamp stamp = stamp_of(path);
-  auto text = files_.read(path, most);
+  auto text = files_.read(path, most, kinds);
   // What was read first in this run counts; a change since then is one.
   Seen& seen = seen_.try_emplace(path, Seen{stamp, {}}).first->second;
   if (text && !seen.sum && stamp == seen.stamp && is_recent(stamp)) seen.sum = sum_of(text.value());

@@ -39,7 +39,6 @@ struct FileChange {
 class WatchedFiles final : public dsl::FileAccess {
 public:
   explicit WatchedFiles(dsl::FileAccess& files) : files_(files) {}
-  dsl::Result<std::string, dsl::FileError> read(const std::string& path, std::size_t most) override;
   std::string identity(const std::string& path) override { return files_.identity(path); }
 
   /// By path.
@@ -47,6 +46,8 @@ public:
   std::vector<std::string> paths() const;
 
 private:
+  dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override;
+
   struct Seen {
     FileStamp stamp;
     /// A clock of files is coarse: what is written twice at one time looks the same, so what was new is compared by a

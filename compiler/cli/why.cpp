@@ -19,11 +19,11 @@ int run(const Why& request, Console& console) {
   const std::optional<GroupId> group = Names(loaded.model, findings).group({request.group, {}});
   if (!group) {
     const dsl::Diagnostic& wrong = findings.front();
-    console.err << "directorc: " << wrong.message << (wrong.help.empty() ? "" : "; " + wrong.help) << '\n';
+    say(console, fmt::format("directorc: {}{}\n", wrong.message, wrong.help.empty() ? "" : "; " + wrong.help));
     return misused;
   }
   if (request.step > loaded.scenario.steps.size()) {
-    console.err << fmt::format("directorc: `{}` has {} steps\n", request.scenario, loaded.scenario.steps.size());
+    say(console, fmt::format("directorc: `{}` has {} steps\n", request.scenario, loaded.scenario.steps.size()));
     return misused;
   }
   Reasoning reasoning;

@@ -44,7 +44,7 @@ private:
       if (happening.requested.contains(edge) && !all.empty())
         finding.notes.push_back({all.front()->span, fmt::format("{} is requested here", name_of(model_, id))});
     }
-    analysis::shorten(finding.notes, analysis::most_alike);
+    analysis::shorten_list(finding.notes);
     finding.help = help(id);
   }
 
@@ -57,7 +57,7 @@ private:
                                        row.requester ? name_of(model_, *row.requester) : std::string("the program")));
     for (std::size_t i = 1; i < all.size(); ++i)
       finding.notes.push_back({all[i]->span, fmt::format("{} is requested here too", name)});
-    analysis::shorten(finding.notes, analysis::most_alike);
+    analysis::shorten_list(finding.notes);
     finding.help = help(row.target);
   }
 

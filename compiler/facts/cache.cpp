@@ -19,7 +19,7 @@ std::string FactCache::state_of(const std::string& path, bool system) {
   if (system) return store_.stamp(path);
   const auto at = states_.find(path);
   if (at != states_.end()) return at->second;
-  const auto text = files_.read(path, dsl::largest_file);
+  const auto text = files_.read(path, dsl::largest_file, dsl::Kinds::ordinary);
   return states_.emplace(path, text ? sha256(text.value()) : std::string{}).first->second;
 }
 

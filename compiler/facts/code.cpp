@@ -97,7 +97,7 @@ dsl::Span CodeFiles::span(const CodePlace& place) {
 dsl::FileId CodeFiles::of(const std::string& path) {
   const auto at = known_.find(path);
   if (at != known_.end()) return at->second;
-  auto text = files_.read(path, dsl::largest_file);
+  auto text = files_.read(path, dsl::largest_file, dsl::Kinds::ordinary);
   const dsl::FileId id = sources_.add(shown_(path), text ? std::move(text.value()) : std::string{});
   known_.emplace(path, id);
   return id;

@@ -44,20 +44,29 @@ std::vector<std::string> split_command(std::string_view line) {
 namespace {
 
 constexpr int deepest_response = 10; ///< a response file may name others, or itself
+constexpr int most_responses = 2000; ///< of one command, as g++ has it
 
-void add_words(const std::vector<std::string>& words, const std::string& directory, dsl::FileAccess& files, int depth,
-               std::vector<std::string>& out) {
+struct Responses {
+  dsl::FileAccess& files;
+  const std::string& directory;
+  std::vector<std::string>& out;
+  int left = most_responses;
+};
+
+void add_words(const std::vector<std::string>& words, int depth, Responses& all) {
   for (const std::string& word : words) {
-    if (word.size() < 2 || word[0] != '@' || depth == deepest_response) {
-      out.push_back(word);
+    if (word.size() < 2 || word[0] != '@' || depth == deepest_response || all.left == 0) {
+      all.out.push_back(word);
       continue;
     }
     const fs::path path = word.substr(1);
-    const auto text = files.read((path.is_absolute() ? path : fs::path(directory) / path).string(), dsl::largest_file);
+    const auto text = all.files.read((path.is_absolute() ? path : fs::path(all.directory) / path).string(),
+                                     dsl::largest_file, dsl::Kinds::ordinary);
     if (text) {
-      add_words(split_command(text.value()), directory, files, depth + 1, out);
+      --all.left;
+      add_words(split_command(text.value()), depth + 1, all);
     } else {
-      out.push_back(word);
+      all.out.push_back(word);
     }
   }
 }
@@ -67,7 +76,8 @@ void add_words(const std::vector<std::string>& words, const std::string& directo
 std::vector<std::string> with_response_files(const std::vector<std::string>& words, const std::string& directory,
                                              dsl::FileAccess& files) {
   std::vector<std::string> out;
-  add_words(words, directory, files, 0, out);
+  Responses all{files, directory, out};
+  add_words(words, 0, all);
   return out;
 }
 
@@ -96,7 +106,7 @@ dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std:
 LoadedCommands load_compile_commands(const std::string& build, dsl::FileAccess& files) {
   LoadedCommands out;
   out.path = (fs::path(build) / "compile_commands.json").string();
-  const auto text = files.read(out.path, dsl::largest_file);
+  const auto text = files.read(out.path, dsl::largest_file, dsl::Kinds::ordinary);
   if (!text) {
     out.was_read = false;
     out.fault = fmt::format("cannot read `{}`: {}", out.path, text.error().message);

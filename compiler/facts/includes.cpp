@@ -27,7 +27,7 @@ const Includes::File& Includes::file(const std::string& path) {
   const auto at = known_.find(path);
   if (at != known_.end()) return at->second;
   File out;
-  if (const auto text = files_.read(path, dsl::largest_file)) {
+  if (const auto text = files_.read(path, dsl::largest_file, dsl::Kinds::ordinary)) {
     out.exists = true;
     std::string_view rest = text.value();
     while (!rest.empty()) {

@@ -50,7 +50,10 @@ std::vector<std::string> ScannedTypes::missing_in(const CompileCommand& command,
       const dsl::NamedHeader named = dsl::named_header(header);
       const std::vector<std::string> folders = include_folders(words, command.directory, named.angled);
       const bool found = std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
-        return static_cast<bool>(files_.read((fs::path(folder) / named.path).string(), dsl::largest_file));
+        const auto text =
+            files_.read((fs::path(folder) / named.path).string(), dsl::largest_file, dsl::Kinds::ordinary);
+        if (!text && text.error().kind != dsl::FileError::Kind::not_found) unreadable_[header] = text.error().message;
+        return static_cast<bool>(text);
       });
       if (!found) out.push_back(header);
     }
@@ -92,9 +95,13 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
   const CompileCommand* command = choose(question.headers, missing);
   if (command == nullptr) {
     out.missing = missing_everywhere_;
-    return fail(missing.empty() ? fmt::format("{} compiles no C++", flags_.source)
-                                : fmt::format("no include folder of {} has the header `{}`", flags_.source,
-                                              (out.missing.empty() ? missing : out.missing).front()));
+    out.unreadable = unreadable_;
+    if (missing.empty()) return fail(fmt::format("{} compiles no C++", flags_.source));
+    const std::string& first = (out.missing.empty() ? missing : out.missing).front();
+    const auto why = unreadable_.find(first);
+    return fail(why == unreadable_.end()
+                    ? fmt::format("no include folder of {} has the header `{}`", flags_.source, first)
+                    : fmt::format("the header `{}` cannot be read: {}", first, why->second));
   }
   if (question.names.empty()) return out;
   const Scan version = scanner_.version();

@@ -40,6 +40,7 @@ private:
   dsl::FileAccess& files_;
   FactCache cache_;
   std::vector<std::string> missing_everywhere_;
+  std::map<std::string, std::string, std::less<>> unreadable_; ///< a header, and why
 };
 
 } // namespace director::compiler

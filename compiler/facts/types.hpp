@@ -30,6 +30,7 @@ struct Types {
       by_name;                      ///< as the behaviour writes it; those of which nothing is known are missing
   std::vector<std::string> files;   ///< the user's headers that were read
   std::vector<std::string> missing; ///< headers that no file of the program could include
+  std::map<std::string, std::string, std::less<>> unreadable; ///< such as lie there, and why they cannot be read
   const CppType* find(std::string_view name) const;
 };
 

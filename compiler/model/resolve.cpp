@@ -29,6 +29,13 @@ void check_header(Resolver& r, const Word& header) {
   if (r.options.types == nullptr) return;
   const std::vector<std::string>& missing = r.options.types->missing;
   if (std::find(missing.begin(), missing.end(), header.value) == missing.end()) return;
+  const auto why = r.options.types->unreadable.find(header.value);
+  if (why != r.options.types->unreadable.end()) {
+    r.find("missing_header", dsl::Level::warning, header.span,
+           fmt::format("`{}` cannot be read: {}", header.value, why->second),
+           "see to it that it is a file that can be read");
+    return;
+  }
   r.find("missing_header", dsl::Level::warning, header.span,
          fmt::format("no include folder of the program has `{}`", header.value),
          "name it as an `#include` of the program would; if the build writes it, it has to do so first");

@@ -105,7 +105,7 @@ std::string html_page(const PageInput& input) {
         section.id, section.title, html);
   }
   return fmt::format(
-      "<!DOCTYPE html>\n<!-- {} -->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!DOCTYPE html>\n{}\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src '{}'; style-src '{}'; "
       "base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -114,7 +114,7 @@ std::string html_page(const PageInput& input) {
       "<div id=\"finder\" hidden></div>\n</header>\n<nav aria-label=\"On this page\">\n<ul>\n{}</ul>\n</nav>\n"
       "<main id=\"main\">\n{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n"
       "</body>\n</html>\n",
-      notice_words(input.file), check_sum(page_script()), check_sum(page_style()), name, page_style(), name,
+      html_notice(input.file), check_sum(page_script()), check_sum(page_style()), name, page_style(), name,
       doc_html(input.data), nav, body, in_script(input.data), page_script());
 }
 

@@ -73,7 +73,7 @@ public:
     add_assertions();
     add_findings();
     while (out_.ends_with("\n\n")) out_.pop_back();
-    return with_notice(input_.file, "<!-- ", out_, " -->");
+    return html_notice(input_.file) + "\n" + out_;
   }
 
 private:

@@ -4,6 +4,7 @@
 
 #include "compiler/base/json.hpp"
 #include "dsl/colours.hpp"
+#include "dsl/harmless.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 
 #include <fmt/format.h>
@@ -86,7 +87,7 @@ std::string_view colour_of(Happening::Kind kind) {
 } // namespace
 
 std::string to_text(const Happening& happening, ShowTimes times, bool has_colours) {
-  const std::string line = dsl::painted(line_of(happening), colour_of(happening.kind), has_colours);
+  const std::string line = dsl::painted(dsl::harmless(line_of(happening)), colour_of(happening.kind), has_colours);
   if (times == ShowTimes::no) return line;
   std::array<char, 40> buffer{};
   return time_text(happening.time, buffer) + line;

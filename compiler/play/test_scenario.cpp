@@ -4,6 +4,7 @@
 
 #include "compiler/play/line_diff.hpp"
 #include "dsl/colours.hpp"
+#include "dsl/harmless.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -60,14 +61,14 @@ std::string render(const ScenarioResult& result, const dsl::Sources& sources, bo
     const dsl::Place place = file.place(mismatch.span.begin);
     const std::string head = fmt::format("{}:{}:{}: step {}: {}", file.path(), place.line, place.column, mismatch.step,
                                          fmt::join(mismatch.shown, "; "));
-    out += dsl::painted(head, dsl::colours::bold, has_colours) + "\n";
+    out += dsl::painted(dsl::harmless(head), dsl::colours::bold, has_colours) + "\n";
     if (mismatch.too_many_stops)
       out += fmt::format("    something is due at more than {} times within it\n", stops_of_advance);
     else if (mismatch.exhausted)
       out += fmt::format("    it did not come to rest within {} micro-steps\n", play_budget);
     const std::size_t most_lines = mismatch.exhausted ? 30 : 200;
     for (const std::string& line : unified_diff(mismatch.expected, mismatch.happened, most_lines)) {
-      out += "    " + dsl::painted(line, colour_of(line), has_colours) + "\n";
+      out += "    " + dsl::painted(dsl::harmless(line), colour_of(line), has_colours) + "\n";
     }
   }
   return out;

@@ -4,6 +4,7 @@
 
 #include "compiler/lower/row_names.hpp"
 #include "dsl/colours.hpp"
+#include "dsl/harmless.hpp"
 #include "runtime/hosted/why_notes.hpp"
 
 #include <fmt/format.h>
@@ -76,10 +77,10 @@ Reasoning reason_why(const View& view, const Because& because, const Model& mode
 }
 
 std::string to_text(const Reasoning& reasoning, const dsl::Sources& sources, bool has_colours) {
-  std::string out = dsl::painted(reasoning.text, dsl::colours::bold, has_colours) + "\n";
+  std::string out = dsl::painted(dsl::harmless(reasoning.text), dsl::colours::bold, has_colours) + "\n";
   for (const Reasoning::Note& note : reasoning.notes)
-    out +=
-        fmt::format("  {} ({})\n", note.text, dsl::painted(place(note.span, sources), dsl::colours::cyan, has_colours));
+    out += fmt::format("  {} ({})\n", dsl::harmless(note.text),
+                       dsl::painted(dsl::harmless(place(note.span, sources)), dsl::colours::cyan, has_colours));
   return out;
 }
 

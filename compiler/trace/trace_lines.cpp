@@ -12,6 +12,7 @@ std::optional<TraceLine> TraceLines::next() {
   const bool whole = end != std::string_view::npos;
   out.number = number_;
   out.text = rest_.substr(0, end);
+  if (out.text.ends_with('\r')) out.text.remove_suffix(1); // an editor may have saved it so
   rest_ = whole ? rest_.substr(end + 1) : std::string_view{};
   std::optional<Json> json = parse_json(out.text);
   if (!json || !json->is_object()) {

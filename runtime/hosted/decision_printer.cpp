@@ -180,7 +180,11 @@ const char* to_text(const Event& event, const Names& names, std::span<char> buff
 }
 
 const char* time_text(Time time, std::span<char> buffer) {
-  std::snprintf(buffer.data(), buffer.size(), "[%5" PRId64 ".%06" PRId64 "] ", time / per_second, time % per_second);
+  const std::uint64_t size = time < 0 ? 0 - static_cast<std::uint64_t>(time) : static_cast<std::uint64_t>(time);
+  const std::uint64_t second = per_second;
+  std::array<char, 24> seconds{};
+  std::snprintf(seconds.data(), seconds.size(), "%s%" PRIu64, time < 0 ? "-" : "", size / second);
+  std::snprintf(buffer.data(), buffer.size(), "[%5s.%06" PRIu64 "] ", seconds.data(), size % second);
   return buffer.data();
 }
 

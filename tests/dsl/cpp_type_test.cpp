@@ -83,6 +83,17 @@ TEST_CASE("A type is read to its end, and says what was expected where") {
   CHECK(said_of("int\xE2\x80\xAE") == "this is no type of C++: it has control characters");
 }
 
+TEST_CASE("What the preprocessor replaces is no type, wherever it stands") {
+  const std::string macro = " is a macro of the standard headers of C++";
+  CHECK(said_of("EOF") == "`EOF` is no type of C++: `EOF`" + macro);
+  CHECK(said_of("robot::errno*") == "`robot::errno*` is no type of C++: `errno`" + macro);
+  CHECK(said_of("std::vector<NULL>") == "`std::vector<NULL>` is no type of C++: `NULL`" + macro);
+  CHECK(said_of("DIRECTOR_INLINE") ==
+        "`DIRECTOR_INLINE` is no type of C++: names that begin with `DIRECTOR_` are macros of Director's own");
+  CHECK(said_of("linux::Course").empty()); // no namespace for all compilers, and one for some
+  CHECK(said_of("std::FILE*").empty());
+}
+
 TEST_CASE("Brackets within brackets end somewhere") {
   std::string text = "int";
   for (int i = 0; i < 16; ++i) text = "A<" + text + ">";

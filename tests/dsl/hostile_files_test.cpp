@@ -118,6 +118,21 @@ TEST_CASE("Who reads a pipe to which nobody writes is told soon what is waited f
   CHECK(told == std::vector<std::string>{"pipe.yaml"});
 }
 
+TEST_CASE("Where an ordinary file is wanted a pipe is told at once, and nobody's writing is spoiled") {
+  const HostileFolder folder;
+  REQUIRE(mkfifo("pipe.hpp", 0600) == 0);
+  bool is_told = false;
+  DiskFiles files(std::chrono::hours(1), [&](const auto&, auto) { is_told = true; });
+  const auto read = files.read("pipe.hpp", 1000, Kinds::ordinary);
+  REQUIRE_FALSE(read);
+  CHECK(read.error().kind == FileError::Kind::pipe);
+  CHECK(read.error().message == "it is a pipe, and no ordinary file");
+  CHECK_FALSE(is_told);
+  const auto nothing = files.read("/dev/null", 1000, Kinds::ordinary);
+  REQUIRE(nothing);
+  CHECK(nothing.value().empty());
+}
+
 TEST_CASE("A pipe to which somebody writes is read") {
   int ends[2];
   REQUIRE(pipe(ends) == 0);

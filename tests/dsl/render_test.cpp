@@ -195,6 +195,36 @@ walk.yaml:1:4: lint: no such key [unknown_key]
   CHECK(render(std::vector<Diagnostic>{}, shown.sources) == "");
 }
 
+TEST_CASE("Of many findings that say the same the last one shown tells how many there are, and others are not hidden") {
+  std::string text;
+  for (int i = 0; i < 10; ++i) text += "a\n";
+  const Shown shown(text);
+  std::vector<Diagnostic> findings;
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    findings.push_back({"unknown_key",
+                        Level::error,
+                        {shown.file, 2 * i, 2 * i + 1},
+                        "no such key",
+                        {{{shown.file, 0, 1}, "here"}},
+                        "mend it"});
+    findings.push_back(
+        {"unknown_key", Level::error, {shown.file, 2 * i, 2 * i + 1}, "no key " + std::to_string(i), {}, {}});
+  }
+  std::string expected;
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    Diagnostic finding = findings[i];
+    const bool alike = i % 2 == 0;
+    if (alike && i / 2 >= 8) continue;
+    if (alike && i / 2 == 7) {
+      finding.message = "no such key; it is the same at 2 more places";
+      finding.notes.clear();
+      finding.help.clear();
+    }
+    expected += render(finding, shown.sources);
+  }
+  CHECK(render(findings, shown.sources) == expected + "20 errors\n");
+}
+
 TEST_CASE("Lines that stand right above are not shown again, and notes keep their order, which is that of a way") {
   Sources sources;
   const FileId walk = sources.add("walk.yaml", "Walk: {}\n"), legs = sources.add("legs.yaml", "Legs: {}\n");

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 
 namespace director::analysis {
@@ -17,6 +18,12 @@ namespace {
 
 /// Who reads more steps than this reads them in the file.
 constexpr std::size_t most_steps = 12;
+
+/// Makes the first one that is left out tell of all of them.
+void leave_out(Note& first, std::size_t count, std::string_view where) {
+  first.message = fmt::format("and {} more of such notes, {}", count, where);
+  first.link = Note::Link::aside;
+}
 
 } // namespace
 
@@ -51,12 +58,15 @@ dsl::Note runs_only_while(const Model& model, ProviderId provider, const Conditi
 
 void shorten(std::vector<Note>& notes, std::size_t most) {
   if (notes.size() <= most) return;
-  const std::size_t more = notes.size() - (most - 1);
-  Note& left_out = notes[most - 2];
-  left_out.message = fmt::format("and {} more of such notes, from here on", more);
-  left_out.link = Note::Link::aside;
+  leave_out(notes[most - 2], notes.size() - (most - 1), "before the last one");
   notes[most - 1] = std::move(notes.back());
   if (notes[most - 1].link == Note::Link::next) notes[most - 1].link = Note::Link::aside;
+  notes.resize(most);
+}
+
+void shorten_list(std::vector<Note>& notes, std::size_t most) {
+  if (notes.size() <= most) return;
+  leave_out(notes[most - 1], notes.size() - (most - 1), "from here on");
   notes.resize(most);
 }
 

@@ -24,8 +24,10 @@ dsl::Note runs_only_while(const Model& model, ProviderId provider, const Conditi
 /// Of many notes the first ones, how many more there are, and the last one, on which the others may rest: who reads
 /// more of them than this reads them in the file. `most` is 2 or more.
 constexpr std::size_t most_notes = 40;
-/// Of those that say the same of many, as of all that ask for one group, so that the next thing is told of too.
-constexpr std::size_t most_alike = 8;
 void shorten(std::vector<dsl::Note>& notes, std::size_t most = most_notes);
+/// Of those that say the same of many, as of all that ask for one group, the first ones and how many more there are:
+/// none of them matters more than another, and so the next thing is told of too.
+constexpr std::size_t most_alike = 8;
+void shorten_list(std::vector<dsl::Note>& notes, std::size_t most = most_alike);
 
 } // namespace director::analysis

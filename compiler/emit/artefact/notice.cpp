@@ -52,15 +52,19 @@ std::string notice_words(std::string_view file) {
   return fmt::format("{}{} from {}. DO NOT EDIT.", first_words, version(), path);
 }
 
-std::string with_notice(std::string_view file, std::string_view begin, std::string_view text, std::string_view end) {
-  return fmt::format("{}{}{}\n{}", begin, notice_words(file), end, text);
+std::string html_notice(std::string_view file) {
+  std::string name(file); // a comment must not hold two of these
+  for (std::size_t at = name.find("--"); at != std::string::npos; at = name.find("--")) name.replace(at, 2, "- -");
+  return fmt::format("<!-- {} -->", notice_words(name));
+}
+
+std::string with_notice(std::string_view file, std::string_view begin, std::string_view text) {
+  return fmt::format("{}{}\n{}", begin, notice_words(file), text);
 }
 
 std::string svg_with_notice(std::string_view file, const std::string& text) {
-  std::string name(file); // a comment must not hold two of these
-  for (std::size_t at = name.find("--"); at != std::string::npos; at = name.find("--")) name.replace(at, 2, "- -");
   const std::size_t first = text.starts_with("<?xml") ? std::min(text.find('\n'), text.size() - 1) + 1 : 0;
-  return text.substr(0, first) + with_notice(name, "<!-- ", text.substr(first), " -->");
+  return text.substr(0, first) + html_notice(file) + "\n" + text.substr(first);
 }
 
 Json generated_by() { return Json::text(fmt::format("directorc {}", version())); }

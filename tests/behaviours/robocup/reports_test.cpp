@@ -18,12 +18,13 @@ namespace {
 // Paths count from the root of the source tree, wherever the test runs: so they are shown in the report.
 class SourceTree final : public dsl::FileAccess {
 public:
-  dsl::Result<std::string, dsl::FileError> read(const std::string& path, std::size_t most) override {
-    return disk_.read((source_dir() / path).string(), most);
-  }
   std::string identity(const std::string& path) override { return disk_.identity((source_dir() / path).string()); }
 
 private:
+  dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override {
+    return disk_.read((source_dir() / path).string(), most, kinds);
+  }
+
   dsl::DiskFiles disk_;
 };
 

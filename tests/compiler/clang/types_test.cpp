@@ -4,8 +4,11 @@
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
+#include <sys/stat.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
 
 namespace {
 
@@ -50,6 +53,28 @@ TEST_CASE("a state's values are those that the flags of the program make") {
       generate("arm-none-eabi-g++\n-mcpu=cortex-m3\n-mthumb\n-ffreestanding\n" + common + "-DWITH_OVERTIME\n");
   CHECK(arm.err == "");
   CHECK(arm.status == 0);
+}
+
+TEST_CASE("a header that is a pipe is told at once, also where another header includes it") {
+  const Workshop work("types-pipe");
+  write_game(work);
+  std::filesystem::remove(work.path("include/phase.hpp"));
+  REQUIRE(::mkfifo(work.path("include/phase.hpp").c_str(), 0600) == 0);
+  work.write_commands({work.path("main.cpp")}, {"-std=c++20", "-I" + work.path("include")});
+  const auto began = std::chrono::steady_clock::now();
+  const Worked direct = work.directorc({"check", "--format=json", "-p", work.path(), work.path("game.yaml")});
+  CHECK(direct.status == 1);
+  CHECK(direct.out.find("\"message\": \"`phase.hpp` cannot be read: it is a pipe, and no ordinary file\"") !=
+        std::string::npos);
+  CHECK(
+      direct.out.find("\"message\": \"the values of `game::Phase` are not known here: the header `phase.hpp` cannot be "
+                      "read: it is a pipe, and no ordinary file\"") != std::string::npos);
+  std::filesystem::rename(work.path("include/phase.hpp"), work.path("include/inner.hpp"));
+  work.write("include/phase.hpp",
+             "#include \"inner.hpp\"\nnamespace game { enum class Phase { initial, overtime }; }\n");
+  const Worked within = work.directorc({"check", "-p", work.path(), work.path("game.yaml")});
+  CHECK(within.status == 0); // what the header says itself is known
+  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(9));
 }
 
 /// As C and C++ have it, in two headers with blanks in their path; the second one is included by the first.

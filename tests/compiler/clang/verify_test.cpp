@@ -195,7 +195,7 @@ TEST_CASE("of a long way to what blocks the first calls and the last one are not
   const std::vector<Json>& notes = (*json)["findings"].items().at(0)["notes"].items();
   REQUIRE(notes.size() == 40);
   CHECK(notes.front()["message"].as_text() == "it runs in `Drive`");
-  CHECK(notes[38]["message"].as_text() == "and 22 more of such notes, from here on");
+  CHECK(notes[38]["message"].as_text() == "and 22 more of such notes, before the last one");
   CHECK(notes.back()["message"].as_text() == "which calls `f0`");
 }
 

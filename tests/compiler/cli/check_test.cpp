@@ -25,6 +25,24 @@ TEST_CASE("a file that is not there is no finding") {
   CHECK(world.err == "directorc: cannot read `lamp.yaml`: No such file or directory\n");
 }
 
+TEST_CASE("a build or flags that cannot be read are told, also where no type is asked for") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: []\n");
+  CHECK(world.directorc({"check", "-p", "bulid", "lamp.yaml"}) == 2);
+  CHECK(world.out.empty());
+  CHECK(world.err == "directorc: cannot read `bulid/compile_commands.json`: No such file or directory; CMake writes it "
+                     "with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON\n");
+  CHECK(world.directorc({"generate", "lamp.yaml", "-o", "out", "--flags", "lamp.flags"}) == 2);
+  CHECK(world.err == "directorc: cannot read `lamp.flags`: No such file or directory\n");
+  CHECK(world.outputs.files.empty());
+  world.files.add("build/compile_commands.json", "{");
+  CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 0); // nobody looks into it
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\ncpp: {headers: [a.hpp]}\nroots: [Lamp]\n"
+                               "groups: {Lamp: {data: Level}}\n");
+  CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 2);
+  CHECK(world.err == "directorc: `build/compile_commands.json` is wrong: it is no JSON list\n");
+}
+
 TEST_CASE("an import that is not there is a finding") {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nimports: [bulb.yaml]\nroots: []\n");

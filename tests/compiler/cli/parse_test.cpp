@@ -37,6 +37,54 @@ TEST_CASE("help and version go to the output and are no mistake") {
   }
 }
 
+TEST_CASE("a file that is called - is the standard output, and a folder that is called so is refused") {
+  World world;
+  world.files.add("x.yaml", "behaviour: x\nlanguage: 1\nroots: [A]\ngroups: {A: {}}\n");
+  world.files.add("x.scenario.yaml", "behaviour: x.yaml\nsteps: [{request: A}]\n");
+  CHECK(world.directorc({"graph", "x.yaml"}) == 0);
+  const std::string picture = world.out;
+  CHECK(world.directorc({"graph", "x.yaml", "-o", "-"}) == 0);
+  CHECK(world.out == picture);
+  CHECK(world.directorc({"simulate", "x.scenario.yaml", "--trace", "t.jsonl"}) == 0);
+  const std::string trace = world.outputs.files["t.jsonl"];
+  world.files.add("t.jsonl", trace);
+  CHECK(world.directorc({"trace", "t.jsonl", "--to=json", "-o-"}) == 0);
+  CHECK(world.out == trace);
+  world.outputs.written.clear();
+  const auto refused = [&](const std::vector<std::string>& words) {
+    CHECK(world.directorc(words) == 2);
+    CHECK(world.out.empty());
+    return world.err;
+  };
+  const std::string no_folder =
+      "directorc: -o names a folder, and `-` is the standard output: a folder called so is `./-`\n";
+  CHECK(refused({"generate", "x.yaml", "-o", "-"}) == no_folder);
+  CHECK(refused({"docs", "x.yaml", "-o", "-"}) == no_folder);
+  CHECK(refused({"stubs", "x.yaml", "-o", "-"}) == no_folder);
+  CHECK(refused({"explore", "x.yaml", "-o", "-"}) == no_folder);
+  CHECK(refused({"graph", "x.scenario.yaml", "--frames", "-o", "-"}) == no_folder);
+  CHECK(refused({"simulate", "x.scenario.yaml", "--trace", "-"}) ==
+        "directorc: --trace names a file, and `-` is the standard output: a file called so is `./-`\n");
+  CHECK(refused({"generate", "x.yaml", "-o", "out", "--depfile", "-"}) ==
+        "directorc: --depfile names a file, and `-` is the standard output: a file called so is `./-`\n");
+  CHECK(world.outputs.written.empty());
+}
+
+TEST_CASE("a value without a letter in it is told") {
+  World world;
+  world.files.add("x.yaml", "behaviour: x\nlanguage: 1\nroots: []\n");
+  const auto told = [&](const std::vector<std::string>& words) {
+    CHECK(world.directorc(words) == 2);
+    CHECK(world.out.empty());
+    return world.err;
+  };
+  CHECK(told({"check", "x.yaml", "-p", ""}) == "directorc check: --build is empty\nTry `directorc check --help`.\n");
+  CHECK(told({"check", ""}) == "directorc check: FILE is empty\nTry `directorc check --help`.\n");
+  CHECK(told({"test", "a", ""}) == "directorc test: FILE is empty\nTry `directorc test --help`.\n");
+  CHECK(told({"check", "x.yaml", "--explain-reachable", ""}) ==
+        "directorc check: --explain-reachable is empty\nTry `directorc check --help`.\n");
+}
+
 TEST_CASE("a flag without a value does not take the next word") {
   World world;
   world.files.add("x.yaml", "behaviour: x\nlanguage: 1\nroots: []\n");

@@ -178,6 +178,27 @@ TEST_CASE("a scenario that cannot be written is told, and so is one that a body 
   CHECK(world.err == "directorc: `s.yaml`: it has changed meanwhile; run this again\n");
 }
 
+TEST_CASE("what a scenario says commands no terminal") {
+  World world = lamp("\"run \\e[31mLamp\"");
+  const std::string name = "s\x1B[1m.yaml";
+  world.files.add(name, "scenario: \"it \\e[31mshines\\nfails\"\nbehaviour: lamp.yaml\n"
+                        "steps:\n  - {request: {Lamp: {data: \"\\e[2J\"}}, expect: \"run \\e[31mLamp\"}\n");
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n  Lamp: {data: int}\n");
+  CHECK(world.directorc({"test", name}) == 1);
+  CHECK(world.out == R"(fails s\x1B[1m.yaml: it \x1B[31mshines\x0Afails
+s\x1B[1m.yaml:4:48: step 1: request {Lamp: {data: \x1B[2J}}
+    --- expected
+    +++ happened
+    @@ -1 +1 @@
+    -run \x1B[31mLamp
+    +run Lamp new_task
+)");
+  CHECK(world.directorc({"simulate", name}) == 0);
+  CHECK(world.out == "> request {Lamp: {data: \\x1B[2J}}\nrun Lamp new_task\n");
+  CHECK(world.directorc({"test", "no\x1B[1m.yaml"}) == 2);
+  CHECK(world.err == "directorc: cannot read `no\\x1B[1m.yaml`: No such file or directory\n");
+}
+
 TEST_CASE("a folder stands for the scenarios below it") {
   World world = lamp("run Lamp new_task");
   for (const char* path : {"a/s.scenario.yaml", "a/b/t.scenario.yaml"}) {
@@ -185,12 +206,20 @@ TEST_CASE("a folder stands for the scenarios below it") {
                               "lamp.yaml\nsteps:\n  - {request: Lamp, expect: run Lamp new_task}\n");
     world.outputs.files[path] = "";
   }
+  world.files.add("a/u.scenario.yml",
+                  "behaviour: ../lamp.yaml\nsteps:\n  - {request: Lamp, expect: run Lamp new_task}\n");
+  world.outputs.files["a/u.scenario.yml"] = "";
   world.outputs.files["a/lamp.yaml"] = "";
   world.outputs.files["c/lamp.yaml"] = "";
   CHECK(world.directorc({"test", "a/", "s.yaml"}) == 0);
-  CHECK(world.out == "holds a/b/t.scenario.yaml\nholds a/s.scenario.yaml\nholds s.yaml: it shines\n3 of 3 hold\n");
+  CHECK(world.out == "holds a/b/t.scenario.yaml\nholds a/s.scenario.yaml\nholds a/u.scenario.yml\nholds s.yaml: it "
+                     "shines\n4 of 4 hold\n");
+  world.outputs.files["a/secret/"] = ""; // as the disk tells of one that nobody may read
+  CHECK(world.directorc({"test", "a"}) == 2);
+  CHECK(world.out == "holds a/b/t.scenario.yaml\nholds a/s.scenario.yaml\nholds a/u.scenario.yml\n3 of 3 hold\n");
+  CHECK(world.err == "directorc: cannot look into `a/secret/`, where scenarios may be\n");
   CHECK(world.directorc({"test", "c"}) == 2);
-  CHECK(world.err == "directorc: there is no *.scenario.yaml in `c` or below it\n");
+  CHECK(world.err == "directorc: there is no *.scenario.yaml or *.scenario.yml in `c` or below it\n");
 }
 
 } // namespace

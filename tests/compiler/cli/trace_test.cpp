@@ -76,6 +76,20 @@ TEST_CASE("a trace as text is what simulate prints, with the inputs as they were
   CHECK(world.err.empty());
 }
 
+TEST_CASE("names in a trace command no terminal") {
+  World world = with_trace();
+  std::string text = trace_in(world);
+  for (std::size_t at = 0; (at = text.find("\"Explore\"", at)) != std::string::npos; at += 9)
+    text.replace(at, 9, "\"Ex\\u001b[2J\"");
+  world.files.add("other.jsonl", text);
+  CHECK(world.directorc({"trace", "other.jsonl"}) == 0);
+  CHECK(world.out.find("run Ex\\x1B[2J new_task\n") != std::string::npos);
+  CHECK(world.out.find('\x1B') == std::string::npos);
+  CHECK(world.directorc({"replay", "other.jsonl"}) == 1);
+  CHECK(world.out.find('\x1B') == std::string::npos);
+  CHECK(world.err.find('\x1B') == std::string::npos);
+}
+
 TEST_CASE("a trace as JSON is the trace") {
   World world = with_trace();
   CHECK(world.directorc({"trace", "run.jsonl", "--to=json"}) == 0);
@@ -132,6 +146,28 @@ TEST_CASE("of a trace that was cut off in its last line the rest is read") {
   CHECK(world.err == "cut.jsonl:" + std::to_string(lines) + ": note: the last line is cut off, and was left out\n");
   CHECK(world.directorc({"replay", "cut.jsonl"}) == 0);
   CHECK(world.out == "cut.jsonl: " + std::to_string(lines - 2) + " events, all the same\n");
+}
+
+TEST_CASE("a trace may end its lines as Windows does") {
+  World world = with_trace();
+  std::string text;
+  for (const char letter : trace_in(world)) text += letter == '\n' ? std::string("\r\n") : std::string(1, letter);
+  world.files.add("windows.jsonl", text);
+  CHECK(world.directorc({"replay", "windows.jsonl"}) == 0);
+  CHECK(world.err.empty());
+  CHECK(world.directorc({"trace", "windows.jsonl", "--to=json"}) == 0);
+  CHECK(world.out == trace_in(world));
+}
+
+TEST_CASE("a trace that nests without end is told with its line") {
+  World world = with_trace();
+  std::string deep = traced_line(trace_in(world), 1) + "\n";
+  for (int i = 0; i < 300'000; ++i) deep += "{\"a\":";
+  world.files.add("deep.jsonl", deep + "1" + std::string(300'000, '}') + "\n");
+  CHECK(world.directorc({"replay", "deep.jsonl"}) == 1);
+  CHECK(world.err == "deep.jsonl:2: error: this line cannot be read: it is no JSON object\n"
+                     "  help: expected is one JSON object a line, an event each, as a recorder writes them; the lines "
+                     "before are good: `head -n 1 deep.jsonl` prints them\n");
 }
 
 TEST_CASE("what is no trace is said with its line") {

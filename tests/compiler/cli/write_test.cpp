@@ -243,11 +243,49 @@ TEST_CASE("a folder or a pipe in the way is told, with status 2") {
   CHECK(read_file(folder.at("err")) == "directorc: cannot write `out`: a folder is in the way\n");
 }
 
+TEST_CASE("a folder may be called as files are") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  fs::create_directories(folder.at("walks.yaml"));
+  folder.write("walks.yaml/walk.scenario.yml",
+               "behaviour: ../bot.yaml\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
+  CHECK(directorc(folder, "test walks.yaml > out") == 0);
+  CHECK(read_file(folder.at("out")) == "holds walks.yaml/walk.scenario.yml\n");
+}
+
+TEST_CASE("a scenario that is a link to nothing is told, and other links are followed") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  fs::create_directories(folder.at("walks"));
+  folder.write("walks/walk.scenario.yaml",
+               "behaviour: ../bot.yaml\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
+  fs::create_directory_symlink("..", folder.at("walks/round"));
+  CHECK(directorc(folder, "test walks > out 2> err") == 0);
+  fs::create_symlink("nothing", folder.at("walks/gone.scenario.yaml"));
+  CHECK(directorc(folder, "test walks > out 2> err") == 2);
+  CHECK(read_file(folder.at("out")) == "holds walks/walk.scenario.yaml\n1 of 2 hold\n");
+  CHECK(read_file(folder.at("err")) ==
+        "directorc: cannot read `walks/gone.scenario.yaml`: No such file or directory\n");
+}
+
+TEST_CASE("a scenario that comes out of a pipe is read from its beginning") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  folder.write("walk",
+               "behaviour: " + folder.at("bot.yaml") + "\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
+  const std::string program = (binary_dir() / "bin/directorc").string();
+  const std::string command =
+      "cat '" + folder.at("walk") + "' | '" + program + "' test /dev/stdin > '" + folder.at("out") + "'";
+  CHECK(std::system(command.c_str()) == 0);
+  CHECK(read_file(folder.at("out")) == "holds /dev/stdin\n");
+}
+
 TEST_CASE("in a folder without anything there is nothing to test either") {
   const Folder folder;
   fs::create_directories(folder.at("empty/inner"));
   CHECK(directorc(folder, "test empty 2> err") == 2);
-  CHECK(read_file(folder.at("err")) == "directorc: there is no *.scenario.yaml in `empty` or below it\n");
+  CHECK(read_file(folder.at("err")) ==
+        "directorc: there is no *.scenario.yaml or *.scenario.yml in `empty` or below it\n");
 }
 
 TEST_CASE("what cannot be said ends with status 2, wherever it should have gone") {

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
+
 using director::compiler::Json;
 using director::compiler::to_line;
 using director::compiler::to_lines;
@@ -30,6 +32,21 @@ TEST_CASE("what was written is read again") {
   CHECK(director::compiler::parse_json(to_lines(json)) == json);
   CHECK_FALSE(director::compiler::parse_json("{\"a\": }"));
   CHECK_FALSE(director::compiler::parse_json("{} {}"));
+}
+
+TEST_CASE("what nests without end is no JSON, and numbers without end are the nearest that there are") {
+  using director::compiler::parse_json;
+  const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  CHECK(parse_json(nested(500)));
+  CHECK_FALSE(parse_json(nested(501)));
+  std::string objects;
+  for (int i = 0; i < 300'000; ++i) objects += "{\"a\":";
+  CHECK_FALSE(parse_json(objects + "1" + std::string(300'000, '}')));
+  CHECK(parse_json("[\"" + std::string(1000, '[') + "\\\"\", \"" + std::string(1000, '{') + "\"]"));
+  CHECK(parse_json("99999999999999999999")->as_number() == std::numeric_limits<std::int64_t>::max());
+  CHECK(parse_json("9223372036854775808")->as_number() == std::numeric_limits<std::int64_t>::max());
+  CHECK(parse_json("-1e30")->as_number() == std::numeric_limits<std::int64_t>::min());
+  CHECK(parse_json("-9223372036854775808")->as_number() == std::numeric_limits<std::int64_t>::min());
 }
 
 TEST_CASE("a list of texts") {

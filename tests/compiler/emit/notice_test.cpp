@@ -21,6 +21,7 @@ TEST_CASE("the notice is one line, whatever the file is called") {
 
 TEST_CASE("text gets the notice above it, XML behind its own first line") {
   CHECK(with_notice("b.yaml", "%% ", "flowchart\n") == "%% " + words("b.yaml") + "\nflowchart\n");
+  CHECK(html_notice("a--><b>.yaml") == "<!-- " + words("a- -><b>.yaml") + " -->");
   CHECK(svg_with_notice("b.yaml", "<svg/>") == "<!-- " + words("b.yaml") + " -->\n<svg/>");
   CHECK(svg_with_notice("a--->b.yaml", "<?xml version=\"1.0\"?>\n<svg/>\n") ==
         "<?xml version=\"1.0\"?>\n<!-- " + words("a- - ->b.yaml") + " -->\n<svg/>\n");

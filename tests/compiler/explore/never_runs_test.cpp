@@ -66,8 +66,8 @@ TEST_CASE("of many requests that never succeed some are noted, and how many more
   CHECK(messages(never) == std::vector<std::string>{"`Head` never runs for `Play`, whatever happens"});
   const std::vector<dsl::Note>& notes = never.findings.at(0).notes;
   REQUIRE(notes.size() == 8);
-  CHECK(notes[5].message == "`Head` is requested here too");
-  CHECK(notes[6].message == "and 52 more of such notes, from here on");
+  CHECK(notes[6].message == "`Head` is requested here too");
+  CHECK(notes[7].message == "and 52 more of such notes, from here on");
 }
 
 TEST_CASE("a task that runs for others is told of at the entry where it never does") {

@@ -40,6 +40,12 @@ TEST_CASE("compile_commands.json with commands and with arguments") {
         "an entry needs `directory`, `file`, and `command` or `arguments`");
 }
 
+TEST_CASE("response files that name themselves many times come to an end") {
+  director::dsl::MemoryFiles files;
+  files.add("/b/a.rsp", "@a.rsp @a.rsp @a.rsp @a.rsp @a.rsp @a.rsp @a.rsp @a.rsp");
+  CHECK(with_response_files({"g++", "@a.rsp"}, "/b", files).size() < 20'000);
+}
+
 TEST_CASE("words of response files stand in their place, and what cannot be read stays") {
   director::dsl::MemoryFiles files;
   files.add("/b/a.rsp", "-DA '-DB=b c'\r\n@sub/c.rsp");

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -190,6 +191,8 @@ TEST_CASE("the time stands before a line in seconds") {
   CHECK(std::string(time_text(0, buffer)) == "[    0.000000] ");
   CHECK(std::string(time_text(1'500'007, buffer)) == "[    1.500007] ");
   CHECK(std::string(time_text(1'000'000'000'000'000, buffer)) == "[1000000000.000000] ");
+  CHECK(std::string(time_text(-5, buffer)) == "[   -0.000005] ");
+  CHECK(std::string(time_text(std::numeric_limits<Time>::min(), buffer)) == "[-9223372036854.775808] ");
 }
 
 TEST_CASE("each word of an event has a name of its own") {

@@ -47,8 +47,19 @@ TEST_CASE("of many notes the first ones and the last one are kept, and how many 
   shorten(notes, 3);
   REQUIRE(notes.size() == 3);
   CHECK(notes[0].message == "one");
-  CHECK(notes[1].message == "and 2 more of such notes, from here on");
+  CHECK(notes[1].message == "and 2 more of such notes, before the last one");
   CHECK(notes[2].message == "four");
+}
+
+TEST_CASE("of many notes of a list the first ones are kept, and behind them stands how many more there are") {
+  std::vector<dsl::Note> notes{{{}, "one"}, {{}, "two"}, {{}, "three"}, {{}, "four"}};
+  shorten_list(notes, 4);
+  CHECK(notes.size() == 4);
+  shorten_list(notes, 3);
+  REQUIRE(notes.size() == 3);
+  CHECK(notes[0].message == "one");
+  CHECK(notes[1].message == "two");
+  CHECK(notes[2].message == "and 2 more of such notes, from here on");
 }
 
 } // namespace
