@@ -6,9 +6,7 @@
 
 namespace director {
 
-namespace part {
-const char handlers = 0;
-}
+const char part::handlers = 0;
 
 void Engine::end_what_it_has(Index group) {
   for (const Index state : x_.t.list(x_.t.groups[group].owned)) {

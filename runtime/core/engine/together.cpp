@@ -8,9 +8,7 @@
 
 namespace director {
 
-namespace part {
-const char together = 0;
-}
+const char part::together = 0;
 
 void link(std::span<Input> records) {
   for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
