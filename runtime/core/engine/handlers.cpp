@@ -89,8 +89,6 @@ void Engine::set_by_handler(Index state, std::int32_t value) {
 
 // What a handler sees and asks for.
 
-Time Handling::now() const { return engine_.now(); }
-
 DataPlace Handling::data() const { return engine_.data_of(group_); }
 
 void Handling::set(Index state, std::int32_t value) {
