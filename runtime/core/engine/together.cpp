@@ -17,7 +17,7 @@ void link(std::span<Input> records) {
 /// The writer published it before the first one.
 const Input* Inbox::take_more() {
   if (!by_slot_) return take_cell() ? &record_ : nullptr;
-  OverflowSlot* const next = first_of(taken_);
+  OverflowSlot* const next = first_of(given_->in_hand().ticket);
   if (next != nullptr) give(*next);
   return next != nullptr ? &record_ : nullptr;
 }
