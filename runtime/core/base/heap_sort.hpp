@@ -5,28 +5,25 @@
 
 #include "runtime/core/base/tables.hpp"
 
+#include <utility>
+
 namespace director {
 
 namespace detail {
 
 template <class GoesFirst>
 void sort_by_heap(std::span<Index> rows, GoesFirst&& goes_first) {
-  const auto swap = [&](std::size_t a, std::size_t b) {
-    const Index moved = rows[a];
-    rows[a] = rows[b];
-    rows[b] = moved;
-  };
   const auto sink = [&](std::size_t at, std::size_t end) {
     for (std::size_t child = 2 * at + 1; child < end; child = 2 * at + 1) {
       if (child + 1 < end && goes_first(rows[child], rows[child + 1])) ++child;
       if (!goes_first(rows[at], rows[child])) return;
-      swap(at, child);
+      std::swap(rows[at], rows[child]);
       at = child;
     }
   };
   for (std::size_t i = rows.size() / 2; i-- > 0;) sink(i, rows.size());
   for (std::size_t end = rows.size(); end-- > 1;) {
-    swap(0, end);
+    std::swap(rows[0], rows[end]);
     sink(0, end);
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Marks that one pass makes on edges, groups and conditions, and the one test that everybody needs.
+// Bits that passes note on edges, groups, conditions and providers.
 
 #include "runtime/core/base/state.hpp"
 #include "runtime/core/base/tables.hpp"

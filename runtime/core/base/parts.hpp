@@ -31,8 +31,8 @@ inline constexpr Index most_decided_whole = sizeof(void*) < 8 ? 32 : 16;
 
 using Parts = std::array<const char*, 17>;
 
-/// What these tables use. `data`: some task has data.
-constexpr Parts parts_of(const Tables& t, bool data) {
+/// What these tables use. `data`: some task has data. `all`: whatever the tables are.
+constexpr Parts parts_of(const Tables& t, bool data, bool all = false) {
   const auto any = [](const auto& rows, auto has) {
     for (const auto& row : rows) {
       if (has(row)) return true;
@@ -46,11 +46,12 @@ constexpr Parts parts_of(const Tables& t, bool data) {
   const bool search = t.most_edges > 1 || equals;
   const bool optional = any(t.levels, [](const Level& row) { return row.optional; });
   const bool trail = any(t.components, [](const Component& row) { return row.groups.size() > most_decided_whole; });
-  const bool handlers = any(t.groups, [](const Group& row) { return row.start || row.stop || !row.owned.empty(); }) ||
-                        any(t.providers, [](const Provider& row) { return row.every != 0; });
-  const bool timers = !t.promises.empty() || any(t.providers, [](const Provider& row) { return row.every != 0; }) ||
-                      any(t.states, [](const StateVariable& row) { return row.expires != 0; });
-  const auto use = [](bool used, const char& name) { return used ? &name : nullptr; };
+  const bool periods = any(t.providers, [](const Provider& row) { return row.every != 0; });
+  const bool handlers =
+      periods || any(t.groups, [](const Group& row) { return row.start || row.stop || !row.owned.empty(); });
+  const bool timers =
+      periods || !t.promises.empty() || any(t.states, [](const StateVariable& row) { return row.expires != 0; });
+  const auto use = [all](bool used, const char& name) { return used || all ? &name : nullptr; };
   return {use(requests, part::units),
           use(shared, part::staleness),
           use(shared || pushes, part::plans),

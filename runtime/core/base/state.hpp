@@ -296,7 +296,7 @@ struct State {
     visit(s.counters, 1);
     visit(s.request, n.edges), visit(s.due, n.timers()), visit(s.soonest, n.timers());
     visit(s.values, n.states), visit(s.handler_values, n.states), visit(s.handled, n.states);
-    each_of(s.last, n, visit);
+    visit(s.last.group, n.groups), visit(s.last.plan, n.plan_slots);
     visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
     visit(s.first_root, n.components), visit(s.next_root, n.edges);
     visit(s.run_queue, n.groups), visit(s.data_from, n.groups);
@@ -307,7 +307,7 @@ struct State {
     scratch();
     visit(s.cost, n.conditions), visit(s.cost_at, n.conditions), visit(s.cost_plan, n.conditions);
     visit(s.cost_next, n.conditions);
-    each_of(s.now, n, visit);
+    visit(s.now.group, n.groups), visit(s.now.plan, n.plan_slots);
     visit(s.own, n.pushable), visit(s.first, n.pushable), visit(s.touched, n.groups), visit(s.staged, n.states);
     visit(s.anew, n.edges), visit(s.asked, n.edges);
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.first_moved, n.components);
@@ -350,18 +350,6 @@ struct State {
 
 private:
   static constexpr std::size_t aligned(std::size_t at, std::size_t to) { return (at + to - 1) / to * to; }
-
-  /// Where an array may begin.
-  template <class T>
-  static constexpr std::size_t begin_of(std::size_t at) {
-    constexpr std::size_t even = sizeof(T) & (~sizeof(T) + 1); // the largest power of 2 that divides it
-    return aligned(at, even < alignment ? even : alignment);
-  }
-
-  template <class Visit>
-  static constexpr void each_of(auto& a, const Shape& n, Visit&& visit) {
-    visit(a.group, n.groups), visit(a.plan, n.plan_slots);
-  }
 };
 
 constexpr State::Layout State::layout(const Shape& shape) {
@@ -371,7 +359,8 @@ constexpr State::Layout State::layout(const Shape& shape) {
   each(
       none, shape,
       [&]<class T>(T*&, std::size_t count) {
-        at = begin_of<T>(at);
+        constexpr std::size_t even = sizeof(T) & (~sizeof(T) + 1); // the largest power of 2 that divides it
+        at = aligned(at, even < alignment ? even : alignment);
         out.begin[row++] = static_cast<std::uint32_t>(at);
         at += count * sizeof(T);
       },

@@ -5,9 +5,7 @@
 
 namespace director {
 
-namespace part {
-const char data = 0;
-}
+const char part::data = 0;
 
 bool Engine::take_request_with_data(const Input& record) {
   if (record.more || !asks_again(record.thing, record.level())) return take_requests(record);

@@ -85,8 +85,8 @@ DataPlace Engine::data_of(Index group) const {
 
 Time Run::now() const { return engine_.now(); }
 RunState Run::state(Index edge) const { return engine_.state(edge); }
-bool Run::done(Index edge) const { return engine_.done(edge); }
-bool Run::failed(Index edge) const { return engine_.failed(edge); }
+bool Run::done(Index edge) const { return engine_.said(edge, result::done); }
+bool Run::failed(Index edge) const { return engine_.said(edge, result::failed); }
 DataPlace Run::data() const { return engine_.data_of(group_); }
 
 void Run::set(Index state, std::int32_t value) {

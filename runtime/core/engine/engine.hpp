@@ -95,9 +95,7 @@ public:
   // What holds between steps.
   std::int32_t value(Index state) const { return x_.s.values[state].value; }
   bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; }
-  RunState state(Index edge) const;                                ///< of a request: running, queued or none
-  bool done(Index edge) const { return said(edge, result::done); } ///< or failed; only while it runs
-  bool failed(Index edge) const { return said(edge, result::failed); }
+  RunState state(Index edge) const;                                   ///< of a request: running, queued or none
   Index holder(Index group) const { return x_.s.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
   Index active(Index group) const { return x_.s.last[group].active; } ///< provider, or nil
   bool granted(Index group) const { return (x_.s.last[group].flags & flag::granted) != 0; }

@@ -6,9 +6,7 @@
 
 namespace director {
 
-namespace part {
-const char handlers = 0;
-}
+const char part::handlers = 0;
 
 void Engine::end_what_it_has(Index group) {
   for (const Index state : x_.t.list(x_.t.groups[group].owned)) {
@@ -90,8 +88,6 @@ void Engine::set_by_handler(Index state, std::int32_t value) {
 }
 
 // What a handler sees and asks for.
-
-Time Handling::now() const { return engine_.now(); }
 
 DataPlace Handling::data() const { return engine_.data_of(group_); }
 

@@ -191,7 +191,6 @@ private:
       0};                              ///< not 0: a record in a slot, or a loss, that the reader has not seen may wait
   std::atomic<std::uint32_t> lost_{0}; ///< inputs so far
   Index in_hand_ = 0;                  ///< slots with a place held that was not taken
-  std::uint32_t taken_ = 0;            ///< ticket of the input that was taken last
   OverflowSlot* given_ = nullptr;      ///< the slot whose place was given out, until the next one is asked for
 };
 

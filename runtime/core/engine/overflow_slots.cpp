@@ -102,9 +102,8 @@ void Inbox::give(OverflowSlot& slot) {
   if (given_ != nullptr) let_go(*given_);
   given_ = &slot;
   --in_hand_;
-  taken_ = slot.in_hand().ticket;
   record_ = slot.in_hand().input;
-  if (record_.more) record_.more = first_of(taken_) != nullptr;
+  if (record_.more) record_.more = first_of(slot.in_hand().ticket) != nullptr;
 }
 
 void Inbox::let_go(OverflowSlot& slot) {

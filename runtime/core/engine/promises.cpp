@@ -5,9 +5,7 @@
 
 namespace director {
 
-namespace part {
-const char promises = 0;
-}
+const char part::promises = 0;
 
 /// With its first run on a push its promises begin.
 void Engine::take_promises(Index group) {

@@ -79,8 +79,7 @@ class Handling {
 public:
   Index group() const { return group_; }
   Reasons reasons() const { return reasons_; } ///< started or stopped
-  Time now() const;
-  DataPlace data() const; ///< of the task that the group was given last
+  DataPlace data() const;                      ///< of the task that the group was given last
   void set(Index state, std::int32_t value);
   void refuse(Index state, std::int32_t value);
   void fault() { faulted_ = true; } ///< the handler threw

@@ -5,9 +5,7 @@
 
 namespace director {
 
-namespace part {
-const char several = 0;
-}
+const char part::several = 0;
 
 /// What a run asks of other groups takes effect.
 void Engine::commit_pack(Range edges) {

@@ -5,9 +5,7 @@
 
 namespace director {
 
-namespace part {
-const char states = 0;
-}
+const char part::states = 0;
 
 void Engine::preset(Index state, std::int32_t value) {
   x_.s.values[state].value = value;

@@ -5,9 +5,7 @@
 
 namespace director {
 
-namespace part {
-const char timers = 0;
-}
+const char part::timers = 0;
 
 Timers::Timer Timers::take_first() {
   const Index index = soonest(1);

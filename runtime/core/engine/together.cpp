@@ -8,9 +8,7 @@
 
 namespace director {
 
-namespace part {
-const char together = 0;
-}
+const char part::together = 0;
 
 void link(std::span<Input> records) {
   for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
@@ -19,7 +17,7 @@ void link(std::span<Input> records) {
 /// The writer published it before the first one.
 const Input* Inbox::take_more() {
   if (!by_slot_) return take_cell() ? &record_ : nullptr;
-  OverflowSlot* const next = first_of(taken_);
+  OverflowSlot* const next = first_of(given_->in_hand().ticket);
   if (next != nullptr) give(*next);
   return next != nullptr ? &record_ : nullptr;
 }

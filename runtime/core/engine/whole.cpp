@@ -7,12 +7,8 @@ namespace director {
 
 namespace {
 
-[[gnu::used]] const Parts all{&part::units,      &part::staleness, &part::plans,   &part::limbo,  &part::order,
-                              &part::conditions, &part::pushes,    &part::equals,  &part::search, &part::optional,
-                              &part::trail,      &part::timers,    &part::several, &part::states, &part::handlers,
-                              &part::promises,   &part::data};
-
-[[gnu::used]] const char* const together = &part::together;
+[[gnu::used]] constexpr Parts all = parts_of({}, true, true);
+[[gnu::used]] constexpr const char* together = &part::together;
 
 } // namespace
 

@@ -9,18 +9,16 @@ namespace director {
 
 View view_of(const Engine& engine) {
   const State& memory = engine.memory();
-  View out;
-  out.tables = &engine.tables();
-  out.now = engine.now();
-  out.micro_step = engine.micro_steps();
-  out.values = memory.values;
-  out.request = memory.request;
-  out.assignment = memory.last.group;
-  out.queued_edge = memory.queued;
-  out.run_queue = memory.run_queue;
-  out.enabled = memory.enabled;
-  out.lost = engine.lost();
-  return out;
+  return {.tables = &engine.tables(),
+          .now = engine.now(),
+          .micro_step = engine.micro_steps(),
+          .lost = engine.lost(),
+          .request = memory.request,
+          .values = memory.values,
+          .assignment = memory.last.group,
+          .queued_edge = memory.queued,
+          .run_queue = memory.run_queue,
+          .enabled = memory.enabled};
 }
 
 RunState View::state(Index edge) const {
@@ -42,13 +40,11 @@ Holding View::holding(Index group) const {
 
 View View::copy(std::byte* buffer) const {
   View out = *this;
-  std::size_t at = 0;
   out.each(Shape::of(*tables), [&]<class T>(const T*& array, std::size_t count) {
-    at = aligned<T>(at);
-    T* const to = reinterpret_cast<T*>(buffer + at); // the buffer's bytes become these arrays
+    T* const to = reinterpret_cast<T*>(buffer); // the buffer's bytes become these arrays
     for (std::size_t i = 0; i < count; ++i) to[i] = array[i];
     array = to;
-    at += count * sizeof(T);
+    buffer += count * sizeof(T);
   });
   return out;
 }

@@ -48,13 +48,13 @@ public:
 private:
   /// One group of a choice in the making: the target, then what is needed, depth first.
   struct Entry {
-    Index group = nil;
     Index edge = nil; ///< that would claim it
     Index provider = nil;
     const Entry* needer = nullptr; ///< null: it is the target
     Index place = 0;               ///< of the need among those of its needer
     const Entry* before = nullptr; ///< the entry made before this one
   };
+  static bool all(const Entry&) { return true; }
 
   Index target(Index edge) const { return t_.edges[edge].target; }
   Index requester(Index edge) const { return v_.is_limbo(edge) ? nil : t_.edges[edge].requester; }
@@ -121,39 +121,37 @@ private:
     return requester(edge) == nil || level.optional || level.apart;
   }
 
-  /// Calls found(member) for the request and then for the others of its unit, until it says true.
+  /// Calls found(member) for the request and then for the others of its unit, until it says true: that is the member.
   template <class Found>
-  bool any_member(Index edge, Found found) const {
-    if (found(edge)) return true;
-    if (alone(edge)) return false;
-    const Range siblings = t_.groups[requester(edge)].edges;
-    for (Index e = siblings.begin; e != siblings.end; ++e) {
-      if (e != edge && v_.requested(e) && !alone(e) && found(e)) return true;
+  bool any_member(Because& out, Found found) const {
+    if (found(out.edge)) return true;
+    const Range siblings = alone(out.edge) ? Range{} : t_.groups[requester(out.edge)].edges;
+    Index& e = out.member;
+    for (e = siblings.begin; e != siblings.end; ++e) {
+      if (e != out.edge && v_.requested(e) && !alone(e) && found(e)) return true;
     }
+    out.member = out.edge;
     return false;
   }
 
-  /// The group is about to run for a task that is new, or for nobody any more.
+  /// The group, or the first one above it that is granted, is about to run for a task that is new, or nobody asks for
+  /// it any more, or somewhere above one is only kept for an heir: what stands below limbo is compared by no rule that
+  /// would say anything to people.
   bool orders_change(Index group) const {
-    for (; group != nil; group = requester(v_.holder(group))) {
-      if (v_.holder(group) == nil || v_.is_limbo(v_.holder(group))) return true;
-      if (v_.granted(group)) return (v_.run_queue[group].pending & reason::outdating) != 0;
+    for (bool granted = false; group != nil; group = requester(v_.holder(group))) {
+      const Index holder = v_.holder(group);
+      if (holder == nil) return !granted;
+      if (v_.is_limbo(holder)) return true;
+      if (!granted && v_.granted(group) && (v_.run_queue[group].pending & reason::outdating) != 0) return true;
+      granted = granted || v_.granted(group);
     }
     return false;
-  }
-
-  /// Somewhere above, the group is only kept for an heir. What stands below limbo is compared by no rule that would say
-  /// anything to people.
-  bool hangs_on_limbo(Index group) const {
-    while (group != nil && v_.holder(group) != nil && !v_.is_limbo(v_.holder(group)))
-      group = requester(v_.holder(group));
-    return group != nil && v_.holder(group) != nil;
   }
 
   void explain(Because& out) {
     const Queued queued = v_.queued(out.edge);
     out.kind = Kind::outdated;
-    if (orders_change(requester(out.edge)) || hangs_on_limbo(requester(out.edge))) return;
+    if (orders_change(requester(out.edge))) return;
     switch (queued.why) {
     case Why::waiting: return waits(out, queued.condition);
     case Why::deferred: out.kind = Kind::deferred; return;
@@ -166,12 +164,8 @@ private:
   void waits(Because& out, Index condition) {
     out.kind = Kind::condition;
     out.condition = condition;
-    const auto found = [&](Index member) {
-      out.member = member;
-      out.group = target(member);
-      return has_condition(member, condition, out.provider);
-    };
-    if (!any_member(out.edge, found)) out.member = out.edge, out.group = target(out.edge);
+    any_member(out, [&](Index member) { return has_condition(member, condition, out.provider); });
+    out.group = target(out.member);
     for (const Index causer : causers(t_, condition)) {
       if (v_.enabled[causer] == 0) continue;
       out.causer = causer;
@@ -192,26 +186,16 @@ private:
       }
       return false;
     };
-    return any_choice(
-        member, [](const Entry&) { return true; }, has);
+    return any_choice({.edge = member}, all, has);
   }
 
   void blocked(Because& out) {
-    const bool disabled = any_member(out.edge, [&](Index member) {
-      out.member = member;
-      return !has_choice(member, out.group);
-    });
-    if (disabled) {
+    if (any_member(out, [&](Index member) { return !has_choice(member, out.group); })) {
       out.kind = Kind::no_provider;
       return;
     }
-    const bool held = any_member(out.edge, [&](Index member) {
-      out.member = member;
-      return is_held(member, out.group, out.provider);
-    });
-    if (!held) {
+    if (!any_member(out, [&](Index member) { return is_held(member, out.group, out.provider); })) {
       out.kind = Kind::together;
-      out.member = out.edge;
       return;
     }
     out.kind = out.provider == nil ? Kind::lost : Kind::need_held;
@@ -219,17 +203,12 @@ private:
     goes_first(out.holder, out.member, out.rivalry);
   }
 
-  /// Goes through the choices for the target of `member` whose providers are enabled, in order; what is not accepted is
-  /// not gone into. True as soon as found(last entry) says so of a whole one. Calls itself once for each group of a
-  /// choice: the entries lie on the stack.
+  /// Goes through the choices for the target of a member, its entry, whose providers are enabled, in order; what is not
+  /// accepted is not gone into. True as soon as found(last entry) says so of a whole one. Calls itself once for each
+  /// group of a choice: the entries lie on the stack.
   template <class Accept, class Found>
-  bool any_choice(Index member, Accept accept, Found found) const {
-    return any_provider({.group = target(member), .edge = member}, accept, found);
-  }
-
-  template <class Accept, class Found>
-  bool any_provider(Entry entry, Accept& accept, Found& found) const {
-    const Range providers = t_.groups[entry.group].providers;
+  bool any_choice(Entry entry, const Accept& accept, const Found& found) const {
+    const Range providers = t_.groups[target(entry.edge)].providers;
     for (entry.provider = providers.begin; entry.provider != providers.end; ++entry.provider) {
       if (v_.enabled[entry.provider] != 0 && accept(entry) && any_extension(entry, accept, found)) return true;
     }
@@ -237,7 +216,7 @@ private:
   }
 
   template <class Accept, class Found>
-  bool any_extension(const Entry& last, Accept& accept, Found& found) const {
+  bool any_extension(const Entry& last, const Accept& accept, const Found& found) const {
     Entry next{.needer = &last, .before = &last};
     while (next.place >= t_.providers[next.needer->provider].needs.size()) {
       next.place = static_cast<Index>(next.needer->place + 1);
@@ -245,11 +224,10 @@ private:
       if (next.needer == nullptr) return found(last);
     }
     next.edge = t_.list(t_.providers[next.needer->provider].needs)[next.place];
-    next.group = target(next.edge);
     for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
-      if (entry->group == next.group) return false; // it cannot be held for two purposes
+      if (target(entry->edge) == target(next.edge)) return false; // it cannot be held for two purposes
     }
-    return any_provider(next, accept, found);
+    return any_choice(next, accept, found);
   }
 
   /// Else `lacks` is the first group found without an enabled provider, or the target.
@@ -264,18 +242,16 @@ private:
       }
       return true;
     };
-    return any_choice(member, accept, [](const Entry&) { return true; });
-  }
-
-  bool in_the_way(Index group, Index edge, Index member) const {
-    const Index holder = v_.holder(group);
-    return holder != nil && holder != edge && stands_in_the_way(holder, member);
+    return any_choice({.edge = member}, accept, all);
   }
 
   /// In every choice something is: what it is in the first one, and which provider needs it (nil: it is the target).
   bool is_held(Index member, Index& group, Index& provider) const {
     group = provider = nil;
-    const auto held = [&](const Entry& entry) { return in_the_way(entry.group, entry.edge, member); };
+    const auto held = [&](const Entry& entry) {
+      const Index holder = v_.holder(target(entry.edge));
+      return holder != nil && holder != entry.edge && stands_in_the_way(holder, member);
+    };
     const auto accept = [&](const Entry& entry) { return group == nil || !held(entry); };
     const auto found = [&](const Entry& last) {
       const Entry* first = nullptr;
@@ -283,11 +259,11 @@ private:
         if (held(*entry)) first = entry;
       }
       if (first == nullptr) return true;
-      group = first->group;
+      group = target(first->edge);
       provider = first->needer == nullptr ? nil : first->needer->provider;
       return false;
     };
-    return !any_choice(member, accept, found);
+    return !any_choice({.edge = member}, accept, found);
   }
 
   const View& v_;

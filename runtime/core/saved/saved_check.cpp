@@ -40,7 +40,6 @@ public:
 private:
   GroupRow row_of(Index group) const { return read<GroupRow>(from_ + at_.groups, group); }
   EdgeRow request(Index edge) const { return read<EdgeRow>(from_ + at_.edges, edge); }
-  Index planned_in(Index slot) const { return read<PlanRow>(from_ + at_.plan, slot).provider; }
 
   /// Or nil.
   bool provider_of(Index group, Index provider) const {
@@ -103,37 +102,26 @@ private:
     return false;
   }
 
-  /// The way of arbitration::entries_of, with an eye on its end: no plan has more entries than there are groups.
+  /// No plan has more entries than there are groups.
   bool has_its_plan(Index g) const {
-    const Index planned = row_of(g).planned;
-    if (planned == nil) return true;
-    Index end = 0;
-    for (Index parent = nil;;) {
-      Index place = 0, owner = parent;
-      const auto needer = [&] { return owner == nil ? planned : s_.entry[owner].provider; };
-      while (place >= t_.providers[needer()].needs.size()) {
-        if (owner == nil) return true;
-        place = static_cast<Index>(s_.entry[owner].place + 1);
-        owner = s_.entry[owner].parent;
+    Index provider = row_of(g).planned, end = 0;
+    if (provider == nil) return true;
+    for (Index next = 0;; provider = s_.reach[next++]) {
+      for (const Index need : t_.list(t_.providers[provider].needs)) {
+        if (end == t_.groups.size()) return false;
+        s_.reach[end] = picked_in_plan(g, t_.edges[need].target);
+        if (s_.reach[end++] == nil) return false;
       }
-      if (end == t_.groups.size()) return false;
-      const Index needed = t_.edges[t_.list(t_.providers[needer()].needs)[place]].target;
-      const Index slot = slot_of(g, needed);
-      const Index provider = slot == nil ? t_.groups[needed].providers.begin : planned_in(slot);
-      if (provider == nil) return false;
-      s_.entry[end].provider = provider;
-      s_.entry[end].parent = owner;
-      s_.entry[end].place = place;
-      parent = end++;
+      if (next == end) return true;
     }
   }
 
-  Index slot_of(Index owner, Index group) const {
+  Index picked_in_plan(Index owner, Index group) const {
     const Range slots = t_.groups[owner].slots;
     for (Index slot = slots.begin; slot != slots.end; ++slot) {
-      if (t_.plan_groups[slot] == group) return slot;
+      if (t_.plan_groups[slot] == group) return read<PlanRow>(from_ + at_.plan, slot).provider;
     }
-    return nil;
+    return t_.groups[group].providers.begin;
   }
 
   /// Those that have a place stand in a row: as many as the highest place says, no two in one.

@@ -6,10 +6,9 @@
 // which has to be empty, what was lost so far, budgets, counters of work, and the observer; those of the engine that
 // loads stay as they are.
 //
-// Whatever the bytes are, reading them is safe: the check sum finds what was damaged by chance, the fingerprint finds
-// the state of another behaviour, and besides every number is compared with the tables before anything is changed
-// (saved_check.cpp), so that a state made by hand with a right check sum can make the engine decide what it would not
-// have decided, but never read or write elsewhere, and never go round without end.
+// Whatever the bytes are, reading them is safe: behind a check sum and the behaviour's fingerprint every number is
+// compared with the tables before anything is changed (saved_check.cpp). A state made by hand can make the engine
+// decide what it would not have decided, but never read or write elsewhere, and never go round without end.
 
 #include "runtime/core/saved/saved_rows.hpp"
 
