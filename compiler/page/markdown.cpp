@@ -1,6 +1,7 @@
 // Header: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/and_list.hpp"
+#include "compiler/base/html.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/page/relations.hpp"
 #include "compiler/page/words.hpp"
@@ -73,7 +74,7 @@ public:
     add_assertions();
     add_findings();
     while (out_.ends_with("\n\n")) out_.pop_back();
-    return html_notice(input_.file) + "\n" + out_;
+    return without_controls(html_notice(input_.file) + "\n" + out_);
   }
 
 private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A layer is a subgraph, and so is a group with several providers. Their ids are places: names may be words of Mermaid.
+#include "compiler/base/html.hpp"
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
@@ -211,6 +212,8 @@ private:
 
 } // namespace
 
-std::string mermaid(const Picture& picture, const PictureLinks& links) { return Mermaid(picture, links).draw(); }
+std::string mermaid(const Picture& picture, const PictureLinks& links) {
+  return without_controls(Mermaid(picture, links).draw());
+}
 
 } // namespace director::compiler
