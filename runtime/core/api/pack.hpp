@@ -69,18 +69,22 @@ template <class Task, class... Given>
 inline constexpr bool given = detail::times<Task, Given...> > 0;
 
 /// Asks for one task of a pack. False: it has not the level that was named.
-template <class Pack, class Data, class Given>
-bool ask_for(Run& run, Data& data, Given& request) {
-  using Task = TaskOf<Given>;
+template <class Pack, class Data, class Task>
+bool ask_for(Run& run, Data& data, Task& request, bool kept = false) {
   using Member = typename Pack::template For<Task>;
-  TaskBase<Task>& task = detail::Given<Given>::task(request);
+  TaskBase<Task>& task = request;
   const Index row = Member::row(task.level);
   if (row == nil) return false;
-  const bool anew = run.request(Member::edge, row, detail::Given<Given>::kept);
+  const bool anew = run.request(Member::edge, row, kept);
   if constexpr (has_data<Task>) {
     if (anew) data.template of<Task>().stage(Member::place, std::move(task.data));
   }
   return true;
+}
+
+template <class Pack, class Data, class Task>
+bool ask_for(Run& run, Data& data, Kept<Task>& request) {
+  return ask_for<Pack>(run, data, request.task, true);
 }
 
 /// Asks for everything that is given and for nothing else. A level that the requester does not declare for a task is a

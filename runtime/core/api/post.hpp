@@ -117,17 +117,15 @@ public:
   template <class Trigger>
   [[nodiscard]] bool fire() const {
     static_assert(Facts::Triggers::template has<Trigger>, "this is not a trigger of the behaviour");
-    const Input input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>};
-    return send({&input, 1});
+    return send(std::array{Input{.kind = Input::Kind::fire, .thing = Facts::Triggers::template row<Trigger>}});
   }
 
   /// A provider that is not enabled does not run. `enable<soccer::Walk::Halting>(false)`
   template <class Provider>
   [[nodiscard]] bool enable(bool enabled) const {
     static_assert(Facts::Providers::template has<Provider>, "this is not a provider of the behaviour");
-    const Input input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
-                      .thing = Facts::Providers::template row<Provider>};
-    return send({&input, 1});
+    return send(std::array{Input{.kind = enabled ? Input::Kind::enable : Input::Kind::disable,
+                                 .thing = Facts::Providers::template row<Provider>}});
   }
 
   // By number, for whoever meets names only while the program runs, such as a bridge to other processes.

@@ -5,7 +5,7 @@
 // way of requesting it, and that of its group, each as a byte that says whether it is full and the bytes of the value.
 // `Facts`: see program.hpp; and fingerprint(), a number that tells the behaviour from others.
 
-#include "runtime/core/api/task.hpp"
+#include "runtime/core/api/slots.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/core/saved/saved_state.hpp"
 
@@ -13,7 +13,7 @@ namespace director::saved {
 
 /// Calls visit.template operator()<Task, row>() for each task with data.
 template <class... Tasks, Index... rows, class Visit>
-constexpr void each_task(Table<Row<Tasks, rows>...>*, Visit&& visit) {
+constexpr void each_task(Table<Row<Tasks, rows>...>, Visit&& visit) {
   const auto look = [&]<class Task, Index row>() {
     if constexpr (has_data<Task>) visit.template operator()<Task, row>();
   };
@@ -26,15 +26,9 @@ constexpr auto& slots_of(auto& data) {
   return data.template of<Task>();
 }
 
-/// Calls visit(slot) for each slot of the data that last, of all tasks.
-template <class Facts, class Visit>
-void each_slot(auto& data, Visit&& visit) {
-  each_task(static_cast<typename Facts::Groups*>(nullptr),
-            [&]<class Task, Index row>() { slots_of<Task>(data).each_lasting(visit); });
-}
-
 template <class Facts>
 class Data {
+  using Groups = typename Facts::Groups;
   template <class Task>
   using DataOf = typename TaskBase<Task>::data_type;
 
@@ -47,39 +41,40 @@ class Data {
         "std::string, no std::vector, no copy constructor or destructor of its own (numbers, enums, arrays and "
         "structs of these are)");
     using Slots = std::remove_cvref_t<decltype(slots_of<Task>(std::declval<typename Facts::Data&>()))>;
-    return Slots::lasting * (1 + sizeof(DataOf<Task>));
+    return Slots::lasting * Slot<DataOf<Task>>::saved_bytes;
+  }
+
+  /// Calls visit(slot, its bytes) for each slot of the data that last, of all tasks.
+  static void each_slot(auto& data, auto* place, auto visit) {
+    each_task(Groups(), [&]<class Task, Index row>() {
+      slots_of<Task>(data).each_lasting([&](auto& slot) {
+        visit(slot, place);
+        place += slot.saved_bytes;
+      });
+    });
   }
 
 public:
   static constexpr std::size_t bytes = [] {
     std::size_t all = 0;
-    each_task(static_cast<typename Facts::Groups*>(nullptr),
-              [&]<class Task, Index row>() { all += bytes_of_slots<Task>(); });
+    each_task(Groups(), [&]<class Task, Index row>() { all += bytes_of_slots<Task>(); });
     return all;
   }();
 
   /// The behaviour's fingerprint, with the sizes of its data.
   static std::uint64_t fingerprint() {
     std::uint64_t all = Facts::fingerprint();
-    each_task(static_cast<typename Facts::Groups*>(nullptr),
+    each_task(Groups(),
               [&]<class Task, Index row>() { all = mix(mix(all, sizeof(DataOf<Task>)), alignof(DataOf<Task>)); });
     return all;
   }
 
   static void write(typename Facts::Data& data, std::byte* to) {
-    each_slot<Facts>(data, [&](auto& slot) {
-      *to++ = slot.full() ? std::byte{1} : std::byte{0};
-      slot.copy_to(to);
-      to += slot.size;
-    });
+    each_slot(data, to, [](auto& slot, std::byte* at) { slot.save(at); });
   }
 
   static void read(typename Facts::Data& data, const std::byte* from) {
-    each_slot<Facts>(data, [&](auto& slot) {
-      const bool full = *from++ != std::byte{0};
-      slot.copy_from(from, full);
-      from += slot.size;
-    });
+    each_slot(data, from, [](auto& slot, const std::byte* at) { slot.load(at); });
   }
 
   /// Every body that reads its task's data finds some: of what is live, and of what is requested. `from`: a whole state
@@ -88,8 +83,8 @@ public:
     const Layout at(Shape::of(tables));
     const std::byte* slots = from + at.data;
     bool good = true;
-    each_task(static_cast<typename Facts::Groups*>(nullptr), [&]<class Task, Index group>() {
-      constexpr std::size_t each = 1 + sizeof(DataOf<Task>);
+    each_task(Groups(), [&]<class Task, Index group>() {
+      constexpr std::size_t each = Slot<DataOf<Task>>::saved_bytes;
       constexpr std::size_t count = bytes_of_slots<Task>() / each;
       const auto full = [&](std::size_t slot) { return slots[slot * each] == std::byte{1}; };
       for (std::size_t i = 0; i < count; ++i) good = good && (full(i) || slots[i * each] == std::byte{0});

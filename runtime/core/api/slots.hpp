@@ -41,18 +41,16 @@ public:
     if (full_) value().~T();
     full_ = false;
   }
-  bool full() const { return full_; }
 
-  static constexpr std::size_t size = sizeof(T);
-  /// The bytes of the value; zero where there is none. Of types that are trivially copyable.
-  void copy_to(std::byte* to) const {
-    static_assert(std::is_trivially_copyable_v<T>);
-    for (std::size_t i = 0; i < size; ++i) to[i] = full_ ? room_[i] : std::byte{0};
+  /// Whether it is full, and the bytes of the value, zero where there is none. Of types that are trivially copyable.
+  static constexpr std::size_t saved_bytes = 1 + sizeof(T);
+  void save(std::byte* to) const {
+    *to++ = full_ ? std::byte{1} : std::byte{0};
+    for (const std::byte each : room_) *to++ = full_ ? each : std::byte{0};
   }
-  void copy_from(const std::byte* from, bool full) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    for (std::size_t i = 0; i < size; ++i) room_[i] = from[i]; // which makes a value of them
-    full_ = full;
+  void load(const std::byte* from) {
+    full_ = *from++ != std::byte{0};
+    for (std::byte& each : room_) each = *from++; // which makes a value of them
   }
 
   T& value() { return *std::launder(reinterpret_cast<T*>(room_)); }

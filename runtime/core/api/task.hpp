@@ -63,18 +63,9 @@ template <class Self, class Data>
 Task<Self, Data> base_of(const Task<Self, Data>&);
 
 template <class T>
-struct Given {
-  using Task = T;
-  static constexpr bool kept = false;
-  static T& task(T& given) { return given; }
-};
-
+T task_in(const T&);
 template <class T>
-struct Given<Kept<T>> {
-  using Task = T;
-  static constexpr bool kept = true;
-  static T& task(Kept<T>& given) { return given.task; }
-};
+T task_in(const Kept<T>&);
 
 } // namespace detail
 
@@ -92,7 +83,7 @@ inline constexpr bool has_data = !std::is_void_v<typename TaskBase<T>::data_type
 
 /// The task type of what a body hands to a request: `T`, or `Kept<T>`.
 template <class Given>
-using TaskOf = typename detail::Given<Given>::Task;
+using TaskOf = decltype(detail::task_in(std::declval<const Given&>()));
 
 /// In a request: if the task is requested already, at the same level, it stays as it is and is no new task.
 template <TaskType T>

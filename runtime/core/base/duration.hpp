@@ -40,13 +40,8 @@ struct Tick {
 /// The nearest Time.
 template <class Count>
 constexpr Time saturated(Count count) {
-  if constexpr (sizeof(Count) > sizeof(Time) || (sizeof(Count) == sizeof(Time) && Count(-1) > Count(0))) {
-    if (count > static_cast<Count>(never)) return never;
-  }
-  if constexpr (sizeof(Count) > sizeof(Time) && Count(-1) < Count(0)) {
-    if (count < static_cast<Count>(first_time)) return first_time;
-  }
-  return static_cast<Time>(count);
+  Time out = 0;
+  return !__builtin_add_overflow(count, out, &out) ? out : count > 0 ? never : first_time;
 }
 
 /// `factor`: above 0.
