@@ -43,7 +43,7 @@ struct States final : director::Table<director::Row<Ball, 0>> {
 struct Whole final {
   static constexpr director::Shape shape{
       .groups = 2, .providers = 3, .edges = 2, .conditions = 1, .states = 1, .promises = 0, .plan_slots = 0,
-      .listen_slots = 1, .most_edges = 1, .components = 1, .lacking = 1, .pushable = 0};
+      .listen_slots = 1, .most_edges = 1, .components = 1, .lacking = 1, .pushable = 0, .altered = 0};
   static const director::Tables& tables();
   static std::uint64_t fingerprint();
   static void called_from_inside();

@@ -150,7 +150,7 @@ struct States final : director::Table<
 struct Whole final {
   static constexpr director::Shape shape{
       .groups = 24, .providers = 34, .edges = 38, .conditions = 12, .states = 4, .promises = 1, .plan_slots = 0,
-      .listen_slots = 3, .most_edges = 4, .components = 1, .lacking = 6, .pushable = 1};
+      .listen_slots = 3, .most_edges = 4, .components = 1, .lacking = 6, .pushable = 1, .altered = 0};
   static const director::Tables& tables();
   static std::uint64_t fingerprint();
   static void called_from_inside();

@@ -30,6 +30,8 @@ public:
   /// All that the observer was told, with the times of an engine that was never cut.
   const std::vector<tests::EventNumbers>& events() const { return events_; }
   const Engine& engine() const { return robot_->engine; }
+  /// From now on every component is decided whole, or none is.
+  void decide_whole(bool whole) { robot_->engine.set_most_decided_whole(whole ? nil : 0); }
   /// The next micro-step decides everything again.
   void forget_trail() { robot_->engine.forget_trail(); }
 

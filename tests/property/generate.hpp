@@ -31,4 +31,8 @@ struct Documents {
 /// 3 to 15 groups; one in forty has 30.
 Documents generate(std::uint64_t seed);
 
+/// Two to four such behaviours in one, small ones. What happens in one may matter to another by a state at most, so
+/// that they are components of their own: what one input or run changes in several has one order all the same.
+Documents generate_parts(std::uint64_t seed);
+
 } // namespace director::property

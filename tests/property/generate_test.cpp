@@ -29,4 +29,16 @@ TEST_CASE("random behaviours and scenarios have no mistake in them") {
   CHECK(smallest == 3);
 }
 
+TEST_CASE("nor have those that are several in one, which mostly have nothing to do with each other") {
+  int several = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const Documents documents = generate_parts(seed);
+    const CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
+    INFO("seed " << seed << ": " << result.why);
+    REQUIRE(result.compiled);
+    several += result.compiled->lowered.view().components.size() > 1 ? 1 : 0;
+  }
+  CHECK(several > 80);
+}
+
 } // namespace

@@ -118,9 +118,28 @@ void run_part(int part) {
   }
 }
 
+/// Of parts there are half as many cases as in each part of the others.
+void run_parts() {
+  const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases) / (2 * parts);
+  const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
+  Shares shares;
+  for (std::uint64_t seed = first; seed < first + cases; ++seed) {
+    watch(seed);
+    const Documents documents = generate_parts(seed);
+    const Verdict verdict = verdict_of(documents, manner_of(seed));
+    stop_watching();
+    if (!verdict.difference.empty())
+      FAIL("DIRECTOR_SEED=" << seed << " of several parts differs, " << verdict.difference << "\n"
+                            << minimal(documents, seed));
+    shares.add(verdict);
+  }
+  shares.print(first);
+}
+
 TEST_CASE("the engine does what the oracle does, in the first part of the random cases") { run_part(0); }
 TEST_CASE("the engine does what the oracle does, in the second part of the random cases") { run_part(1); }
 TEST_CASE("the engine does what the oracle does, in the third part of the random cases") { run_part(2); }
 TEST_CASE("the engine does what the oracle does, in the last part of the random cases") { run_part(3); }
+TEST_CASE("the engine does what the oracle does, in behaviours that are several in one") { run_parts(); }
 
 } // namespace

@@ -100,7 +100,7 @@ void state_facts(Code& code, const CppEmission& e) {
 
 void whole_facts(Code& code, const CppEmission& e) {
   const auto [groups, provider_count, edges, conditions, states, promises, plan_slots, listen_slots, most_edges,
-              components, lacking, pushable] = Shape::of(e.tables);
+              components, lacking, pushable, altered] = Shape::of(e.tables);
   const std::size_t externals = static_cast<std::size_t>(
       std::count_if(e.model.states.begin(), e.model.states.end(), [](const State& s) { return s.external; }));
   const std::size_t widest_input = std::max(externals, e.model.roots.size());
@@ -112,7 +112,8 @@ void whole_facts(Code& code, const CppEmission& e) {
              fmt::format(".states = {}", states), fmt::format(".promises = {}", promises),
              fmt::format(".plan_slots = {}", plan_slots), fmt::format(".listen_slots = {}", listen_slots),
              fmt::format(".most_edges = {}", most_edges), fmt::format(".components = {}", components),
-             fmt::format(".lacking = {}", lacking), fmt::format(".pushable = {}", pushable)},
+             fmt::format(".lacking = {}", lacking), fmt::format(".pushable = {}", pushable),
+             fmt::format(".altered = {}", altered)},
             "};");
   code.line("static const director::Tables& tables();");
   code.line("static std::uint64_t fingerprint();");

@@ -30,6 +30,7 @@ struct Context {
   Index most_decided_whole = director::most_decided_whole;
   Index flipped_count = 0;     ///< rows of State::flipped in use
   Index rerequested_count = 0; ///< rows of State::rerequested in use
+  Index before_count = 0;      ///< rows of State::before in use
   std::uint64_t decided = 0;   ///< units so far, again where a pass is repeated
   std::uint64_t work =
       0; ///< so far: groups placed, units decided, choices and plans tried, also in searches for pushes

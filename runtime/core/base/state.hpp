@@ -20,6 +20,8 @@ struct Shape {
   std::size_t plan_slots = 0, listen_slots = 0, most_edges = 0, components = 0;
   std::size_t lacking = 0;  ///< the most conditions that one combination of choices can lack
   std::size_t pushable = 0; ///< groups that have a provider which causes something
+  /// Where there are several components: the most requests that can become others in one micro-step.
+  std::size_t altered = 0;
 
   constexpr std::size_t timers() const { return states + 2 * groups + promises; }
 
@@ -36,6 +38,7 @@ struct Shape {
       n.lacking += most;
       n.pushable += causes ? 1 : 0;
     }
+    if (n.components > 1) n.altered = t.root_edges > n.most_edges ? t.root_edges : n.most_edges;
     return n;
   }
 };
@@ -252,6 +255,7 @@ struct State {
   Push* first = nullptr;            ///< likewise: new pushes of the unit in hand
   Index* touched = nullptr;         ///< groups that gained a reason to run since the last act
   Index* staged = nullptr;          ///< states that the running body set
+  Requested* before = nullptr;      ///< requests as they were before this micro-step altered them; target: the edge
   Bits* anew = nullptr;             ///< edge: 1: it was requested anew in this micro-step
   Index* asked = nullptr;           ///< edges of which that is so
   Index* next_order = nullptr;      ///< as `order`
@@ -309,7 +313,7 @@ struct State {
     visit(s.cost_next, n.conditions);
     visit(s.now.group, n.groups), visit(s.now.plan, n.plan_slots);
     visit(s.own, n.pushable), visit(s.first, n.pushable), visit(s.touched, n.groups), visit(s.staged, n.states);
-    visit(s.anew, n.edges), visit(s.asked, n.edges);
+    visit(s.before, n.altered), visit(s.anew, n.edges), visit(s.asked, n.edges);
     visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.first_moved, n.components);
     visit(s.extent, n.groups);
     visit(s.differing, n.groups);
@@ -327,7 +331,7 @@ struct State {
     visit(s.provider_marks, n.providers);
   }
 
-  static constexpr std::size_t arrays = 67;
+  static constexpr std::size_t arrays = 68;
 
   /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.
   static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : 64;

@@ -15,6 +15,7 @@ void Engine::arbitrate() {
   Counters& c = *x_.s.counters;
   forget_work();
   const Index passes = c.work_count;
+  if (passes > 1) sort_work();
   bool stops = false;
   differing_ = 0;
   for (Index i = 0; i < passes; ++i) {
@@ -29,6 +30,7 @@ void Engine::arbitrate() {
     x_.s.component[component] = left | work::listed | work::passed;
   }
   act(passes, stops);
+  x_.before_count = 0;
   forget_work();
 }
 

@@ -187,6 +187,7 @@ private:
   void give_again(Index group, bool anew);
   void forget_triggers(Index group);
   void mark_request(Index edge);
+  void alter(Index edge);
   void request(Index edge, Index level);
   bool withdraw(Index edge);
   const Input* take_more(const Input& record);
@@ -199,6 +200,9 @@ private:
   DIRECTOR_PART void commit_pack(Range edges);
   DIRECTOR_PART bool other_plan(Index group) const;
   DIRECTOR_PART void act_on_all_touched();
+  DIRECTOR_PART void remember_request(Index edge);
+  DIRECTOR_PART void swap_altered();
+  DIRECTOR_PART void sort_work();
   DIRECTOR_PART std::span<const Index> held_in_all(Index passes);
 
   // act.cpp: after every micro-step, section 5

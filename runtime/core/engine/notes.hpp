@@ -108,6 +108,11 @@ DIRECTOR_INLINE void Engine::mark_request(Index edge) {
   mark(component, edge < x_.t.root_edges ? work::changed | work::reordered : work::changed);
 }
 
+/// Its request is about to become another one.
+DIRECTOR_INLINE void Engine::alter(Index edge) {
+  if (x_.t.components.size() > 1) remember_request(edge);
+}
+
 DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   Requested& request = x_.s.request[edge];
   if (Bits& anew = x_.s.anew[edge]; anew == 0) {
@@ -115,6 +120,7 @@ DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) 
     x_.s.asked[x_.s.counters->asked_count++] = edge;
   }
   if (request.level != level) {
+    alter(edge);
     request.stamp = x_.s.counters->micro_step;
     request.level = level;
     mark_request(edge);
@@ -127,6 +133,7 @@ DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) 
 DIRECTOR_INLINE bool Engine::withdraw(Index edge) {
   if (x_.s.request[edge].level == nil) return false;
   mark_request(edge);
+  alter(edge);
   x_.s.request[edge].level = nil;
   return true;
 }

@@ -1,6 +1,7 @@
 // docs/semantics.md, sections 3 and 5: what only behaviours of several groups have to do.
 // SPDX-License-Identifier: MIT
 
+#include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/engine/notes.hpp"
 
 namespace director {
@@ -56,12 +57,40 @@ void Engine::act_on_all_touched() {
   for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
 }
 
+/// Only tasks of the program can be altered more than once in a micro-step.
+void Engine::remember_request(Index edge) {
+  for (Index i = 0; edge < x_.t.root_edges && i < x_.before_count; ++i) {
+    if (x_.s.before[i].target == edge) return;
+  }
+  Requested& row = x_.s.before[x_.before_count++];
+  row = x_.s.request[edge];
+  row.target = edge;
+}
+
+/// Requests are as they were before this micro-step; or, the second time, as they are.
+void Engine::swap_altered() {
+  for (Requested& row : std::span(x_.s.before, x_.before_count)) {
+    Requested& request = x_.s.request[row.target];
+    const Requested now = request;
+    request.level = row.level, request.stamp = row.stamp;
+    row.level = now.level, row.stamp = now.stamp;
+  }
+}
+
+/// What came to be noted first depends on how much is decided again; what an observer is told must not.
+void Engine::sort_work() {
+  heap_sort({x_.s.work, x_.s.counters->work_count}, [](Index a, Index b) { return a < b; });
+}
+
+/// In the old order, which is that of the old requests: how they are now is another matter.
 std::span<const Index> Engine::held_in_all(Index passes) {
+  swap_altered();
   Index count = 0;
   for (Index i = 0; i < passes; ++i) {
     for (const Index group : held_in(x_.s.work[i])) x_.s.reach[count++] = group;
   }
   arbitration::sort_by_holders(x_, {x_.s.reach, count}, arbitration::Chains::previous);
+  swap_altered();
   return {x_.s.reach, count};
 }
 

@@ -23,7 +23,8 @@ const Shape some{.groups = 5,
                  .most_edges = 4,
                  .components = 2,
                  .lacking = 6,
-                 .pushable = 2};
+                 .pushable = 2,
+                 .altered = 4};
 
 TEST_CASE("every array lies inside the block, aligned, behind the one before") {
   std::vector<std::uint64_t> memory(State::bytes(some) / 8);
@@ -69,6 +70,20 @@ TEST_CASE("what a combination can lack is the most that one provider of each gro
   tables.groups = groups;
   CHECK(Shape::of(tables).lacking == 4);
   CHECK(Shape::of(tables).pushable == 1);
+}
+
+TEST_CASE("requests are remembered as they were where there are several components: as many as one run, or one input, "
+          "alters") {
+  const std::vector<Component> one(1), several(2);
+  Tables tables;
+  tables.root_edges = 3;
+  tables.most_edges = 2;
+  tables.components = one;
+  CHECK(Shape::of(tables).altered == 0);
+  tables.components = several;
+  CHECK(Shape::of(tables).altered == 3);
+  tables.most_edges = 5;
+  CHECK(Shape::of(tables).altered == 5);
 }
 
 } // namespace
