@@ -41,6 +41,7 @@ inline constexpr std::uint8_t on_stale = 8; ///< or when the orders of others ar
 inline constexpr std::uint8_t waits = 16;   ///< it waits for somebody who is pushed, or searched for one
 inline constexpr std::uint8_t behind = 32; ///< all that its decision looked at is that an edge before it has its target
 inline constexpr std::uint8_t below_stale = 64; ///< decided while its requester's orders were outdated
+inline constexpr std::uint8_t altered = 128;    ///< its request before this micro-step stands in State::before
 inline constexpr std::uint8_t kept = on_last | on_stale | waits | behind | below_stale;
 // Bits of State::group_trail.
 inline constexpr std::uint8_t disturbed = 1; ///< its holder, provider, plan or push may be another than last time

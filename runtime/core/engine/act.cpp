@@ -30,7 +30,7 @@ void Engine::arbitrate() {
     x_.s.component[component] = left | work::listed | work::passed;
   }
   act(passes, stops);
-  x_.before_count = 0;
+  if (x_.before_count != 0) forget_altered();
   forget_work();
 }
 

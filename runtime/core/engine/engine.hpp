@@ -202,6 +202,7 @@ private:
   DIRECTOR_PART void act_on_all_touched();
   DIRECTOR_PART void remember_request(Index edge);
   DIRECTOR_PART void swap_altered();
+  DIRECTOR_PART void forget_altered();
   DIRECTOR_PART void sort_work();
   DIRECTOR_PART std::span<const Index> held_in_all(Index passes);
 

@@ -57,11 +57,11 @@ void Engine::act_on_all_touched() {
   for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
 }
 
-/// Only tasks of the program can be altered more than once in a micro-step.
+/// Tasks of the program can be altered more than once in a micro-step.
 void Engine::remember_request(Index edge) {
-  for (Index i = 0; edge < x_.t.root_edges && i < x_.before_count; ++i) {
-    if (x_.s.before[i].target == edge) return;
-  }
+  Bits& bits = x_.s.edge_trail[edge];
+  if ((bits & trail::altered) != 0) return;
+  bits |= trail::altered;
   Requested& row = x_.s.before[x_.before_count++];
   row = x_.s.request[edge];
   row.target = edge;
@@ -75,6 +75,12 @@ void Engine::swap_altered() {
     request.level = row.level, request.stamp = row.stamp;
     row.level = now.level, row.stamp = now.stamp;
   }
+}
+
+void Engine::forget_altered() {
+  for (const Requested& row : std::span(x_.s.before, x_.before_count))
+    x_.s.edge_trail[row.target] &= static_cast<std::uint8_t>(~trail::altered);
+  x_.before_count = 0;
 }
 
 /// What came to be noted first depends on how much is decided again; what an observer is told must not.
