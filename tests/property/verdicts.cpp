@@ -115,35 +115,53 @@ std::optional<EdgeId> edge_between(const Model& model, const std::string& reques
   return std::nullopt;
 }
 
-/// Of "no provider of `A` or `B` can run while `S` is v0", or more of the like: those that speak of one state alone.
+/// "`S` is unset, v0 or v2", "`S` is 0 to 20".
+std::optional<NeverWhile::Part> part_of(std::string_view words, const Model& model) {
+  const std::size_t name = words.find('`') + 1, end = words.find('`', name);
+  const auto state = model.find_state(words.substr(name, end - name));
+  if (!state || words.substr(end, 5) != "` is ") return std::nullopt;
+  NeverWhile::Part out{*state, {}, false};
+  std::optional<std::int64_t> first; // of a range
+  bool is_range = false;
+  for (std::size_t from = end + 5; from < words.size();) {
+    const std::size_t to = std::min(words.find_first_of(" ,", from), words.size());
+    const std::string_view word = words.substr(from, to - from);
+    from = std::min(words.find_first_not_of(" ,", to), words.size());
+    if (word == "or") continue;
+    if (word == "unset") {
+      out.unset = true;
+    } else if (word == "to") {
+      is_range = true;
+    } else if (const auto value = model.states[*state].value_of(word)) {
+      for (auto each = is_range ? *first : *value; each <= *value; ++each)
+        out.values = out.values.united(compiler::ValueSet::single(each));
+      first = value, is_range = false;
+    } else {
+      return std::nullopt;
+    }
+  }
+  return out;
+}
+
+/// Of "no provider of `A` or `B` can run while `S` is v0 and `T` is v1", or more of the like.
 std::vector<Claim> gaps_of(const dsl::Diagnostic& finding, const Model& model, const std::vector<GroupId>& groups) {
   std::vector<Claim> out;
-  if (says(finding, " and ") || says(finding, " more cases")) return out;
-  for (std::size_t at = finding.message.find("while `"); at != std::string::npos;
-       at = finding.message.find("while `", at + 1)) {
-    const std::size_t name = at + 7, end = finding.message.find('`', name);
-    const auto state = model.find_state(std::string_view(finding.message).substr(name, end - name));
-    std::size_t stop = finding.message.find(" or while", end);
-    std::string words = finding.message.substr(end + 1, stop == std::string::npos ? stop : stop - end - 1);
-    if (!state || words.rfind(" is ", 0) != 0) continue;
-    words = words.substr(4);
-    compiler::ValueSet values;
-    bool unset = false, known = true;
-    for (std::size_t from = 0; from < words.size();) {
-      const std::size_t to = std::min(words.find_first_of(" ,", from), words.size());
-      const std::string word = words.substr(from, to - from);
-      from = words.find_first_not_of(" ,", to);
-      if (word == "unset")
-        unset = true;
-      else if (word == "to")
-        known = false;
-      else if (const auto value = model.states[*state].value_of(word))
-        values = values.united(compiler::ValueSet::single(*value));
-      else if (word != "or")
-        known = false;
+  const std::string_view message = finding.message;
+  for (std::size_t at = message.find("while `"); at != std::string_view::npos; at = message.find("while `", at + 1)) {
+    std::string_view gap = message.substr(at);
+    for (const std::string_view behind : {" or while `", ", while `", " or in ", ", in "})
+      gap = gap.substr(0, gap.find(behind));
+    std::vector<NeverWhile::Part> parts;
+    bool known = true;
+    while (known && !gap.empty()) {
+      const std::size_t end = std::min(gap.find(" and `"), gap.size());
+      const auto part = part_of(gap.substr(0, end), model);
+      known = part.has_value();
+      if (part) parts.push_back(*part);
+      gap.remove_prefix(end == gap.size() ? end : end + 5);
     }
     for (const GroupId group : groups) {
-      if (known) out.push_back(NeverWhile{group, *state, values, unset});
+      if (known) out.push_back(NeverWhile{group, parts});
     }
   }
   return out;
@@ -325,8 +343,10 @@ bool is_contradicted(const Claim& claim, const Model& model, const Reached& reac
     bool operator()(const NeverBelow& c) const { return reached.granted_below.contains({c.provider, c.edge, c.loser}); }
     bool operator()(const NeverWhile& c) const {
       return std::any_of(reached.granted_in.begin(), reached.granted_in.end(), [&](const auto& seen) {
-        const std::int32_t value = seen.second[c.state.value];
-        return seen.first == c.group && (value == unset ? c.unset : c.values.contains(value));
+        return seen.first == c.group && std::all_of(c.parts.begin(), c.parts.end(), [&](const auto& part) {
+                 const std::int32_t value = seen.second[part.state.value];
+                 return value == unset ? part.unset : part.values.contains(value);
+               });
       });
     }
   } look{model, reached};
@@ -351,7 +371,9 @@ std::string in_words(const Claim& claim, const Model& model) {
              model.edge_name(c.edge);
     }
     std::string operator()(const NeverWhile& c) const {
-      return model.groups[c.group].name.value + " never runs in a value of " + model.states[c.state].name.value;
+      std::string out = model.groups[c.group].name.value + " never runs in values of";
+      for (const NeverWhile::Part& part : c.parts) out += " " + model.states[part.state].name.value;
+      return out;
     }
   } words{model};
   return std::visit(words, claim);

@@ -38,12 +38,15 @@ struct NeverBelow {
   compiler::EdgeId edge{}, loser{};
   compiler::GroupId group{};
 };
-/// No provider of the group runs while a state has one of these values.
+/// No provider of the group runs while each of these states has one of these values.
 struct NeverWhile {
+  struct Part {
+    compiler::StateId state{};
+    compiler::ValueSet values;
+    bool unset = false;
+  };
   compiler::GroupId group{};
-  compiler::StateId state{};
-  compiler::ValueSet values;
-  bool unset = false;
+  std::vector<Part> parts;
 };
 
 using Claim = std::variant<NeverRuns, NeverGranted, NeverPushed, NeverWhole, NeverBelow, NeverWhile>;
