@@ -187,7 +187,6 @@ private:
   void give_again(Index group, bool anew);
   void forget_triggers(Index group);
   void mark_request(Index edge);
-  void alter(Index edge);
   void request(Index edge, Index level);
   bool withdraw(Index edge);
   const Input* take_more(const Input& record);

@@ -101,16 +101,12 @@ inline const Input* Engine::take_more(const Input& record) {
   return next;
 }
 
-/// Of an edge that is requested at another level than before, or not any more.
+/// Of an edge that is about to be requested at another level than before, or not any more.
 DIRECTOR_INLINE void Engine::mark_request(Index edge) {
   const Index component = x_.s.run_queue[x_.s.request[edge].target].component;
+  if (x_.t.components.size() > 1) remember_request(edge);
   arbitration::note_rerequest(x_, edge);
   mark(component, edge < x_.t.root_edges ? work::changed | work::reordered : work::changed);
-}
-
-/// Its request is about to become another one.
-DIRECTOR_INLINE void Engine::alter(Index edge) {
-  if (x_.t.components.size() > 1) remember_request(edge);
 }
 
 DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
@@ -120,10 +116,9 @@ DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) 
     x_.s.asked[x_.s.counters->asked_count++] = edge;
   }
   if (request.level != level) {
-    alter(edge);
+    mark_request(edge);
     request.stamp = x_.s.counters->micro_step;
     request.level = level;
-    mark_request(edge);
   }
   mark_stale(request.target);
   touch(request.target);
@@ -133,7 +128,6 @@ DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) 
 DIRECTOR_INLINE bool Engine::withdraw(Index edge) {
   if (x_.s.request[edge].level == nil) return false;
   mark_request(edge);
-  alter(edge);
   x_.s.request[edge].level = nil;
   return true;
 }
