@@ -57,48 +57,52 @@ void take_rerequested(Context& x, Take&& take) {
       take);
 }
 
+template <class Is>
+bool any_edge(const Context& x, Index group, const Is& is) {
+  const Range edges = x.t.groups[group].edges;
+  for (Index e = edges.begin; e != edges.end; ++e) {
+    if (is(e)) return true;
+  }
+  return false;
+}
+
+/// It waits for somebody who is pushed, or searched for one.
+bool waits(const Context& x, Index edge) { return (x.s.edge_trail[edge] & trail::waits) != 0; }
+
+/// Whatever happens, or as soon as anything differs.
+bool is_decided_again(const Context& x, Index edge) {
+  return waits(x, edge) || (x.s.edge_trail[edge] & trail::on_stale) != 0;
+}
+
 /// What has to be looked at if something differs from the last pass, or when it has run, is left alone until then.
 bool can_stand(const Context& x, Index group) {
   if (x.had_limbo && lies_in_limbo(x, group)) return false;
   if (is_outdated(x, group) && !outdates(x, group)) return false;
-  const Range edges = x.t.groups[group].edges;
-  for (Index e = edges.begin; e != edges.end; ++e) {
-    if ((x.s.edge_trail[e] & trail::on_stale) != 0 || optional(x, e))
-      return false; // what is optional comes after all else
-  }
-  return true;
-}
-
-bool waits(const Context& x, Index group) {
-  const Range edges = x.t.groups[group].edges;
-  bool any = false;
-  for (Index e = edges.begin; e != edges.end; ++e) any = any || (x.s.edge_trail[e] & trail::waits) != 0;
-  return any;
+  return !any_edge(x, group, [&](Index e) { // what is optional comes after all else
+    return (x.s.edge_trail[e] & trail::on_stale) != 0 || optional(x, e);
+  });
 }
 
 /// Who searched for somebody to push looked at much.
 void open_waiting(Context& x) {
   for (Index i = 0; i < x.kept_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
-    if (!is_opened(x, g) && waits(x, g)) open(x, g);
+    if (!is_opened(x, g) && any_edge(x, g, [&](Index e) { return waits(x, e); })) open(x, g);
   }
 }
 
 /// Nothing but the last result is another than for the last pass, and it reaches nobody: it is the result again.
 bool is_settled(const Context& x) {
-  const auto is_decided_again = [&](Index e) { return (x.s.edge_trail[e] & (trail::on_stale | trail::waits)) != 0; };
   if ((x.s.component[x.component] & (work::changed | work::stale_changed)) != 0) return false;
   if (injected(Fault::the_last_result_is_always_settled)) return true;
   if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
   for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
-    if (is_decided_again(e)) return false;
+    if (is_decided_again(x, e)) return false;
   }
   for (Index i = 0; i < x.kept_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
     if (is_outdated(x, g) && !outdates(x, g) && x.s.run_queue[g].counts != 0) return false;
-    for (Index e = x.t.groups[g].edges.begin; e != x.t.groups[g].edges.end; ++e) {
-      if (is_decided_again(e)) return false;
-    }
+    if (any_edge(x, g, [&](Index e) { return is_decided_again(x, e); })) return false;
   }
   return true;
 }
@@ -106,12 +110,7 @@ bool is_settled(const Context& x) {
 /// By the next pass: something of it is decided again whatever happens, or what is below it stands apart from it.
 bool has_to_be_looked_at(const Context& x, Index group) {
   if (injected(Fault::what_is_always_decided_is_overlooked)) return false;
-  if (is_outdated(x, group)) return true;
-  const Range edges = x.t.groups[group].edges;
-  for (Index e = edges.begin; e != edges.end; ++e) {
-    if ((x.s.edge_trail[e] & (trail::on_stale | trail::waits)) != 0 || optional(x, e)) return true;
-  }
-  return false;
+  return is_outdated(x, group) || any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
 }
 
 } // namespace
@@ -148,7 +147,8 @@ void begin_trail(Context& x) {
       open(x, g);
     }
   }
-  x.kept_count = 0;
+  x.kept_count = kept;
+  if (x.disturbed) open_waiting(x);
   take_flipped(x, [&](Index g) {
     remove(x.s.group_trail[g], trail::touched);
     reach(x, g);
@@ -166,8 +166,6 @@ void begin_trail(Context& x) {
   };
   for (Index g = c.queue_first; g != nil; g = x.s.run_queue[g].runs_before) look(g);
   for (Index i = 0; i < c.touched_count; ++i) look(x.s.touched[i]);
-  x.kept_count = kept;
-  if (x.disturbed) open_waiting(x);
 }
 
 /// The walk has passed something that it is a part of.

@@ -4,6 +4,8 @@
 #include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/engine/notes.hpp"
 
+#include <utility>
+
 namespace director {
 
 const char part::several = 0;
@@ -71,9 +73,8 @@ void Engine::remember_request(Index edge) {
 void Engine::swap_altered() {
   for (Requested& row : std::span(x_.s.before, x_.before_count)) {
     Requested& request = x_.s.request[row.target];
-    const Requested now = request;
-    request.level = row.level, request.stamp = row.stamp;
-    row.level = now.level, row.stamp = now.stamp;
+    std::swap(request.level, row.level);
+    std::swap(request.stamp, row.stamp);
   }
 }
 
