@@ -92,21 +92,27 @@ struct Shares {
   }
 };
 
+/// `of`: which cases these are, for who reads of one that differs.
+Shares compare_cases(std::uint64_t first, std::uint64_t count, Documents (*make)(std::uint64_t), const char* of) {
+  Shares shares;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    watch(seed);
+    const Documents documents = make(seed);
+    const Verdict verdict = verdict_of(documents, manner_of(seed));
+    stop_watching();
+    if (!verdict.difference.empty())
+      FAIL("DIRECTOR_SEED=" << seed << of << " differs, " << verdict.difference << "\n" << minimal(documents, seed));
+    shares.add(verdict);
+  }
+  shares.print(first);
+  return shares;
+}
+
 void run_part(int part) {
   const std::uint64_t all = from_environment("DIRECTOR_CASES", usual_cases);
   const std::uint64_t share = (all + parts - 1) / parts;
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1) + static_cast<std::uint64_t>(part) * share;
-  Shares shares;
-  for (std::uint64_t seed = first; seed < first + share; ++seed) {
-    watch(seed);
-    const Documents documents = generate(seed);
-    const Verdict verdict = verdict_of(documents, manner_of(seed));
-    stop_watching();
-    if (!verdict.difference.empty())
-      FAIL("DIRECTOR_SEED=" << seed << " differs, " << verdict.difference << "\n" << minimal(documents, seed));
-    shares.add(verdict);
-  }
-  shares.print(first);
+  const Shares shares = compare_cases(first, share, generate, "");
   if (share < 1'000) return; // too few for shares to be steady: what is built without optimisation only compares
   for (const std::uint64_t each : shares.claimed) CHECK(each > 0);
   // What the cases must show, so that agreement means something.
@@ -122,18 +128,7 @@ void run_part(int part) {
 void run_parts() {
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases) / (2 * parts);
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  Shares shares;
-  for (std::uint64_t seed = first; seed < first + cases; ++seed) {
-    watch(seed);
-    const Documents documents = generate_parts(seed);
-    const Verdict verdict = verdict_of(documents, manner_of(seed));
-    stop_watching();
-    if (!verdict.difference.empty())
-      FAIL("DIRECTOR_SEED=" << seed << " of several parts differs, " << verdict.difference << "\n"
-                            << minimal(documents, seed));
-    shares.add(verdict);
-  }
-  shares.print(first);
+  compare_cases(first, cases, generate_parts, " of several parts");
 }
 
 TEST_CASE("the engine does what the oracle does, in the first part of the random cases") { run_part(0); }

@@ -243,22 +243,23 @@ TEST_CASE("a folder or a pipe in the way is told, with status 2") {
   CHECK(read_file(folder.at("err")) == "directorc: cannot write `out`: a folder is in the way\n");
 }
 
+/// A folder with a scenario that holds.
+void write_walk(const Folder& folder, const std::string& walks, const std::string& scenario) {
+  folder.write("bot.yaml", bot);
+  fs::create_directories(folder.at(walks));
+  folder.write(walks + "/" + scenario, "behaviour: ../bot.yaml\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
+}
+
 TEST_CASE("a folder may be called as files are") {
   const Folder folder;
-  folder.write("bot.yaml", bot);
-  fs::create_directories(folder.at("walks.yaml"));
-  folder.write("walks.yaml/walk.scenario.yml",
-               "behaviour: ../bot.yaml\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
+  write_walk(folder, "walks.yaml", "walk.scenario.yml");
   CHECK(directorc(folder, "test walks.yaml > out") == 0);
   CHECK(read_file(folder.at("out")) == "holds walks.yaml/walk.scenario.yml\n");
 }
 
 TEST_CASE("a scenario that is a link to nothing is told, and other links are followed") {
   const Folder folder;
-  folder.write("bot.yaml", bot);
-  fs::create_directories(folder.at("walks"));
-  folder.write("walks/walk.scenario.yaml",
-               "behaviour: ../bot.yaml\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
+  write_walk(folder, "walks", "walk.scenario.yaml");
   fs::create_directory_symlink("..", folder.at("walks/round"));
   CHECK(directorc(folder, "test walks > out 2> err") == 0);
   fs::create_symlink("nothing", folder.at("walks/gone.scenario.yaml"));
