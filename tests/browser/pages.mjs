@@ -3,7 +3,7 @@
 import { strict as assert } from 'node:assert';
 import { statSync } from 'node:fs';
 import { join } from 'node:path';
-import { check, Situations } from './situations.mjs';
+import { check, click, Situations } from './situations.mjs';
 
 const [program, folder] = process.argv.slice(2);
 const all = await Situations.open(program, folder);
@@ -17,7 +17,7 @@ for (const colorScheme of ['light', 'dark']) {
     await situation(`axe finds nothing, ${colorScheme}`, name, { colorScheme, bypassCSP: true }, async (page) => {
       await shot(page, `${name}_${colorScheme}`);
       await check(page);
-      await page.locator('.matrix td a').nth(1).click();
+      await click(page.locator('.matrix td a').nth(1));
       await page.fill('#search', 'e');
       await check(page);
       await page.locator('#transitions').evaluate((section) => section.scrollIntoView());
@@ -41,7 +41,7 @@ await situation('a search finds by name, then by what is said; Enter goes there'
 });
 
 await situation('a focus greys out what has nothing to do with the group, Escape ends it', 'soccer', {}, async (page) => {
-  await page.locator('#group-KickTo button.focus').click();
+  await click(page.locator('#group-KickTo button.focus'));
   assert.deepEqual((await near(page)).sort(), ['Kick', 'KickTo', 'KickToGoal', 'LookAt', 'Walk']);
   await shot(page, 'soccer_focus');
   const grey = await page.locator('.holder:not([hidden]) g.node:not(.near)').first().evaluate((node) => getComputedStyle(node).opacity);
@@ -75,7 +75,7 @@ await situation('collapsed to modules and to layers, one picture is shown', 'soc
 });
 
 await situation('a cell explains itself, with a scenario; arrow keys go to its neighbours', 'soccer', {}, async (page) => {
-  await page.getByRole('link', { name: 'soft: from WalkTo to Kick' }).click();
+  await click(page.getByRole('link', { name: 'soft: from WalkTo to Kick' }));
   assert.match(await page.locator('#cell').textContent(), /From WalkTo to Kick: soft.*Walk is pushed to halting for Stability == standing, within 2 s/s);
   assert.match(await page.locator('#cell pre').textContent(), /^scenario: from WalkTo to Kick\nbehaviour: soccer\.yaml\nscript:\n/);
   await shot(page, 'soccer_cell');

@@ -53,6 +53,21 @@ export class Situations {
   }
 }
 
+/** What stands far below moves when the sections above it are laid out, as they come into view: it is clicked when it has come to rest. */
+export async function click(locator) {
+  await locator.scrollIntoViewIfNeeded();
+  await locator.evaluate(async (element) => {
+    let last = NaN;
+    for (let frames = 0; frames < 3; ) {
+      await new Promise((done) => requestAnimationFrame(done));
+      const { top } = element.getBoundingClientRect();
+      frames = top === last ? frames + 1 : 0;
+      last = top;
+    }
+  });
+  await locator.click();
+}
+
 export async function check(page) {
   await page.evaluate(axe);
   const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
