@@ -85,20 +85,18 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
     return edge == nil || (!in_chain(x, holder, {edge, Chains::current}) &&
                            before(x, {holder, Chains::current}, {edge, Chains::current}));
   };
-  const Index claims = found;
+  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]] |= mark::reached; // nobody holds them: none counts
   bool yes = false;
   for (Index i = 0; i < found && !yes; ++i) {
     for (const Index up : x.t.list(x.t.groups[x.s.reach[i]].requesters)) {
       const Index group = x.t.edges[up].requester;
       if (group == nil || (x.s.group_marks[group] & mark::reached) != 0) continue;
       x.s.group_marks[group] |= mark::reached;
-      if (!yes && counts(group)) {
-        x.s.run_queue[group].counts = 1; // its run
-        yes = true;
-      }
-      bool listed = false;
-      for (Index j = 0; j < claims; ++j) listed = listed || x.s.reach[j] == group;
-      if (!listed) x.s.reach[found++] = group;
+      x.s.reach[found++] = group;
+      yes = counts(group);
+      if (!yes) continue;
+      x.s.run_queue[group].counts = 1; // its run
+      break;
     }
   }
   for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]] &= static_cast<std::uint8_t>(~mark::reached);

@@ -60,6 +60,7 @@ inline constexpr std::uint8_t stale_changed = 8; ///< and may be another since
 inline constexpr std::uint8_t listed = 16;       ///< it stands in State::work
 inline constexpr std::uint8_t passed = 32;       ///< it was decided again in this micro-step
 inline constexpr std::uint8_t reordered = 64;    ///< an edge of root may be in another place among its like
+inline constexpr std::uint8_t pushes = 128;      ///< with `passed`: there are pushes, or were before
 inline constexpr std::uint8_t kept = stale_counts | reordered; ///< also where nothing is to be decided
 } // namespace work
 

@@ -27,6 +27,7 @@ void Engine::arbitrate() {
     arbitration::end(x_);
     std::uint8_t left = x_.depends_on_all_stale ? work::stale_counts : 0;
     if (other && (x_.depends_on_last || x_.depends_on_stale)) left |= work::unsettled;
+    if (x_.pushed_count != 0) left |= work::pushes;
     x_.s.component[component] = left | work::listed | work::passed;
   }
   act(passes, stops);
@@ -69,7 +70,7 @@ void Engine::act(Index passes, bool stops) {
   for (Index i = 0; i < differing_; ++i) adopt(x_.s.differing[i]);
   for (Index i = 0; i < passes; ++i) {
     adopt_order(x_.s.work[i]);
-    if (!x_.t.promises.empty()) keep_promises_in(x_.s.work[i]);
+    if (!x_.t.promises.empty() && (x_.s.component[x_.s.work[i]] & work::pushes) != 0) keep_promises_in(x_.s.work[i]);
   }
 }
 

@@ -82,7 +82,7 @@ DIRECTOR_INLINE void Engine::forget_work() {
   for (Index i = 0; i < before; ++i) {
     const Index component = x_.s.work[i];
     Bits& bits = x_.s.component[component];
-    bits &= static_cast<std::uint8_t>(~work::passed);
+    bits &= static_cast<std::uint8_t>(~(work::passed | work::pushes));
     if ((bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated) {
       x_.s.work[left++] = component;
     } else {
