@@ -50,7 +50,7 @@ void reach_below_limbo(Context& x) {
 /// Hand-over: live groups that nobody claims are kept for an heir that is about to run.
 void keep_for_heirs(Context& x) {
   if (injected(Fault::nobody_inherits)) return;
-  if (!x.whole) reach_below_limbo(x);
+  if (!x.whole && x.had_limbo) reach_below_limbo(x);
   for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
     const Index group = x.s.order[x.row.order + i];
     if (x.s.last[group].active == nil || x.s.now[group].holder != nil) continue;

@@ -73,7 +73,7 @@ void decide(Context& x, Index component) {
   x.whole = x.s.news_count[component] == nil;
   x.walking = !x.whole;
   x.disturbed = false;
-  x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = 0;
+  x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = x.placed = 0;
   x.settled = false;
   x.whole ? open_all(x) : begin_trail(x);
   x.had_pushes = x.pushed_count != 0;

@@ -184,7 +184,7 @@ void disturb(Context& x) {
 }
 
 void open_with_above(Context& x, Index group) {
-  if (x.s.last[group].holder != nil && is_passed(x, group)) return;
+  if (x.placed != 0 && x.s.last[group].holder != nil && is_passed(x, group)) return;
   for (;;) {
     x.s.group_trail[group] |= trail::opened;
     remove(x.s.group_marks[group], mark::outdated);
@@ -307,9 +307,10 @@ void leave_to(Context& x, Index group) {
 void repeat(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited;
   if (runs_for_now(x, edge)) {
-    const Index group = target(x, edge), provider = x.s.last[group].active, end = entries_of(x, group, x.s.last);
+    const Index group = target(x, edge), provider = x.s.last[group].active;
     claim(x, group, edge);
     now_granted(x, edge, provider);
+    const Index end = x.t.providers[provider].needs.empty() ? Index{0} : entries_of(x, group, x.s.last);
     if (end != 0) claim_plan(x, group, provider, 0, end);
   } else {
     x.s.edge_marks[edge] |= mark::refused;
