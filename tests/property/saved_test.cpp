@@ -25,6 +25,11 @@ using namespace director;
 using namespace director::property;
 using director::tests::from_environment;
 
+#ifdef NDEBUG
+constexpr std::size_t numbers_apart = 1;
+#else
+constexpr std::size_t numbers_apart = 5; ///< slow with sanitizers, and what they find they find in these
+#endif
 constexpr std::size_t most_micro_steps = 10'000; ///< of one step of a scenario
 
 bool is_long() { return std::getenv("DIRECTOR_LONG") != nullptr; }
@@ -251,7 +256,9 @@ bool counts(const Member& member, std::uint64_t seed) {
 
 TEST_CASE("each number that is saved counts") {
   constexpr std::uint64_t most = 4'000;
-  for (const Member& member : members()) {
+  const std::vector<Member> all = members();
+  for (std::size_t i = 0; i < all.size(); i += numbers_apart) {
+    const Member& member = all[i];
     std::uint64_t seed = 1;
     while (seed <= most && !counts(member, seed)) ++seed;
     INFO(member.kind << ", number " << member.place);

@@ -4,6 +4,7 @@
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many behaviours
+//   DIRECTOR_LONG   set: more of them
 #include "compiler/pipeline.hpp"
 #include "tests/property/small_behaviour.hpp"
 #include "tests/property/verdicts.hpp"
@@ -11,6 +12,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -20,9 +22,9 @@ using namespace director;
 using namespace director::property;
 
 #ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 3'000;
+constexpr std::uint64_t usual_cases = 800, long_cases = 3'000;
 #else
-constexpr std::uint64_t usual_cases = 20;
+constexpr std::uint64_t usual_cases = 8, long_cases = 100;
 #endif
 
 /// They say of a task that it never runs for its requester, each for another reason.
@@ -62,7 +64,8 @@ std::string find_told_twice(std::uint64_t seed) {
 
 TEST_CASE("that a task never runs for somebody is told once") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const auto cases = tests::from_environment("DIRECTOR_CASES", usual_cases);
+  const std::uint64_t long_or_usual = std::getenv("DIRECTOR_LONG") != nullptr ? long_cases : usual_cases;
+  const auto cases = tests::from_environment("DIRECTOR_CASES", long_or_usual);
   std::string twice;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) twice += find_told_twice(seed);
   CHECK(twice == "");

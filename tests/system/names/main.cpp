@@ -157,9 +157,10 @@ int run(const std::string& compiler, const fs::path& folder, std::uint32_t count
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) return 2;
+  if (argc != 5) return 2; // COMPILER FOLDER COUNT COUNT_WITH_DIRECTOR_LONG
   try {
-    return run(argv[1], argv[2], static_cast<std::uint32_t>(std::stoul(argv[3])));
+    const char* const count = argv[std::getenv("DIRECTOR_LONG") != nullptr ? 4 : 3];
+    return run(argv[1], argv[2], static_cast<std::uint32_t>(std::stoul(count)));
   } catch (const std::exception& error) {
     std::cout << error.what() << '\n';
     return 1;
