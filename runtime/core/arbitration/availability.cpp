@@ -8,9 +8,7 @@
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char equals = 0;
-}
+const char director::part::equals = 0;
 
 namespace director::arbitration {
 

@@ -10,9 +10,7 @@
 #include "runtime/core/arbitration/walk.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char limbo = 0;
-}
+const char director::part::limbo = 0;
 
 namespace director::arbitration {
 

@@ -12,9 +12,7 @@
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char plans = 0;
-}
+const char director::part::plans = 0;
 
 namespace director::arbitration {
 

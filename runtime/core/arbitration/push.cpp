@@ -12,9 +12,7 @@
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char pushes = 0;
-}
+const char director::part::pushes = 0;
 
 namespace director::arbitration {
 

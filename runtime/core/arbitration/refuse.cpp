@@ -9,9 +9,7 @@
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char conditions = 0;
-}
+const char director::part::conditions = 0;
 
 namespace director::arbitration {
 

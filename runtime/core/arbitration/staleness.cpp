@@ -10,9 +10,7 @@
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char staleness = 0;
-}
+const char director::part::staleness = 0;
 
 namespace director::arbitration {
 

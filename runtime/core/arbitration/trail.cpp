@@ -19,9 +19,7 @@
 #include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char trail = 0;
-}
+const char director::part::trail = 0;
 
 namespace director::arbitration {
 

@@ -267,7 +267,7 @@ struct State {
   PlanEntry* entry = nullptr;       ///< plans of the members in hand, as stacks of entries; there are as many as groups
   Index* unit = nullptr;            ///< most_edges + 1: edges that are tried together
   TriedMember* member = nullptr;    ///< those of them that are in hand
-  Index* candidate = nullptr;       ///< edges that are candidates: a heap, the first in order on top
+  Index* candidate = nullptr;       ///< edges ahead in the walk, the next one last; from the end, those that wait
   Index* reach = nullptr;           ///< groups: work list of a search, or those that the act goes through
   Index* denied = nullptr;          ///< groups in the order in which they were denied for their holder's sake
   Staged* staged_request = nullptr; ///< place among the running group's edges

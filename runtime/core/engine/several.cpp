@@ -71,6 +71,7 @@ void Engine::remember_request(Index edge) {
 
 /// Requests are as they were before this micro-step; or, the second time, as they are.
 void Engine::swap_altered() {
+  if (injected(Fault::what_stops_is_ordered_anew)) return;
   for (Requested& row : std::span(x_.s.before, x_.before_count)) {
     Requested& request = x_.s.request[row.target];
     std::swap(request.level, row.level);
