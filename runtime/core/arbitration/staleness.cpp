@@ -28,10 +28,7 @@ Index stale_source(const Context& x, Index group) {
 
 /// Something new among the members in hand, whose requester's orders are outdated.
 bool any_new(const Context& x, Index count) {
-  for (Index at = 0; at < count; ++at) {
-    if (!runs_for_now(x, x.s.member[at].edge)) return true;
-  }
-  return false;
+  return any(members(x, count), [&](const TriedMember& member) { return !runs_for_now(x, member.edge); });
 }
 
 /// They are not even tried: a reason that there was stays until they are, unless the group is held for one from now on.
@@ -67,7 +64,7 @@ bool takes_from_stale(Context& x, Index count) {
     if (runs_for_now(x, edge)) continue;
     Index found = 0;
     x.s.reach[found++] = target(x, edge);
-    for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i) x.s.reach[found++] = x.s.entry[i].group;
+    for (const PlanEntry& entry : plan_of(x, at)) x.s.reach[found++] = entry.group;
     if (reached_from_stale(x, found, edge)) return true;
   }
   return false;
@@ -83,7 +80,7 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
     return edge == nil || (!in_chain(x, holder, {edge, Chains::current}) &&
                            before(x, {holder, Chains::current}, {edge, Chains::current}));
   };
-  const Index claims = found;
+  const std::span<const Index> claims{x.s.reach, found};
   bool yes = false;
   for (Index i = 0; i < found && !yes; ++i) {
     for (const Index up : x.t.list(x.t.groups[x.s.reach[i]].requesters)) {
@@ -94,9 +91,7 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
         x.s.run_queue[group].counts = 1; // its run
         yes = true;
       }
-      bool listed = false;
-      for (Index j = 0; j < claims; ++j) listed = listed || x.s.reach[j] == group;
-      if (!listed) x.s.reach[found++] = group;
+      if (!any(claims, [&](Index claim) { return claim == group; })) x.s.reach[found++] = group;
     }
   }
   for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]] &= static_cast<std::uint8_t>(~mark::reached);

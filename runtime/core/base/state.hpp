@@ -30,13 +30,11 @@ struct Shape {
             t.promises.size(), t.plan_groups.size(), t.listened.size(), t.most_edges,        t.components.size()};
     for (const Group& group : t.groups) {
       Index most = 0;
-      bool causes = false;
-      for (Index p = group.providers.begin; p != group.providers.end; ++p) {
+      for (const Index p : group.providers.rows()) {
         if (t.providers[p].when.size() > most) most = t.providers[p].when.size();
-        causes = causes || !t.providers[p].causing.empty();
       }
       n.lacking += most;
-      n.pushable += causes ? 1 : 0;
+      n.pushable += any(group.providers.rows(), [&](Index p) { return !t.providers[p].causing.empty(); }) ? 1U : 0U;
     }
     if (n.components > 1) n.altered = t.root_edges > n.most_edges ? t.root_edges : n.most_edges;
     return n;

@@ -33,11 +33,7 @@ void Engine::commit_pack(Range edges) {
 }
 
 bool Engine::other_plan(Index group) const {
-  const Range slots = x_.t.groups[group].slots;
-  bool other = false;
-  for (Index slot = slots.begin; slot != slots.end; ++slot)
-    other = other || x_.s.now.plan[slot] != x_.s.last.plan[slot];
-  return other;
+  return any(x_.t.groups[group].slots.rows(), [&](Index slot) { return x_.s.now.plan[slot] != x_.s.last.plan[slot]; });
 }
 
 void Engine::act_on_all_touched() {
