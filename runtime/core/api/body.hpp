@@ -70,18 +70,14 @@ void this_value_is_not_declared_in_causing_or_sets();
 
 template <class Facts>
 constexpr bool may_set(Setting setting) {
-  for (const Allowed& allowed : Facts::sets) {
-    if (allowed.state == setting.state && allowed.low <= setting.value && setting.value <= allowed.high) return true;
-  }
-  return false;
+  return any(Facts::sets, [&](const Allowed& allowed) {
+    return allowed.state == setting.state && allowed.low <= setting.value && setting.value <= allowed.high;
+  });
 }
 
 template <class Facts>
 constexpr bool may_set_some(Index state) {
-  for (const Allowed& allowed : Facts::sets) {
-    if (allowed.state == state) return true;
-  }
-  return false;
+  return any(Facts::sets, [&](const Allowed& allowed) { return allowed.state == state; });
 }
 
 /// A state that `causing` or `sets` of this provider or handler name.

@@ -8,9 +8,7 @@
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char equals = 0;
-}
+const char director::part::equals = 0;
 
 namespace director::arbitration {
 
@@ -68,8 +66,7 @@ bool may_be_denied(Context& x, Index member) {
   };
   bool yes = look_at(member);
   for (Index i = 0; i < found && !yes; ++i) {
-    const Range providers = x.t.groups[x.s.reach[i]].providers;
-    for (Index p = providers.begin; p != providers.end; ++p) {
+    for (const Index p : x.t.groups[x.s.reach[i]].providers.rows()) {
       for (const Index need : x.t.list(x.t.providers[p].needs)) yes = yes || look_at(need);
     }
   }

@@ -48,7 +48,7 @@ bool combine(Context& x, Index count, bool with_conditions) {
 void leave_combination(Context& x, Index count) {
   if (count == 0) return;
   drop_entries(x, 0, x.s.member[count - 1].entries_end);
-  for (Index at = 0; at < count; ++at) x.s.trial[target(x, x.s.member[at].edge)] = nil;
+  for (const TriedMember& member : members(x, count)) x.s.trial[target(x, member.edge)] = nil;
 }
 
 } // namespace director::arbitration

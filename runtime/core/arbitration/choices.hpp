@@ -19,21 +19,27 @@ inline void drop_entries(Context& x, Index begin, Index end) {
 
 /// Where the plan of `owner` keeps the provider picked for `group`; nil where it has only one.
 inline Index slot_of(const Context& x, Index owner, Index group) {
-  const Range slots = x.t.groups[owner].slots;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) {
+  for (const Index slot : x.t.groups[owner].slots.rows()) {
     if (x.t.plan_groups[slot] == group) return slot;
   }
   return nil;
 }
 
+/// The members in hand.
+inline std::span<TriedMember> members(const Context& x, Index count) { return {x.s.member, count}; }
+
 /// Where the entries of a member's plan begin.
 inline Index entries_begin(const Context& x, Index at) { return at == 0 ? Index{0} : x.s.member[at - 1].entries_end; }
+
+/// A member's plan.
+inline std::span<const PlanEntry> plan_of(const Context& x, Index at) {
+  return {x.s.entry + entries_begin(x, at), x.s.entry + x.s.member[at].entries_end};
+}
 
 /// A plan of some group may pick one provider or another.
 inline bool alternatives(const Context& x, Index component) { return x.t.components[component].alternatives; }
 
 bool stays(const Context& x, Index provider);
-bool waived(const Context& x, Index provider, Index condition, Index edge);
 DIRECTOR_PART Index find_false(const Context& x, Index provider, Index edge);
 
 /// The first condition that keeps the provider from running for an edge, or nil.

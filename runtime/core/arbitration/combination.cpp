@@ -6,9 +6,7 @@
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char search = 0;
-}
+const char director::part::search = 0;
 
 namespace director::arbitration {
 

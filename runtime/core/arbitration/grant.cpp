@@ -42,7 +42,7 @@ void grant(Context& x, Index count) {
 
 /// Whatever is chosen, something of it is not available.
 void block(Context& x, Index count) {
-  for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at].edge] |= mark::refused;
+  for (const TriedMember& member : members(x, count)) x.s.edge_marks[member.edge] |= mark::refused;
   if (injected(Fault::blocked_units_push_on)) keep_pushes(x, count);
   explain(x, count, Why::blocked);
 }
@@ -55,7 +55,7 @@ void block_alone(Context& x, Index edge) {
 }
 
 void explain(Context& x, Index count, Why why, Index condition) {
-  for (Index at = 0; at < count; ++at) x.s.queued[x.s.member[at].edge] = {why, condition};
+  for (const TriedMember& member : members(x, count)) x.s.queued[member.edge] = {why, condition};
 }
 
 } // namespace director::arbitration

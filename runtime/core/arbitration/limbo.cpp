@@ -10,9 +10,7 @@
 #include "runtime/core/arbitration/walk.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char limbo = 0;
-}
+const char director::part::limbo = 0;
 
 namespace director::arbitration {
 
@@ -38,8 +36,8 @@ void reach_below_limbo(Context& x) {
   for (Index i = x.s.order_count[x.component]; i-- != 0;) { // limbo comes last
     const Index group = x.s.order[x.row.order + i];
     if (!lies_in_limbo(x, group)) return;
-    const Range edges = x.s.now[group].holder == nil ? x.t.groups[group].edges : Range{};
-    for (Index e = edges.begin; e != edges.end; ++e) {
+    if (x.s.now[group].holder != nil) continue;
+    for (const Index e : x.t.groups[group].edges.rows()) {
       if (x.s.queued[e].why != Why::none || !x.t.groups[target(x, e)].simple) reach_edge(x, e);
     }
   }

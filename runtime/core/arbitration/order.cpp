@@ -7,9 +7,7 @@
 #include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char order = 0;
-}
+const char director::part::order = 0;
 
 namespace director::arbitration {
 

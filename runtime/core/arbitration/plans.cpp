@@ -12,9 +12,7 @@
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char plans = 0;
-}
+const char director::part::plans = 0;
 
 namespace director::arbitration {
 
@@ -86,11 +84,10 @@ namespace {
 /// The plan in hand is the one that the member's target has.
 bool plan_as_it_is(const Context& x, Index at) {
   const Index owner = target(x, x.s.member[at].edge);
-  for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i) {
-    const Index slot = slot_of(x, owner, x.s.entry[i].group);
-    if (slot != nil && x.s.last.plan[slot] != x.s.entry[i].provider) return false;
-  }
-  return true;
+  return !any(plan_of(x, at), [&](const PlanEntry& entry) {
+    const Index slot = slot_of(x, owner, entry.group);
+    return slot != nil && x.s.last.plan[slot] != entry.provider;
+  });
 }
 
 /// Can the plan in hand be claimed, and do its conditions hold? `keep`: how many entries the next plan to try may
@@ -104,10 +101,9 @@ bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& k
     keep = static_cast<Index>(i + 1);
     return false;
   }
-  for (Index i = begin; with_conditions && i < end; ++i) {
-    if (first_false(x, x.s.entry[i].provider, x.s.entry[i].need) != nil) return false;
-  }
-  return true;
+  return !with_conditions || !any(plan_of(x, at), [&](const PlanEntry& entry) {
+    return first_false(x, entry.provider, entry.need) != nil;
+  });
 }
 
 } // namespace
@@ -134,7 +130,7 @@ namespace {
 void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
   const Range slots = x.t.groups[owner].slots;
   x.s.now[owner].planned = provider;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) x.s.now.plan[slot] = nil;
+  for (const Index slot : slots.rows()) x.s.now.plan[slot] = nil;
   if (slots.empty()) return;
   for (Index i = begin; i < end; ++i) {
     const Index slot = slot_of(x, owner, x.s.entry[i].group);

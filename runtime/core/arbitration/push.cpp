@@ -12,9 +12,7 @@
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char pushes = 0;
-}
+const char director::part::pushes = 0;
 
 namespace director::arbitration {
 
@@ -24,24 +22,20 @@ constexpr std::uint64_t endless = ~std::uint64_t{0};
 
 /// A member in hand has made a push before.
 bool pushes(const Context& x, Index count) {
-  for (Index at = 0; at < count; ++at) {
-    if ((x.s.edge_marks[x.s.member[at].edge] & mark::pushes) != 0) return true;
-  }
-  return false;
+  return any(members(x, count), [&](const TriedMember& m) { return (x.s.edge_marks[m.edge] & mark::pushes) != 0; });
 }
 
 bool in_unit(const Context& x, Index edge, Index count) {
-  for (Index at = 0; at < count; ++at) {
-    if (x.s.member[at].edge == edge) return true;
-  }
-  return false;
+  return any(members(x, count), [&](const TriedMember& member) { return member.edge == edge; });
 }
 
 bool satisfies(const Context& x, Index provider, Index condition) {
-  for (const Index effect : x.t.list(x.t.providers[provider].effects)) {
-    if (effect == condition) return true;
-  }
-  return false;
+  return any(x.t.list(x.t.providers[provider].effects), [&](Index effect) { return effect == condition; });
+}
+
+/// One of these conditions.
+bool satisfies_any(const Context& x, Index provider, Range conditions) {
+  return any(x.t.list(conditions), [&](Index condition) { return satisfies(x, provider, condition); });
 }
 
 void set_push(Context& x, Index group, const Push& push) {
@@ -50,48 +44,32 @@ void set_push(Context& x, Index group, const Push& push) {
   x.pushing = true;
 }
 
-/// Conditions that are wanted are marked; unmarked with another mark of 0.
-void want(Context& x, Range conditions, std::uint8_t bits) {
-  for (const Index condition : x.t.list(conditions)) x.s.condition_marks[condition] = bits;
-}
-
 /// The unit is granted: of its pushes those stay that serve the choices in hand, or a push that does.
 void keep_serving_pushes(Context& x, Index count) {
-  const auto want_provider = [&](Index provider, std::uint8_t bits) {
-    want(x, x.t.providers[provider].when, bits);
-    want(x, x.t.providers[provider].stay, bits);
-  };
-  const auto want_all = [&](std::uint8_t bits) {
-    for (Index at = 0; at < count; ++at) {
-      want_provider(x.s.member[at].provider, bits);
-      for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i)
-        want_provider(x.s.entry[i].provider, bits);
-    }
-  };
+  const auto is_busy = [&](Index g) { return (x.s.group_marks[g] & mark::busy) != 0; };
   const auto serves = [&](Index provider) {
-    for (const Index effect : x.t.list(x.t.providers[provider].effects)) {
-      if (x.s.condition_marks[effect] != 0) return true;
+    const auto helps = [&](Index chosen) {
+      const Provider& row = x.t.providers[chosen];
+      return satisfies_any(x, provider, row.when) || satisfies_any(x, provider, row.stay);
+    };
+    for (Index at = 0; at < count; ++at) {
+      if (helps(x.s.member[at].provider)) return true;
+      if (any(plan_of(x, at), [&](const PlanEntry& entry) { return helps(entry.provider); })) return true;
     }
-    return false;
+    return any(pushed_groups(x), [&](Index g) {
+      return is_busy(g) && satisfies_any(x, provider, x.t.providers[x.s.last[g].push.provider].aims);
+    });
   };
-  want_all(mark::wanted);
   for (const Index g : pushed_groups(x)) x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
   for (bool more = true; more;) {
     more = false;
     for (const Index g : pushed_groups(x)) {
       const Push& push = x.s.last[g].push;
-      if (push.edge == nil || (x.s.group_marks[g] & mark::busy) != 0 || !in_unit(x, push.edge, count) ||
-          !serves(push.provider))
-        continue;
+      if (push.edge == nil || is_busy(g) || !in_unit(x, push.edge, count) || !serves(push.provider)) continue;
       x.s.group_marks[g] |= mark::busy;
-      want(x, x.t.providers[push.provider].aims, mark::wanted);
       if (x.s.now[g].push.edge == nil) set_push(x, g, push);
       more = true;
     }
-  }
-  want_all(0);
-  for (const Index g : pushed_groups(x)) {
-    if ((x.s.group_marks[g] & mark::busy) != 0) want(x, x.t.providers[x.s.last[g].push.provider].aims, 0);
   }
 }
 
@@ -105,10 +83,11 @@ bool relax(Context& x, Index provider) {
        more = search_plan(x, provider, 0, end, false, true)) {
     const Index plan = number++;
     ++x.work;
-    bool possible = true;
-    for (Index i = 0; i < end; ++i)
-      possible = possible && holder_now(x, x.s.entry[i].group) == nil && x.s.enabled[x.s.entry[i].provider] != 0;
-    if (!possible) continue;
+    const std::span<const PlanEntry> entries{x.s.entry, end};
+    if (any(entries, [&](const PlanEntry& entry) {
+          return holder_now(x, entry.group) != nil || x.s.enabled[entry.provider] == 0;
+        }))
+      continue;
     std::uint64_t length = 1;
     Index lacks = nil;
     const auto add = [&](Index of) {
@@ -121,7 +100,7 @@ bool relax(Context& x, Index provider) {
       }
     };
     add(provider);
-    for (Index i = 0; i < end; ++i) add(x.s.entry[i].provider);
+    for (const PlanEntry& entry : entries) add(entry.provider);
     if (length == endless) continue;
     for (const Index effect : x.t.list(row.effects)) {
       if ((x.s.condition_marks[effect] & mark::lacked) == 0) continue;
@@ -154,10 +133,8 @@ bool can_be_pushed(const Context& x, Index provider, Index member) {
   const Push& there = x.s.now[group].push; // by another unit
   if (x.s.enabled[provider] == 0 || holder_now(x, group) != nil || (there.edge != nil && there.provider != provider))
     return false;
-  for (const Index edge : x.t.list(x.t.groups[group].requesters)) {
-    if (requested(x, edge) && goes_before(x, member, edge)) return true;
-  }
-  return false;
+  return any(x.t.list(x.t.groups[group].requesters),
+             [&](Index edge) { return requested(x, edge) && goes_before(x, member, edge); });
 }
 
 /// The first push of the shortest chain that makes a condition of `member` true. What can lead to it is found
@@ -201,11 +178,10 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
 
 /// By root or a live group.
 bool asked_for(const Context& x, Index group) {
-  for (const Index edge : x.t.list(x.t.groups[group].requesters)) {
+  return any(x.t.list(x.t.groups[group].requesters), [&](Index edge) {
     const Index from = x.t.edges[edge].requester;
-    if (requested(x, edge) && (from == nil || x.s.now[from].active != nil)) return true;
-  }
-  return false;
+    return requested(x, edge) && (from == nil || x.s.now[from].active != nil);
+  });
 }
 
 } // namespace
@@ -270,7 +246,7 @@ void push_for(Context& x, Index count, Index unmet) {
     Push push;
     if (served) continue;
     // The search looks at the requests, claims and pushes of many.
-    for (Index at = 0; at < count; ++at) x.s.edge_trail[x.s.member[at].edge] |= trail::waits;
+    for (const TriedMember& member : members(x, count)) x.s.edge_trail[member.edge] |= trail::waits;
     if (!find_chain(x, x.s.unmet[i].condition, x.s.unmet[i].member, push)) {
       all_served = false;
       continue;

@@ -21,9 +21,9 @@ void compare_member(Context& x, Index edge) {
   // Below outdated orders it was tried as what ran before.
   if (!runs) rest_on(x, edge, static_cast<std::uint8_t>((x.s.edge_trail[edge] & trail::kept) | trail::on_last));
   compare_claim(x, group);
-  bool other = runs != ran || now.active != last.active || now.planned != last.planned;
-  const Range slots = x.t.groups[group].slots;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) other = other || x.s.now.plan[slot] != x.s.last.plan[slot];
+  const bool other =
+      runs != ran || now.active != last.active || now.planned != last.planned ||
+      any(x.t.groups[group].slots.rows(), [&](Index slot) { return x.s.now.plan[slot] != x.s.last.plan[slot]; });
   if (other) reach(x, group);
   if (x.t.groups[group].simple) return;
   const auto compare_plan = [&](const Assignment& of) {
@@ -129,12 +129,8 @@ void compare_with_last(Context& x, Index count) {
     compare_member(x, edge);
   }
   if (!pushing && !x.pushing) return;
-  const auto ours = [&](Index edge) {
-    for (Index at = 0; at < count; ++at) {
-      if (x.s.unit[at] == edge) return true;
-    }
-    return false;
-  };
+  const std::span<const Index> unit{x.s.unit, count};
+  const auto ours = [&](Index edge) { return any(unit, [&](Index member) { return member == edge; }); };
   bool lost = false;
   for (const Index g : pushed_groups(x)) {
     const Push &now = x.s.now[g].push, &last = x.s.last[g].push;
@@ -160,8 +156,9 @@ void reach_edge(Context& x, Index edge) {
 void take_up(Context& x, Index edge, bool with_siblings) {
   const Index group = target(x, edge), from = x.t.edges[edge].requester;
   reach_edge(x, edge);
-  const Range edges = from == nil || !with_siblings ? Range{} : x.t.groups[from].edges;
-  for (Index e = edges.begin; e != edges.end && !injected(Fault::other_members_are_overlooked); ++e) reach_edge(x, e);
+  if (from != nil && with_siblings && !injected(Fault::other_members_are_overlooked)) {
+    for (const Index e : x.t.groups[from].edges.rows()) reach_edge(x, e);
+  }
   reach(x, group);
   reach_pushes_of(x, edge);
   if (x.s.last[group].holder == edge) move(x, group);
@@ -203,8 +200,7 @@ void move(Context& x, Index group) {
   };
   add(group);
   for (Index i = 0; i < found && !injected(Fault::what_is_below_is_overlooked); ++i) {
-    const Range edges = x.t.groups[x.s.reach[i]].edges;
-    for (Index e = edges.begin; e != edges.end; ++e) {
+    for (const Index e : x.t.groups[x.s.reach[i]].edges.rows()) {
       reach_edge(x, e);
       reach_pushes_of(x, e);
       if (x.s.last[x.t.edges[e].target].holder == e) add(x.t.edges[e].target);

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 4.4, Refuse: a unit is queued, for a reason.
+// docs/semantics.md, sections 4.3 and 4.4, Refuse: the conditions of a provider, and what becomes of who waits for one.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/choices.hpp"
@@ -9,13 +9,32 @@
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char conditions = 0;
-}
+const char director::part::conditions = 0;
 
 namespace director::arbitration {
 
 namespace {
+
+/// Held in this provider on purpose: conditions on states that it causes itself do not count.
+bool waived(const Context& x, Index provider, Index condition, Index edge) {
+  const Index group = x.t.providers[provider].group;
+  const Push& push = x.s.now[group].push;
+  if (injected(Fault::nothing_is_waived)) return false;
+  if (push.edge == nil || push.provider != provider) return false;
+  x.depends_on_last = true;
+  if ((x.s.last[group].flags & flag::in_force) == 0 || x.s.last[group].push.provider != provider) return false;
+  return any(x.t.list(x.t.providers[provider].causing),
+             [&](Index s) { return s == x.t.conditions[condition].state; }) &&
+         applies(x, push, edge);
+}
+
+/// Of the conditions that keep the provider from running for an edge, is one so?
+template <class Is>
+bool any_false(const Context& x, Index provider, Index edge, const Is& is) {
+  return !stays(x, provider) && any(x.t.list(x.t.providers[provider].when), [&](Index condition) {
+    return !holds(x, condition) && !waived(x, provider, condition, edge) && is(condition);
+  });
+}
 
 /// The false conditions of the combination in hand, member by member: its provider's, then its plan's.
 Index collect_unmet(Context& x, Index count) {
@@ -23,33 +42,45 @@ Index collect_unmet(Context& x, Index count) {
   for (Index place = 0; place < count; ++place) { // in order of the unit, also where the search had another one
     Index at = place;
     for (Index other = 0; count > 1 && x.s.member[at].edge != x.s.unit[place]; ++other) at = other;
-    const auto add = [&](Index provider, Index edge) {
-      if (stays(x, provider)) return;
-      for (const Index condition : x.t.list(x.t.providers[provider].when)) {
-        if (holds(x, condition) || waived(x, provider, condition, edge)) continue;
-        x.s.unmet[found].member = x.s.member[at].edge;
-        x.s.unmet[found++].condition = condition;
-      }
+    const TriedMember& member = x.s.member[at];
+    const auto add = [&](Index condition) {
+      x.s.unmet[found++] = {member.edge, condition};
+      return false;
     };
-    add(x.s.member[at].provider, x.s.member[at].edge);
-    for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i)
-      add(x.s.entry[i].provider, x.s.entry[i].need);
+    any_false(x, member.provider, member.edge, add);
+    for (const PlanEntry& entry : plan_of(x, at)) any_false(x, entry.provider, entry.need, add);
   }
   return found;
 }
 
 bool somebody_satisfies(const Context& x, Index condition) {
-  for (const Index provider : x.t.list(x.t.conditions[condition].causers)) {
-    if (x.s.enabled[provider] != 0) return true;
-  }
-  return false;
+  return any(x.t.list(x.t.conditions[condition].causers), [&](Index provider) { return x.s.enabled[provider] != 0; });
 }
 
 } // namespace
 
+/// It was active for its granted group after the last pass, and all of its `stay` holds: then its `when` does not
+/// count.
+bool stays(const Context& x, Index provider) {
+  const Provider& row = x.t.providers[provider];
+  if (row.stay.empty() || injected(Fault::stay_is_ignored)) return false;
+  x.depends_on_last = true;
+  if (x.s.last[row.group].active != provider || (x.s.last[row.group].flags & flag::granted) == 0) return false;
+  return !any(x.t.list(row.stay), [&](Index condition) { return !holds(x, condition); });
+}
+
+Index find_false(const Context& x, Index provider, Index edge) {
+  Index first = nil;
+  any_false(x, provider, edge, [&](Index condition) {
+    first = condition;
+    return true;
+  });
+  return first;
+}
+
 /// No combination is available with its conditions true.
 void refuse(Context& x, Index count) {
-  for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.member[at].edge] |= mark::refused;
+  for (const TriedMember& member : members(x, count)) x.s.edge_marks[member.edge] |= mark::refused;
   if (!combine(x, count, false)) return block(x, count);
   x.depends_on_last = true;
   const Index unmet = collect_unmet(x, count);

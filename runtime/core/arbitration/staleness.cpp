@@ -10,9 +10,7 @@
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char staleness = 0;
-}
+const char director::part::staleness = 0;
 
 namespace director::arbitration {
 
@@ -30,10 +28,7 @@ Index stale_source(const Context& x, Index group) {
 
 /// Something new among the members in hand, whose requester's orders are outdated.
 bool any_new(const Context& x, Index count) {
-  for (Index at = 0; at < count; ++at) {
-    if (!runs_for_now(x, x.s.member[at].edge)) return true;
-  }
-  return false;
+  return any(members(x, count), [&](const TriedMember& member) { return !runs_for_now(x, member.edge); });
 }
 
 /// They are not even tried: a reason that there was stays until they are, unless the group is held for one from now on.
@@ -69,7 +64,7 @@ bool takes_from_stale(Context& x, Index count) {
     if (runs_for_now(x, edge)) continue;
     Index found = 0;
     x.s.reach[found++] = target(x, edge);
-    for (Index i = entries_begin(x, at); i < x.s.member[at].entries_end; ++i) x.s.reach[found++] = x.s.entry[i].group;
+    for (const PlanEntry& entry : plan_of(x, at)) x.s.reach[found++] = entry.group;
     if (reached_from_stale(x, found, edge)) return true;
   }
   return false;

@@ -19,9 +19,7 @@
 #include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char trail = 0;
-}
+const char director::part::trail = 0;
 
 namespace director::arbitration {
 
@@ -59,11 +57,7 @@ void take_rerequested(Context& x, Take&& take) {
 
 template <class Is>
 bool any_edge(const Context& x, Index group, const Is& is) {
-  const Range edges = x.t.groups[group].edges;
-  for (Index e = edges.begin; e != edges.end; ++e) {
-    if (is(e)) return true;
-  }
-  return false;
+  return any(x.t.groups[group].edges.rows(), is);
 }
 
 /// It waits for somebody who is pushed, or searched for one.
@@ -230,7 +224,7 @@ void end_trail(Context& x) {
     Bits& bits = x.s.group_trail[g];
     if (now.holder != nil && has_to_be_looked_at(x, g)) bits |= trail::again;
     if (now.holder == nil && x.s.last[g].holder != nil && !x.whole) {
-      for (Index e = x.t.groups[g].edges.begin; e != x.t.groups[g].edges.end; ++e) leave_unvisited(x, e);
+      for (const Index e : x.t.groups[g].edges.rows()) leave_unvisited(x, e);
     }
     if ((bits & (trail::disturbed | trail::again)) != 0) x.s.news[x.row.order + news++] = g;
     remove(bits, trail::opened | trail::moved);

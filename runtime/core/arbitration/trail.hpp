@@ -46,8 +46,8 @@ inline void compare_claim(Context& x, Index group) {
 inline void clear(Context& x, Index group) {
   x.s.now[group] = GroupAssignment{};
   x.s.run_queue[group].counts = 0;
-  const Range slots = alternatives(x, x.component) ? x.t.groups[group].slots : Range{};
-  for (Index slot = slots.begin; slot != slots.end; ++slot) x.s.now.plan[slot] = nil;
+  if (!alternatives(x, x.component)) return;
+  for (const Index slot : x.t.groups[group].slots.rows()) x.s.now.plan[slot] = nil;
 }
 
 /// A component of few groups is decided whole: to find out what a change reaches costs more there.
@@ -107,8 +107,7 @@ inline void clear_marks(Context& x) {
   };
   for (Index e = x.s.first_root[x.component]; e != x.rest; e = x.s.next_root[e]) clear_edge(e);
   for (const Index g : opened(x)) {
-    const Range edges = x.t.groups[g].edges;
-    for (Index e = edges.begin; e != edges.end; ++e) clear_edge(e);
+    for (const Index e : x.t.groups[g].edges.rows()) clear_edge(e);
   }
 }
 

@@ -12,9 +12,7 @@
 #include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/base/parts.hpp"
 
-namespace director::part {
-const char units = 0;
-}
+const char director::part::units = 0;
 
 namespace director::arbitration {
 

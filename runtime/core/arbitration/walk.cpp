@@ -91,7 +91,7 @@ void visit_root(Context& x, Index edge) {
 
 /// Tries candidates, the first in order first, until none is left, and puts down who is claimed in the order in which
 /// the edges stand. Below a mandatory edge that order is the tree's: an edge, all that is below it, its next sibling.
-/// What is optional waits in a heap until all else was tried.
+/// What is optional waits until all else was tried.
 void sweep(Context& x) {
   Index root = x.s.first_root[x.component];
   for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {

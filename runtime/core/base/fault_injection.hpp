@@ -61,6 +61,7 @@ enum class Fault : unsigned char {
   who_stands_as_before_is_overlooked,
   others_are_overlooked,
   who_leaves_stays_queued,
+  what_stops_is_ordered_anew,
   count
 };
 

@@ -25,8 +25,7 @@ inline constexpr std::uint8_t differs = 32;   ///< it stands elsewhere than afte
 inline constexpr std::uint8_t listed = 128;   ///< it stands in State::pushed
 inline constexpr std::uint8_t looked_at = 64; ///< set only while a member's choices are searched for equals
 // On conditions.
-inline constexpr std::uint8_t wanted = 1;
-inline constexpr std::uint8_t lacked = 2; ///< the chain in search may have to make it true
+inline constexpr std::uint8_t lacked = 1; ///< the chain in search may have to make it true
 // On providers, besides looked_at.
 inline constexpr std::uint8_t pushable = 1;
 } // namespace mark

@@ -33,12 +33,6 @@ using Parts = std::array<const char*, 17>;
 
 /// What these tables use. `data`: some task has data. `all`: whatever the tables are.
 constexpr Parts parts_of(const Tables& t, bool data, bool all = false) {
-  const auto any = [](const auto& rows, auto has) {
-    for (const auto& row : rows) {
-      if (has(row)) return true;
-    }
-    return false;
-  };
   const bool requests = t.edges.size() > t.root_edges;
   const bool shared = any(t.components, [](const Component& row) { return row.groups.size() > 1; }); // by groups
   const bool pushes = any(t.conditions, [](const Condition& row) { return !row.causers.empty(); });

@@ -30,13 +30,11 @@ struct Shape {
             t.promises.size(), t.plan_groups.size(), t.listened.size(), t.most_edges,        t.components.size()};
     for (const Group& group : t.groups) {
       Index most = 0;
-      bool causes = false;
-      for (Index p = group.providers.begin; p != group.providers.end; ++p) {
+      for (const Index p : group.providers.rows()) {
         if (t.providers[p].when.size() > most) most = t.providers[p].when.size();
-        causes = causes || !t.providers[p].causing.empty();
       }
       n.lacking += most;
-      n.pushable += causes ? 1 : 0;
+      n.pushable += any(group.providers.rows(), [&](Index p) { return !t.providers[p].causing.empty(); }) ? 1U : 0U;
     }
     if (n.components > 1) n.altered = t.root_edges > n.most_edges ? t.root_edges : n.most_edges;
     return n;
@@ -268,7 +266,7 @@ struct State {
   PlanEntry* entry = nullptr;       ///< plans of the members in hand, as stacks of entries; there are as many as groups
   Index* unit = nullptr;            ///< most_edges + 1: edges that are tried together
   TriedMember* member = nullptr;    ///< those of them that are in hand
-  Index* candidate = nullptr;       ///< edges that are candidates: a heap, the first in order on top
+  Index* candidate = nullptr;       ///< edges ahead in the walk, the next one last; from the end, those that wait
   Index* reach = nullptr;           ///< groups: work list of a search, or those that the act goes through
   Index* denied = nullptr;          ///< groups in the order in which they were denied for their holder's sake
   Staged* staged_request = nullptr; ///< place among the running group's edges

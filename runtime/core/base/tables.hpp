@@ -35,12 +35,35 @@ inline constexpr Time never = 9223372036854775807; ///< no step goes so far
 inline constexpr Time last_time = never - 1;       ///< what a step to a later time stands for
 inline constexpr Time first_time = -never - 1;
 
+/// To go from row to row.
+struct RowIterator {
+  Index row;
+  constexpr Index operator*() const { return row; }
+  constexpr RowIterator& operator++() { return ++row, *this; }
+  constexpr bool operator==(const RowIterator&) const = default;
+};
+struct Rows {
+  RowIterator first, last;
+  constexpr RowIterator begin() const { return first; }
+  constexpr RowIterator end() const { return last; }
+};
+
 /// Rows [begin, end) of another table, mostly of Tables::lists.
 struct Range {
   TableIndex begin = 0, end = 0;
   constexpr Index size() const { return static_cast<Index>(end - begin); }
   constexpr bool empty() const { return begin == end; }
+  constexpr Rows rows() const { return {{begin}, {end}}; }
 };
+
+/// One of them is so; they are looked at up to the first that is.
+template <class All, class Is>
+constexpr bool any(const All& all, const Is& is) {
+  for (const auto& each : all) {
+    if (is(each)) return true;
+  }
+  return false;
+}
 
 /// One static way in which an edge is requested.
 struct Level {

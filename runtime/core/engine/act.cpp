@@ -114,10 +114,8 @@ void Engine::stop_group(Index group) {
   end_wait(group);
   live_on(group, nil);
   forget_triggers(group);
-  const Range edges = x_.t.groups[group].edges;
-  for (Index e = edges.begin; e != edges.end; ++e) {
-    if (injected(Fault::stopped_requests_stand)) continue;
-    if (x_.s.request[e].level == nil) continue;
+  for (const Index e : x_.t.groups[group].edges.rows()) {
+    if (x_.s.request[e].level == nil || injected(Fault::stopped_requests_stand)) continue;
     x_.s.request[e].level = nil;
     arbitration::note_rerequest(x_, e);
   }
@@ -152,8 +150,7 @@ inline void Engine::adopt(Index group) {
   if (!x_.s.now[group].granted() && !injected(Fault::who_leaves_stays_queued)) queue().leave(group);
   x_.s.group_marks[group] &= static_cast<std::uint8_t>(~mark::differs);
   x_.s.last[group] = x_.s.now[group];
-  const Range slots = x_.t.groups[group].slots;
-  for (Index slot = slots.begin; slot != slots.end; ++slot) x_.s.last.plan[slot] = x_.s.now.plan[slot];
+  for (const Index slot : x_.t.groups[group].slots.rows()) x_.s.last.plan[slot] = x_.s.now.plan[slot];
 }
 
 void Engine::adopt_order(Index component) {

@@ -43,9 +43,9 @@ void Engine::reset() {
     entry.runs_after = entry.runs_before = nil;
     entry.component = row.component;
     if (!row.listens.empty()) entry.flags |= group_flag::listens;
-    bool ends = row.start || row.stop || !row.owned.empty();
-    for (Index p = row.providers.begin; p != row.providers.end; ++p) ends = ends || x_.t.providers[p].every != 0;
-    if (ends) entry.flags |= group_flag::ends;
+    if (row.start || row.stop || !row.owned.empty() ||
+        any(row.providers.rows(), [&](Index p) { return x_.t.providers[p].every != 0; }))
+      entry.flags |= group_flag::ends;
   }
   for (Index c = 0; c < x_.t.components.size(); ++c) {
     Index* link = &s.first_root[c];
@@ -96,11 +96,9 @@ void Run::set(Index state, std::int32_t value) {
 }
 
 bool Run::triggered(Index trigger) const {
-  const Range listens = engine_.x_.t.groups[group_].listens;
-  for (Index slot = listens.begin; slot != listens.end; ++slot) {
-    if (engine_.x_.t.listened[slot] == trigger) return engine_.x_.s.fired[slot] != 0;
-  }
-  return false;
+  const arbitration::Context& x = engine_.x_;
+  return any(x.t.groups[group_].listens.rows(),
+             [&](Index slot) { return x.t.listened[slot] == trigger && x.s.fired[slot] != 0; });
 }
 
 void Run::refuse(Index state, std::int32_t value) {

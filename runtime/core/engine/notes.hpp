@@ -168,8 +168,7 @@ DIRECTOR_INLINE void Engine::give_what_is_asked_again(Index edge) {
 /// Those that fired since its last run. Mostly it listens to none.
 inline void Engine::forget_triggers(Index group) {
   if ((x_.s.run_queue[group].flags & group_flag::listens) == 0) return;
-  const Range listens = x_.t.groups[group].listens;
-  for (Index slot = listens.begin; slot != listens.end; ++slot) x_.s.fired[slot] = 0;
+  for (const Index slot : x_.t.groups[group].listens.rows()) x_.s.fired[slot] = 0;
 }
 
 /// Mostly it does not wait, and then its timer is not looked at.

@@ -12,8 +12,7 @@ void Engine::take_promises(Index group) {
   Promised& promised = x_.s.promised[group];
   if (promised.provider != nil) return;
   promised = {x_.s.last[group].push.edge, x_.s.last[group].active};
-  const Range own = x_.t.providers[promised.provider].promises;
-  for (Index i = own.begin; i != own.end; ++i)
+  for (const Index i : x_.t.providers[promised.provider].promises.rows())
     timers_.arm({Timers::Kind::promise, i}, later(x_.s.counters->now, x_.t.promises[i].within));
 }
 
@@ -30,8 +29,7 @@ void Engine::keep_promises(Index group) {
   if (provider == nil) return;
   const Push& push = x_.s.last[group].push;
   const bool stands = in_force(group) && push.edge == promised.edge && push.provider == provider;
-  const Range promises = x_.t.providers[provider].promises;
-  for (Index i = promises.begin; i != promises.end; ++i) {
+  for (const Index i : x_.t.providers[provider].promises.rows()) {
     if (!stands || arbitration::holds(x_, x_.t.promises[i].condition)) timers_.disarm({Timers::Kind::promise, i});
   }
   if (!stands) promised = {};
@@ -44,8 +42,7 @@ bool Engine::fire(Index trigger) {
     const Index group = x_.t.providers[provider].group;
     if (x_.s.last[group].active != provider) continue;
     add_reason(group, Reason::trigger);
-    const Range listens = x_.t.groups[group].listens;
-    for (Index slot = listens.begin; slot != listens.end; ++slot) {
+    for (const Index slot : x_.t.groups[group].listens.rows()) {
       if (x_.t.listened[slot] == trigger) x_.s.fired[slot] = 1;
     }
     heard = true;
@@ -56,8 +53,7 @@ bool Engine::fire(Index trigger) {
 /// Once for a push: the other promises of this run of it are over too. True if somebody listens.
 bool Engine::break_promise(Index promise) {
   const Index provider = x_.t.promises[promise].provider;
-  const Range all = x_.t.providers[provider].promises;
-  for (Index i = all.begin; i != all.end; ++i) timers_.disarm({Timers::Kind::promise, i});
+  for (const Index i : x_.t.providers[provider].promises.rows()) timers_.disarm({Timers::Kind::promise, i});
   report(Event::Kind::broken, x_.t.providers[provider].group, provider);
   const Index trigger = x_.t.promises[promise].trigger;
   return trigger != nil && fire(trigger);

@@ -33,11 +33,7 @@ void Engine::commit_pack(Range edges) {
 }
 
 bool Engine::other_plan(Index group) const {
-  const Range slots = x_.t.groups[group].slots;
-  bool other = false;
-  for (Index slot = slots.begin; slot != slots.end; ++slot)
-    other = other || x_.s.now.plan[slot] != x_.s.last.plan[slot];
-  return other;
+  return any(x_.t.groups[group].slots.rows(), [&](Index slot) { return x_.s.now.plan[slot] != x_.s.last.plan[slot]; });
 }
 
 void Engine::act_on_all_touched() {
@@ -71,6 +67,7 @@ void Engine::remember_request(Index edge) {
 
 /// Requests are as they were before this micro-step; or, the second time, as they are.
 void Engine::swap_altered() {
+  if (injected(Fault::what_stops_is_ordered_anew)) return;
   for (Requested& row : std::span(x_.s.before, x_.before_count)) {
     Requested& request = x_.s.request[row.target];
     std::swap(request.level, row.level);

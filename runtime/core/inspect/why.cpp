@@ -235,10 +235,8 @@ private:
     lacks = target(member);
     const auto accept = [&](const Entry& entry) {
       for (const Index need : t_.list(t_.providers[entry.provider].needs)) {
-        const Range providers = t_.groups[target(need)].providers;
-        bool any = false;
-        for (Index p = providers.begin; p != providers.end; ++p) any = any || v_.enabled[p] != 0;
-        if (!any && lacks == target(member)) lacks = target(need);
+        const bool enabled = any(t_.groups[target(need)].providers.rows(), [&](Index p) { return v_.enabled[p] != 0; });
+        if (!enabled && lacks == target(member)) lacks = target(need);
       }
       return true;
     };

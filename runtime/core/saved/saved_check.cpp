@@ -117,8 +117,7 @@ private:
   }
 
   Index picked_in_plan(Index owner, Index group) const {
-    const Range slots = t_.groups[owner].slots;
-    for (Index slot = slots.begin; slot != slots.end; ++slot) {
+    for (const Index slot : t_.groups[owner].slots.rows()) {
       if (t_.plan_groups[slot] == group) return read<PlanRow>(from_ + at_.plan, slot).provider;
     }
     return t_.groups[group].providers.begin;
