@@ -62,16 +62,6 @@ std::string scanner() {
   return find_scanner(own_path(), chosen ? chosen : "");
 }
 
-int act(const Say& say, Console& console) {
-  (say.wrong ? console.err : console.out) << say.text;
-  return say.wrong ? misused : clean;
-}
-
-template <class Command>
-int act(const Command& command, Console& console) {
-  return run(command, console);
-}
-
 /// What it prints are sentences for people, and no file or code.
 template <class Command>
 bool prints_prose(const Command& command) {
@@ -140,7 +130,7 @@ int main(int count, char** words) {
                     out_width,
                     err_width,
                     is_screen(STDOUT_FILENO)};
-    const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
+    const int status = std::visit([&](const auto& command) { return run(command, console); }, request);
     std::cout.flush();
     if (!std::cout) std::cerr << "directorc: the output cannot be written\n";
     std::cerr.flush();

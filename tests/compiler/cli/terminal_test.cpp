@@ -54,4 +54,28 @@ TEST_CASE("what a file is called commands no terminal") {
         "directorc: cannot read `no\\x1B[31m.yaml`: No such file or directory\n");
 }
 
+TEST_CASE("what is wrong with a command line commands no terminal") {
+  World world;
+  CHECK(told_plainly(world, {"\x1B[31m"}).find("directorc: there is no subcommand `\\x1B[31m`; there are ") == 0);
+  CHECK(told_plainly(world, {"check", "a.yaml", "--\x1B[31m"}) ==
+        "directorc check: The following argument was not expected: --\\x1B[31m\nTry `directorc check --help`.\n");
+}
+
+TEST_CASE("of what is very long, messages repeat the beginning and the end") {
+  const std::string name(100'000, 'x'), shown = std::string(372, 'x') + "…" + std::string(125, 'x');
+  World world;
+  world.files.add("a.yaml", "behaviour: a\nlanguage: 1\nroots: [A]\ngroups: {A: {tasks: [" + name + "]}}\n");
+  CHECK(world.directorc({"check", "a.yaml"}) == 1);
+  CHECK(world.out.find("a.yaml:4:22: error: there is no group called `" + shown + "` [undefined_name]\n") == 0);
+  CHECK(world.out.size() < 2000);
+  CHECK(world.directorc({"check", "a.yaml", "--format=json"}) == 1);
+  CHECK(world.out.find("\"message\": \"there is no group called `" + shown + "`\"") != std::string::npos);
+  CHECK(world.out.find(name) == std::string::npos);
+  CHECK(world.directorc({"check", "a.yaml", "--format=sarif"}) == 1);
+  CHECK(world.out.find("\"text\": \"there is no group called `" + shown + "`\\nhelp: ") != std::string::npos);
+  CHECK(world.out.find(name) == std::string::npos);
+  CHECK(world.directorc({"check", name}) == 2);
+  CHECK(world.err == "directorc: cannot read `" + shown + "`: No such file or directory\n");
+}
+
 } // namespace
