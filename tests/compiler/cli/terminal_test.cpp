@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What users' files are called commands no terminal, whatever is printed of them: dsl/harmless.hpp.
+#include "dsl/harmless.hpp"
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>
@@ -52,6 +53,20 @@ TEST_CASE("what a file is called commands no terminal") {
   CHECK(world.outputs.files.at("pages/a\x1B[31m.md").find('\x1B') == std::string::npos);
   CHECK(told_plainly(world, {"generate", "no\x1B[31m.yaml", "-o", "out"}) ==
         "directorc: cannot read `no\\x1B[31m.yaml`: No such file or directory\n");
+}
+
+TEST_CASE("what stubs would write commands no terminal, and through a pipe is as it is") {
+  World world;
+  world.files.add("lamp.yaml", "doc: \"L\\e[31m\tamp\"\n" + std::string(dark_lamp));
+  const auto would_write = [&] {
+    CHECK(world.directorc({"stubs", "lamp.yaml", "-o", "s\x1B[31m", "--dry-run"}) == 0);
+    CHECK(world.err.empty());
+    return world.out;
+  };
+  const std::string piped = would_write();
+  CHECK(piped.find("+++ b/s\x1B[31m/") != std::string::npos);
+  world.width = 80;
+  CHECK(would_write() == director::dsl::harmless_code(piped));
 }
 
 TEST_CASE("what is wrong with a command line commands no terminal") {
