@@ -3,6 +3,7 @@
 #include "compiler/cli/load_trace.hpp"
 
 #include "compiler/cli/load.hpp"
+#include "compiler/cli/named_file.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,8 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   LoadedTrace out;
   auto read = console.files.read(file, std::numeric_limits<std::int32_t>::max());
   if (!read) {
-    say(console, fmt::format("directorc: `{}` cannot be read: {}\n", shown_path(file), read.error().message));
+    say(console, fmt::format("directorc: cannot read `{}`: {}{}\n", shown_path(file), read.error().message,
+                             file_instead(shown_path(file), is_called_trace, console)));
     out.status = misused;
     return out;
   }
