@@ -6,6 +6,7 @@
 #include "compiler/cli/named_file.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/resolve_scenario.hpp"
+#include "dsl/load_file.hpp"
 #include "dsl/read_scenario.hpp"
 #include "dsl/render.hpp"
 
@@ -23,6 +24,7 @@ Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
   if (checked.spec.files.empty() && checked.findings.size() == 1) {
     dsl::Diagnostic finding = checked.findings.front(); // the file cannot be read: it is named in the scenario
     finding.span = behaviour.span;
+    if (finding.help == dsl::relative_to_program) finding.help = dsl::relative_to_file;
     return {finding};
   }
   Findings errors = errors_of(checked.findings);
