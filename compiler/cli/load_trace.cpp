@@ -33,6 +33,9 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   const std::string_view no_header = "this is no trace: its first line is not the header of one";
   std::string problem(no_header);
   if (const std::optional<TraceLine> header = lines.next()) out.recorded = RecordedNames::read(header->json, problem);
+  if (out.text.empty()) problem = "the trace is empty: nothing was recorded, or nothing of it was written";
+  if (lines.cut_off() && out.text.starts_with("{\"director_trace\""))
+    problem = "the trace is cut off within its first line";
   if (!out.recorded) {
     say(console, fmt::format("{}:1: error: {}\n", shown_path(file), problem));
     if (problem == no_header)
