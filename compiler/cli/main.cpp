@@ -17,6 +17,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -136,6 +137,9 @@ int main(int count, char** words) {
     std::cerr.flush();
     // What nobody could be told counts as not done.
     return std::cout && std::cerr ? status : misused;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "directorc: the memory is used up\n";
+    return misused;
   } catch (const std::exception& error) {
     std::cerr << "directorc: internal error: " << error.what() << "\n";
     return 70;

@@ -299,6 +299,50 @@ TEST_CASE("what cannot be said ends with status 2, wherever it should have gone"
   CHECK(directorc(folder, "check --lint bot.yaml > out.txt") == 0);
 }
 
+TEST_CASE("where the working directory is gone nothing can be written there, and what is named wholly is read") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  const std::string program = (binary_dir() / "bin/directorc").string();
+  const auto from_nowhere = [&](const std::string& words) {
+    return directorc(folder, "--version >out; mkdir gone && cd gone && rmdir ../gone && DIRECTOR_CLANG=none '" +
+                                 program + "' " + words);
+  };
+  const std::string file = folder.at("bot.yaml");
+  CHECK(from_nowhere("check " + file + " 2>'" + folder.at("err") + "'") == 0);
+  CHECK(from_nowhere("stubs " + file + " -o src 2>'" + folder.at("err") + "'") == 2);
+  CHECK(read_file(folder.at("err")) == "directorc: nothing is written; cannot write `src/bot_module.hpp`: No such file "
+                                       "or directory\n");
+  CHECK(folder.all() == "bot.yaml " + bot.substr(0, 40) + "; err " + read_file(folder.at("err")).substr(0, 40) +
+                            "; out " + read_file(folder.at("out")) + "; ");
+}
+
+TEST_CASE("a file may have the longest name that the file system takes") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  const std::string name = std::string(251, 'n') + ".dot";
+  CHECK(directorc(folder, "graph bot.yaml -o " + name + " 2>err") == 0);
+  CHECK(read_file(folder.at("err")) == "");
+  CHECK(fs::exists(folder.at(name)));
+}
+
+TEST_CASE("a trace is not written over itself, by whatever path") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  folder.write("bot.scenario.yaml", "behaviour: bot.yaml\nsteps: [{request: Walk}]\n");
+  REQUIRE(directorc(folder, "simulate bot.scenario.yaml --trace t.jsonl >out") == 0);
+  fs::create_symlink("t.jsonl", folder.at("link.jsonl"));
+  const std::string trace = read_file(folder.at("t.jsonl"));
+  for (const char* words : {"t.jsonl -o ./t.jsonl", "--to=json link.jsonl -o t.jsonl"}) {
+    CAPTURE(words);
+    CHECK(directorc(folder, std::string("trace ") + words + " 2>err") == 2);
+    CHECK(read_file(folder.at("err")).find("is the trace that is read; name another file with -o\n") !=
+          std::string::npos);
+    CHECK(read_file(folder.at("t.jsonl")) == trace);
+  }
+  CHECK(directorc(folder, "trace --to=json t.jsonl -o other.jsonl") == 0);
+  CHECK(read_file(folder.at("other.jsonl")) == trace);
+}
+
 TEST_CASE("a part of a set that cannot be written leaves the set as it was") {
   const Folder folder;
   folder.write("bot.yaml", bot);
