@@ -188,6 +188,7 @@ Fault carry_out(const std::vector<Step>& steps, const Watch& watch) {
 
 /// The step that writes this output, if there is anything to do.
 Fault plan(const Output& output, std::vector<Step>& steps) {
+  if (output.path.ends_with('/')) return "it is called as a folder is; name a file";
   struct stat status {};
   if (::stat(output.path.c_str(), &status) != 0) {
     if (::lstat(output.path.c_str(), &status) == 0) return "it is a link that leads nowhere";

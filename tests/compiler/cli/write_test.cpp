@@ -250,6 +250,18 @@ void write_walk(const Folder& folder, const std::string& walks, const std::strin
   folder.write(walks + "/" + scenario, "behaviour: ../bot.yaml\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
 }
 
+TEST_CASE("what ends in a slash is no file, and no folder is made of it") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  for (const char* words : {"graph bot.yaml -o new/", "generate bot.yaml -o out --depfile new/"}) {
+    CAPTURE(words);
+    CHECK(directorc(folder, std::string(words) + " 2>err") == 2);
+    CHECK(read_file(folder.at("err")).ends_with("cannot write `new/`: it is called as a folder is; name a file\n"));
+    CHECK_FALSE(fs::exists(folder.at("new")));
+    CHECK_FALSE(fs::exists(folder.at("out")));
+  }
+}
+
 TEST_CASE("a folder may be called as files are") {
   const Folder folder;
   write_walk(folder, "walks.yaml", "walk.scenario.yml");
@@ -315,6 +327,27 @@ TEST_CASE("where the working directory is gone nothing can be written there, and
   CHECK(folder.all() == "bot.yaml " + bot.substr(0, 40) + "; err " + read_file(folder.at("err")).substr(0, 40) +
                             "; out " + read_file(folder.at("out")) + "; ");
 }
+
+// The address sanitizer takes more than any limit for itself.
+#if defined(__SANITIZE_ADDRESS__)
+#define DIRECTOR_TEST_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define DIRECTOR_TEST_SANITIZED 1
+#endif
+#endif
+#ifndef DIRECTOR_TEST_SANITIZED
+TEST_CASE("where the memory does not suffice, it is said, with status 2") {
+  const Folder folder;
+  constexpr std::size_t many = 14'000'000;
+  std::string text = bot;
+  for (std::size_t i = 0; i < many; ++i) text += "# x\n";
+  folder.write("bot.yaml", text);
+  const std::string program = (binary_dir() / "bin/directorc").string();
+  CHECK(directorc(folder, "--version >out; ulimit -v 100000; '" + program + "' check bot.yaml 2>err") == 2);
+  CHECK(read_file(folder.at("err")) == "directorc: the memory is used up\n");
+}
+#endif
 
 TEST_CASE("a file may have the longest name that the file system takes") {
   const Folder folder;
