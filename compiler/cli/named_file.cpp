@@ -23,6 +23,7 @@ bool is_called_trace(std::string_view path) { return path.ends_with(".jsonl"); }
 
 std::string file_instead(const std::string& path, bool (*is_wanted)(std::string_view), Console& console) {
   const auto read = console.files.read(path, 0, dsl::Kinds::ordinary);
+  if (!read && path == "-") return "; the standard input is called `/dev/stdin`";
   if (read || read.error().kind != dsl::FileError::Kind::folder) return {};
   const fs::path folder = fs::path(path) / "";
   const std::string own = folder.parent_path().filename().string() + ".";

@@ -60,6 +60,8 @@ TEST_CASE("where a folder is named instead of a file, it is told which file may 
   fs::remove(folder.path / "soccer/soccer.yaml");
   CHECK(said(folder.path, {"check", "soccer"}) == begin + "another.yml`\n");
   CHECK(said(folder.path, {"check", "empty"}) == "2 directorc: cannot read `empty`: Is a directory; name a file\n");
+  CHECK(said(folder.path, {"check", "-"}) ==
+        "2 directorc: cannot read `-`: No such file or directory; the standard input is called `/dev/stdin`\n");
   CHECK(said(folder.path, {"check", "none"}) == "2 directorc: cannot read `none`: No such file or directory\n");
 }
 
