@@ -71,12 +71,11 @@ private:
 
   bool find_candidates(const VerifyScope& scope) {
     LoadedCommands loaded = load_compile_commands(scope.build, world_.files);
-    if (!loaded.was_read) loaded.fault += "; CMake writes it with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON";
     if (!loaded.fault.empty()) return fail(std::move(loaded.fault));
     commands_ = std::move(loaded.commands);
     const std::string name = header_name(checked_.model.name);
     const std::string only =
-        scope.generated.empty() ? std::string{} : (fs::absolute(scope.generated) / name).lexically_normal().string();
+        scope.generated.empty() ? std::string{} : (absolute(scope.generated) / name).lexically_normal().string();
     std::vector<fs::path> excluded;
     for (const std::string& each : scope.excluded) excluded.push_back(whole(each));
     std::vector<bool> met(excluded.size(), false);
@@ -115,8 +114,14 @@ private:
                     scope.build, excluded.empty() ? "" : " that is not excluded", name));
   }
 
+  static fs::path absolute(const fs::path& path) {
+    std::error_code fault;
+    fs::path out = fs::absolute(path, fault);
+    return fault ? path : out; // the working directory is gone
+  }
+
   static fs::path whole(const fs::path& path) {
-    const fs::path out = fs::absolute(path).lexically_normal();
+    const fs::path out = absolute(path).lexically_normal();
     return out.has_filename() ? out : out.parent_path(); // "tests/" is tests
   }
 

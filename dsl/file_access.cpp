@@ -46,6 +46,8 @@ Result<std::string, FileError> DiskFiles::fetch(const std::string& path, std::si
                                         : Kind::not_readable,
                      std::generic_category().message(number)};
   };
+  // The system would read the path up to there, and open another file than the one that is named.
+  if (path.find('\0') != path.npos) return error(ENOENT);
   const bool waits = kinds == Kinds::any;
   if (!waits && is_pipe(path)) return FileError{FileError::Kind::pipe, "it is a pipe, and no ordinary file"};
   // A pipe is opened without waiting for who writes to it: that may be nobody.

@@ -26,7 +26,8 @@ bool turns(unsigned character) {
          (character >= 0x2066U && character <= 0x2069U);
 }
 
-std::string spelled_out(std::string_view text, bool has_lines) {
+/// `kept`: control characters that stay.
+std::string spelled_out(std::string_view text, std::string_view kept) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const unsigned byte = byte_at(text, i), next = byte_at(text, i + 1);
@@ -37,7 +38,7 @@ std::string spelled_out(std::string_view text, bool has_lines) {
     } else if (const unsigned character = general_punctuation(text, i); turns(character)) {
       out += fmt::format("\\u{:04X}", character);
       i += 2;
-    } else if ((byte < 0x20U && !(has_lines && byte == '\n')) || byte == 0x7FU) {
+    } else if ((byte < 0x20U && kept.find(text[i]) == kept.npos) || byte == 0x7FU) {
       out += fmt::format("\\x{:02X}", byte);
     } else {
       out += text[i];
@@ -48,8 +49,10 @@ std::string spelled_out(std::string_view text, bool has_lines) {
 
 } // namespace
 
-std::string harmless(std::string_view text) { return spelled_out(text, false); }
+std::string harmless(std::string_view text) { return spelled_out(text, ""); }
 
-std::string harmless_lines(std::string_view text) { return spelled_out(text, true); }
+std::string harmless_lines(std::string_view text) { return spelled_out(text, "\n"); }
+
+std::string harmless_code(std::string_view text) { return spelled_out(text, "\n\t"); }
 
 } // namespace director::dsl

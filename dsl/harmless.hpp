@@ -14,4 +14,7 @@ std::string harmless(std::string_view text);
 /// The same of a text of several lines, which stay lines.
 std::string harmless_lines(std::string_view text);
 
+/// The same of what a file says, whose tabs stay tabs too.
+std::string harmless_code(std::string_view text);
+
 } // namespace director::dsl

@@ -15,8 +15,7 @@ LoadedFile load_file(const std::string& path, FileAccess& files, Sources& source
   if (text) return {sources.add(path, std::move(text.value())), true};
   const FileId id = sources.add(path, "");
   diagnostics.push_back(unreadable(path, text.error(), {id, 0, 0}));
-  if (text.error().kind == FileError::Kind::not_found)
-    diagnostics.back().help = "a path is relative to the folder in which the program runs";
+  if (text.error().kind == FileError::Kind::not_found) diagnostics.back().help = relative_to_program;
   return {id, false};
 }
 
@@ -33,8 +32,7 @@ Diagnostic unreadable(const std::string& path, const FileError& error, Span plac
           place,
           fmt::format("cannot read `{}`: {}", path, error.message),
           {},
-          error.kind == FileError::Kind::not_found ? "a path is relative to the file that it stands in"
-                                                   : "name a file that can be read"};
+          error.kind == FileError::Kind::not_found ? relative_to_file : "name a file that can be read"};
 }
 
 std::string beside(const std::string& file, const std::string& relative) {

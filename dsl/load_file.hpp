@@ -15,6 +15,10 @@ namespace director::dsl {
 /// A behaviour of a thousand groups has about 200 KB. More than this is a mistake, or somebody who wants our memory.
 inline constexpr std::size_t largest_file = 64U * 1024 * 1024;
 
+/// What is said of a path that leads nowhere: on the command line, and in a file.
+inline constexpr const char* relative_to_program = "a path is relative to the folder in which the program runs";
+inline constexpr const char* relative_to_file = "a path is relative to the file that it stands in";
+
 struct LoadedFile {
   FileId id{};
   bool readable = false;

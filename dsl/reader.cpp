@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/reader.hpp"
 
+#include "dsl/characters.hpp"
 #include "dsl/names.hpp"
 #include "dsl/suggest.hpp"
 
@@ -215,13 +216,20 @@ std::optional<Located<bool>> Reader::flag(const YamlNode* node, std::string_view
   return std::nullopt;
 }
 
+/// A number that no 64 bits hold.
+static bool is_huge(std::string_view text) {
+  std::string_view digits = text;
+  if (digits.starts_with('-')) digits.remove_prefix(1);
+  return digits.size() > 1 && !digits.starts_with('0') && all_among(digits, "0123456789") && !parse_number(text);
+}
+
 std::optional<Located<std::int64_t>> Reader::number(const YamlNode* node, std::string_view subject, Bounds bounds) {
   if (!is_scalar(node, subject, "a whole number")) return std::nullopt;
   const auto value = node->quoted() ? std::nullopt : parse_number(node->text);
   if (value && *value >= bounds.low && *value <= bounds.high) return Located<std::int64_t>{*value, node->span};
   const Bounds all;
   std::string range;
-  if (bounds.high != all.high)
+  if (bounds.high != all.high || is_huge(node->text))
     range = fmt::format(" from {} to {}", bounds.low, bounds.high);
   else if (bounds.low != all.low)
     range = fmt::format(" from {}", bounds.low);

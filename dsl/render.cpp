@@ -5,6 +5,7 @@
 #include "dsl/colours.hpp"
 #include "dsl/display_width.hpp"
 #include "dsl/harmless.hpp"
+#include "dsl/shortened.hpp"
 
 #include <fmt/format.h>
 
@@ -132,22 +133,23 @@ Diagnostic last_of(const std::vector<const Diagnostic*>& all) {
 
 std::string render(const Diagnostic& diagnostic, const Sources& sources, const RenderOptions& options) {
   if (diagnostic.span.file.value >= sources.size()) // there is no text to show
-    return fmt::format("{}: {} [{}]\n", name_of(diagnostic.level), harmless(diagnostic.message), diagnostic.id);
+    return fmt::format("{}: {} [{}]\n", name_of(diagnostic.level), harmless(shortened(diagnostic.message)),
+                       diagnostic.id);
   const Palette colour = palette(options.colours, colour_of(diagnostic.level));
   const SourceFile& file = sources[diagnostic.span.file];
   std::string out = headline(file, diagnostic.span, name_of(diagnostic.level),
-                             fmt::format("{} [{}]", diagnostic.message, diagnostic.id), colour);
+                             fmt::format("{} [{}]", shortened(diagnostic.message), diagnostic.id), colour);
   if (!file.text().empty()) out += snippet(file, diagnostic.span, options, colour);
   const Span* last = &diagnostic.span; // its lines are shown already
   for (const Note& note : diagnostic.notes) {
     if (note.span.file.value >= sources.size()) continue;
     const Palette note_palette = palette(options.colours, colours::bold_cyan);
-    out += headline(sources[note.span.file], note.span, "note", note.message, note_palette);
+    out += headline(sources[note.span.file], note.span, "note", shortened(note.message), note_palette);
     if (note.span != *last) out += snippet(sources[note.span.file], note.span, options, note_palette);
     last = &note.span;
   }
   if (!diagnostic.help.empty())
-    out += fmt::format("  {}help:{} {}\n", colour.bold, colour.reset, harmless(diagnostic.help));
+    out += fmt::format("  {}help:{} {}\n", colour.bold, colour.reset, harmless(shortened(diagnostic.help)));
   return out;
 }
 

@@ -26,7 +26,8 @@ std::optional<Fault> forbidden_bytes(std::string_view text) {
   using namespace std::string_view_literals;
   const std::string save_as = "save the file as UTF-8 without a byte order mark";
   if (text.starts_with("\xEF\xBB\xBF"sv)) return Fault{0, 3, "the file begins with a byte order mark", save_as};
-  if (text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv))
+  const bool has_mark = text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv);
+  if (has_mark || (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0')))
     return Fault{0, 2, "the file is UTF-16, expected UTF-8", save_as};
   for (std::size_t at = 0; at < text.size();) {
     const auto byte = static_cast<std::uint8_t>(text[at]);

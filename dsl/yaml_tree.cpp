@@ -126,6 +126,7 @@ constexpr Words better_words[] = {
     {"end of map not found", "expected another key, or the end of this mapping", indented},
     {"end of sequence not found", "expected another `- `, or the end of this list", indented},
     {"illegal flow end", "a closing bracket that nothing opened", "leave it out, or open it"},
+    {"YAML major version too large", "this is YAML 1", "leave the line out"},
     {"unknown token", "no word begins with this character", "put the text in quotes"},
     {"the referenced anchor is not defined", "aliases are not part of the language", "write the value itself"},
     {"alias not found after *", "aliases are not part of the language", "a text that begins with `*` needs quotes"},

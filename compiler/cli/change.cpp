@@ -81,7 +81,9 @@ bool keep(int file, const Step& step) {
 }
 
 Fault write_beside(Written& out, std::string_view text) {
-  std::string name = (out.target.parent_path() / ("." + out.target.filename().string() + ".XXXXXX")).string();
+  constexpr std::size_t longest = 200; // of the file's own name: with what is added, no more than file systems take
+  const std::string own = out.target.filename().string().substr(0, longest);
+  std::string name = (out.target.parent_path() / ("." + own + ".XXXXXX")).string();
   const int file = ::mkstemp(name.data());
   if (file < 0) return std::strerror(errno);
   out.temporary = name;
@@ -186,6 +188,7 @@ Fault carry_out(const std::vector<Step>& steps, const Watch& watch) {
 
 /// The step that writes this output, if there is anything to do.
 Fault plan(const Output& output, std::vector<Step>& steps) {
+  if (output.path.ends_with('/')) return "it is called as a folder is; name a file";
   struct stat status {};
   if (::stat(output.path.c_str(), &status) != 0) {
     if (::lstat(output.path.c_str(), &status) == 0) return "it is a link that leads nowhere";

@@ -34,6 +34,10 @@ extern const char* const foreign;
 /// Called behind each file that is written beside its place, and behind each that has got there: tests end there.
 using Watch = std::function<void()>;
 
+/// SIGKILL and a loss of power cannot wait: between two files they leave the one new and the other old, each whole. No
+/// file system replaces several files at once, and no compiler would read a journal of ours. Whoever generates, builds
+/// or verifies next sees it, and what `stubs` puts in is only added: the next run adds the rest.
+///
 /// What went wrong, as "`path`: why", and then no file has changed. Each is written beside its place first, so that a
 /// full disk shows before the first one takes it. What ends a program politely waits until all is done.
 std::optional<std::string> apply_on_disk(const std::vector<Change>& changes, const Watch& watch = {});

@@ -3,6 +3,7 @@
 #include "compiler/cli/console.hpp"
 
 #include "dsl/harmless.hpp"
+#include "dsl/shortened.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,7 +16,16 @@ namespace director::compiler::cli {
 
 namespace fs = std::filesystem;
 
-void say(Console& console, std::string_view lines) { console.err << dsl::harmless_lines(lines); }
+void say(Console& console, std::string_view lines) {
+  std::string out;
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end = std::min(lines.find('\n', begin), lines.size());
+    out += dsl::harmless(dsl::shortened(lines.substr(begin, end - begin)));
+    if (end < lines.size()) out += '\n';
+    begin = end + 1;
+  }
+  console.err << out; // at once, as a line is broken that is written at once
+}
 
 bool write(const std::vector<Output>& outputs, Console& console, std::string_view consequence) {
   const std::optional<std::string> fault = console.outputs.write(outputs);

@@ -47,7 +47,7 @@ struct Console {
   bool out_clears = false; ///< it is a terminal that can be cleared
 };
 
-/// Whole lines to `err`. What they repeat of a user's input commands no terminal.
+/// Whole lines to `err`. What they repeat of a user's input commands no terminal, and is no longer than somebody reads.
 void say(Console& console, std::string_view lines);
 
 /// False, and says why, where they cannot be written. `consequence`: of that, as "nothing is written; ".

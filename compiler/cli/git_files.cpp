@@ -33,12 +33,16 @@ dsl::Result<std::string, dsl::FileError> read_object(Programs& programs, const s
                                                      std::size_t most) {
   using Kind = dsl::FileError::Kind;
   if (name.find('\n') != std::string::npos) return dsl::FileError{Kind::not_readable, "a line break in its name"};
-  // One line tells what follows: `OID blob SIZE`, or that there is no such thing.
-  const Answer answer = programs.run({"git", "-C", folder, "cat-file", "--batch"}, name + "\n");
+  // One line tells what follows: `OID blob SIZE`, or that there is no such thing. Of a link in a commit it is what the
+  // link leads to; with what is staged git does not know that.
+  const Answer answer = programs.run({"git", "-C", folder, "cat-file", "--batch", "--follow-symlinks"}, name + "\n");
   if (!answer.started || answer.status != 0) return dsl::FileError{Kind::not_readable, "git cannot read it"};
   const std::string head = first_line(answer.output);
   const std::size_t blob = head.find(" blob ");
-  if (head.ends_with(" missing")) return dsl::FileError{Kind::not_found, "no such file " + where};
+  if (head.ends_with(" missing") || head.starts_with("dangling "))
+    return dsl::FileError{Kind::not_found, "no such file " + where};
+  if (head.starts_with("symlink "))
+    return dsl::FileError{Kind::not_readable, "it is a link to outside of the repository"};
   if (blob == std::string::npos) return dsl::FileError{Kind::not_readable, "it is no file there"};
   if (answer.output.size() < head.size() + 2) return dsl::FileError{Kind::not_readable, "git cannot read it"};
   std::string text = answer.output.substr(head.size() + 1);
@@ -116,7 +120,20 @@ dsl::Result<std::string, dsl::FileError> StagedFiles::fetch(const std::string& p
                                                             dsl::Kinds kinds) {
   const std::string name = inside(repository_, path);
   if (name == ".." || name.starts_with("../")) return disk_.read(path, most, kinds);
-  return read_object(programs_, repository_.folder, ":" + name, "is staged", most);
+  auto read = read_object(programs_, repository_.folder, ":" + name, "is staged", most);
+  if (!read || read.value().find('\n') != std::string::npos || !is_link(name)) return read;
+  // As git follows those of a commit.
+  const std::string target = (fs::path(name).parent_path() / read.value()).lexically_normal().string();
+  if (fs::path(read.value()).is_absolute() || target == ".." || target.starts_with("../") || is_link(target))
+    return dsl::FileError{dsl::FileError::Kind::not_readable, "it is a link that is not followed"};
+  return read_object(programs_, repository_.folder, ":" + target, "is staged", most);
+}
+
+/// `name`: from the top of the repository.
+bool StagedFiles::is_link(const std::string& name) {
+  const Answer answer =
+      programs_.run({"git", "-C", repository_.folder, "ls-files", "--stage", "--", ":(top,literal)" + name}, "");
+  return answer.status == 0 && answer.output.starts_with("120000 ");
 }
 
 std::string GitFiles::identity(const std::string& path) {

@@ -64,6 +64,7 @@ public:
 
 private:
   dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override;
+  bool is_link(const std::string& name);
 
   Programs& programs_;
   dsl::FileAccess& disk_;

@@ -3,6 +3,7 @@
 #include "compiler/cli/load.hpp"
 
 #include "compiler/cli/fact_store.hpp"
+#include "compiler/cli/named_file.hpp"
 #include "compiler/facts/scanned_types.hpp"
 #include "dsl/load_file.hpp"
 #include "dsl/render.hpp"
@@ -115,8 +116,8 @@ std::string fault_of(const CppSource& cpp, dsl::FileAccess& files) {
   const bool is_pipe =
       !text && text.error().kind == Kind::pipe && !cpp.flags.empty(); // which is read when it is needed
   if (text || text.error().kind == Kind::too_large || is_pipe) return {};
-  return fmt::format("cannot read `{}`: {}{}", file, text.error().message,
-                     cpp.flags.empty() ? "; CMake writes it with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON" : "");
+  if (cpp.flags.empty()) return fault_of_build(cpp.build, text.error(), files);
+  return fmt::format("cannot read `{}`: {}", file, text.error().message);
 }
 
 } // namespace
@@ -137,7 +138,8 @@ std::optional<Checked> load(const std::string& file, const CheckOptions& options
   Checked checked = check(path, console.files, sources, with_types);
   const bool unreadable =
       checked.spec.files.empty() && !checked.findings.empty() && checked.findings.front().id == "import_not_found";
-  const std::string fault = unreadable              ? checked.findings.front().message
+  const std::string fault = unreadable
+                                ? checked.findings.front().message + file_instead(path, is_called_behaviour, console)
                             : types.fault().empty() ? fault_of(cpp, console.files)
                                                     : types.fault();
   if (fault.empty()) return checked;

@@ -3,8 +3,10 @@
 #include "compiler/cli/load_scenario.hpp"
 
 #include "compiler/base/counted.hpp"
+#include "compiler/cli/named_file.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/resolve_scenario.hpp"
+#include "dsl/load_file.hpp"
 #include "dsl/read_scenario.hpp"
 #include "dsl/render.hpp"
 
@@ -22,6 +24,7 @@ Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
   if (checked.spec.files.empty() && checked.findings.size() == 1) {
     dsl::Diagnostic finding = checked.findings.front(); // the file cannot be read: it is named in the scenario
     finding.span = behaviour.span;
+    if (finding.help == dsl::relative_to_program) finding.help = dsl::relative_to_file;
     return {finding};
   }
   Findings errors = errors_of(checked.findings);
@@ -48,10 +51,6 @@ Findings not_among(std::set<std::string>& told, const Findings& findings, const 
 
 } // namespace
 
-bool is_called_scenario(std::string_view path) {
-  return path.ends_with(".scenario.yaml") || path.ends_with(".scenario.yml");
-}
-
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
                              std::set<std::string>* told) {
   LoadedScenario out;
@@ -67,7 +66,8 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   const std::string path = shown_path(file);
   const dsl::ReadScenarioResult read = dsl::read_scenario(path, console.files, sources);
   if (!read.diagnostics.empty() && read.diagnostics.front().id == "import_not_found") {
-    say(console, fmt::format("directorc: {}\n", read.diagnostics.front().message));
+    say(console, fmt::format("directorc: {}{}\n", read.diagnostics.front().message,
+                             file_instead(path, is_called_scenario, console)));
     out.status = misused;
     return out;
   }

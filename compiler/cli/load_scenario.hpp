@@ -9,7 +9,6 @@
 
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace director::compiler::cli {
@@ -24,9 +23,6 @@ struct LoadedScenario {
   Lowered lowered;
   Scenario scenario;
 };
-
-/// By its name: one that is played where its folder is.
-bool is_called_scenario(std::string_view path);
 
 /// `told`: errors as they were told of scenarios before, which are not told again; null: there were none.
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,

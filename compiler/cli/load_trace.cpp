@@ -3,6 +3,7 @@
 #include "compiler/cli/load_trace.hpp"
 
 #include "compiler/cli/load.hpp"
+#include "compiler/cli/named_file.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,8 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   LoadedTrace out;
   auto read = console.files.read(file, std::numeric_limits<std::int32_t>::max());
   if (!read) {
-    say(console, fmt::format("directorc: `{}` cannot be read: {}\n", shown_path(file), read.error().message));
+    say(console, fmt::format("directorc: cannot read `{}`: {}{}\n", shown_path(file), read.error().message,
+                             file_instead(shown_path(file), is_called_trace, console)));
     out.status = misused;
     return out;
   }
@@ -31,6 +33,9 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   const std::string_view no_header = "this is no trace: its first line is not the header of one";
   std::string problem(no_header);
   if (const std::optional<TraceLine> header = lines.next()) out.recorded = RecordedNames::read(header->json, problem);
+  if (out.text.empty()) problem = "the trace is empty: nothing was recorded, or nothing of it was written";
+  if (lines.cut_off() && out.text.starts_with("{\"director_trace\""))
+    problem = "the trace is cut off within its first line";
   if (!out.recorded) {
     say(console, fmt::format("{}:1: error: {}\n", shown_path(file), problem));
     if (problem == no_header)

@@ -17,6 +17,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -60,16 +61,6 @@ std::string own_path() {
 std::string scanner() {
   const char* const chosen = std::getenv("DIRECTOR_CLANG");
   return find_scanner(own_path(), chosen ? chosen : "");
-}
-
-int act(const Say& say, Console& console) {
-  (say.wrong ? console.err : console.out) << say.text;
-  return say.wrong ? misused : clean;
-}
-
-template <class Command>
-int act(const Command& command, Console& console) {
-  return run(command, console);
 }
 
 /// What it prints are sentences for people, and no file or code.
@@ -140,12 +131,15 @@ int main(int count, char** words) {
                     out_width,
                     err_width,
                     is_screen(STDOUT_FILENO)};
-    const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
+    const int status = std::visit([&](const auto& command) { return run(command, console); }, request);
     std::cout.flush();
     if (!std::cout) std::cerr << "directorc: the output cannot be written\n";
     std::cerr.flush();
     // What nobody could be told counts as not done.
     return std::cout && std::cerr ? status : misused;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "directorc: the memory is used up\n";
+    return misused;
   } catch (const std::exception& error) {
     std::cerr << "directorc: internal error: " << error.what() << "\n";
     return 70;

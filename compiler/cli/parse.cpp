@@ -136,4 +136,13 @@ Request parse(const std::vector<std::string>& arguments, const std::string& sche
   return Say{app.help(), true};
 }
 
+int run(const Say& words, Console& console) {
+  if (words.wrong) {
+    say(console, words.text);
+    return misused;
+  }
+  console.out << words.text;
+  return clean;
+}
+
 } // namespace director::compiler::cli

@@ -16,6 +16,8 @@ struct Say {
   bool wrong = false;
 };
 
+int run(const Say& words, Console& console);
+
 using Request = std::variant<Say, Check, Generate, DrawGraph, Docs, Explain, ListChecks, Simulate, Trace, Replay, Why,
                              Test, Dump, Explore, Stubs, Verify, Diff>;
 

@@ -19,7 +19,9 @@ namespace fs = std::filesystem;
 
 std::string whole_path(const fs::path& path) {
   std::error_code fault;
-  const fs::path absolute = fs::absolute(path.empty() ? fs::path(".") : path);
+  const fs::path given = path.empty() ? fs::path(".") : path;
+  const fs::path absolute = fs::absolute(given, fault);
+  if (fault) return given.lexically_normal().string(); // the working directory is gone
   const fs::path out = fs::weakly_canonical(absolute, fault);
   return fault ? absolute.lexically_normal().string() : out.string();
 }

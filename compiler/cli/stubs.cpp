@@ -198,10 +198,14 @@ private:
       say(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
   }
 
+  /// To a terminal what is in the user's files says nothing; a program, such as `patch`, gets every byte.
   void print_diff(const Plan& plan) {
-    for (const Artefact& file : plan.fresh) console_.out << diff_of_new(shown_path(file.path), file.text);
+    const auto print = [&](const std::string& text) {
+      console_.out << (console_.out_width == 0 ? text : dsl::harmless_code(text));
+    };
+    for (const Artefact& file : plan.fresh) print(diff_of_new(shown_path(file.path), file.text));
     for (const std::vector<Insertion>& each : stubs::by_file(plan.insertions))
-      console_.out << diff(shown_path(each[0].path), program_.texts.at(each[0].path), each);
+      print(diff(shown_path(each[0].path), program_.texts.at(each[0].path), each));
   }
 
   void list(const Plan& plan, std::string_view fresh, std::string_view added) {

@@ -1,6 +1,7 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/scenario_test.cpp, tests/compiler/cli/coverage_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load_scenario.hpp"
+#include "compiler/cli/named_file.hpp"
 #include "compiler/cli/watch.hpp"
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/play/coverage_watch.hpp"

@@ -60,6 +60,11 @@ int put(const Trace& request, std::string text, int status, Console& console) {
 } // namespace
 
 int run(const Trace& request, Console& console) {
+  if (!request.output.empty() && console.files.identity(request.output) == console.files.identity(request.file)) {
+    say(console, fmt::format("directorc: `{}` is the trace that is read; name another file with -o\n",
+                             shown_path(request.output)));
+    return misused;
+  }
   if (request.to == "perfetto" && request.output.empty() && console.out_width != 0) {
     console.err << "directorc: --to=perfetto writes bytes that a terminal cannot show: -o FILE.perfetto-trace writes "
                    "them to a file, for https://ui.perfetto.dev\n";

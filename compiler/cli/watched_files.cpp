@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/watched_files.hpp"
 
-#include "compiler/cli/load_scenario.hpp"
+#include "compiler/cli/named_file.hpp"
 #include "dsl/load_file.hpp"
 
 #include <sys/stat.h>

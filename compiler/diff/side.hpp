@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace director::compiler::diff {
@@ -55,9 +57,10 @@ std::string requester_name(const Model& model, const std::optional<GroupId>& req
 /// Those of the first that are not in the second, in order.
 inline std::vector<std::string> missing_in(const std::vector<std::string>& first,
                                            const std::vector<std::string>& second) {
+  const std::unordered_set<std::string_view> known(second.begin(), second.end());
   std::vector<std::string> out;
   for (const std::string& each : first) {
-    if (std::find(second.begin(), second.end(), each) == second.end()) out.push_back(each);
+    if (!known.contains(each)) out.push_back(each);
   }
   return out;
 }

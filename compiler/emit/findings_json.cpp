@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_json.hpp"
 
+#include "dsl/shortened.hpp"
+
 namespace director::compiler {
 
 namespace {
@@ -32,7 +34,7 @@ Json place_json(const dsl::Span& span, const dsl::Sources& sources) {
 Json note_json(const dsl::Note& note, const dsl::Sources& sources) {
   Json row = Json::object({});
   add_range(row, note.span, sources);
-  row.add("message", Json::text(note.message));
+  row.add("message", Json::text(dsl::shortened(note.message)));
   return row;
 }
 
@@ -41,11 +43,11 @@ Json finding_json(const dsl::Diagnostic& finding, const dsl::Sources& sources) {
   out.add("id", Json::text(finding.id));
   out.add("level", Json::text(dsl::name_of(finding.level)));
   add_range(out, finding.span, sources);
-  out.add("message", Json::text(finding.message));
+  out.add("message", Json::text(dsl::shortened(finding.message)));
   Json notes = Json::list({});
   for (const dsl::Note& note : finding.notes) notes.add(note_json(note, sources));
   out.add("notes", std::move(notes));
-  if (!finding.help.empty()) out.add("help", Json::text(finding.help));
+  if (!finding.help.empty()) out.add("help", Json::text(dsl::shortened(finding.help)));
   return out;
 }
 

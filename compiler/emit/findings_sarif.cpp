@@ -5,6 +5,7 @@
 #include "compiler/base/sha256.hpp"
 #include "compiler/base/version.hpp"
 #include "dsl/characters.hpp"
+#include "dsl/shortened.hpp"
 
 #include <fmt/format.h>
 
@@ -48,7 +49,8 @@ public:
     Json out = Json::object({{"ruleId", Json::text(finding.id)},
                              {"ruleIndex", Json::count(rule)},
                              {"level", Json::text(level_name(finding.level))}});
-    out.add("message", message(finding.help.empty() ? finding.message : finding.message + "\nhelp: " + finding.help));
+    const std::string help = finding.help.empty() ? std::string{} : "\nhelp: " + dsl::shortened(finding.help);
+    out.add("message", message(dsl::shortened(finding.message) + help));
     out.add("locations", Json::list({location(finding.span)}));
     if (!finding.notes.empty()) {
       std::vector<Json> related; // each once: two chains may have a link in common
@@ -66,7 +68,7 @@ public:
 
   Json result(const SarifWitness& witness) {
     Json out = Json::object({{"kind", Json::text("informational")}, {"level", Json::text("none")}});
-    out.add("message", message(witness.message));
+    out.add("message", message(dsl::shortened(witness.message)));
     out.add("locations", Json::list({location(witness.steps.back().span)}));
     out.add("codeFlows", flow({witness.steps}));
     return out;
@@ -95,7 +97,7 @@ private:
 
   Json told(const dsl::Note& note) const {
     Json out = location(note.span);
-    out.add("message", message(note.message));
+    out.add("message", message(dsl::shortened(note.message)));
     return out;
   }
 

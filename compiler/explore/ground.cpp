@@ -279,7 +279,7 @@ ValueClasses::ValueClasses(const State& state, const std::vector<const ValueSet*
       classes_.emplace_back();
     }
     const std::int64_t end = i + 1 < begins_.size() ? begins_[i + 1] - 1 : state.high;
-    classes_[pieces_.back()] = classes_[pieces_.back()].united(ValueSet::interval(begins_[i], end));
+    classes_[pieces_.back()].add_last({begins_[i], end});
   }
   for (std::int64_t v = state.low; v <= state.high && state.high - state.low < 256; ++v)
     few_.push_back(piece_of(static_cast<std::int32_t>(v)));

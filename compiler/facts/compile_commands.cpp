@@ -103,13 +103,21 @@ dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std:
   return out;
 }
 
+std::string fault_of_build(const std::string& build, const dsl::FileError& error, dsl::FileAccess& files) {
+  const auto named = files.read(build, 0, dsl::Kinds::ordinary);
+  if (named || named.error().kind == dsl::FileError::Kind::too_large)
+    return fmt::format("`{}` is a file, and `-p` names the folder of a build", build);
+  return fmt::format("cannot read `{}`: {}; CMake writes it with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON",
+                     (fs::path(build) / "compile_commands.json").string(), error.message);
+}
+
 LoadedCommands load_compile_commands(const std::string& build, dsl::FileAccess& files) {
   LoadedCommands out;
   out.path = (fs::path(build) / "compile_commands.json").string();
   const auto text = files.read(out.path, dsl::largest_file, dsl::Kinds::ordinary);
   if (!text) {
     out.was_read = false;
-    out.fault = fmt::format("cannot read `{}`: {}", out.path, text.error().message);
+    out.fault = fault_of_build(build, text.error(), files);
     return out;
   }
   auto commands = read_compile_commands(text.value());

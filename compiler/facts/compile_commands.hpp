@@ -31,6 +31,8 @@ struct LoadedCommands {
 };
 
 /// That of a build's folder.
+/// Why the compile_commands.json of this folder cannot be read, and what to do.
+std::string fault_of_build(const std::string& build, const dsl::FileError& error, dsl::FileAccess& files);
 LoadedCommands load_compile_commands(const std::string& build, dsl::FileAccess& files);
 
 /// The nearest, looked for as clangd does: in the folder and those above it, and in their folders `build`. `folder` is

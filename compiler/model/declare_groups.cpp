@@ -1,7 +1,7 @@
 // Header: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
-#include "dsl/suggest.hpp"
+#include "dsl/shortened.hpp"
 
 #include <fmt/format.h>
 
@@ -96,7 +96,7 @@ void extend(Resolver& r, const dsl::ExtendSpec& spec) {
           r.error("undefined_name", spec.before->span,
                   fmt::format("`{}` has no provider called `{}`", spec.group.value, spec.before->value),
                   "leave out `before`: it has no provider so far");
-      if (!known.empty()) finding.help = fmt::format("its providers are {}", fmt::join(known, ", "));
+      if (!known.empty()) finding.help = fmt::format("its providers are {}", dsl::list_of(known));
     }
   }
   add_providers(r, r.model.groups[*id].name, source, spec.providers, place);

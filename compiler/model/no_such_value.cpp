@@ -3,21 +3,23 @@
 #include "compiler/model/no_such_value.hpp"
 
 #include "dsl/reader.hpp"
+#include "dsl/shortened.hpp"
 #include "dsl/suggest.hpp"
 
 #include <fmt/format.h>
 
 namespace director::compiler {
 
-dsl::Diagnostic no_such_value(const State& state, const Word& value) {
+dsl::Diagnostic no_such_value(const State& state, const Word& value, std::size_t findings) {
   dsl::Diagnostic out{"value_outside_domain", dsl::Level::error, value.span, {}, {}, {}};
   out.message = fmt::format("`{}` is no value of the state `{}`: its values are ", value.value, state.name.value);
   if (state.is_range) {
     out.message += fmt::format("the whole numbers from {} to {}", state.low, state.high);
     out.help = dsl::parse_number(value.value) ? "write one of them, or widen the `range`" : "write one of them";
   } else {
-    out.message += fmt::format("{}", fmt::join(state.values, ", "));
-    const auto nearest = dsl::suggest(value.value, state.values);
+    out.message += dsl::list_of(state.values);
+    std::optional<std::string> nearest;
+    if (dsl::is_slip(state.values.size(), findings)) nearest = dsl::suggest(value.value, state.values);
     out.help = nearest ? fmt::format("did you mean `{}`?", *nearest) : "write one of them, or add it to the `values`";
   }
   return out;

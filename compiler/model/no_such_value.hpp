@@ -5,9 +5,11 @@
 #include "compiler/model/model.hpp"
 #include "dsl/diagnostic.hpp"
 
+#include <cstddef>
+
 namespace director::compiler {
 
-/// value_outside_domain, at the word.
-dsl::Diagnostic no_such_value(const State& state, const Word& value);
+/// value_outside_domain, at the word. `findings`: what was found before it.
+dsl::Diagnostic no_such_value(const State& state, const Word& value, std::size_t findings);
 
 } // namespace director::compiler

@@ -66,14 +66,19 @@ ValueSet accepted(const State& state, Op op, const std::vector<std::int64_t>& op
   return op == Op::equal ? listed : domain.without(listed);
 }
 
+/// More of them nobody writes into a condition.
+constexpr std::int64_t most_values_told = 100;
+
 /// A sentinel that stands where the comparison holds looks as if it were meant.
-void report_sentinels(Resolver& r, const State& state, const Condition& condition, Span span) {
+void report_sentinels(Resolver& r, const State& state, const Condition& condition, const ValueSet& sentinels,
+                      Span span) {
   const auto is_accepted = [&](std::int64_t sentinel) { return condition.accepts.contains(sentinel); };
   if (std::none_of(state.unordered.begin(), state.unordered.end(), is_accepted)) return; // as of every range
   std::vector<std::string> meant;
-  for (std::int64_t value = state.low; value <= state.high; ++value) {
-    const bool is_sentinel = std::find(state.unordered.begin(), state.unordered.end(), value) != state.unordered.end();
-    if (condition.accepts.contains(value) && !is_sentinel) meant.push_back(state.value_text(value));
+  const ValueSet others = condition.accepts.without(sentinels);
+  if (others.count() <= most_values_told) {
+    for (const ValueSet::Interval& each : others.intervals())
+      for (std::int64_t value = each.low; value <= each.high; ++value) meant.push_back(state.value_text(value));
   }
   for (const std::int64_t sentinel : state.unordered) {
     if (!is_accepted(sentinel)) continue;
@@ -109,7 +114,7 @@ std::optional<Condition> resolve_condition(Resolver& r, const dsl::ConditionSpec
   condition.op = op_of(spec);
   std::vector<std::string> words;
   for (const Word& word : spec.values) {
-    if (const auto value = find_value(r, state, word)) {
+    if (const auto value = find_value(r, *state_id, word)) {
       condition.operands.push_back(*value);
       words.push_back(state.value_text(*value));
     }
@@ -120,9 +125,9 @@ std::optional<Condition> resolve_condition(Resolver& r, const dsl::ConditionSpec
   condition.text = state.name.value;
   if (!spec.any) condition.text += fmt::format(" {} {}", text_of(condition.op), fmt::join(words, "|"));
   if (is_ordered(condition.op)) {
-    report_sentinels(r, state, condition, spec.span);
-    for (const std::int64_t sentinel : state.unordered)
-      condition.accepts = condition.accepts.without(ValueSet::single(sentinel));
+    const ValueSet sentinels = set_of(state.unordered.data(), state.unordered.data() + state.unordered.size());
+    report_sentinels(r, state, condition, sentinels, spec.span);
+    condition.accepts = condition.accepts.without(sentinels);
   }
   return condition;
 }

@@ -54,14 +54,11 @@ bool is_part_of(std::string_view name_space, const dsl::FirstWord& name) {
   }
 }
 
-/// Names that are compared with a misspelt one in a run, about. Where so much is undefined it is no slip of the pen.
-constexpr std::size_t most_compared = 2'000'000;
-
 /// What it could have been meant for.
 template <class Table>
 std::vector<std::string> names_of(const Resolver& r, const Table& table) {
   std::vector<std::string> out;
-  if (table.size() * r.findings.size() > most_compared) return out;
+  if (!dsl::is_slip(table.size(), r.findings.size())) return out;
   for (const auto& row : table) out.push_back(row.name.value);
   return out;
 }

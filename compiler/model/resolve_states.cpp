@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace director::compiler {
 
@@ -29,15 +31,15 @@ void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
     }
   }
   if (!spec.values) return;
+  std::unordered_map<std::string_view, dsl::Span> firsts;
   for (const Word& value : *spec.values) {
     check_name(r, "value", value, false);
-    const auto first = std::find(state.values.begin(), state.values.end(), value.value);
-    if (first != state.values.end()) {
+    const auto [first, is_new] = firsts.try_emplace(value.value, value.span);
+    if (!is_new) {
       r.error("redefined_name", value.span,
               fmt::format("the value `{}` of the state `{}` is declared twice", value.value, state.name.value),
               "leave one of them out")
-          .notes.push_back(
-              {state.value_spans[static_cast<std::size_t>(first - state.values.begin())], "declared first here"});
+          .notes.push_back({first->second, "declared first here"});
       continue;
     }
     state.values.push_back(value.value);
@@ -60,6 +62,13 @@ void declare_type(Resolver& r, State& state, const dsl::StateSpec& spec) {
   }
 }
 
+/// Of a state with listed values.
+std::unordered_map<std::string, std::int64_t> numbers_of(const State& state) {
+  std::unordered_map<std::string, std::int64_t> out;
+  for (const std::string& value : state.values) out.try_emplace(value, static_cast<std::int64_t>(out.size()));
+  return out;
+}
+
 } // namespace
 
 void declare_states_and_triggers(Resolver& r) {
@@ -75,6 +84,7 @@ void declare_states_and_triggers(Resolver& r) {
       if (spec.doc) state.doc = spec.doc->value;
       if (!r.states.try_emplace(spec.name.value, StateId{static_cast<std::uint32_t>(r.model.states.size())}).second)
         continue;
+      r.value_numbers.add(numbers_of(state));
       r.model.states.add(std::move(state));
       r.state_sources.add(&spec);
     }
@@ -88,10 +98,15 @@ void declare_states_and_triggers(Resolver& r) {
   }
 }
 
-std::optional<std::int64_t> find_value(Resolver& r, const State& state, const Word& value) {
-  if (const auto number = state.value_of(value.value)) return number;
+std::optional<std::int64_t> find_value(Resolver& r, StateId id, const Word& value) {
+  const State& state = r.model.states[id];
+  if (state.is_range) {
+    if (const auto number = state.value_of(value.value)) return number;
+  } else if (const auto at = r.value_numbers[id].find(value.value); at != r.value_numbers[id].end()) {
+    return at->second;
+  }
   if (!state.is_range && state.values.empty()) return std::nullopt; // that it has none is reported where it is declared
-  r.findings.push_back(no_such_value(state, value));
+  r.findings.push_back(no_such_value(state, value, r.findings.size()));
   return std::nullopt;
 }
 
@@ -100,25 +115,26 @@ void resolve_states(Resolver& r) {
     State& state = r.model.states[id];
     const dsl::StateSpec& spec = *r.state_sources[id];
     if (spec.type) check_foreign_type(r, *spec.type, capitalised(state.name.value));
+    std::unordered_set<std::int64_t> unordered;
     for (const Word& word : spec.unordered) {
-      const auto value = find_value(r, state, word);
+      const auto value = find_value(r, id, word);
       if (value && state.is_range) {
         r.error(
             "value_outside_domain", word.span,
             fmt::format("`unordered` is for listed values: the numbers of `{}` all have their place", state.name.value),
             "leave out `unordered`");
-      } else if (value && std::find(state.unordered.begin(), state.unordered.end(), *value) == state.unordered.end()) {
+      } else if (value && unordered.insert(*value).second) {
         state.unordered.push_back(*value);
       }
     }
     if (spec.initial) {
-      state.initial = find_value(r, state, *spec.initial);
+      state.initial = find_value(r, id, *spec.initial);
       state.initial_span = spec.initial->span;
     }
     state.external = spec.external.value;
     if (spec.expires) {
       state.expires = State::Expires{spec.expires->after.value.microseconds(), std::nullopt, spec.expires->after.span};
-      if (spec.expires->to) state.expires->to = find_value(r, state, *spec.expires->to);
+      if (spec.expires->to) state.expires->to = find_value(r, id, *spec.expires->to);
     }
     if (spec.of) {
       if (const auto group = find_group(r, *spec.of)) state.of = Use<GroupId>{*group, spec.of->span};

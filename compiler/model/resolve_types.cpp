@@ -1,12 +1,14 @@
 // Header: compiler/model/resolver.hpp. Test: tests/compiler/model/types_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
+#include "dsl/shortened.hpp"
 #include "dsl/suggest.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
 
 namespace director::compiler {
 
@@ -44,50 +46,44 @@ void tell_same(Resolver& r, const State& state, const Word& name, const CppType:
   note_place(r, finding, second.place, "the second one is here");
 }
 
+/// Of several names of one value each that is not the first is told of once, beside the first.
+class OneValue {
+public:
+  /// Another name of this value: the first one, if this is not it.
+  const CppType::Enumerator* first_of(const CppType::Enumerator& each) {
+    const auto [at, is_new] = firsts_.try_emplace(each.value, &each);
+    return is_new ? nullptr : at->second;
+  }
+  bool has(const std::string& value) const { return firsts_.contains(value); }
+
+private:
+  std::unordered_map<std::string_view, const CppType::Enumerator*> firsts_;
+};
+
 /// The values of an enum, unless two are one.
 void take_values(Resolver& r, State& state, const Word& name, const CppType& type) {
-  for (std::size_t i = 0; i < type.enumerators.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (type.enumerators[i].value != type.enumerators[j].value) continue;
-      tell_same(r, state, name, type.enumerators[j], type.enumerators[i], name.span);
-      break; // of three names the third one is told of once
-    }
-  }
+  OneValue known;
   for (const CppType::Enumerator& each : type.enumerators) {
+    if (const auto* const first = known.first_of(each)) tell_same(r, state, name, *first, each, name.span);
     state.values.push_back(each.name);
     state.value_spans.push_back(r.options.reader->span(each.place));
   }
   state.high = static_cast<std::int64_t>(state.values.size()) - 1;
 }
 
-void compare_values(Resolver& r, const State& state, const Word& name, const CppType& type) {
-  std::vector<std::string> names;
-  std::vector<std::pair<const CppType::Enumerator*, std::size_t>> listed; // with its place among the values
-  for (std::size_t i = 0; i < state.values.size(); ++i) {
-    for (const CppType::Enumerator& each : type.enumerators) {
-      if (each.name == state.values[i]) listed.emplace_back(&each, i);
-    }
-  }
-  for (std::size_t i = 0; i < listed.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (listed[i].first->value == listed[j].first->value && listed[i].first != listed[j].first)
-        tell_same(r, state, name, *listed[j].first, *listed[i].first, state.value_spans[listed[i].second]);
-    }
-  }
-  for (const CppType::Enumerator& each : type.enumerators) names.push_back(each.name);
+/// What the enum has and the state lacks.
+void tell_lacking(Resolver& r, const State& state, const Word& name, const CppType& type, const OneValue& listed) {
   // `last = halt` is another name of a value, and no other value.
-  std::map<std::string, std::vector<const CppType::Enumerator*>> by_value;
-  std::vector<std::string> in_order;
+  std::unordered_map<std::string_view, std::vector<const CppType::Enumerator*>> by_value;
+  std::vector<std::string_view> in_order;
   for (const CppType::Enumerator& each : type.enumerators) {
+    if (listed.has(each.value)) continue;
     std::vector<const CppType::Enumerator*>& all = by_value[each.value];
     if (all.empty()) in_order.push_back(each.value);
     all.push_back(&each);
   }
-  for (const std::string& value : in_order) {
+  for (const std::string_view value : in_order) {
     const std::vector<const CppType::Enumerator*>& all = by_value[value];
-    const bool is_known =
-        std::any_of(listed.begin(), listed.end(), [&](const auto& one) { return one.first->value == value; });
-    if (is_known) continue;
     const std::string& first = all.front()->name;
     Diagnostic& finding =
         r.error("enum_drift", name.span,
@@ -98,12 +94,32 @@ void compare_values(Resolver& r, const State& state, const Word& name, const Cpp
       note_place(r, finding, all[i]->place, fmt::format("`{}` is another name of it", all[i]->name));
     if (all.size() > 1) finding.help = fmt::format("add `{}` to the values, by one of its names", first);
   }
+}
+
+void compare_values(Resolver& r, const State& state, const Word& name, const CppType& type) {
+  std::unordered_map<std::string_view, const CppType::Enumerator*> by_name;
+  std::vector<std::string> names;
+  for (const CppType::Enumerator& each : type.enumerators) {
+    by_name.emplace(each.name, &each);
+    names.push_back(each.name);
+  }
+  OneValue listed;
+  std::vector<std::size_t> foreign;
   for (std::size_t i = 0; i < state.values.size(); ++i) {
-    if (std::find(names.begin(), names.end(), state.values[i]) != names.end()) continue;
+    const auto at = by_name.find(state.values[i]);
+    if (at == by_name.end()) {
+      foreign.push_back(i);
+    } else if (const auto* const first = listed.first_of(*at->second)) {
+      tell_same(r, state, name, *first, *at->second, state.value_spans[i]);
+    }
+  }
+  tell_lacking(r, state, name, type, listed);
+  for (const std::size_t i : foreign) {
     Diagnostic& finding =
         r.error("enum_drift", state.value_spans[i], fmt::format("`{}` has no `{}`", name.value, state.values[i]),
-                fmt::format("it has {}", fmt::join(names, ", ")));
+                fmt::format("it has {}", dsl::list_of(names)));
     note_place(r, finding, type.place, fmt::format("`{}` is here", name.value));
+    if (!dsl::is_slip(names.size(), r.findings.size())) continue;
     if (const auto near = dsl::suggest(state.values[i], names)) finding.help = fmt::format("did you mean `{}`?", *near);
   }
 }

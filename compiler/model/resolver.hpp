@@ -6,10 +6,12 @@
 #include "compiler/model/resolve.hpp"
 #include "dsl/names.hpp"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace director::compiler {
@@ -38,6 +40,7 @@ struct Resolver {
   std::map<std::string, TriggerId, std::less<>> triggers{};
   std::map<std::string, LayerId, std::less<>> layers{};
   IdTable<StateId, const dsl::StateSpec*> state_sources{};
+  IdTable<StateId, std::unordered_map<std::string, std::int64_t>> value_numbers{}; ///< of those with listed values
   IdTable<GroupId, GroupSource> group_sources{};
   std::vector<GroupSource> forgotten_groups{};                  ///< likewise
   std::map<std::string, ConditionId, std::less<>> conditions{}; ///< by normal text
@@ -92,7 +95,7 @@ void take_type(Resolver& r, State& state, const dsl::StateSpec& spec); // resolv
 /// Whether there are the types that tasks carry, if C++ was asked.
 void check_data_types(Resolver& r); // resolve_types.cpp
 /// The number of a value; nothing, and a finding, where the state has no such value.
-std::optional<std::int64_t> find_value(Resolver& r, const State& state, const Word& value); // resolve_states.cpp
+std::optional<std::int64_t> find_value(Resolver& r, StateId state, const Word& value); // resolve_states.cpp
 std::vector<ConditionUse> resolve_conditions(Resolver& r, const std::vector<dsl::ConditionSpec>& specs);
 /// The entries of `tasks`, a pack or `roots` (no requester). Their edges are declared as they are met.
 std::vector<Task> resolve_tasks(Resolver& r, std::optional<GroupId> requester, const std::vector<dsl::TaskSpec>& specs);

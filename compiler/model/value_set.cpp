@@ -3,6 +3,7 @@
 #include "compiler/model/value_set.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace director::compiler {
@@ -15,6 +16,11 @@ constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
 /// `high` and `low` leave no room for a value between them.
 bool touches(std::int64_t high, std::int64_t low) { return high == largest || low <= high + 1; }
 
+/// The first one that does not end below this value.
+std::vector<Interval>::const_iterator first_from(const std::vector<Interval>& intervals, std::int64_t value) {
+  return std::partition_point(intervals.begin(), intervals.end(), [&](const Interval& i) { return i.high < value; });
+}
+
 } // namespace
 
 ValueSet ValueSet::interval(std::int64_t low, std::int64_t high) {
@@ -24,8 +30,8 @@ ValueSet ValueSet::interval(std::int64_t low, std::int64_t high) {
 }
 
 bool ValueSet::contains(std::int64_t value) const {
-  return std::any_of(intervals_.begin(), intervals_.end(),
-                     [value](const Interval& i) { return i.low <= value && value <= i.high; });
+  const auto at = first_from(intervals_, value);
+  return at != intervals_.end() && at->low <= value;
 }
 
 bool ValueSet::subset_of(const ValueSet& other) const { return intersected(other) == *this; }
@@ -41,18 +47,22 @@ std::int64_t ValueSet::count() const {
   return static_cast<std::int64_t>(total);
 }
 
-ValueSet ValueSet::united(const ValueSet& other) const {
-  std::vector<Interval> all = intervals_;
-  all.insert(all.end(), other.intervals_.begin(), other.intervals_.end());
-  std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
-  ValueSet out;
-  for (const Interval& i : all) {
-    if (!out.intervals_.empty() && touches(out.intervals_.back().high, i.low)) {
-      out.intervals_.back().high = std::max(out.intervals_.back().high, i.high);
-    } else {
-      out.intervals_.push_back(i);
-    }
+void ValueSet::add_last(const Interval& interval) {
+  if (interval.low > interval.high) return;
+  if (!intervals_.empty() && touches(intervals_.back().high, interval.low)) {
+    intervals_.back().high = std::max(intervals_.back().high, interval.high);
+  } else {
+    intervals_.push_back(interval);
   }
+}
+
+ValueSet ValueSet::united(const ValueSet& other) const {
+  std::vector<Interval> all;
+  all.reserve(intervals_.size() + other.intervals_.size());
+  std::merge(intervals_.begin(), intervals_.end(), other.intervals_.begin(), other.intervals_.end(),
+             std::back_inserter(all), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+  ValueSet out;
+  for (const Interval& i : all) out.add_last(i);
   return out;
 }
 
@@ -78,14 +88,13 @@ ValueSet ValueSet::without(const ValueSet& other) const {
   for (const Interval& i : intervals_) {
     std::int64_t low = i.low;
     bool used_up = false;
-    for (const Interval& hole : other.intervals_) {
-      if (hole.high < low || hole.low > i.high) continue;
-      if (hole.low > low) out.intervals_.push_back({low, hole.low - 1});
-      if (hole.high >= i.high) {
+    for (auto hole = first_from(other.intervals_, low); hole != other.intervals_.end() && hole->low <= i.high; ++hole) {
+      if (hole->low > low) out.intervals_.push_back({low, hole->low - 1});
+      if (hole->high >= i.high) {
         used_up = true;
         break;
       }
-      low = hole.high + 1;
+      low = hole->high + 1;
     }
     if (!used_up) out.intervals_.push_back({low, i.high});
   }

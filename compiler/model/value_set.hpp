@@ -25,6 +25,9 @@ public:
   std::int64_t count() const;                  ///< how many values; saturates at the largest number
   const std::vector<Interval>& intervals() const { return intervals_; }
 
+  /// An interval, or none where it is empty, that begins nowhere before what is in the set. No copy is made: very many,
+  /// one after the other, cost each the same.
+  void add_last(const Interval& interval);
   ValueSet united(const ValueSet& other) const;
   ValueSet intersected(const ValueSet& other) const;
   ValueSet without(const ValueSet& other) const;

@@ -3,6 +3,7 @@
 #include "compiler/play/names.hpp"
 
 #include "compiler/model/no_such_value.hpp"
+#include "dsl/shortened.hpp"
 #include "dsl/suggest.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ Diagnostic& Names::undefined(Span span, std::string message, std::string_view na
                              const std::vector<std::string>& known) {
   std::string help = known.empty()       ? "there is none"
                      : known.size() == 1 ? fmt::format("there is only `{}`", known.front())
-                                         : fmt::format("one of {}", fmt::join(known, ", "));
+                                         : "one of " + dsl::list_of(known);
   if (const auto nearest = dsl::suggest(name, known)) help = fmt::format("did you mean `{}`?", *nearest);
   return error("undefined_name", span, std::move(message), std::move(help));
 }
@@ -50,7 +51,7 @@ std::optional<StateId> Names::state(const Word& name) {
 std::optional<std::int64_t> Names::value(StateId id, const Word& value) {
   const State& of = model.states[id];
   const auto number = of.value_of(value.value);
-  if (!number) findings_.push_back(no_such_value(of, value));
+  if (!number) findings_.push_back(no_such_value(of, value, findings_.size()));
   return number;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/resolve_case.hpp"
 
+#include "dsl/shortened.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -52,7 +54,7 @@ void pack_is_missing(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   names.error("missing_key", listed ? spec.answer.span : spec.span,
               fmt::format("`{}` has packs: {}", names.model.full_name(id),
                           listed ? "a case names one of them, not tasks" : "a case that answers nothing names one"),
-              fmt::format("`pack:` and one of {}", fmt::join(known, ", ")));
+              "`pack:` and one of " + dsl::list_of(known));
 }
 
 void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case& out) {

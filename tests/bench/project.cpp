@@ -102,7 +102,8 @@ groups:
 constexpr const char* servos[] = {"LeftHip",  "LeftKnee", "LeftAnkle", "RightHip", "RightKnee", "RightAnkle",
                                   "Shoulder", "Elbow",    "Gripper",   "Pan",      "Tilt"};
 
-const std::string head = "behaviour: grown\nlanguage: 1\nlimits: {trials: 1000000, pass: 1000000000}\n"; // all of it is one component
+const std::string head =
+    "behaviour: grown\nlanguage: 1\nlimits: {trials: 1000000, pass: 1000000000}\n"; // all of it is one component
 
 /// Numbered from 0.
 std::string rows(std::size_t count, fmt::format_string<std::size_t&> row) {
@@ -164,6 +165,20 @@ std::string one_requests_all(std::size_t size) {
          rows(size, "  T{}: {{}}\n");
 }
 
+/// Every second one is asked for, and every third one has no place in their order.
+std::string many_values(std::size_t size) {
+  std::string values, unordered, asked;
+  for (std::size_t i = 0; i < size; ++i) {
+    values += fmt::format("v{}, ", i);
+    if (i % 3 == 0) unordered += fmt::format("v{}, ", i);
+    if (i % 2 == 0) asked += fmt::format("{}v{}", i == 0 ? "" : "|", i);
+  }
+  return head + fmt::format("states:\n  S: {{values: [{}], unordered: [{}], external: true}}\n", values, unordered) +
+         "roots: [A]\ngroups:\n  A:\n    providers:\n      - {name: most, when: [S > v1], allow: "
+         "[ordering_on_sentinel], because: of them all}\n" +
+         fmt::format("      - {{name: some, when: [S == {}]}}\n      - {{name: last}}\n", asked);
+}
+
 /// All want one group, and none ranks before another.
 std::string rivals(std::size_t size) {
   return head + "roots: [All]\ngroups:\n  Shared: {}\n  All:\n    tasks:\n" + rows(size, "      T{0}: {{}}\n") +
@@ -209,6 +224,7 @@ const std::vector<Shape>& shapes() {
                                       {"conditions of each `when`", 100, 1'000, many_conditions},
                                       {"tasks of one provider", 1'000, 10'000, one_requests_all},
                                       {"groups, each requesting all behind it", 20, 100, dense},
+                                      {"values of a state", 500, 5'000, many_values},
                                       {"tasks of equal rank that want one group", 200, 2'000, rivals}};
   return all;
 }

@@ -201,6 +201,34 @@ TEST_CASE("what is staged is compared, with what it imports, not what lies there
             std::string(needs_arms).replace(std::string(needs_arms).find("1 change"), 8, "2 changes"));
 }
 
+TEST_CASE("a link is followed in a revision and in what is staged, as far as it stays in the repository") {
+  const Repository repository;
+  REQUIRE(repository
+              .run("ln -s walker.yaml robot/link.yaml && ln -s /etc/hosts robot/out.yaml && "
+                   "ln -s nowhere.yaml robot/none.yaml && git add . && git commit --quiet -m links")
+              .status == 0);
+  CHECK(repository.run("directorc diff --git HEAD robot/link.yaml").output.empty());
+  repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
+  REQUIRE(repository.run("git add .").status == 0);
+  repository.write("robot/walker.yaml", "no behaviour any more");
+  CHECK(repository.run("directorc diff --staged robot/link.yaml").output ==
+        "needs_added: A provider needs one more group.\n"
+        "  `Walk` now needs `Arms`\n"
+        "    now    robot/link.yaml:5:31\n"
+        "    before HEAD:robot/link.yaml:5:10\n"
+        "\n"
+        "1 change\n");
+  const std::string help = "  help: where it was called otherwise, `git add robot/out.yaml` lets git see that; any two "
+                           "files are compared with `directorc diff OLD NEW`\n";
+  const Ran outside = repository.run("directorc diff --git HEAD robot/out.yaml 2>&1");
+  CHECK(outside.status == 2);
+  CHECK(outside.output ==
+        "directorc: cannot read `HEAD:robot/out.yaml`: it is a link to outside of the repository\n" + help);
+  CHECK(
+      repository.run("directorc diff --git HEAD robot/none.yaml 2>&1")
+          .output.starts_with("directorc: cannot read `HEAD:robot/none.yaml`: no such file in the revision `HEAD`\n"));
+}
+
 TEST_CASE("a file that is not staged, or lies in no repository, is said") {
   const Repository repository;
   const Ran gone =

@@ -42,6 +42,10 @@ TEST_CASE("What cannot be read says why") {
   REQUIRE_FALSE(missing);
   CHECK(missing.error().kind == FileError::Kind::not_found);
   CHECK(missing.error().message == "No such file or directory");
+  // No other file is read than the one that is named.
+  const auto cut = files.read(folder.file("whole.yaml", "") + std::string("\0.yaml", 6), 100);
+  REQUIRE_FALSE(cut);
+  CHECK(cut.error().kind == FileError::Kind::not_found);
   const auto directory = files.read(folder.path.string(), 100);
   REQUIRE_FALSE(directory);
   CHECK(directory.error().kind == FileError::Kind::folder);

@@ -19,3 +19,5 @@ TEST_CASE("What turns the direction of a text is spelled out") {
 }
 
 TEST_CASE("Lines stay lines where they are to") { CHECK(harmless_lines("a\x1B\nb\r\n") == "a\\x1B\nb\\x0D\n"); }
+
+TEST_CASE("Tabs of code stay tabs") { CHECK(harmless_code("\ta\x1B\nb\r\n") == "\ta\\x1B\nb\\x0D\n"); }

@@ -90,6 +90,9 @@ TEST_CASE("What stands wrong at the top of a file is said where it stands") {
                                                           "found 2 (use the compiler that the file was written for)\n"},
            Case{"behaviour: a\nlanguage: one\n",
                 "2:11 `one` wrong_node_kind: `language`: expected a whole number, found `one`\n"},
+           Case{"behaviour: a\nlanguage: 99999999999999999999\n",
+                "2:11 `99999999999999999999` wrong_node_kind: `language`: expected a whole number from "
+                "-9223372036854775808 to 9223372036854775807, found `99999999999999999999`\n"},
            Case{"behaviour: [a]\nlanguage: 1\n",
                 "1:12 `[a]` wrong_node_kind: `behaviour`: expected a name, found a list\n"},
            Case{"behaviour: a\nlanguage: 1\ngrops: {}\nstates:\nlayers: skill\ntriggers: {a: b}\n",

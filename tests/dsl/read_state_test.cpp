@@ -86,8 +86,9 @@ TEST_CASE("What stands wrong in a state is said where it stands") {
                                      "4:18 `1.5` wrong_node_kind: `range`: expected a whole number, found `1.5`\n"},
            Case{"{range: [5, 4]}", "4:14 `[5, 4]` wrong_node_kind: `range`: expected the lower number first, found 5 "
                                    "above 4 (write `[4, 5]`)\n"},
-           Case{"{range: [0, 9223372036854775808]}", "4:18 `9223372036854775808` wrong_node_kind: `range`: expected a "
-                                                     "whole number, found `9223372036854775808`\n"},
+           Case{"{range: [0, 9223372036854775808]}",
+                "4:18 `9223372036854775808` wrong_node_kind: `range`: expected a "
+                "whole number from -9223372036854775808 to 9223372036854775807, found `9223372036854775808`\n"},
            Case{"{values: [a], initial: [a]}",
                 "4:29 `[a]` wrong_node_kind: `initial`: expected a value of the state, found a list\n"},
            Case{"{values: [a], external: on}", "4:30 `on` wrong_node_kind: `external`: expected true or false, found "

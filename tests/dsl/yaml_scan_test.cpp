@@ -25,6 +25,8 @@ TEST_CASE("Bytes that no text has are found") {
                "a\0"sv,
                0, 2, "the file is UTF-16, expected UTF-8"},
            Row{"\xFE\xFF\0a"sv, 0, 2, "the file is UTF-16, expected UTF-8"},
+           Row{"\0a"sv, 0, 2, "the file is UTF-16, expected UTF-8"},
+           Row{"a\0b\0"sv, 0, 2, "the file is UTF-16, expected UTF-8"},
            Row{"a\x80"sv, 1, 2, "the byte 0x80 is not UTF-8"},
            Row{"a\xC3"sv, 1, 2, "the byte 0xC3 is not UTF-8"},
            Row{"\xC0\xAF"sv, 0, 1, "the byte 0xC0 is not UTF-8"},         // overlong

@@ -179,6 +179,7 @@ TEST_CASE("Where the text is no YAML the place and the likely reason are said") 
           Case{"a: [b}\n",
                "1:6 `}` yaml_syntax: expected `,` or `]` here (close what is opened there, or put the text in quotes)\n"
                "  1:4 `[` opened here\n"},
+          Case{"%YAML 3.0\n---\na: b\n", "1:1 `%` yaml_syntax: this is YAML 1 (leave the line out)\n"},
           Case{"a: ]\n", "1:4 `]` yaml_syntax: a closing bracket that nothing opened (leave it out, or open it)\n"},
           Case{"a: @x\n", "1:4 `@` yaml_syntax: no word begins with this character (put the text in quotes)\n"},
           Case{"a: *\n", "1:5 `` yaml_syntax: aliases are not part of the language (a text that begins with `*` needs "

@@ -42,7 +42,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"algorithm",
               "all_of any_of none_of binary_search clamp copy copy_if copy_n count count_if equal equal_range fill "
               "find find_if "
-              "for_each includes is_sorted lower_bound max max_element min min_element mismatch partition_point "
+              "for_each includes is_sorted lower_bound max max_element merge min min_element mismatch partition_point "
               "remove_if replace reverse rotate set_difference set_intersection set_union sort stable_partition "
               "stable_sort transform unique upper_bound"},
              {"array", "array"},
@@ -78,7 +78,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"ostream iostream fstream", "ostream flush ios"},
              {"ios istream ostream iostream streambuf", "streamsize"},
              {"streambuf iostream fstream", "streambuf"},
-             {"new", "launder"},
+             {"new", "bad_alloc launder"},
              {"initializer_list vector string", "initializer_list"},
              {"iterator", "back_inserter distance istreambuf_iterator next"},
              {"limits", "numeric_limits"},

@@ -127,8 +127,7 @@ private:
         satisfied.push_back(model_.conditions[condition].state == id &&
                             model_.conditions[condition].accepts.contains(begins[i]));
       const std::int64_t end = i + 1 < begins.size() ? begins[i + 1] - 1 : state.high;
-      ValueSet& kind = kinds[satisfied];
-      kind = kind.united(ValueSet::interval(begins[i], end));
+      kinds[satisfied].add_last({begins[i], end});
     }
     if (kinds.size() > Component::most_values) too_many_ = true;
     for (const auto& [unused, values] : kinds) kinds_[row].push_back(values);

@@ -97,8 +97,7 @@ public:
     for (const Column& column : columns_) {
       Possible& here = out[column.state];
       for (std::size_t i = 0; i < column.cells.size(); ++i) {
-        if (has_bit(&now_[column.first], i))
-          here.values = here.values.united(ValueSet::interval(column.cells[i].low, column.cells[i].high));
+        if (has_bit(&now_[column.first], i)) here.values.add_last(column.cells[i]);
       }
       here.unset = column.may_be_unset && has_bit(&now_[column.first], column.cells.size());
     }

@@ -13,20 +13,6 @@ namespace director::tests {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-int act(const compiler::cli::Say& say, compiler::cli::Console& console) {
-  (say.wrong ? console.err : console.out) << say.text;
-  return say.wrong ? compiler::cli::misused : compiler::cli::clean;
-}
-
-template <class Command>
-int act(const Command& command, compiler::cli::Console& console) {
-  return run(command, console);
-}
-
-} // namespace
-
 std::string source_folder() { return source_dir().string(); }
 
 Workshop::Workshop(const std::string& name) : folder_((binary_dir() / "tests/clang-work" / name).string()) {
@@ -64,7 +50,7 @@ Worked Workshop::directorc(const std::vector<std::string>& words) const {
                                  files, outputs, programs, (binary_dir() / "bin/director-clang").string()};
   const compiler::cli::Request request = compiler::cli::parse(words);
   Worked worked;
-  worked.status = std::visit([&](const auto& command) { return act(command, console); }, request);
+  worked.status = std::visit([&](const auto& command) { return run(command, console); }, request);
   worked.out = out.str();
   worked.err = err.str();
   return worked;

@@ -65,7 +65,9 @@ TEST_CASE("a scenario that cannot be read, one whose behaviour cannot, and one o
   CHECK(world.err == "directorc: cannot read `none.yaml`: No such file or directory\n");
   world.files.add("s.yaml", "behaviour: dark.yaml\nsteps: []\n");
   CHECK(world.directorc({"simulate", "s.yaml"}) == 1);
-  CHECK(world.err.find("s.yaml:1:12: error: cannot read `dark.yaml`") == 0);
+  CHECK(world.err == "s.yaml:1:12: error: cannot read `dark.yaml`: No such file or directory [import_not_found]\n"
+                     "    1 | behaviour: dark.yaml\n      |            ^~~~~~~~~\n"
+                     "  help: a path is relative to the file that it stands in\n1 error\n");
   world.files.add("s.yaml", "behaviour: bulb.yaml\nsteps: []\n");
   CHECK(world.directorc({"simulate", "s.yaml"}) == 1);
   CHECK(world.err.find("s.yaml:1:12: error: `bulb.yaml` has no `roots`") == 0);

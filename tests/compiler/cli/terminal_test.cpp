@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What users' files are called commands no terminal, whatever is printed of them: dsl/harmless.hpp.
+#include "dsl/harmless.hpp"
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>
@@ -52,6 +53,44 @@ TEST_CASE("what a file is called commands no terminal") {
   CHECK(world.outputs.files.at("pages/a\x1B[31m.md").find('\x1B') == std::string::npos);
   CHECK(told_plainly(world, {"generate", "no\x1B[31m.yaml", "-o", "out"}) ==
         "directorc: cannot read `no\\x1B[31m.yaml`: No such file or directory\n");
+}
+
+TEST_CASE("what stubs would write commands no terminal, and through a pipe is as it is") {
+  World world;
+  world.files.add("lamp.yaml", "doc: \"L\\e[31m\tamp\"\n" + std::string(dark_lamp));
+  const auto would_write = [&] {
+    CHECK(world.directorc({"stubs", "lamp.yaml", "-o", "s\x1B[31m", "--dry-run"}) == 0);
+    CHECK(world.err.empty());
+    return world.out;
+  };
+  const std::string piped = would_write();
+  CHECK(piped.find("+++ b/s\x1B[31m/") != std::string::npos);
+  world.width = 80;
+  CHECK(would_write() == director::dsl::harmless_code(piped));
+}
+
+TEST_CASE("what is wrong with a command line commands no terminal") {
+  World world;
+  CHECK(told_plainly(world, {"\x1B[31m"}).find("directorc: there is no subcommand `\\x1B[31m`; there are ") == 0);
+  CHECK(told_plainly(world, {"check", "a.yaml", "--\x1B[31m"}) ==
+        "directorc check: The following argument was not expected: --\\x1B[31m\nTry `directorc check --help`.\n");
+}
+
+TEST_CASE("of what is very long, messages repeat the beginning and the end") {
+  const std::string name(100'000, 'x'), shown = std::string(372, 'x') + "…" + std::string(125, 'x');
+  World world;
+  world.files.add("a.yaml", "behaviour: a\nlanguage: 1\nroots: [A]\ngroups: {A: {tasks: [" + name + "]}}\n");
+  CHECK(world.directorc({"check", "a.yaml"}) == 1);
+  CHECK(world.out.find("a.yaml:4:22: error: there is no group called `" + shown + "` [undefined_name]\n") == 0);
+  CHECK(world.out.size() < 2000);
+  CHECK(world.directorc({"check", "a.yaml", "--format=json"}) == 1);
+  CHECK(world.out.find("\"message\": \"there is no group called `" + shown + "`\"") != std::string::npos);
+  CHECK(world.out.find(name) == std::string::npos);
+  CHECK(world.directorc({"check", "a.yaml", "--format=sarif"}) == 1);
+  CHECK(world.out.find("\"text\": \"there is no group called `" + shown + "`\\nhelp: ") != std::string::npos);
+  CHECK(world.out.find(name) == std::string::npos);
+  CHECK(world.directorc({"check", name}) == 2);
+  CHECK(world.err == "directorc: cannot read `" + shown + "`: No such file or directory\n");
 }
 
 } // namespace

@@ -183,7 +183,9 @@ TEST_CASE("what is no trace is said with its line") {
                            "  help: expected are the JSON lines of a recorder or of `directorc simulate --trace`; a "
                            ".perfetto-trace is opened "
                            "on https://ui.perfetto.dev\n";
-  CHECK(say("") == none);
+  CHECK(say("") == "bad.jsonl:1: error: the trace is empty: nothing was recorded, or nothing of it was written\n");
+  CHECK(say(header.substr(0, 60)) == "bad.jsonl:1: error: the trace is cut off within its first line\n");
+  CHECK(say("{\"direct") == none);
   CHECK(say("\xff\x00\n{}") == none);
   CHECK(say("{\"director_trace\":2}\n") == "bad.jsonl:1: error: a trace of version 2; this program reads version 1\n");
   const std::string help = "  help: expected is one JSON object a line, an event each, as a recorder writes them; the "

@@ -36,20 +36,10 @@ struct World {
     compiler::cli::Console console{said, complained, colours, false, files, outputs, programs};
     console.out_width = console.err_width = width;
     const compiler::cli::Request request = compiler::cli::parse(words);
-    const int status = std::visit([&](const auto& command) { return act(command, console); }, request);
+    const int status = std::visit([&](const auto& command) { return run(command, console); }, request);
     out = said.str();
     err = complained.str();
     return status;
-  }
-
-private:
-  static int act(const compiler::cli::Say& say, compiler::cli::Console& console) {
-    (say.wrong ? console.err : console.out) << say.text;
-    return say.wrong ? compiler::cli::misused : compiler::cli::clean;
-  }
-  template <class Command>
-  static int act(const Command& command, compiler::cli::Console& console) {
-    return run(command, console);
   }
 };
 

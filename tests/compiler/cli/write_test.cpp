@@ -250,6 +250,18 @@ void write_walk(const Folder& folder, const std::string& walks, const std::strin
   folder.write(walks + "/" + scenario, "behaviour: ../bot.yaml\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
 }
 
+TEST_CASE("what ends in a slash is no file, and no folder is made of it") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  for (const char* words : {"graph bot.yaml -o new/", "generate bot.yaml -o out --depfile new/"}) {
+    CAPTURE(words);
+    CHECK(directorc(folder, std::string(words) + " 2>err") == 2);
+    CHECK(read_file(folder.at("err")).ends_with("cannot write `new/`: it is called as a folder is; name a file\n"));
+    CHECK_FALSE(fs::exists(folder.at("new")));
+    CHECK_FALSE(fs::exists(folder.at("out")));
+  }
+}
+
 TEST_CASE("a folder may be called as files are") {
   const Folder folder;
   write_walk(folder, "walks.yaml", "walk.scenario.yml");
@@ -297,6 +309,71 @@ TEST_CASE("what cannot be said ends with status 2, wherever it should have gone"
   CHECK(directorc(folder, "generate --lint bot.yaml -o out 2> /dev/full") == 2);
   CHECK(directorc(folder, "check --lint bot.yaml 2> err >&-") == 2);
   CHECK(directorc(folder, "check --lint bot.yaml > out.txt") == 0);
+}
+
+TEST_CASE("where the working directory is gone nothing can be written there, and what is named wholly is read") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  const std::string program = (binary_dir() / "bin/directorc").string();
+  const auto from_nowhere = [&](const std::string& words) {
+    return directorc(folder, "--version >out; mkdir gone && cd gone && rmdir ../gone && DIRECTOR_CLANG=none '" +
+                                 program + "' " + words);
+  };
+  const std::string file = folder.at("bot.yaml");
+  CHECK(from_nowhere("check " + file + " 2>'" + folder.at("err") + "'") == 0);
+  CHECK(from_nowhere("stubs " + file + " -o src 2>'" + folder.at("err") + "'") == 2);
+  CHECK(read_file(folder.at("err")) == "directorc: nothing is written; cannot write `src/bot_module.hpp`: No such file "
+                                       "or directory\n");
+  CHECK(folder.all() == "bot.yaml " + bot.substr(0, 40) + "; err " + read_file(folder.at("err")).substr(0, 40) +
+                            "; out " + read_file(folder.at("out")) + "; ");
+}
+
+// The address sanitizer takes more than any limit for itself.
+#if defined(__SANITIZE_ADDRESS__)
+#define DIRECTOR_TEST_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define DIRECTOR_TEST_SANITIZED 1
+#endif
+#endif
+#ifndef DIRECTOR_TEST_SANITIZED
+TEST_CASE("where the memory does not suffice, it is said, with status 2") {
+  const Folder folder;
+  constexpr std::size_t many = 14'000'000;
+  std::string text = bot;
+  for (std::size_t i = 0; i < many; ++i) text += "# x\n";
+  folder.write("bot.yaml", text);
+  const std::string program = (binary_dir() / "bin/directorc").string();
+  CHECK(directorc(folder, "--version >out; ulimit -v 100000; '" + program + "' check bot.yaml 2>err") == 2);
+  CHECK(read_file(folder.at("err")) == "directorc: the memory is used up\n");
+}
+#endif
+
+TEST_CASE("a file may have the longest name that the file system takes") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  const std::string name = std::string(251, 'n') + ".dot";
+  CHECK(directorc(folder, "graph bot.yaml -o " + name + " 2>err") == 0);
+  CHECK(read_file(folder.at("err")) == "");
+  CHECK(fs::exists(folder.at(name)));
+}
+
+TEST_CASE("a trace is not written over itself, by whatever path") {
+  const Folder folder;
+  folder.write("bot.yaml", bot);
+  folder.write("bot.scenario.yaml", "behaviour: bot.yaml\nsteps: [{request: Walk}]\n");
+  REQUIRE(directorc(folder, "simulate bot.scenario.yaml --trace t.jsonl >out") == 0);
+  fs::create_symlink("t.jsonl", folder.at("link.jsonl"));
+  const std::string trace = read_file(folder.at("t.jsonl"));
+  for (const char* words : {"t.jsonl -o ./t.jsonl", "--to=json link.jsonl -o t.jsonl"}) {
+    CAPTURE(words);
+    CHECK(directorc(folder, std::string("trace ") + words + " 2>err") == 2);
+    CHECK(read_file(folder.at("err")).find("is the trace that is read; name another file with -o\n") !=
+          std::string::npos);
+    CHECK(read_file(folder.at("t.jsonl")) == trace);
+  }
+  CHECK(directorc(folder, "trace --to=json t.jsonl -o other.jsonl") == 0);
+  CHECK(read_file(folder.at("other.jsonl")) == trace);
 }
 
 TEST_CASE("a part of a set that cannot be written leaves the set as it was") {

@@ -58,6 +58,15 @@ std::string walker(const std::string& kick, const std::string& within, const std
 const char* const ranks = "Walk: {priority: 10}, Kick: {priority: 20}";
 const char* const waits = "when: [Pose == standing], ";
 
+TEST_CASE("states of a hundred thousand values are compared") {
+  std::string values = "v0";
+  for (std::size_t i = 1; i < 100'000; ++i) values += ", v" + std::to_string(i);
+  const auto with = [](const std::string& listed) {
+    return "states: {Mood: {values: [" + listed + "], external: true}}\nroots: [Walk]\ngroups: {Walk: {}}\n";
+  };
+  CHECK(told(with(values), with(values + ", more")) == "state_values: `Mood` may now be `more`\n");
+}
+
 } // namespace
 
 TEST_CASE("the kinds of changes are in order, each once, with a sentence") {

@@ -80,7 +80,8 @@ TEST_CASE("compile_commands.json of a build, or what is wrong with it") {
   director::dsl::MemoryFiles files;
   const LoadedCommands absent = load_compile_commands("b", files);
   CHECK_FALSE(absent.was_read);
-  CHECK(absent.fault == "cannot read `b/compile_commands.json`: No such file or directory");
+  CHECK(absent.fault == "cannot read `b/compile_commands.json`: No such file or directory; CMake writes it with "
+                        "-D CMAKE_EXPORT_COMPILE_COMMANDS=ON");
   files.add("b/compile_commands.json", "nothing");
   const LoadedCommands wrong = load_compile_commands("b", files);
   CHECK(wrong.was_read);

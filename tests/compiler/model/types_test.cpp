@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
 #include "dsl/render.hpp"
+#include "dsl/yaml_text.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -110,6 +115,62 @@ TEST_CASE("of three names of one value the second and the third are told of once
   CHECK(findings(without_values, types) ==
         "`ready` and `go` of `GamePhase` are one value, so they cannot be two values of `Phase` [redefined_name]\n"
         "`ready` and `set` of `GamePhase` are one value, so they cannot be two values of `Phase` [redefined_name]\n");
+}
+
+/// v0 to vN.
+std::vector<std::string> numbered(std::size_t count, const std::string& letter) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < count; ++i) out.push_back(letter + std::to_string(i));
+  return out;
+}
+
+TEST_CASE("an enum of a hundred thousand values is a state's, and is compared with those that are listed") {
+  constexpr std::size_t many = 100'000;
+  KnownTypes types;
+  types.types.by_name["GamePhase"] = enum_of(numbered(many, "v"));
+  types.types.by_name["Order"] = {};
+  Model model;
+  CHECK(findings(without_values, types, &model) == "");
+  CHECK(model.states[StateId{0}].values.size() == many);
+  types.all = true;
+  const auto listing = [&](const std::vector<std::string>& values) {
+    return "states: {Phase: {type: GamePhase, values: " + dsl::yaml_list(values) +
+           ", external: true}}\nroots: [Walk]\ngroups: {Walk: {}}\n";
+  };
+  CHECK(findings(listing(numbered(many, "v")), types) == "");
+  // Nobody is told of a hundred names with each of a hundred thousand others.
+  const std::string all = findings(listing(numbered(many, "w")), types);
+  CHECK(std::count(all.begin(), all.end(), '\n') == 2 * many);
+}
+
+TEST_CASE("what an enum has is listed as far as somebody reads it") {
+  KnownTypes types;
+  types.all = true;
+  types.types.by_name["GamePhase"] = enum_of(numbered(103, "a_phase_of_the_game_"));
+  dsl::MemoryFiles files;
+  files.add("x.yaml", "behaviour: x\nlanguage: 1\n" + with_values);
+  dsl::Sources sources;
+  CheckOptions options;
+  options.types = &types;
+  std::vector<std::string> helps;
+  for (const dsl::Diagnostic& each : check("x.yaml", files, sources, options).findings)
+    if (each.message == "`GamePhase` has no `playing`") helps.push_back(each.help);
+  std::string listed = "it has a_phase_of_the_game_0";
+  for (std::size_t i = 1; i < 100; ++i) listed += ", a_phase_of_the_game_" + std::to_string(i);
+  CHECK(helps == std::vector<std::string>{listed + " and 3 more"});
+}
+
+TEST_CASE("of three listed names of one value the second and the third are told of once each") {
+  KnownTypes types;
+  types.all = true;
+  types.types.by_name["GamePhase"] = enum_of({"ready", "set", "go"});
+  types.types.by_name["GamePhase"].enumerators[1].value = "0";
+  types.types.by_name["GamePhase"].enumerators[2].value = "0";
+  CHECK(findings("states: {Phase: {type: GamePhase, values: [ready, set, go], external: true}}\nroots: [Walk]\n"
+                 "groups: {Walk: {}}\n",
+                 types) ==
+        "`ready` and `set` of `GamePhase` are one value, so they cannot be two values of `Phase` [redefined_name]\n"
+        "`ready` and `go` of `GamePhase` are one value, so they cannot be two values of `Phase` [redefined_name]\n");
 }
 
 } // namespace

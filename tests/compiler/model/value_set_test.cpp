@@ -25,6 +25,18 @@ TEST_CASE("neighbours become one interval, in whatever order they come") {
   CHECK(ValueSet::interval(5, 4).empty());
 }
 
+TEST_CASE("what comes last is added at the end, and an empty interval is nothing") {
+  ValueSet set;
+  set.add_last({1, 2});
+  set.add_last({3, 3});
+  set.add_last({5, 4});
+  set.add_last({6, 9});
+  set.add_last({7, 8});
+  CHECK(set == ValueSet::interval(1, 3).united(ValueSet::interval(6, 9)));
+  for (const std::int64_t value : {1, 2, 3, 6, 7, 8, 9}) CHECK(set.contains(value));
+  for (const std::int64_t value : {0, 4, 5, 10}) CHECK_FALSE(set.contains(value));
+}
+
 TEST_CASE("a set without some values is what remains around them") {
   CHECK(ValueSet::interval(0, 9).without(of({0, 4, 9})) == ValueSet::interval(1, 3).united(ValueSet::interval(5, 8)));
   CHECK(ValueSet::interval(0, 9).without(ValueSet::interval(-5, 20)).empty());

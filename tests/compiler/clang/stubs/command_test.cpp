@@ -342,7 +342,8 @@ TEST_CASE("flags that Clang does not know are left out, and a build's folder wit
   shop.write("build/compile_commands.json", "[{" + entry + "\"" + flags + " -c src/wheels.cpp\"}]");
   CHECK(shop.stubs("--check -p build") == "to be added to: src/wheels.cpp\nstatus 1\n");
   CHECK(shop.stubs("--check -p bulid") ==
-        "directorc: cannot read `bulid/compile_commands.json`: No such file or directory\nstatus 2\n");
+        "directorc: cannot read `bulid/compile_commands.json`: No such file or directory; CMake writes it with "
+        "-D CMAKE_EXPORT_COMPILE_COMMANDS=ON\nstatus 2\n");
 }
 
 TEST_CASE("bodies are the user's affair, and a file that is in the way is not touched") {
