@@ -30,9 +30,10 @@ struct LoadedCommands {
   bool was_read = true; ///< though it may be wrong
 };
 
-/// That of a build's folder.
 /// Why the compile_commands.json of this folder cannot be read, and what to do.
 std::string fault_of_build(const std::string& build, const dsl::FileError& error, dsl::FileAccess& files);
+
+/// That of a build's folder.
 LoadedCommands load_compile_commands(const std::string& build, dsl::FileAccess& files);
 
 /// The nearest, looked for as clangd does: in the folder and those above it, and in their folders `build`. `folder` is
