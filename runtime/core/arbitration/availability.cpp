@@ -19,7 +19,7 @@ bool alive(const Context& x, Index edge) {
   for (;;) {
     if (is_limbo(x, edge)) return false;
     const Index group = target(x, edge);
-    const bool needed = x.s.last[group].holder == edge && (x.s.last[group].flags & flag::needed) != 0;
+    const bool needed = x.s.last[group].holder == edge && x.s.last[group].needed();
     if (!requested(x, edge) && !needed) return false;
     const Index from = requester(x, edge);
     if (from == nil) return true;
@@ -33,7 +33,7 @@ bool alive(const Context& x, Index edge) {
 bool may_deny(const Context& x, Index group, Index edge, Index member) {
   const Index holder = x.s.last[group].holder;
   return holder != nil && holder != edge && holder_now(x, group) == nil && !is_limbo(x, holder) &&
-         (x.s.edge_marks[holder] & mark::refused) == 0 && alive(x, holder) &&
+         !x.s.edge_marks[holder].has(mark::refused) && alive(x, holder) &&
          !never_equal(x, {member, Chains::current}, {holder, Chains::previous});
 }
 
@@ -42,12 +42,12 @@ bool may_deny(const Context& x, Index group, Index edge, Index member) {
 /// Equals never take from each other. Its last holder is an edge, and another one.
 bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
   const Index holder = x.s.last[group].holder;
-  if (injected(Fault::equals_take) || (x.s.edge_marks[holder] & mark::refused) != 0 || !alive(x, holder) ||
+  if (injected(Fault::equals_take) || x.s.edge_marks[holder].has(mark::refused) || !alive(x, holder) ||
       compare(x, {edge, Chains::current}, {holder, Chains::previous}, false) != 0)
     return false;
   x.depends_on_last = x.depends_on_stale = x.depends_on_all_stale = true;
-  if ((x.s.group_marks[group] & mark::forgotten) != 0) return false;
-  if (record && (x.s.group_marks[group] & mark::denied) == 0) {
+  if (x.s.group_marks[group].has(mark::forgotten)) return false;
+  if (record && !x.s.group_marks[group].has(mark::denied)) {
     open(x, group);
     x.s.group_marks[group] |= mark::denied;
     x.s.denied[x.denied_count++] = group;
@@ -60,7 +60,7 @@ bool may_be_denied(Context& x, Index member) {
   Index found = 0;
   const auto look_at = [&](Index edge) {
     const Index group = x.t.edges[edge].target;
-    if ((x.s.group_marks[group] & mark::looked_at) == 0) x.s.reach[found++] = group;
+    if (!x.s.group_marks[group].has(mark::looked_at)) x.s.reach[found++] = group;
     x.s.group_marks[group] |= mark::looked_at;
     return may_deny(x, group, edge, member);
   };
@@ -70,7 +70,7 @@ bool may_be_denied(Context& x, Index member) {
       for (const Index need : x.t.list(x.t.providers[p].needs)) yes = yes || look_at(need);
     }
   }
-  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]] &= static_cast<std::uint8_t>(~mark::looked_at);
+  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]].remove(mark::looked_at);
   return yes;
 }
 

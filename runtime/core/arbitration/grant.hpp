@@ -34,7 +34,7 @@ inline void now_granted(Context& x, Index edge, Index provider) {
   now.active = now.planned = provider;
   now.flags |= flag::granted;
   x.s.queued[edge] = Queued{};
-  if ((x.s.run_queue[group].pending & reason::outdating) == 0 && x.s.anew[edge] == 0 && edge == last.holder &&
+  if (!x.s.run_queue[group].pending.has(reason::outdating) && x.s.anew[edge] == 0 && edge == last.holder &&
       provider == last.active)
     return;
   x.s.group_marks[group] |= mark::outdated;

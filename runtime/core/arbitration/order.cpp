@@ -71,7 +71,7 @@ DIRECTOR_FLATTEN void sort_by_place(const Context& x, std::span<Index> groups, C
 /// Edges of root stay linked in order from pass to pass: few are in another place than before, and mostly none is.
 void sort_roots(Context& x) {
   const auto comes_first = [&](Index a, Index b) { return compare_siblings(x, a, b) < 0; };
-  const auto may_have_moved = [&](Index e) { return x.whole || (x.s.edge_trail[e] & trail::reached) != 0; };
+  const auto may_have_moved = [&](Index e) { return x.whole || x.s.edge_trail[e].has(trail::reached); };
   Index* link = &x.s.first_root[x.component];
   Index last = nil, moved = 0;
   for (Index e = *link; e != nil;) {

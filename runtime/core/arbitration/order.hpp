@@ -123,7 +123,7 @@ inline bool lies_in_limbo(const Context& x, Index group) {
 inline bool holds(const Context& x, Index condition) { return x.s.truth[condition] != 0; }
 
 /// This pass looks at the group; otherwise it stands as in the last one.
-inline bool is_opened(const Context& x, Index group) { return (x.s.group_trail[group] & trail::opened) != 0; }
+inline bool is_opened(const Context& x, Index group) { return x.s.group_trail[group].has(trail::opened); }
 
 /// The edge that has claimed the group so far. One that the pass in hand has not opened stands as in the last pass, and
 /// counts from where the walk passes it.

@@ -79,8 +79,8 @@ void decide(Context& x, Index component) {
   x.had_pushes = x.pushed_count != 0;
   x.depends_on_stale = x.depends_on_all_stale = false;
   x.depends_on_last = x.had_pushes || x.s.on_last[component] != 0;
-  if ((x.s.component[component] & work::reordered) != 0) {
-    x.s.component[component] &= static_cast<std::uint8_t>(~work::reordered);
+  if (x.s.component[component].has(work::reordered)) {
+    x.s.component[component].remove(work::reordered);
     const Index first = x.s.first_root[component];
     if (first != nil && x.s.next_root[first] != nil) sort_roots(x);
   }
@@ -102,7 +102,7 @@ void forget_trail(Context& x) {
   for (Index c = 0; c < x.t.components.size(); ++c) x.s.news_count[c] = nil;
   for (Index g = 0; g < x.t.groups.size(); ++g) {
     Bits& flags = x.s.run_queue[g].flags;
-    flags &= static_cast<std::uint8_t>(~group_flag::followed);
+    flags.remove(group_flag::followed);
     if (x.t.components[x.t.groups[g].component].groups.size() > x.most_decided_whole) flags |= group_flag::followed;
     x.s.now[g] = x.s.last[g];
   }

@@ -148,7 +148,7 @@ void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end)
     const Index group = x.s.entry[i].group;
     claim(x, group, x.s.entry[i].need);
     x.s.now[group].flags |= flag::needed;
-    if ((x.s.now[group].flags & flag::granted) != 0) continue;
+    if (x.s.now[group].granted()) continue;
     auto below = static_cast<Index>(i + 1); // depth first: what an entry needs stands right behind it
     while (below < end && x.s.entry[below].parent != nil && x.s.entry[below].parent >= i) ++below;
     plan_for(x, group, x.s.entry[i].provider, static_cast<Index>(i + 1), below);

@@ -22,7 +22,7 @@ constexpr std::uint64_t endless = ~std::uint64_t{0};
 
 /// A member in hand has made a push before.
 bool pushes(const Context& x, Index count) {
-  return any(members(x, count), [&](const TriedMember& m) { return (x.s.edge_marks[m.edge] & mark::pushes) != 0; });
+  return any(members(x, count), [&](const TriedMember& m) { return x.s.edge_marks[m.edge].has(mark::pushes); });
 }
 
 bool in_unit(const Context& x, Index edge, Index count) {
@@ -46,7 +46,7 @@ void set_push(Context& x, Index group, const Push& push) {
 
 /// The unit is granted: of its pushes those stay that serve the choices in hand, or a push that does.
 void keep_serving_pushes(Context& x, Index count) {
-  const auto is_busy = [&](Index g) { return (x.s.group_marks[g] & mark::busy) != 0; };
+  const auto is_busy = [&](Index g) { return x.s.group_marks[g].has(mark::busy); };
   const auto serves = [&](Index provider) {
     const auto helps = [&](Index chosen) {
       const Provider& row = x.t.providers[chosen];
@@ -60,7 +60,7 @@ void keep_serving_pushes(Context& x, Index count) {
       return is_busy(g) && satisfies_any(x, provider, x.t.providers[x.s.last[g].push.provider].aims);
     });
   };
-  for (const Index g : pushed_groups(x)) x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
+  for (const Index g : pushed_groups(x)) x.s.group_marks[g].remove(mark::busy);
   for (bool more = true; more;) {
     more = false;
     for (const Index g : pushed_groups(x)) {
@@ -103,7 +103,7 @@ bool relax(Context& x, Index provider) {
     for (const PlanEntry& entry : entries) add(entry.provider);
     if (length == endless) continue;
     for (const Index effect : x.t.list(row.effects)) {
-      if ((x.s.condition_marks[effect] & mark::lacked) == 0) continue;
+      if (!x.s.condition_marks[effect].has(mark::lacked)) continue;
       const bool shorter = length < x.s.cost[effect];
       const Index other = x.s.cost_at[effect];
       const bool declared_first = injected(Fault::the_later_provider_is_pushed) ? provider > other : provider < other;
@@ -142,7 +142,7 @@ bool can_be_pushed(const Context& x, Index provider, Index member) {
 bool find_chain(Context& x, Index condition, Index member, Push& out) {
   Index lacking = 0, causers = 0;
   const auto lack = [&](Index c) {
-    if ((x.s.condition_marks[c] & mark::lacked) != 0) return;
+    if (x.s.condition_marks[c].has(mark::lacked)) return;
     x.s.condition_marks[c] = mark::lacked;
     x.s.cost[c] = endless;
     x.s.lacked[lacking++] = c;
@@ -150,7 +150,7 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
   lack(condition);
   for (Index i = 0; i < lacking; ++i) {
     for (const Index provider : x.t.list(x.t.conditions[x.s.lacked[i]].causers)) {
-      if ((x.s.provider_marks[provider] & mark::looked_at) != 0) continue;
+      if (x.s.provider_marks[provider].has(mark::looked_at)) continue;
       x.s.provider_marks[provider] |= mark::looked_at;
       x.s.causers[causers++] = provider;
       if (!can_be_pushed(x, provider, member)) continue;
@@ -163,7 +163,7 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
   for (bool changed = true; changed;) {
     changed = false;
     for (Index i = 0; i < causers; ++i) {
-      if ((x.s.provider_marks[x.s.causers[i]] & mark::pushable) != 0) changed = relax(x, x.s.causers[i]) || changed;
+      if (x.s.provider_marks[x.s.causers[i]].has(mark::pushable)) changed = relax(x, x.s.causers[i]) || changed;
     }
   }
   const bool found = x.s.cost[condition] != endless;
@@ -207,7 +207,7 @@ void keep_own_pushes(Context& x, Index count) {
 
 /// The group has a push, in the last assignment or in this one.
 void list_push(Context& x, Index group) {
-  if ((x.s.group_marks[group] & mark::listed) != 0) return;
+  if (x.s.group_marks[group].has(mark::listed)) return;
   if (x.walking) open(x, group);
   x.s.group_marks[group] |= mark::listed;
   x.s.pushed[x.row.order + x.pushed_count++] = group;
@@ -232,7 +232,7 @@ void push_for(Context& x, Index count, Index unmet) {
                       (theirs(g).edge == nil || theirs(g).provider == push.provider);
     x.s.own[at] = ours ? push : Push{};
     x.s.first[at] = Push{};
-    x.s.group_marks[g] &= static_cast<std::uint8_t>(~mark::busy);
+    x.s.group_marks[g].remove(mark::busy);
   };
   for (Index at = 0; at < x.pushed_count; ++at) begin(at);
   bool all_served = true;
@@ -252,8 +252,7 @@ void push_for(Context& x, Index count, Index unmet) {
       continue;
     }
     const Index group = x.t.providers[push.provider].group;
-    if ((x.s.group_marks[group] & mark::listed) == 0)
-      list_push(x, group), begin(static_cast<Index>(x.pushed_count - 1));
+    if (!x.s.group_marks[group].has(mark::listed)) list_push(x, group), begin(static_cast<Index>(x.pushed_count - 1));
     Index at = 0;
     while (pushed[at] != group) ++at;
     if (x.s.first[at].edge == nil) x.s.first[at] = push; // one group serves one condition after the other
@@ -261,7 +260,7 @@ void push_for(Context& x, Index count, Index unmet) {
   for (Index at = 0; at < x.pushed_count; ++at) {
     const Index g = pushed[at];
     Push &own = x.s.own[at], &first = x.s.first[at];
-    const bool free = (x.s.group_marks[g] & mark::busy) == 0 && theirs(g).edge == nil;
+    const bool free = !x.s.group_marks[g].has(mark::busy) && theirs(g).edge == nil;
     if (all_served && first.edge != nil && free && own.provider != first.provider) own = first;
     if (own.edge != nil && theirs(g).edge == nil) set_push(x, g, own);
   }
@@ -278,7 +277,7 @@ void finish_pushes(Context& x) {
       push = Push{};
       continue;
     }
-    const bool was_in_force = (x.s.last[g].flags & flag::in_force) != 0;
+    const bool was_in_force = x.s.last[g].in_force();
     if (x.s.now[g].active != push.provider || (!x.s.now[g].granted() && !was_in_force) ||
         !applies(x, push, x.s.now[g].holder))
       continue;

@@ -25,7 +25,7 @@ inline void keep_pushes(Context& x, Index count) {
 
 /// Of this edge.
 inline void reach_pushes_of(Context& x, Index edge) {
-  if ((x.s.edge_marks[edge] & mark::pushes) != 0) reach_pushes(x, edge);
+  if (x.s.edge_marks[edge].has(mark::pushes)) reach_pushes(x, edge);
 }
 
 /// The provider at a place in the order of preference that holds for `edge`.

@@ -52,7 +52,7 @@ void each_user_edge(Context& x, Index group, Take&& take) {
   if (pusher != nil) reach_edge(x, pusher);
 }
 
-bool stands_behind(const Context& x, Index edge) { return (x.s.edge_trail[edge] & trail::behind) != 0; }
+bool stands_behind(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::behind); }
 
 /// Those behind the holder of the group whose requesters are not looked at: take(edge, place of the requester in the
 /// last order).
@@ -90,7 +90,7 @@ void look_at_lines(Context& x, Index group) {
 /// What the decision about an edge rests on; the bits of trail::kept that there were are forgotten.
 void rest_on(Context& x, Index edge, std::uint8_t bits) {
   Bits& trail = x.s.edge_trail[edge];
-  const bool was = (trail & trail::on_last) != 0, is = (bits & trail::on_last) != 0;
+  const bool was = trail.has(trail::on_last), is = (bits & trail::on_last) != 0;
   if (is && !was) ++x.s.on_last[x.component];
   if (was && !is) --x.s.on_last[x.component];
   trail = static_cast<std::uint8_t>((trail & ~trail::kept) | bits);
@@ -114,7 +114,7 @@ void begin_followed(Context& x, Index count) {
 
 /// What the decision rests on is noted, and what came out otherwise than in the last pass reaches others.
 void compare_with_last(Context& x, Index count) {
-  const bool below_stale = (x.s.edge_marks[x.s.unit[0]] & mark::below_stale) != 0;
+  const bool below_stale = x.s.edge_marks[x.s.unit[0]].has(mark::below_stale);
   if (below_stale) note_if_stale(x, x.t.edges[x.s.unit[0]].requester);
   const auto bits =
       static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0) |
@@ -125,7 +125,7 @@ void compare_with_last(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.unit[at];
     rest_on(x, edge, static_cast<std::uint8_t>(bits | (x.s.edge_trail[edge] & trail::waits)));
-    pushing = pushing || (x.s.edge_marks[edge] & mark::pushes) != 0;
+    pushing = pushing || x.s.edge_marks[edge].has(mark::pushes);
     compare_member(x, edge);
   }
   if (!pushing && !x.pushing) return;
@@ -145,7 +145,7 @@ void compare_with_last(Context& x, Index count) {
 
 /// Its unit is decided again.
 void reach_edge(Context& x, Index edge) {
-  if (x.whole || (x.s.edge_trail[edge] & trail::reached) != 0) return;
+  if (x.whole || x.s.edge_trail[edge].has(trail::reached)) return;
   x.s.edge_trail[edge] |= trail::reached;
   x.s.reached[x.reached_count++] = edge;
   const Index from = x.t.edges[edge].requester;
@@ -170,12 +170,12 @@ void take_up_last(Context& x, Index group) {
   if (injected(Fault::the_last_result_is_overlooked)) return;
   each_user_edge(x, group, [&](Index e) {
     if (stands_behind(x, e)) return;
-    if ((x.s.edge_trail[e] & trail::on_last) != 0) reach_edge(x, e);
+    if (x.s.edge_trail[e].has(trail::on_last)) reach_edge(x, e);
   });
 }
 
 void reach_users(Context& x, Index group) {
-  if ((x.s.group_trail[group] & trail::disturbed) != 0) return;
+  if (x.s.group_trail[group].has(trail::disturbed)) return;
   x.s.group_trail[group] |= trail::disturbed;
   disturb(x);
   open(x, group);
@@ -194,7 +194,7 @@ void move(Context& x, Index group) {
   Index found = 0;
   const auto add = [&](Index g) {
     reach(x, g);
-    if ((x.s.group_trail[g] & trail::moved) != 0) return;
+    if (x.s.group_trail[g].has(trail::moved)) return;
     x.s.group_trail[g] |= trail::moved;
     x.s.reach[found++] = g;
   };

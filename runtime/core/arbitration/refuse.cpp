@@ -22,7 +22,7 @@ bool waived(const Context& x, Index provider, Index condition, Index edge) {
   if (injected(Fault::nothing_is_waived)) return false;
   if (push.edge == nil || push.provider != provider) return false;
   x.depends_on_last = true;
-  if ((x.s.last[group].flags & flag::in_force) == 0 || x.s.last[group].push.provider != provider) return false;
+  if (!x.s.last[group].in_force() || x.s.last[group].push.provider != provider) return false;
   return any(x.t.list(x.t.providers[provider].causing),
              [&](Index s) { return s == x.t.conditions[condition].state; }) &&
          applies(x, push, edge);
@@ -65,7 +65,7 @@ bool stays(const Context& x, Index provider) {
   const Provider& row = x.t.providers[provider];
   if (row.stay.empty() || injected(Fault::stay_is_ignored)) return false;
   x.depends_on_last = true;
-  if (x.s.last[row.group].active != provider || (x.s.last[row.group].flags & flag::granted) == 0) return false;
+  if (x.s.last[row.group].active != provider || !x.s.last[row.group].granted()) return false;
   return !any(x.t.list(row.stay), [&](Index condition) { return !holds(x, condition); });
 }
 

@@ -19,7 +19,7 @@ namespace director::arbitration {
 Index stale_source(const Context& x, Index group) {
   for (;;) {
     const GroupAssignment& now = x.s.now[group];
-    if (now.granted()) return (x.s.group_marks[group] & mark::outdated) != 0 ? group : up_to_date;
+    if (now.granted()) return x.s.group_marks[group].has(mark::outdated) ? group : up_to_date;
     if (is_limbo(x, now.holder)) return nil;
     group = requester(x, now.holder); // held only as a need: while its requester is stale
     if (group == nil) return up_to_date;
@@ -74,8 +74,7 @@ bool takes_from_stale(Context& x, Index count) {
 /// one that goes before it and is not above it.
 bool reached_from_stale(Context& x, Index found, Index edge) {
   const auto counts = [&](Index group) {
-    if ((x.s.now[group].flags & flag::granted) == 0 || !is_outdated(x, group) || holder_now(x, group) == nil)
-      return false;
+    if (!x.s.now[group].granted() || !is_outdated(x, group) || holder_now(x, group) == nil) return false;
     const Index holder = x.s.now[group].holder;
     return edge == nil || (!in_chain(x, holder, {edge, Chains::current}) &&
                            before(x, {holder, Chains::current}, {edge, Chains::current}));
@@ -85,7 +84,7 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
   for (Index i = 0; i < found && !yes; ++i) {
     for (const Index up : x.t.list(x.t.groups[x.s.reach[i]].requesters)) {
       const Index group = x.t.edges[up].requester;
-      if (group == nil || (x.s.group_marks[group] & mark::reached) != 0) continue;
+      if (group == nil || x.s.group_marks[group].has(mark::reached)) continue;
       x.s.group_marks[group] |= mark::reached;
       x.s.reach[found++] = group;
       yes = counts(group);
@@ -94,14 +93,14 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
       break;
     }
   }
-  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]] &= static_cast<std::uint8_t>(~mark::reached);
+  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]].remove(mark::reached);
   return yes;
 }
 
 /// Something, if it is granted, makes the orders that the group gave outdated.
 bool outdates(const Context& x, Index group) {
   const Index holder = x.s.last[group].holder;
-  return (x.s.run_queue[group].pending & reason::outdating) != 0 ||
+  return x.s.run_queue[group].pending.has(reason::outdating) ||
          (holder != nil && !is_limbo(x, holder) && x.s.anew[holder] != 0);
 }
 

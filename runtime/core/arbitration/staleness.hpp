@@ -17,7 +17,7 @@ DIRECTOR_PART bool takes_from_stale(Context& x, Index count);
 bool reached_from_stale(Context& x, Index found, Index edge);
 bool outdates(const Context& x, Index group);
 
-inline bool is_outdated(const Context& x, Index group) { return (x.s.group_marks[group] & mark::outdated) != 0; }
+inline bool is_outdated(const Context& x, Index group) { return x.s.group_marks[group].has(mark::outdated); }
 
 inline bool stale(const Context& x, Index group) { return stale_source(x, group) != up_to_date; }
 

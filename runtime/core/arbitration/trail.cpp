@@ -25,8 +25,6 @@ namespace director::arbitration {
 
 namespace {
 
-void remove(Bits& from, std::uint8_t bits) { from &= static_cast<std::uint8_t>(~bits); }
-
 /// The rows of a list of all components that are about this one; they leave it.
 template <class ComponentOf, class Take>
 void take_own(Context& x, Index* list, Index& count, ComponentOf&& component_of, Take&& take) {
@@ -61,11 +59,11 @@ bool any_edge(const Context& x, Index group, const Is& is) {
 }
 
 /// It waits for somebody who is pushed, or searched for one.
-bool waits(const Context& x, Index edge) { return (x.s.edge_trail[edge] & trail::waits) != 0; }
+bool waits(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::waits); }
 
 /// Whatever happens, or as soon as anything differs.
 bool is_decided_again(const Context& x, Index edge) {
-  return waits(x, edge) || (x.s.edge_trail[edge] & trail::on_stale) != 0;
+  return waits(x, edge) || x.s.edge_trail[edge].has(trail::on_stale);
 }
 
 /// What has to be looked at if something differs from the last pass, or when it has run, is left alone until then.
@@ -73,7 +71,7 @@ bool can_stand(const Context& x, Index group) {
   if (x.had_limbo && lies_in_limbo(x, group)) return false;
   if (is_outdated(x, group) && !outdates(x, group)) return false;
   return !any_edge(x, group, [&](Index e) { // what is optional comes after all else
-    return (x.s.edge_trail[e] & trail::on_stale) != 0 || optional(x, e);
+    return x.s.edge_trail[e].has(trail::on_stale) || optional(x, e);
   });
 }
 
@@ -87,7 +85,7 @@ void open_waiting(Context& x) {
 
 /// Nothing but the last result is another than for the last pass, and it reaches nobody: it is the result again.
 bool is_settled(const Context& x) {
-  if ((x.s.component[x.component] & (work::changed | work::stale_changed)) != 0) return false;
+  if (x.s.component[x.component].has(work::changed | work::stale_changed)) return false;
   if (injected(Fault::the_last_result_is_always_settled)) return true;
   if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
   for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
@@ -125,7 +123,7 @@ void begin_trail(Context& x) {
   for (Index i = 0; i < news; ++i) {
     const Index g = rows[i];
     const std::uint8_t bits = x.s.group_trail[g];
-    remove(x.s.group_trail[g], trail::disturbed | trail::again);
+    x.s.group_trail[g].remove(trail::disturbed | trail::again);
     if ((bits & trail::disturbed) != 0) take_up_last(x, g);
     if ((bits & trail::again) != 0) rows[x.kept_count++] = g;
   }
@@ -144,12 +142,12 @@ void begin_trail(Context& x) {
   x.kept_count = kept;
   if (x.disturbed) open_waiting(x);
   take_flipped(x, [&](Index g) {
-    remove(x.s.group_trail[g], trail::touched);
+    x.s.group_trail[g].remove(trail::touched);
     reach(x, g);
   });
   Index from = nil;
   take_rerequested(x, [&](Index e) {
-    remove(x.s.edge_trail[e], trail::changed);
+    x.s.edge_trail[e].remove(trail::changed);
     take_up(x, e, x.t.edges[e].requester != from);
     from = x.t.edges[e].requester;
   });
@@ -165,7 +163,7 @@ void begin_trail(Context& x) {
 /// The walk has passed something that it is a part of.
 bool is_passed(const Context& x, Index group) {
   for (; group != nil && !is_opened(x, group); group = requester_of_holder(x, x.s.last[group])) {
-    if ((x.s.group_trail[group] & trail::passed) != 0) return true;
+    if (x.s.group_trail[group].has(trail::passed)) return true;
   }
   return false;
 }
@@ -181,7 +179,7 @@ void open_with_above(Context& x, Index group) {
   if (x.placed != 0 && x.s.last[group].holder != nil && is_passed(x, group)) return;
   for (;;) {
     x.s.group_trail[group] |= trail::opened;
-    remove(x.s.group_marks[group], mark::outdated);
+    x.s.group_marks[group].remove(mark::outdated);
     x.s.opened[x.row.order + x.opened_count++] = static_cast<TableIndex>(group);
     if (x.s.last[group].holder != nil && x.s.place[group] >= x.opened_end)
       x.opened_end = static_cast<Index>(x.s.place[group] + 1);
@@ -227,7 +225,7 @@ void end_trail(Context& x) {
       for (const Index e : x.t.groups[g].edges.rows()) leave_unvisited(x, e);
     }
     if ((bits & (trail::disturbed | trail::again)) != 0) x.s.news[x.row.order + news++] = g;
-    remove(bits, trail::opened | trail::moved);
+    bits.remove(trail::opened | trail::moved);
     x.s.group_marks[g] &= mark::differs | mark::outdated;
   }
 }
@@ -309,7 +307,7 @@ void repeat(Context& x, Index edge) {
   } else {
     x.s.edge_marks[edge] |= mark::refused;
   }
-  if ((x.s.edge_marks[edge] & mark::pushes) == 0) return;
+  if (!x.s.edge_marks[edge].has(mark::pushes)) return;
   x.s.member[0].edge = edge;
   keep_pushes(x, 1);
 }

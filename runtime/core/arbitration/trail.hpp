@@ -67,25 +67,25 @@ inline std::span<const TableIndex> opened(const Context& x) {
 }
 
 /// What changes about the group is noted for the next pass.
-inline bool is_noted(const Context& x, Index group) { return (x.s.run_queue[group].flags & group_flag::followed) != 0; }
+inline bool is_noted(const Context& x, Index group) { return x.s.run_queue[group].flags.has(group_flag::followed); }
 
 /// A condition of one of its providers flipped, or it is to be looked at as if one had.
 inline void touch_group(Context& x, Index group) {
-  if (!is_noted(x, group) || (x.s.group_trail[group] & trail::touched) != 0) return;
+  if (!is_noted(x, group) || x.s.group_trail[group].has(trail::touched)) return;
   x.s.group_trail[group] |= trail::touched;
   x.s.flipped[x.flipped_count++] = group;
 }
 
 /// The request of the edge is another one since the last pass.
 inline void note_rerequest(Context& x, Index edge) {
-  if (!is_noted(x, x.s.request[edge].target) || (x.s.edge_trail[edge] & trail::changed) != 0) return;
+  if (!is_noted(x, x.s.request[edge].target) || x.s.edge_trail[edge].has(trail::changed)) return;
   x.s.edge_trail[edge] |= trail::changed;
   x.s.rerequested[x.rerequested_count++] = edge;
 }
 
 /// What nobody visited is not queued.
 inline void leave_unvisited(Context& x, Index edge) {
-  if ((x.s.edge_marks[edge] & mark::visited) == 0) x.s.queued[edge] = Queued{};
+  if (!x.s.edge_marks[edge].has(mark::visited)) x.s.queued[edge] = Queued{};
 }
 
 inline void begin_decision(Context& x, Index count) {
@@ -103,7 +103,7 @@ inline void end_decision(Context& x, Index count) {
 inline void clear_marks(Context& x) {
   const auto clear_edge = [&](Index e) {
     x.s.edge_marks[e] = 0;
-    x.s.group_trail[x.t.edges[e].target] &= static_cast<std::uint8_t>(~trail::passed);
+    x.s.group_trail[x.t.edges[e].target].remove(trail::passed);
   };
   for (Index e = x.s.first_root[x.component]; e != x.rest; e = x.s.next_root[e]) clear_edge(e);
   for (const Index g : opened(x)) {

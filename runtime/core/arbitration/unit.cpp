@@ -36,7 +36,7 @@ void look_ahead(Context& x, Index group) {
   if (is_stale) marks |= mark::below_stale;
   const auto known = static_cast<std::uint8_t>((is_stale ? trail::stale : 0) | (asks ? trail::asks : 0));
   const auto differs = static_cast<std::uint8_t>((x.s.group_trail[group] & (trail::stale | trail::asks)) ^ known);
-  x.s.group_trail[group] &= static_cast<std::uint8_t>(~(trail::stale | trail::asks));
+  x.s.group_trail[group].remove(trail::stale | trail::asks);
   x.s.group_trail[group] |= known;
   const Index base = x.ahead;
   Index together = 0, member = nil;
@@ -46,7 +46,7 @@ void look_ahead(Context& x, Index group) {
     --e;
     const Index level = x.s.request[e].level;
     if (!x.whole && level != nil && !injected(Fault::outdated_orders_are_overlooked)) {
-      const bool decided_below = (x.s.edge_trail[e] & trail::below_stale) != 0;
+      const bool decided_below = x.s.edge_trail[e].has(trail::below_stale);
       counts = counts || decided_below;
       if ((differs & (decided_below ? trail::asks | trail::stale : trail::asks)) != 0) {
         reach_edge(x, e);
@@ -98,14 +98,15 @@ void try_unit(Context& x, Index edge, bool outdated) {
   for (Index i = x.ahead; i > 0; --i) {
     const Index e = x.s.candidate[i - 1];
     if (x.t.edges[e].requester != from) break;
-    if (x.s.request[e].level == nil || (x.s.edge_marks[e] & mark::alone) != 0) continue;
+    if (x.s.request[e].level == nil || x.s.edge_marks[e].has(mark::alone)) continue;
     x.s.edge_marks[e] |= mark::tried;
     x.s.unit[count++] = e;
   }
-  bool as_before = true;
-  for (Index i = 0; i < count; ++i) as_before = as_before && stands(x, x.s.unit[i]);
-  for (Index i = 0; as_before && i < count; ++i) repeat(x, x.s.unit[i]);
-  if (as_before) return;
+  const std::span<const Index> unit{x.s.unit, count};
+  if (!any(unit, [&](Index e) { return !stands(x, e); })) {
+    for (const Index e : unit) repeat(x, e);
+    return;
+  }
   begin_decision(x, count);
   if (outdated || count == 1) {
     for (Index i = 0; i < count; ++i) decide_alone(x, x.s.unit[i], outdated);

@@ -17,7 +17,7 @@ namespace {
 inline bool runs_on(const Context& x, Index edge) {
   const Index group = x.t.edges[edge].target;
   return is_opened(x, group) && x.t.groups[group].simple && !x.t.groups[group].conditional && runs_for_now(x, edge) &&
-         !taken(x, edge) && (x.s.edge_marks[edge] & mark::pushes) == 0 &&
+         !taken(x, edge) && !x.s.edge_marks[edge].has(mark::pushes) &&
          x.s.enabled[x.t.groups[group].providers.begin] != 0;
 }
 

@@ -86,6 +86,8 @@ public:
   }
   constexpr Bits& operator|=(std::uint8_t bits) { return *this = static_cast<std::uint8_t>(*this | bits); }
   constexpr Bits& operator&=(std::uint8_t bits) { return *this = static_cast<std::uint8_t>(*this & bits); }
+  constexpr void remove(std::uint8_t bits) { *this &= static_cast<std::uint8_t>(~bits); }
+  constexpr bool has(std::uint8_t bits) const { return (*this & bits) != 0; } ///< one of them
 
 private:
   enum class Raw : std::uint8_t {};
@@ -114,6 +116,9 @@ struct GroupAssignment {
   Index flags = 0;     ///< bits of `flag`
   Push push{};
   constexpr bool granted() const { return (flags & flag::granted) != 0; }
+  constexpr bool needed() const { return (flags & flag::needed) != 0; }
+  constexpr bool in_force() const { return (flags & flag::in_force) != 0; }
+  constexpr bool serving() const { return (flags & flag::serving) != 0; }
   /// In one comparison, as mostly all is equal.
   constexpr bool operator==(const GroupAssignment& other) const {
     return ((holder ^ other.holder) | (active ^ other.active) | (planned ^ other.planned) | (flags ^ other.flags) |
@@ -296,38 +301,29 @@ struct State {
   /// between the decision state and the rest.
   template <class Self, class Visit, class Scratch>
   static constexpr void each(Self& s, const Shape& n, Visit&& visit, Scratch&& scratch) {
-    visit(s.counters, 1);
-    visit(s.request, n.edges), visit(s.due, n.timers()), visit(s.soonest, n.timers());
-    visit(s.values, n.states), visit(s.handler_values, n.states), visit(s.handled, n.states);
-    visit(s.last.group, n.groups), visit(s.last.plan, n.plan_slots);
-    visit(s.order, n.groups), visit(s.order_count, n.components), visit(s.place, n.groups);
-    visit(s.first_root, n.components), visit(s.next_root, n.edges);
-    visit(s.run_queue, n.groups), visit(s.data_from, n.groups);
-    visit(s.promised, n.promises == 0 ? 0 : n.groups), visit(s.work, n.components);
-    visit(s.component, n.components), visit(s.enabled, n.providers);
-    visit(s.truth, n.conditions);
-    visit(s.fired, n.listen_slots);
+    const auto rows = [&](std::size_t count, auto&... all) { (visit(all, count), ...); };
+    rows(1, s.counters), rows(n.edges, s.request);
+    rows(n.timers(), s.due, s.soonest);
+    rows(n.states, s.values, s.handler_values, s.handled);
+    rows(n.groups, s.last.group), rows(n.plan_slots, s.last.plan);
+    rows(n.groups, s.order), rows(n.components, s.order_count), rows(n.groups, s.place);
+    rows(n.components, s.first_root), rows(n.edges, s.next_root);
+    rows(n.groups, s.run_queue, s.data_from), rows(n.promises == 0 ? 0 : n.groups, s.promised);
+    rows(n.components, s.work, s.component), rows(n.providers, s.enabled), rows(n.conditions, s.truth);
+    rows(n.listen_slots, s.fired);
     scratch();
-    visit(s.cost, n.conditions), visit(s.cost_at, n.conditions), visit(s.cost_plan, n.conditions);
-    visit(s.cost_next, n.conditions);
-    visit(s.now.group, n.groups), visit(s.now.plan, n.plan_slots);
-    visit(s.own, n.pushable), visit(s.first, n.pushable), visit(s.touched, n.groups), visit(s.staged, n.states);
-    visit(s.before, n.altered), visit(s.anew, n.edges), visit(s.asked, n.edges);
-    visit(s.next_order, n.groups), visit(s.next_count, n.components), visit(s.first_moved, n.components);
-    visit(s.extent, n.groups);
-    visit(s.differing, n.groups);
-    visit(s.trial, n.groups);
-    visit(s.entry, n.groups), visit(s.unit, n.most_edges + 1), visit(s.member, n.most_edges + 1);
-    visit(s.candidate, n.edges), visit(s.reach, n.groups), visit(s.denied, n.groups);
-    visit(s.staged_request, n.most_edges + 1), visit(s.unmet, n.lacking);
-    visit(s.queued, n.edges), visit(s.last_queued, n.edges);
-    visit(s.edge_marks, n.edges), visit(s.group_marks, n.groups), visit(s.condition_marks, n.conditions);
-    visit(s.edge_trail, n.edges), visit(s.group_trail, n.groups), visit(s.reached, n.edges);
-    visit(s.rerequested, n.edges), visit(s.flipped, n.groups), visit(s.opened, n.groups), visit(s.news, n.groups);
-    visit(s.news_count, n.components), visit(s.on_last, n.components);
-    visit(s.pushed, n.groups), visit(s.pushed_count, n.components), visit(s.lacked, n.conditions),
-        visit(s.causers, n.providers);
-    visit(s.provider_marks, n.providers);
+    rows(n.conditions, s.cost, s.cost_at, s.cost_plan, s.cost_next);
+    rows(n.groups, s.now.group), rows(n.plan_slots, s.now.plan), rows(n.pushable, s.own, s.first);
+    rows(n.groups, s.touched), rows(n.states, s.staged), rows(n.altered, s.before), rows(n.edges, s.anew, s.asked);
+    rows(n.groups, s.next_order), rows(n.components, s.next_count, s.first_moved);
+    rows(n.groups, s.extent, s.differing, s.trial, s.entry);
+    rows(n.most_edges + 1, s.unit, s.member), rows(n.edges, s.candidate), rows(n.groups, s.reach, s.denied);
+    rows(n.most_edges + 1, s.staged_request), rows(n.lacking, s.unmet), rows(n.edges, s.queued, s.last_queued);
+    rows(n.edges, s.edge_marks), rows(n.groups, s.group_marks), rows(n.conditions, s.condition_marks);
+    rows(n.edges, s.edge_trail), rows(n.groups, s.group_trail), rows(n.edges, s.reached, s.rerequested);
+    rows(n.groups, s.flipped, s.opened, s.news), rows(n.components, s.news_count, s.on_last);
+    rows(n.groups, s.pushed), rows(n.components, s.pushed_count), rows(n.conditions, s.lacked);
+    rows(n.providers, s.causers, s.provider_marks);
   }
 
   static constexpr std::size_t arrays = 68;

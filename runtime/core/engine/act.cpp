@@ -87,7 +87,7 @@ void Engine::act_on_touched() {
 /// What is granted and can have a new reason to run, in the new order: it stands elsewhere than before, or was touched.
 std::span<const Index> Engine::with_reasons() {
   const Counters& c = *x_.s.counters;
-  const auto decided = [&](Index g) { return (x_.s.component[x_.t.groups[g].component] & work::passed) != 0; };
+  const auto decided = [&](Index g) { return x_.s.component[x_.t.groups[g].component].has(work::passed); };
   Index count = 0;
   for (Index i = 0; i < differing_; ++i) {
     const Index group = x_.s.differing[i];
@@ -97,7 +97,7 @@ std::span<const Index> Engine::with_reasons() {
     const Index group = x_.s.touched[i];
     if (!decided(group)) {
       if (!granted(group) || injected(Fault::others_are_overlooked)) continue;
-    } else if ((x_.s.group_marks[group] & mark::differs) != 0 || !x_.s.now[group].granted() ||
+    } else if (x_.s.group_marks[group].has(mark::differs) || !x_.s.now[group].granted() ||
                injected(Fault::who_stands_as_before_is_overlooked)) {
       continue;
     }
@@ -109,7 +109,7 @@ std::span<const Index> Engine::with_reasons() {
 
 void Engine::stop_group(Index group) {
   RunQueueEntry& entry = x_.s.run_queue[group];
-  if ((entry.flags & group_flag::ends) != 0) end_what_it_has(group);
+  if (entry.flags.has(group_flag::ends)) end_what_it_has(group);
   entry.pending = entry.done = 0;
   end_wait(group);
   live_on(group, nil);
@@ -126,18 +126,17 @@ std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment&
   std::uint8_t bits = 0;
   const bool handed_on = last.holder != now.holder && !injected(Fault::a_new_holder_is_no_news);
   if (last.active == nil || !last.granted() || handed_on) bits |= reason::new_task;
-  if (last.active != now.active) bits |= (now.flags & flag::in_force) != 0 ? reason::pushed : reason::new_task;
-  const bool served = (last.flags & flag::serving) != 0 && now.push.provider == last.push.provider &&
-                      now.push.condition == last.push.condition;
-  if ((now.flags & flag::serving) != 0 && !served && !injected(Fault::a_lost_state_is_nobodys_concern))
-    bits |= reason::pushed;
+  if (last.active != now.active) bits |= now.in_force() ? reason::pushed : reason::new_task;
+  const bool served =
+      last.serving() && now.push.provider == last.push.provider && now.push.condition == last.push.condition;
+  if (now.serving() && !served && !injected(Fault::a_lost_state_is_nobodys_concern)) bits |= reason::pushed;
   return bits;
 }
 
 /// To a group that is granted and stands elsewhere than before, or was touched.
 void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
-  if ((x_.s.run_queue[group].flags & group_flag::ends) != 0) begin_what_it_has(group);
+  if (x_.s.run_queue[group].flags.has(group_flag::ends)) begin_what_it_has(group);
   live_on(group, now.holder);
   std::uint8_t bits = reasons(last, now);
   if (x_.s.anew[now.holder] != 0) bits |= reason::new_task;
@@ -148,7 +147,7 @@ void Engine::give_reasons(Index group) {
 /// Runs of groups that are not granted leave the queue; what is pending stays.
 inline void Engine::adopt(Index group) {
   if (!x_.s.now[group].granted() && !injected(Fault::who_leaves_stays_queued)) queue().leave(group);
-  x_.s.group_marks[group] &= static_cast<std::uint8_t>(~mark::differs);
+  x_.s.group_marks[group].remove(mark::differs);
   x_.s.last[group] = x_.s.now[group];
   for (const Index slot : x_.t.groups[group].slots.rows()) x_.s.last.plan[slot] = x_.s.now.plan[slot];
 }

@@ -69,7 +69,7 @@ RunState Engine::state(Index edge) const {
 }
 
 bool Engine::said(Index edge, std::uint8_t answer) const {
-  return (x_.s.run_queue[x_.t.edges[edge].target].done & answer) != 0 && state(edge) == RunState::running;
+  return x_.s.run_queue[x_.t.edges[edge].target].done.has(answer) && state(edge) == RunState::running;
 }
 
 /// Where the data of the task are that the group was given last. A start handler may be called for a request of this

@@ -98,8 +98,8 @@ public:
   RunState state(Index edge) const;                                   ///< of a request: running, queued or none
   Index holder(Index group) const { return x_.s.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
   Index active(Index group) const { return x_.s.last[group].active; } ///< provider, or nil
-  bool granted(Index group) const { return (x_.s.last[group].flags & flag::granted) != 0; }
-  bool in_force(Index group) const { return (x_.s.last[group].flags & flag::in_force) != 0; }
+  bool granted(Index group) const { return x_.s.last[group].granted(); }
+  bool in_force(Index group) const { return x_.s.last[group].in_force(); }
   Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it does not run
   Time now() const { return x_.s.counters->now; }
   std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< so far

@@ -13,7 +13,7 @@ namespace director {
 DIRECTOR_ONE_COPY inline void Engine::mark(Index component, std::uint8_t bits) {
   Bits& all = x_.s.component[component];
   all |= bits;
-  if ((all & work::listed) != 0) return;
+  if (all.has(work::listed)) return;
   all |= work::listed;
   x_.s.work[x_.s.counters->work_count++] = component;
 }
@@ -24,21 +24,19 @@ DIRECTOR_ONE_COPY inline void Engine::mark_stale(Index group) {
   const RunQueueEntry& entry = x_.s.run_queue[group];
   if (entry.counts != 0) {
     mark(entry.component, work::changed);
-  } else if ((x_.s.component[entry.component] & work::stale_counts) != 0) {
+  } else if (x_.s.component[entry.component].has(work::stale_counts)) {
     mark(entry.component, work::stale_changed);
   }
 }
 
 DIRECTOR_ONE_COPY inline void Engine::touch(Index group) {
   Bits& flags = x_.s.run_queue[group].flags;
-  if ((flags & group_flag::touched) != 0) return;
+  if (flags.has(group_flag::touched)) return;
   flags |= group_flag::touched;
   x_.s.touched[x_.s.counters->touched_count++] = group;
 }
 
-inline void Engine::untouch(Index group) {
-  x_.s.run_queue[group].flags &= static_cast<std::uint8_t>(~group_flag::touched);
-}
+inline void Engine::untouch(Index group) { x_.s.run_queue[group].flags.remove(group_flag::touched); }
 
 /// Bits of Reason. True if one of them is news.
 inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
@@ -82,7 +80,7 @@ DIRECTOR_INLINE void Engine::forget_work() {
   for (Index i = 0; i < before; ++i) {
     const Index component = x_.s.work[i];
     Bits& bits = x_.s.component[component];
-    bits &= static_cast<std::uint8_t>(~(work::passed | work::pushes));
+    bits.remove(work::passed | work::pushes);
     if ((bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated) {
       x_.s.work[left++] = component;
     } else {
@@ -154,7 +152,7 @@ DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
   const Requested& request = x_.s.request[edge];
   if (request.level != level || (c.work_count | c.touched_count) != 0) return false;
   const RunQueueEntry& entry = x_.s.run_queue[request.target];
-  return entry.counts == 0 && (x_.s.component[entry.component] & work::stale_counts) == 0;
+  return entry.counts == 0 && !x_.s.component[entry.component].has(work::stale_counts);
 }
 
 /// The run; data are settled besides.
@@ -167,13 +165,13 @@ DIRECTOR_INLINE void Engine::give_what_is_asked_again(Index edge) {
 
 /// Those that fired since its last run. Mostly it listens to none.
 inline void Engine::forget_triggers(Index group) {
-  if ((x_.s.run_queue[group].flags & group_flag::listens) == 0) return;
+  if (!x_.s.run_queue[group].flags.has(group_flag::listens)) return;
   for (const Index slot : x_.t.groups[group].listens.rows()) x_.s.fired[slot] = 0;
 }
 
 /// Mostly it does not wait, and then its timer is not looked at.
 inline void Engine::end_wait(Index group) {
-  if ((x_.s.run_queue[group].flags & group_flag::waits) != 0) stop_waiting(group);
+  if (x_.s.run_queue[group].flags.has(group_flag::waits)) stop_waiting(group);
 }
 
 } // namespace director

@@ -18,7 +18,7 @@ public:
   /// If it has a reason, and is not there yet.
   DIRECTOR_INLINE void enter(Index group) {
     RunQueueEntry& entry = entries_[group];
-    if (entry.pending == 0 || (entry.flags & group_flag::queue) != 0) return;
+    if (entry.pending == 0 || entry.flags.has(group_flag::queue)) return;
     entry.flags |= group_flag::queue;
     const Index last = counters_->queue_last;
     (last == nil ? counters_->queue_first : entries_[last].runs_before) = group;
@@ -31,7 +31,7 @@ public:
     const Index group = counters_->queue_first;
     RunQueueEntry& entry = entries_[group];
     const Index before = entry.runs_before;
-    entry.flags &= static_cast<std::uint8_t>(~group_flag::queue);
+    entry.flags.remove(group_flag::queue);
     entry.runs_before = nil;
     counters_->queue_first = before;
     (before == nil ? counters_->queue_last : entries_[before].runs_after) = nil;
@@ -40,8 +40,8 @@ public:
 
   void leave(Index group) {
     RunQueueEntry& entry = entries_[group];
-    if ((entry.flags & group_flag::queue) == 0) return;
-    entry.flags &= static_cast<std::uint8_t>(~group_flag::queue);
+    if (!entry.flags.has(group_flag::queue)) return;
+    entry.flags.remove(group_flag::queue);
     const Index after = entry.runs_after, before = entry.runs_before;
     (after == nil ? counters_->queue_first : entries_[after].runs_before) = before;
     (before == nil ? counters_->queue_last : entries_[before].runs_after) = after;

@@ -58,7 +58,7 @@ void Engine::act_on_all_touched() {
 /// Tasks of the program can be altered more than once in a micro-step.
 void Engine::remember_request(Index edge) {
   Bits& bits = x_.s.edge_trail[edge];
-  if ((bits & trail::altered) != 0) return;
+  if (bits.has(trail::altered)) return;
   bits |= trail::altered;
   Requested& row = x_.s.before[x_.before_count++];
   row = x_.s.request[edge];
@@ -77,7 +77,7 @@ void Engine::swap_altered() {
 
 void Engine::forget_altered() {
   for (const Requested& row : std::span(x_.s.before, x_.before_count))
-    x_.s.edge_trail[row.target] &= static_cast<std::uint8_t>(~trail::altered);
+    x_.s.edge_trail[row.target].remove(trail::altered);
   x_.before_count = 0;
 }
 

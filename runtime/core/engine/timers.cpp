@@ -41,7 +41,7 @@ void Engine::begin_wait(Index group, Time wait) {
 }
 
 void Engine::stop_waiting(Index group) {
-  x_.s.run_queue[group].flags &= static_cast<std::uint8_t>(~group_flag::waits);
+  x_.s.run_queue[group].flags.remove(group_flag::waits);
   timers_.disarm({Timers::Kind::wait, group});
 }
 

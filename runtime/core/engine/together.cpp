@@ -23,17 +23,14 @@ const Input* Inbox::take_more() {
 }
 
 bool Inbox::post_in_turn(std::span<const Input> records) {
-  for (const Input& record : records) {
-    if (waits_outside(record.thing)) return false;
-  }
-  return claim(records);
+  return !any(records, [&](const Input& record) { return waits_outside(record.thing); }) && claim(records);
 }
 
 void Inbox::reserve(std::span<Input> records) {
   for (std::size_t i = 0; i < records.size(); ++i) {
-    bool last = true; // asked twice, the last one counts
-    for (std::size_t j = i + 1; j < records.size(); ++j) last = last && records[j].thing != records[i].thing;
-    records[i].handle = last && records[i].thing < slots_.size() ? reserve(records[i].thing) : nil;
+    const Index slot = records[i].thing; // asked twice, the last one counts
+    const bool again = any(records.subspan(i + 1), [&](const Input& later) { return later.thing == slot; });
+    records[i].handle = !again && slot < slots_.size() ? reserve(slot) : nil;
   }
 }
 

@@ -142,7 +142,7 @@ private:
       const Index holder = v_.holder(group);
       if (holder == nil) return !granted;
       if (v_.is_limbo(holder)) return true;
-      if (!granted && v_.granted(group) && (v_.run_queue[group].pending & reason::outdating) != 0) return true;
+      if (!granted && v_.granted(group) && v_.run_queue[group].pending.has(reason::outdating)) return true;
       granted = granted || v_.granted(group);
     }
     return false;
@@ -178,11 +178,10 @@ private:
   bool has_condition(Index member, Index condition, Index& provider) const {
     const auto has = [&](const Entry& last) {
       for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
-        for (const Index when : t_.list(t_.providers[entry->provider].when)) {
-          if (when != condition) continue;
-          provider = entry->provider;
-          return true;
-        }
+        const auto when = t_.list(t_.providers[entry->provider].when);
+        if (!any(when, [&](Index each) { return each == condition; })) continue;
+        provider = entry->provider;
+        return true;
       }
       return false;
     };

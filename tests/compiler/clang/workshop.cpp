@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/compiler/clang/workshop.hpp"
 
-#include "compiler/cli/parse.hpp"
 #include "compiler/base/json.hpp"
+#include "compiler/cli/parse.hpp"
 #include "tests/support/golden.hpp"
 
 #include <filesystem>
