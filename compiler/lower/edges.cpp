@@ -8,7 +8,6 @@
 #include "compiler/lower/steps.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace director::compiler {
 
@@ -17,51 +16,42 @@ namespace {
 /// An edge that holds without a request counts with the priority of its first level.
 std::int32_t need_priority(const Edge& edge) { return edge.levels.empty() ? 0 : edge.levels.front().priority; }
 
-/// Mandatory before optional, then the higher priority.
-std::pair<bool, std::int64_t> strength(const Level& level) { return {level.optional, -std::int64_t{level.priority}}; }
-
-template <class Key>
+/// The highest priority first.
 class Places {
 public:
-  void add(Key key) { keys_.push_back(key); }
+  void add(std::int64_t priority) { keys_.push_back(-priority); }
   void sort() {
     std::sort(keys_.begin(), keys_.end());
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
   }
-  Index of(const Key& key) const {
-    return static_cast<Index>(std::lower_bound(keys_.begin(), keys_.end(), key) - keys_.begin());
+  Index of(std::int64_t priority) const {
+    return static_cast<Index>(std::lower_bound(keys_.begin(), keys_.end(), -priority) - keys_.begin());
   }
 
 private:
-  std::vector<Key> keys_;
+  std::vector<std::int64_t> keys_;
 };
 
 /// The edges of one requester, which have consecutive ids.
 void lower_siblings(const Model& model, std::span<const EdgeId> siblings, const IdTable<EdgeId, EdgeId>& clusters,
                     Lowered& out) {
-  Places<std::pair<bool, std::int64_t>> ranks;
-  Places<std::int64_t> urgencies;
+  Places urgencies;
   for (const EdgeId id : siblings) {
     const Edge& edge = model.edges[id];
-    urgencies.add(-std::int64_t{need_priority(edge)});
-    for (const Level& level : edge.levels) {
-      ranks.add(strength(level));
-      urgencies.add(-std::int64_t{level.priority});
-    }
+    urgencies.add(need_priority(edge));
+    for (const Level& level : edge.levels) urgencies.add(level.priority);
   }
-  ranks.sort();
   urgencies.sort();
   for (const EdgeId id : siblings) {
     const Edge& edge = model.edges[id];
     director::Edge lowered;
     if (edge.requester) lowered.requester = row(*edge.requester);
     lowered.target = row(edge.target);
-    lowered.need_urgency = urgencies.of(-std::int64_t{need_priority(edge)});
+    lowered.need_urgency = urgencies.of(need_priority(edge));
     lowered.cluster_offset = static_cast<Index>(row(id) - row(clusters[id]));
     lowered.levels.begin = static_cast<Index>(out.levels.size());
     for (const Level& level : edge.levels) {
-      out.levels.push_back({level.priority, ranks.of(strength(level)), urgencies.of(-std::int64_t{level.priority}),
-                            level.optional, level.apart});
+      out.levels.push_back({level.priority, urgencies.of(level.priority), level.optional, level.apart});
     }
     lowered.levels.end = static_cast<Index>(out.levels.size());
     out.edges.push_back(lowered);

@@ -168,7 +168,7 @@ private:
            row.cluster_offset != 0 ? fmt::format(", in a cluster with {}", edge(tables_.cluster(i))) : "");
       for (Index at = row.levels.begin; at != row.levels.end; ++at) {
         const director::Level& level = tables_.levels[at];
-        line("      level {}: priority {}, rank {}, urgency {}{}{}", at, level.priority, level.rank, level.urgency,
+        line("      level {}: priority {}, urgency {}{}{}", at, level.priority, level.urgency,
              level.optional ? ", optional" : "", level.apart ? ", apart" : "");
       }
     }

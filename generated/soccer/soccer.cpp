@@ -115,7 +115,7 @@ constexpr std::array<director::Edge, 38> edges{{
 }};
 constexpr std::array<director::Level, 39> levels{{
   {.priority = 90}, // root>FallRecovery
-  {.priority = 10, .rank = 1, .urgency = 1}, // root>Striker
+  {.priority = 10, .urgency = 1}, // root>Striker
   {}, // Brace>LeftLeg
   {}, // Brace>RightLeg
   {}, // Brace>LeftArm
@@ -128,8 +128,8 @@ constexpr std::array<director::Level, 39> levels{{
   {}, // FallRecovery>Brace
   {}, // Walk>LeftLeg
   {}, // Walk>RightLeg
-  {.rank = 1, .optional = true}, // Walk>LeftArm
-  {.rank = 1, .optional = true}, // Walk>RightArm
+  {.optional = true}, // Walk>LeftArm
+  {.optional = true}, // Walk>RightArm
   {}, // Kick>LeftLeg
   {}, // Kick>RightLeg
   {}, // LookAt>Head
@@ -138,10 +138,10 @@ constexpr std::array<director::Level, 39> levels{{
   {}, // KickTo>Kick
   {.apart = true}, // KickTo>LookAt
   {.priority = 20}, // Striker>KickToGoal
-  {.priority = 10, .rank = 1, .urgency = 1}, // Striker>WalkToBall
-  {.rank = 3, .urgency = 2, .optional = true}, // Striker>Look
-  {.rank = 2, .urgency = 2}, // Striker>Look
-  {.rank = 2, .urgency = 2}, // Striker>WalkToReady
+  {.priority = 10, .urgency = 1}, // Striker>WalkToBall
+  {.urgency = 2, .optional = true}, // Striker>Look
+  {.urgency = 2}, // Striker>Look
+  {.urgency = 2}, // Striker>WalkToReady
   {}, // KickToGoal>KickTo
   {}, // WalkToBall>WalkTo
   {}, // WalkToBall>Walk
@@ -236,7 +236,7 @@ static_assert(director::State::bytes(director::Shape::of(rows)) == director::Sta
 namespace detail {
 
 const director::Tables& Whole::tables() { return rows; }
-std::uint64_t Whole::fingerprint() { return 0x8e4ef6ee484e6f01; }
+std::uint64_t Whole::fingerprint() { return 0x45a7f57122034d4e; }
 
 void Whole::called_from_inside() {
 #if __STDC_HOSTED__

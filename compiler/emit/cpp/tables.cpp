@@ -130,10 +130,9 @@ Row edge_row(const director::Edge& all) {
 }
 
 Row level_row(const director::Level& all) {
-  const auto& [priority, rank, urgency, optional, apart] = all;
+  const auto& [priority, urgency, optional, apart] = all;
   Row row;
   row.number("priority", priority, 0);
-  row.index("rank", rank, 0);
   row.index("urgency", urgency, 0);
   row.flag("optional", optional);
   row.flag("apart", apart);

@@ -68,10 +68,8 @@ constexpr bool any(const All& all, const Is& is) {
 /// One static way in which an edge is requested.
 struct Level {
   std::int32_t priority = 0;
-  /// The static priority table: the place of (optional, priority) among all levels of the requester, 0 first; equal
-  /// levels have equal ranks. Rules 3 and 4 of semantics.md 4.1 compare `optional` and `urgency`, which follow from it.
-  TableIndex rank = 0;
-  /// The place of the priority alone among those of the requester, 0 the highest.
+  /// The static priority table: the place of the priority among those of the requester, 0 the highest. Rules 3 and 4 of
+  /// semantics.md 4.1 compare `optional` and this.
   TableIndex urgency = 0;
   bool optional = false;
   bool apart = false;

@@ -37,7 +37,7 @@ public:
     all(p.group, p.when, p.stay, p.needs, p.triggers, p.effects, p.causing, p.aims, p.promises, p.every);
   }
   void operator()(const Edge& e) { all(e.requester, e.target, e.levels, e.need_urgency, e.cluster_offset); }
-  void operator()(const Level& l) { all(l.priority, l.rank, l.urgency, l.optional, l.apart); }
+  void operator()(const Level& l) { all(l.priority, l.urgency, l.optional, l.apart); }
   void operator()(const Condition& c) { all(c.state, c.accepts, c.causers, c.components, c.groups); }
   void operator()(const Interval& i) { all(i.low, i.high); }
   void operator()(const StateVariable& s) {
