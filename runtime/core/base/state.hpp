@@ -301,7 +301,7 @@ struct State {
   /// between the decision state and the rest.
   template <class Self, class Visit, class Scratch>
   static constexpr void each(Self& s, const Shape& n, Visit&& visit, Scratch&& scratch) {
-    const auto rows = [&](std::size_t count, auto&... all) { (visit(all, count), ...); };
+    const auto rows = [&](std::size_t count, auto&... pointers) { (visit(pointers, count), ...); };
     rows(1, s.counters), rows(n.edges, s.request);
     rows(n.timers(), s.due, s.soonest);
     rows(n.states, s.values, s.handler_values, s.handled);
