@@ -87,9 +87,9 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
       if (group == nil || x.s.group_marks[group].has(mark::reached)) continue;
       x.s.group_marks[group] |= mark::reached;
       x.s.reach[found++] = group;
-      yes = counts(group);
-      if (!yes) continue;
+      if (!counts(group)) continue;
       x.s.run_queue[group].counts = 1; // its run
+      yes = true;
       break;
     }
   }

@@ -176,7 +176,8 @@ void disturb(Context& x) {
 }
 
 void open_with_above(Context& x, Index group) {
-  if (x.placed != 0 && x.s.last[group].holder != nil && is_passed(x, group)) return;
+  const bool walk_began = x.placed != 0; // before it, nobody was passed
+  if (walk_began && x.s.last[group].holder != nil && is_passed(x, group)) return;
   for (;;) {
     x.s.group_trail[group] |= trail::opened;
     x.s.group_marks[group].remove(mark::outdated);
