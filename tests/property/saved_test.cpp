@@ -24,6 +24,7 @@ namespace {
 using namespace director;
 using namespace director::property;
 using director::tests::from_environment;
+using director::tests::is_long;
 
 #ifdef NDEBUG
 constexpr std::size_t numbers_apart = 1;
@@ -31,8 +32,6 @@ constexpr std::size_t numbers_apart = 1;
 constexpr std::size_t numbers_apart = 5; ///< slow with sanitizers, and what they find they find in these
 #endif
 constexpr std::size_t most_micro_steps = 10'000; ///< of one step of a scenario
-
-bool is_long() { return std::getenv("DIRECTOR_LONG") != nullptr; }
 
 std::unique_ptr<Compiled> compiled(std::uint64_t seed) {
   const Documents documents = generate(seed);

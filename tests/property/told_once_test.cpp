@@ -12,7 +12,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -64,8 +63,7 @@ std::string find_told_twice(std::uint64_t seed) {
 
 TEST_CASE("that a task never runs for somebody is told once") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const std::uint64_t long_or_usual = std::getenv("DIRECTOR_LONG") != nullptr ? long_cases : usual_cases;
-  const auto cases = tests::from_environment("DIRECTOR_CASES", long_or_usual);
+  const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
   std::string twice;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) twice += find_told_twice(seed);
   CHECK(twice == "");

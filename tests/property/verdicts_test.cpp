@@ -44,6 +44,7 @@ namespace {
 using namespace director;
 using namespace director::property;
 using tests::from_environment;
+using tests::is_long;
 
 #ifdef NDEBUG
 constexpr std::uint64_t usual_cases = 400;
@@ -218,15 +219,14 @@ void take_range(Measure& measure, std::uint64_t first, std::uint64_t cases) {
 
 TEST_CASE("what findings call impossible is never reached, and what is never reached is told") {
   const std::uint64_t first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const bool is_long = std::getenv("DIRECTOR_LONG") != nullptr;
-  const std::uint64_t cases = from_environment("DIRECTOR_CASES", is_long ? long_cases : usual_cases);
+  const std::uint64_t cases = from_environment("DIRECTOR_CASES", is_long() ? long_cases : usual_cases);
   Measure measure;
   take_range(measure, first, cases);
   print(measure);
   for (const std::string& each : measure.contradictions) UNSCOPED_INFO(each);
   CHECK(measure.contradictions.empty());
   CHECK(measure.explored == cases);
-  CHECK(measure.share() >= (is_long ? least_told_long : least_told));
+  CHECK(measure.share() >= (is_long() ? least_told_long : least_told));
 }
 
 TEST_CASE("nothing untrue is told of behaviours of which it once was") {
@@ -239,7 +239,7 @@ TEST_CASE("nothing untrue is told of behaviours of which it once was") {
 }
 
 TEST_CASE("so it is with seeds that nobody looked at while the checks were written") {
-  if (std::getenv("DIRECTOR_LONG") == nullptr || std::getenv("DIRECTOR_SEED") != nullptr) return;
+  if (!is_long() || std::getenv("DIRECTOR_SEED") != nullptr) return;
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", far_cases);
   for (const std::uint64_t first : far_ranges) {
     Measure measure;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Random cases: how many, and from which on, the environment may say.
+// Random cases: how many, from which on, and whether all of them, the environment may say.
 
 #include <cstdlib>
 #include <string>
@@ -13,5 +13,8 @@ Number from_environment(const char* name, Number otherwise) {
   const char* const text = std::getenv(name);
   return text == nullptr ? otherwise : static_cast<Number>(std::stoull(text));
 }
+
+/// `./test --long`: random series are played whole.
+inline bool is_long() { return std::getenv("DIRECTOR_LONG") != nullptr; }
 
 } // namespace director::tests

@@ -16,6 +16,7 @@
 #include "tests/defects/meaning/expected.hpp"
 #include "tests/defects/meaning/vary.hpp"
 #include "tests/defects/trial.hpp"
+#include "tests/support/environment.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -221,7 +222,7 @@ int main(int count, char** arguments) {
     std::cout << tell(one.before, one.after).text;
     return 0;
   }
-  const bool whole = std::getenv("DIRECTOR_LONG") != nullptr;
+  const bool whole = tests::is_long();
   const std::size_t missed = measure_defects(planters, whole), loud = measure_silence(planters, whole),
                     unplayed = measure_unplayed(planters, whole);
   return missed == 0 && loud == 0 && unplayed == 0 ? 0 : 1;

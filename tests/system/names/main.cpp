@@ -8,12 +8,12 @@
 #include "compiler/model/cpp_names.hpp"
 #include "compiler/pipeline.hpp"
 #include "dsl/names.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/system/names/adversary.hpp"
 #include "tests/system/names/words.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -159,7 +159,7 @@ int run(const std::string& compiler, const fs::path& folder, std::uint32_t count
 int main(int argc, char** argv) {
   if (argc != 5) return 2; // COMPILER FOLDER COUNT COUNT_WITH_DIRECTOR_LONG
   try {
-    const char* const count = argv[std::getenv("DIRECTOR_LONG") != nullptr ? 4 : 3];
+    const char* const count = argv[tests::is_long() ? 4 : 3];
     return run(argv[1], argv[2], static_cast<std::uint32_t>(std::stoul(count)));
   } catch (const std::exception& error) {
     std::cout << error.what() << '\n';

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 
@@ -166,8 +165,7 @@ std::string told(unsigned number, const fs::path& root) {
 } // namespace
 
 TEST_CASE("Clang reads the orders as the cheap stand-in does, the user's bytes stay, and what is inserted it finds") {
-  const auto count =
-      from_environment<unsigned>("DIRECTOR_ORDERS", std::getenv("DIRECTOR_LONG") != nullptr ? 2000 : 700);
+  const auto count = from_environment<unsigned>("DIRECTOR_ORDERS", is_long() ? 2000 : 700);
   const auto first = from_environment<unsigned>("DIRECTOR_ORDERS_FROM", 0);
   std::cout << "orders " << first << " to " << first + count - 1 << std::endl;
   const fs::path root = fs::canonical(binary_dir()) / ("tests/stubs-orders-" + std::to_string(getpid()));
