@@ -12,11 +12,11 @@ namespace soccer {
 namespace {
 
 constexpr std::array<director::Group, 24> groups{{
-  {.providers = {0, 1}, .edges = {2, 6}, .requesters = {49, 50}, .users = {174, 175}}, // Brace
-  {.providers = {1, 4}, .edges = {6, 10}, .requesters = {50, 51}, .owned = {51, 52}, .users = {175, 176}, .conditional = true}, // GetUp
+  {.providers = {0, 1}, .edges = {2, 6}, .requesters = {49, 50}, .users = {174, 175}, .deniable = true}, // Brace
+  {.providers = {1, 4}, .edges = {6, 10}, .requesters = {50, 51}, .owned = {51, 52}, .users = {175, 176}, .conditional = true, .deniable = true}, // GetUp
   {.providers = {4, 7}, .edges = {10, 12}, .requesters = {52, 53}, .users = {176, 177}, .conditional = true}, // FallRecovery
-  {.providers = {7, 9}, .edges = {12, 16}, .requesters = {53, 56}, .users = {177, 178}, .start = true, .stop = true}, // Walk
-  {.providers = {9, 10}, .edges = {16, 18}, .requesters = {56, 57}, .users = {178, 179}, .conditional = true}, // Kick
+  {.providers = {7, 9}, .edges = {12, 16}, .requesters = {53, 56}, .users = {177, 178}, .start = true, .stop = true, .equals = true, .deniable = true}, // Walk
+  {.providers = {9, 10}, .edges = {16, 18}, .requesters = {56, 57}, .users = {178, 179}, .conditional = true, .deniable = true}, // Kick
   {.providers = {10, 11}, .edges = {18, 19}, .requesters = {57, 59}, .users = {179, 180}}, // LookAt
   {.providers = {11, 12}, .edges = {19, 20}, .requesters = {59, 61}, .users = {180, 181}, .simple = true}, // WalkTo
   {.providers = {12, 13}, .edges = {20, 23}, .requesters = {61, 62}, .listens = {0, 1}, .users = {181, 182}, .simple = true}, // KickTo
@@ -25,11 +25,11 @@ constexpr std::array<director::Group, 24> groups{{
   {.providers = {17, 20}, .edges = {28, 30}, .requesters = {64, 65}, .listens = {1, 2}, .users = {184, 185}, .conditional = true}, // WalkToBall
   {.providers = {20, 21}, .edges = {30, 31}, .requesters = {65, 66}, .users = {185, 186}, .simple = true}, // WalkToReady
   {.providers = {21, 23}, .edges = {31, 32}, .requesters = {66, 67}, .listens = {2, 3}, .users = {186, 187}, .conditional = true}, // Look
-  {.providers = {23, 24}, .requesters = {67, 70}, .users = {187, 190}, .simple = true}, // LeftArm
-  {.providers = {24, 25}, .requesters = {70, 73}, .users = {190, 193}, .simple = true}, // RightArm
+  {.providers = {23, 24}, .requesters = {67, 70}, .users = {187, 190}, .simple = true, .equals = true, .deniable = true}, // LeftArm
+  {.providers = {24, 25}, .requesters = {70, 73}, .users = {190, 193}, .simple = true, .equals = true, .deniable = true}, // RightArm
   {.providers = {25, 26}, .requesters = {73, 74}, .users = {193, 195}, .simple = true}, // Head
-  {.providers = {26, 27}, .edges = {32, 35}, .requesters = {74, 78}, .users = {195, 200}, .simple = true}, // LeftLeg
-  {.providers = {27, 28}, .edges = {35, 38}, .requesters = {78, 82}, .users = {200, 205}, .simple = true}, // RightLeg
+  {.providers = {26, 27}, .edges = {32, 35}, .requesters = {74, 78}, .users = {195, 200}, .simple = true, .equals = true, .deniable = true}, // LeftLeg
+  {.providers = {27, 28}, .edges = {35, 38}, .requesters = {78, 82}, .users = {200, 205}, .simple = true, .equals = true, .deniable = true}, // RightLeg
   {.providers = {28, 29}, .requesters = {82, 83}, .users = {205, 206}, .simple = true}, // LeftHipYaw
   {.providers = {29, 30}, .requesters = {83, 84}, .users = {206, 207}, .simple = true}, // LeftKnee
   {.providers = {30, 31}, .requesters = {84, 85}, .users = {207, 208}, .simple = true}, // LeftAnkle
@@ -204,7 +204,7 @@ constexpr std::array<director::TableIndex, 224> lists{
     10, 11, 0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 1, 13, 0, 1, 14, 5, 15, 0, 1, 3, 4,
     16, 0, 1, 3, 4, 17, 18, 19, 20, 21, 22, 23, 1, 1, 1, 2, 2, 4, 4, 8, 8, 10, 10, 10, 12};
 constexpr std::array<director::Component, 1> components{{
-  {.groups = {88, 112}, .edges = {112, 150}, .equals = true}, // Brace, GetUp, FallRecovery, Walk, Kick, LookAt, WalkTo, KickTo, ...
+  {.groups = {88, 112}, .edges = {112, 150}}, // Brace, GetUp, FallRecovery, Walk, Kick, LookAt, WalkTo, KickTo, ...
 }};
 constexpr std::array<director::TableIndex, 0> plan_groups{};
 constexpr std::array<director::TableIndex, 3> listened{0, 0, 0};

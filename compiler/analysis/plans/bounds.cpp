@@ -59,9 +59,10 @@ private:
   Trials trials_;
 };
 
-std::int64_t contended(const Tables& tables) {
+/// Each repetition forgets one holder for whose sake a group was denied to an equal.
+std::int64_t groups_of_equals(const Tables& tables) {
   return std::count_if(tables.groups.begin(), tables.groups.end(),
-                       [](const director::Group& group) { return group.requesters.size() > 1; });
+                       [](const director::Group& group) { return group.equals; });
 }
 
 bool sets_from_handlers(const Model& model) {
@@ -80,7 +81,7 @@ Bounds find_bounds(const Model& model, const Tables& tables) {
   out.decision_bytes = static_cast<std::int64_t>(director::State::decision_bytes(shape));
   out.engine_bytes = static_cast<std::int64_t>(director::State::bytes(shape));
   out.runs_waiting = static_cast<std::int64_t>(tables.groups.size());
-  out.repetitions = contended(tables);
+  out.repetitions = groups_of_equals(tables);
   out.to_first_run = out.calm_input = 1 + out.runs_waiting;
   out.handlers_set = sets_from_handlers(model);
   Counting(model, out).count(tables);

@@ -15,7 +15,8 @@ constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t sum(std::int64_t a, std::int64_t b) { return a > most - b ? most : a + b; }
 constexpr std::int64_t product(std::int64_t a, std::int64_t b) { return b != 0 && a > most / b ? most : a * b; }
 
-/// What one unit may be tried for: with its conditions and without.
+/// How often one unit may be tried: with its conditions, and then without them if that failed, or once more if what is
+/// new is deferred.
 constexpr std::int64_t attempts = 2;
 
 class Working {
@@ -55,15 +56,15 @@ private:
     return sum(static_cast<std::int64_t>(model_.groups[group].providers.size()), product(2, ways(group)));
   }
 
-  /// Decided for itself: where an equal may deny it something all choices, and then up to the first; with its
-  /// conditions, without them, and, as what is new is deferred, once more. Then it searches for somebody to push.
+  /// Decided for itself: where an equal may deny it something all choices, and then up to the first. If it waits for a
+  /// condition, it searches for somebody to push.
   std::int64_t alone(const Task& task) {
-    const std::int64_t scans = t_.components[t_.groups[task.target.value].component].equals ? 2 : 1;
-    return sum(product(scans * (attempts + 1), choices(task.target)), pushes(task.target));
+    const std::int64_t scans = t_.groups[task.target.value].deniable ? 2 : 1;
+    return sum(product(scans * attempts, choices(task.target)), pushes(task.target));
   }
 
   /// Decided whole or not at all: each member for itself, one after the other, and what can claim the same group in all
-  /// combinations.
+  /// combinations. That is more than all members take where each of them is decided alone. All may search.
   std::int64_t together(const CountedUnit& unit) {
     std::int64_t work = 0;
     for (const Task* member : unit.members) work = sum(work, product(2, choices(member->target)));
@@ -74,17 +75,23 @@ private:
         before = product(before, std::max<std::int64_t>(1, ways(member->target)));
       }
     }
-    return product(attempts, work);
+    work = product(attempts, work);
+    for (const Task* member : unit.members) work = sum(work, pushes(member->target));
+    return work;
   }
 
-  /// A group asks for one pack at a time; the unit is decided whole, and then or instead each of it alone.
+  /// A group asks for one pack at a time; what is not of its unit is decided alone.
   std::int64_t largest_pack(GroupId group) {
     std::int64_t largest = 0;
     for (const ProviderId provider : model_.groups[group].providers) {
       for (const Pack& pack : model_.providers[provider].packs) {
-        std::int64_t work = 0;
-        for (const Task& task : pack.tasks) work = sum(work, alone(task));
-        if (const CountedUnit unit = trials_.together(pack); unit.members.size() > 1) work = sum(work, together(unit));
+        CountedUnit unit = trials_.together(pack);
+        if (unit.members.size() == 1) unit.members.clear();
+        std::int64_t work = unit.members.empty() ? 0 : together(unit);
+        for (const Task& task : pack.tasks) {
+          if (std::find(unit.members.begin(), unit.members.end(), &task) == unit.members.end())
+            work = sum(work, alone(task));
+        }
         largest = std::max(largest, work);
       }
     }
@@ -149,7 +156,7 @@ WorkBound bound_work(const Model& model, const Tables& tables, Trials& trials) {
   WorkBound out;
   std::vector<std::int64_t> repetitions(tables.components.size());
   for (const director::Group& group : tables.groups) {
-    if (group.requesters.size() > 1 && tables.components[group.component].equals) ++repetitions[group.component];
+    if (group.equals) ++repetitions[group.component];
   }
   const std::vector<std::int64_t> sweeps = Working(model, tables, trials, out).sweeps();
   for (std::size_t c = 0; c < sweeps.size(); ++c) {

@@ -73,8 +73,8 @@ std::vector<std::uint32_t> owners_of(const Owners& owners, Range range, std::siz
 // Each takes its row apart, so that a column which is new there is an error here until it is written too.
 
 Row group_row(const director::Group& all) {
-  const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop, simple, conditional,
-               component] = all;
+  const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop, simple, conditional, equals,
+               deniable, component] = all;
   Row row;
   row.range("providers", providers);
   row.range("edges", edges);
@@ -87,17 +87,18 @@ Row group_row(const director::Group& all) {
   row.flag("stop", stop);
   row.flag("simple", simple);
   row.flag("conditional", conditional);
+  row.flag("equals", equals);
+  row.flag("deniable", deniable);
   row.index("component", component, 0);
   return row;
 }
 
 Row component_row(const director::Component& all) {
-  const auto& [groups, edges, order, equals, alternatives] = all;
+  const auto& [groups, edges, order, alternatives] = all;
   Row row;
   row.range("groups", groups);
   row.range("edges", edges);
   row.index("order", order, 0);
-  row.flag("equals", equals);
   row.flag("alternatives", alternatives);
   return row;
 }

@@ -28,15 +28,6 @@ bool alive(const Context& x, Index edge) {
   }
 }
 
-/// Was the group, which may be claimed by `edge` for this member, held by another edge that may be equal to the member
-/// or to what would be below it?
-bool may_deny(const Context& x, Index group, Index edge, Index member) {
-  const Index holder = x.s.last[group].holder;
-  return holder != nil && holder != edge && holder_now(x, group) == nil && !is_limbo(x, holder) &&
-         !x.s.edge_marks[holder].has(mark::refused) && alive(x, holder) &&
-         !never_equal(x, {member, Chains::current}, {holder, Chains::previous});
-}
-
 } // namespace
 
 /// Equals never take from each other. Its last holder is an edge, and another one.
@@ -53,25 +44,6 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
     x.s.denied[x.denied_count++] = group;
   }
   return true;
-}
-
-/// Can an equal stand in the way of a choice of this member, whatever is chosen?
-bool may_be_denied(Context& x, Index member) {
-  Index found = 0;
-  const auto look_at = [&](Index edge) {
-    const Index group = x.t.edges[edge].target;
-    if (!x.s.group_marks[group].has(mark::looked_at)) x.s.reach[found++] = group;
-    x.s.group_marks[group] |= mark::looked_at;
-    return may_deny(x, group, edge, member);
-  };
-  bool yes = look_at(member);
-  for (Index i = 0; i < found && !yes; ++i) {
-    for (const Index p : x.t.groups[x.s.reach[i]].providers.rows()) {
-      for (const Index need : x.t.list(x.t.providers[p].needs)) yes = yes || look_at(need);
-    }
-  }
-  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]].remove(mark::looked_at);
-  return yes;
 }
 
 /// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.

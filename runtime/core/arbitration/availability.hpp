@@ -9,7 +9,6 @@
 namespace director::arbitration {
 
 DIRECTOR_PART bool kept_by_equal(Context& x, Index group, Index edge, bool record);
-DIRECTOR_PART bool may_be_denied(Context& x, Index member);
 DIRECTOR_PART bool denied_in_vain(Context& x);
 DIRECTOR_PART void take_back(Context& x);
 
@@ -17,7 +16,7 @@ inline bool available(Context& x, Index group, Index edge, bool record) {
   const Index claimant = holder_now(x, group);
   if (claimant != nil) return claimant == edge;
   const Index before = x.s.last[group].holder;
-  return before == nil || before == edge || is_limbo(x, before) || !x.row.equals ||
+  return before == nil || before == edge || is_limbo(x, before) || !x.t.groups[group].equals ||
          !kept_by_equal(x, group, edge, record);
 }
 

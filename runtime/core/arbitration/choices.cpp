@@ -41,8 +41,9 @@ bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool re
 /// The first combination of choices in which all claims are compatible. True: it is in hand (member_*, entry_*, trial)
 /// until leave_combination.
 bool combine(Context& x, Index count, bool with_conditions) {
-  return count == 1 && !x.row.equals ? next_choice(x, 0, true, with_conditions, true)
-                                     : search_combination(x, count, with_conditions);
+  const Group& group = x.t.groups[target(x, x.s.member[0].edge)];
+  const bool first_counts = count == 1 && (!group.deniable || group.single_choice());
+  return first_counts ? next_choice(x, 0, true, with_conditions, true) : search_combination(x, count, with_conditions);
 }
 
 void leave_combination(Context& x, Index count) {

@@ -45,15 +45,12 @@ bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, 
 
 } // namespace
 
-/// Lexicographically over the members. Which holders stood in the way counts over all choices of each member, also
-/// those that are never needed: so, where there can be any, each member's are looked at once, and then combined.
+/// Lexicographically over the members. For whose sake a choice was denied counts over all choices of each member, also
+/// those that are never needed: so, where one can be denied, each member's are looked at once, and then combined.
 bool search_combination(Context& x, Index count, bool with_conditions) {
   for (Index i = 0; count > 1 && i < count; ++i) x.s.member[i].edge = x.s.unit[i];
-  const bool single = count == 1 && x.t.groups[target(x, x.s.member[0].edge)].single_choice();
-  bool deniable = false;
-  for (Index at = 0; x.row.equals && !single && at < count && !deniable; ++at)
-    deniable = may_be_denied(x, x.s.member[at].edge);
-  if (count == 1 && !deniable) return next_choice(x, 0, true, with_conditions, true);
+  const bool deniable =
+      any(members(x, count), [&](const TriedMember& member) { return x.t.groups[target(x, member.edge)].deniable; });
   if (deniable && !each_has_choice(x, 0, count, with_conditions, true)) return false;
   Index at = 0;
   bool fresh = true, known = deniable; // that each has a choice for itself

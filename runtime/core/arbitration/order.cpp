@@ -48,14 +48,6 @@ int compare_chains(const Context& x, Place a, Place b, bool in_order) {
   return compare_parted(x, parting(x, a, b, of_a.length, of_b.length), of_a.length, of_b.length, in_order);
 }
 
-/// Neither they nor anything below one of them can be equal.
-bool never_equal(const Context& x, Place a, Place b) {
-  const Chain of_a = chain(x, a), of_b = chain(x, b);
-  if (is_limbo(x, of_a.top) || is_limbo(x, of_b.top)) return false;
-  const Parting at = parting(x, a, b, of_a.length, of_b.length);
-  return at.a.edge != nil && urgency(x, at.a.edge) != urgency(x, at.b.edge);
-}
-
 void sort_by_holders(const Context& x, std::span<Index> groups, Chains along) {
   heap_sort(groups, [&](Index a, Index b) { return before_in_order(x, a, b, along); });
 }

@@ -86,7 +86,6 @@ DIRECTOR_PART bool is_passed(const Context& x, Index group);
 Chain chain(const Context& x, Place place);
 bool in_chain(const Context& x, Index edge, Place of);
 DIRECTOR_PART int compare_chains(const Context& x, Place a, Place b, bool in_order);
-bool never_equal(const Context& x, Place a, Place b);
 DIRECTOR_PART void sort_by_holders(const Context& x, std::span<Index> groups, Chains along);
 DIRECTOR_PART void sort_by_place(const Context& x, std::span<Index> groups, Chains along);
 DIRECTOR_PART void sort_roots(Context& x);

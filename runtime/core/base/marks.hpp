@@ -19,15 +19,15 @@ inline constexpr std::uint8_t visited = 32;    ///< it was decided, or stands as
 inline constexpr std::uint8_t forgotten = 1; ///< its last holder no longer stands in an equal's way
 inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder
 inline constexpr std::uint8_t reached = 4;
-inline constexpr std::uint8_t busy = 8;       ///< its push serves a condition of the unit in hand
-inline constexpr std::uint8_t outdated = 16;  ///< it is granted, and its orders are outdated
-inline constexpr std::uint8_t differs = 32;   ///< it stands elsewhere than after the last pass
-inline constexpr std::uint8_t listed = 128;   ///< it stands in State::pushed
-inline constexpr std::uint8_t looked_at = 64; ///< set only while a member's choices are searched for equals
+inline constexpr std::uint8_t busy = 8;      ///< its push serves a condition of the unit in hand
+inline constexpr std::uint8_t outdated = 16; ///< it is granted, and its orders are outdated
+inline constexpr std::uint8_t differs = 32;  ///< it stands elsewhere than after the last pass
+inline constexpr std::uint8_t listed = 64;   ///< it stands in State::pushed
 // On conditions.
 inline constexpr std::uint8_t lacked = 1; ///< the chain in search may have to make it true
-// On providers, besides looked_at.
+// On providers.
 inline constexpr std::uint8_t pushable = 1;
+inline constexpr std::uint8_t looked_at = 2; ///< it is among those that cause what the chain in search lacks
 } // namespace mark
 
 /// What is known of the last pass, from pass to pass.

@@ -106,11 +106,13 @@ struct Group {
   Range listens{}; ///< of Tables::listened and of State::fired
   Range owned{};   ///< lists: states that belong to it
   Range users{};   ///< lists: it and all groups one of whose plans may contain it, ascending
-  bool start = false; ///< has such a handler
-  bool stop = false;
-  bool simple = false;      ///< it has one provider, which needs nothing
-  bool conditional = false; ///< a provider has `when` or `stay`
-  TableIndex component = 0; ///< of Tables::components
+  bool start : 1 = false; ///< has such a handler
+  bool stop : 1 = false;
+  bool simple : 1 = false;      ///< it has one provider, which needs nothing
+  bool conditional : 1 = false; ///< a provider has `when` or `stay`
+  bool equals : 1 = false;      ///< two edges that lead to it may be equal
+  bool deniable : 1 = false;    ///< it, or a group in one of its plans, has `equals`
+  TableIndex component = 0;     ///< of Tables::components
 
   /// It and all that it needs, transitively, have one provider each.
   constexpr bool single_choice() const { return providers.size() == 1 && slots.empty(); }
@@ -123,7 +125,6 @@ struct Component {
   Range groups{};            ///< lists: ascending
   Range edges{};             ///< lists: that lead to its groups, ascending; those of root come first
   Index order = 0;           ///< where its rows of State::order begin; there are as many as it has groups
-  bool equals = false;       ///< two edges in it may be equal
   bool alternatives = false; ///< a group has slots
 };
 

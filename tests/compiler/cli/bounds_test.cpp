@@ -36,8 +36,8 @@ TEST_CASE("what a unit of work costs on another machine changes the times, and n
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n  Lamp: {}\n");
   CHECK(world.directorc({"check", "--verbose", "--work-ns=2500000", "lamp.yaml"}) == 0);
   CHECK(lines_with(world.out, " ms ") ==
-        "  time                28 ms at most for one pass, at 2.5e+06 ns a unit of work; `--work-ns` says another\n"
-        "                      28 ms at most to decide in one micro-step; bodies and observers come on top\n");
+        "  time                20 ms at most for one pass, at 2.5e+06 ns a unit of work; `--work-ns` says another\n"
+        "                      20 ms at most to decide in one micro-step; bodies and observers come on top\n");
   CHECK(world.directorc({"check", "--work-ns=20", "lamp.yaml"}) == 2);
   CHECK(world.err.find("--work-ns requires --verbose") != std::string::npos);
   CHECK(world.directorc({"check", "--verbose", "--work-ns=0", "lamp.yaml"}) == 2);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <set>
 #include <vector>
 
 using namespace director;
@@ -27,12 +29,6 @@ struct Lowering {
   Compiled compiled;
   Lowered lowered;
 };
-
-/// Of two tasks of one group, by what they are written as, whose groups have these lines.
-bool equals(const std::string& tasks, const std::string& below = "{}") {
-  const Lowering it("roots: [Boss]\ngroups:\n  Boss: {tasks: " + tasks + "}\n  A: " + below + "\n  B: {}\n  C: {}\n");
-  return it.component("Boss").equals;
-}
 
 // The traits once more, pair by pair, as they are defined: of edges of one requester, of levels, of groups.
 
@@ -57,18 +53,45 @@ std::vector<Index> urgencies(const Tables& t, Index edge) {
 
 bool may_be_equal(const Tables& t, Index a, Index b) {
   if (a == b || t.edges[a].requester != t.edges[b].requester) return false;
-  const auto component = [&](Index edge) { return t.groups[t.edges[edge].target].component; };
-  const auto leads_on = [&](Index edge) { return !t.groups[t.edges[edge].target].edges.empty(); };
-  if (component(a) != component(b) || (!leads_on(a) && !leads_on(b))) return false;
   const std::vector<Index> of_a = urgencies(t, a), of_b = urgencies(t, b);
   return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();
 }
 
-bool has_equals(const Tables& t, Index component) {
+/// The target of the edge, and all below it.
+std::set<Index> led_to(const Tables& t, Index edge) {
+  std::set<Index> out{t.edges[edge].target};
+  for (std::size_t before = 0; before != out.size();) {
+    before = out.size();
+    for (const director::Edge& row : t.edges) {
+      if (row.requester != nil && out.contains(row.requester)) out.insert(row.target);
+    }
+  }
+  return out;
+}
+
+/// Where both of two edges that may be equal lead to.
+std::set<Index> of_equals(const Tables& t) {
+  std::set<Index> out;
   for (Index a = 0; a < t.edges.size(); ++a) {
-    if (t.groups[t.edges[a].target].component != component) continue;
     for (Index b = 0; b < a; ++b) {
-      if (may_be_equal(t, a, b)) return true;
+      if (!may_be_equal(t, a, b)) continue;
+      const std::set<Index> by_a = led_to(t, a), by_b = led_to(t, b);
+      std::set_intersection(by_a.begin(), by_a.end(), by_b.begin(), by_b.end(), std::inserter(out, out.end()));
+    }
+  }
+  std::erase_if(out, [&](Index group) { return t.groups[group].requesters.size() < 2; }); // they are one edge
+  return out;
+}
+
+/// One of these, or a group that needs one, or needs one that does.
+bool needs_one_of(const Tables& t, Index group, const std::set<Index>& groups, std::set<Index> above = {}) {
+  if (groups.contains(group)) return true;
+  above.insert(group);
+  const director::Group& row = t.groups[group];
+  for (Index p = row.providers.begin; p != row.providers.end; ++p) {
+    for (const Index need : t.list(t.providers[p].needs)) {
+      const Index below = t.edges[need].target;
+      if (!above.contains(below) && needs_one_of(t, below, groups, above)) return true;
     }
   }
   return false;
@@ -111,26 +134,50 @@ groups:
   CHECK(it.group("Stays").conditional);
 }
 
-TEST_CASE("edges can be equal where a requester has two of one priority and something is below one") {
-  CHECK(equals("[A, B]", "{needs: [C]}"));
-  CHECK(!equals("[A, B]"));                                               // they lead to two groups and no further
-  CHECK(!equals("{A: {priority: 1}, B: {priority: 2}}", "{needs: [C]}")); // one goes first
-  CHECK(equals("{A: {levels: {low: {priority: 1}, high: {priority: 2}}}, B: {priority: 2}}",
-               "{needs: [C]}")); // at one level
+TEST_CASE("a group has equals where two tasks of one requester and one priority lead to it") {
+  const auto has_equals = [](const std::string& tasks, const std::string& b = "{needs: [Shared]}") {
+    const Lowering it("roots: [Boss]\ngroups:\n  Boss: {tasks: " + tasks + "}\n  A: {tasks: [Shared, Own]}\n  B: " + b +
+                      "\n  Shared: {tasks: [Below]}\n" + "  Own: {}\n  Below: {}\n");
+    CHECK(!it.group("Boss").equals);
+    CHECK(!it.group("A").equals);
+    CHECK(!it.group("Own").equals);
+    CHECK(!it.group("Below").equals);                           // Shared alone asks for it
+    CHECK(it.group("B").deniable == it.group("Shared").equals); // needs it
+    CHECK(!it.group("A").deniable);                             // only asks for it
+    return it.group("Shared").equals;
+  };
+  CHECK(has_equals("[A, B]"));
+  CHECK(!has_equals("{A: {priority: 1}, B: {priority: 2}}"));                                      // one goes first
+  CHECK(has_equals("{A: {levels: {low: {priority: 1}, high: {priority: 2}}}, B: {priority: 2}}")); // at one level
 }
 
-TEST_CASE("roots can be equal, and roots of two components cannot") {
+TEST_CASE("a group that is asked for directly, and by way of a task of the same priority, has equals") {
+  const Lowering it("roots: [Boss]\ngroups:\n  Boss: {tasks: [A, Shared]}\n  A: {needs: [Shared]}\n  Shared: {}\n");
+  CHECK(it.group("Shared").equals);
+  CHECK(it.group("A").deniable);
+}
+
+TEST_CASE("two tasks of one priority that lead to nothing in common make no equals") {
+  const Lowering it("roots: [Boss]\ngroups:\n  Boss: {tasks: [A, B]}\n  A: {needs: [C]}\n  B: {}\n  C: {}\n");
+  for (const director::Group& group : it.lowered.groups) CHECK_FALSE((group.equals || group.deniable));
+}
+
+TEST_CASE("roots can be equal, also where a circle of requests lies below them") {
   const Lowering it(R"(
 roots: {A: {priority: 1}, B: {priority: 1}, Apart: {priority: 1}}
 groups:
-  A: {needs: [Shared]}
-  B: {needs: [Shared]}
+  A: {tasks: [Shared]}
+  B: {tasks: [Shared]}
   Apart: {needs: [Own]}
-  Shared: {}
+  Shared: {tasks: {B: {priority: 1}, Last: {priority: 2}}}
   Own: {}
+  Last: {}
 )");
-  CHECK(it.component("A").equals);
-  CHECK(!it.component("Apart").equals);
+  CHECK(!it.group("A").equals);
+  CHECK(it.group("B").equals);
+  CHECK(it.group("Shared").equals);
+  CHECK(!it.group("Last").equals); // Shared alone asks for it
+  CHECK(!it.group("Apart").deniable);
 }
 
 TEST_CASE("a component has alternatives where a plan has to pick a provider") {
@@ -158,16 +205,18 @@ TEST_CASE("the traits of all behaviours of the project are those of their defini
       const Lowered lowered = lower(resolved.model);
       const Tables t = lowered.view();
       ++files;
+      const std::set<Index> equals = of_equals(t);
+      with_equals += equals.empty() ? 0 : 1;
       for (Index g = 0; g < t.groups.size(); ++g) {
         INFO(resolved.model.groups[GroupId{g}].name.value);
         CHECK(t.groups[g].simple == is_simple(t, g));
         CHECK(t.groups[g].conditional == is_conditional(t, g));
+        CHECK(t.groups[g].equals == equals.contains(g));
+        CHECK(t.groups[g].deniable == needs_one_of(t, g, equals));
       }
       for (Index c = 0; c < t.components.size(); ++c) {
         INFO("component " << c);
-        CHECK(t.components[c].equals == has_equals(t, c));
         CHECK(t.components[c].alternatives == has_slots(t, c));
-        with_equals += t.components[c].equals ? 1 : 0;
       }
     }
   }
