@@ -30,7 +30,8 @@ bool alive(const Context& x, Index edge) {
 
 } // namespace
 
-/// Equals never take from each other. Its last holder is an edge, and another one.
+/// The last holder of the group, another edge, is an equal of this one and would go on: equals never take from each
+/// other.
 bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
   const Index holder = x.s.last[group].holder;
   if (injected(Fault::equals_take) || x.s.edge_marks[holder].has(mark::refused) || !alive(x, holder) ||
@@ -59,7 +60,7 @@ bool denied_in_vain(Context& x) {
   return false;
 }
 
-/// What the sweep decided, but for which denials are forgotten.
+/// All that the sweep decided is undone; only which denials are forgotten stays.
 void take_back(Context& x) {
   clear_marks(x);
   for (WaitingLine& line : x.lines) line.first = 0; // the walk comes to all of them again

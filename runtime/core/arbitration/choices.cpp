@@ -38,8 +38,7 @@ bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool re
   return false;
 }
 
-/// The first combination of choices in which all claims are compatible. True: it is in hand (member_*, entry_*, trial)
-/// until leave_combination.
+/// The first combination of choices in which all claims are compatible. True: it is in hand until leave_combination.
 bool combine(Context& x, Index count, bool with_conditions) {
   const Group& group = x.t.groups[target(x, x.s.member[0].edge)];
   const bool first_counts = count == 1 && (!group.deniable || group.single_choice());

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How a group can be granted to an edge: a provider and a need plan, as a stack of entries; and the combination of
-// choices of a unit that is in hand, in State::member_*, entry_* and trial, until leave_combination. docs/semantics.md,
-// sections 4.3 and 4.4, Grant.
+// A choice is a way to grant a group to an edge: a provider, and a plan for what that needs. The combination in hand
+// has one for each member of a unit. It lies in State::member, State::entry (the plans, one behind the other) and
+// State::trial (what it would claim) until leave_combination. docs/semantics.md, sections 4.3 and 4.4, Grant.
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/parts.hpp"

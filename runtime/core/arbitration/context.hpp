@@ -12,12 +12,12 @@
 
 namespace director::arbitration {
 
-/// Those who stood behind the holder of a group in the last pass, where that may be another now. They stay behind
-/// unless the group is free when the walk comes to them.
+/// The requests for a group that were blocked in the last pass because an earlier edge had claimed it, where it may
+/// have another holder now. They stay blocked unless the group is free when the walk reaches them.
 struct WaitingLine {
   Index group;
-  Index first; ///< the place of the first of them, in the last order, that is not looked at yet; nil: there is none
-  bool moves;  ///< the first one was looked at, and did not get it
+  Index first; ///< where, in the last order, the requester of the first one stands that was not reached; nil: no such
+  bool moves;  ///< one of them was reached: the others have to be decided again too
 };
 
 struct Context {
@@ -42,11 +42,11 @@ struct Context {
   bool settled = false;   ///< nothing has to be decided: the last result stands
   bool had_limbo = false; ///< in the last assignment something was in limbo; only known where the pass is followed
   bool walking = false;   ///< the pass is on its way along the order
-  bool disturbed = false; ///< something is, or may be, another than in the last pass
+  bool disturbed = false; ///< something differs from the last pass, or may
   /// The result may be another one when it is the last assignment itself, or when other groups are stale.
   mutable bool depends_on_last = false, depends_on_stale = false;
-  bool depends_on_all_stale = false;      ///< on more of these than those that RunQueueEntry::counts names
-  bool on_last = false, on_stale = false; ///< the same of the units decided before the one in hand
+  bool depends_on_all_stale = false;      ///< also on groups that RunQueueEntry::counts does not name
+  bool on_last = false, on_stale = false; ///< the same, of the units before the one in hand
 
   // Pushes.
   bool had_pushes = false; ///< there were pushes in the last assignment
@@ -54,10 +54,10 @@ struct Context {
   Index pushed_count = 0;  ///< rows of State::pushed in use
 
   // The walk along the order.
-  Index ahead = 0;         ///< edges that it has before it
-  Index postponed = 0;     ///< and those that are optional
-  Index placed = 0;        ///< groups that are claimed and come before it
-  Index inherited = 0;     ///< those of them that were held before
+  Index ahead = 0;         ///< candidates that lie on its stack, State::candidate
+  Index postponed = 0;     ///< optional ones, which lie at the other end of it
+  Index placed = 0;        ///< groups that are claimed so far, which is the length of the new order
+  Index inherited = 0;     ///< how many of them were held in the last assignment
   Index top = nil;         ///< the group that was placed last, or one above it
   Index first_moved = nil; ///< the first place in the order that another group has than before
   Index limbo_begin = 0;   ///< from this place on the groups of the order are in limbo, or below such a one
@@ -72,8 +72,8 @@ struct Context {
   std::array<WaitingLine, 4> lines{};
   Index line_count = 0;  ///< of them in use
   Index opened_end = 0;  ///< behind what was opened, in the last order
-  Index rest = nil;      ///< the first edge of root, in order, that the walk did not come to
-  Index undecided = nil; ///< an edge of root that the walk has to come to
+  Index rest = nil;      ///< the first edge of root, in order, that the walk did not reach; nil: it reached all
+  Index undecided = nil; ///< an edge of root that has to be decided; until it was, rest_stands() is not asked
 };
 
 } // namespace director::arbitration

@@ -11,7 +11,7 @@
 
 namespace director::arbitration {
 
-/// A unit of one edge, or a member below outdated orders, is decided for itself.
+/// A unit of one edge, or one member of a stale requester.
 void decide_alone(Context& x, Index edge, bool outdated) {
   x.s.member[0].edge = edge;
   try_members(x, 1, outdated);
@@ -19,13 +19,14 @@ void decide_alone(Context& x, Index edge, bool outdated) {
 
 /// The members in hand get what they ask for together, or not at all.
 void try_members(Context& x, Index count, bool outdated) {
-  if (outdated && any_new(x, count) && !injected(Fault::outdated_orders_acquire)) return wait_for_orders(x, count);
+  if (outdated && any_not_running(x, count) && !injected(Fault::outdated_orders_acquire))
+    return wait_for_orders(x, count);
   if (count == 1 && taken(x, x.s.member[0].edge)) return block(x, 1);
   if (!combine(x, count, true)) return x.t.conditions.empty() ? block(x, count) : refuse(x, count);
   if (!premature(x, count)) return grant(x, count);
   x.depends_on_stale = true;
   leave_combination(x, count);
-  defer(x, count); // of a stale requester nothing gets here: the members in hand are those of the unit
+  defer(x, count); // the requester is not stale, so the members in hand are the whole unit
 }
 
 void grant(Context& x, Index count) {
@@ -40,18 +41,18 @@ void grant(Context& x, Index count) {
   leave_combination(x, count);
 }
 
-/// Whatever is chosen, something of it is not available.
+/// No combination is available, with conditions or without.
 void block(Context& x, Index count) {
   for (const TriedMember& member : members(x, count)) x.s.edge_marks[member.edge] |= mark::refused;
   if (injected(Fault::blocked_units_push_on)) keep_pushes(x, count);
   explain(x, count, Why::blocked);
 }
 
-/// An edge before it has its target, and what it had before is nothing: nothing else counts, and nothing differs.
+/// An edge before it has claimed its target, and it had nothing before: its decision depends on nothing else.
 void block_alone(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited | mark::refused;
   x.s.queued[edge] = {Why::blocked, nil};
-  if (is_followed(x)) rest_on(x, edge, trail::behind);
+  if (is_followed(x)) note_dependence(x, edge, trail::behind);
 }
 
 void explain(Context& x, Index count, Why why, Index condition) {

@@ -30,8 +30,8 @@ void keep_in_limbo(Context& x, Index group) {
   sweep_below(x, group);
 }
 
-/// What was in limbo goes in the order of declaration from now on: so what is below it, and has a choice or is queued,
-/// may find other groups claimed than last time.
+/// What was in limbo has its place by declaration from now on. So what is below it, and is queued or has more than one
+/// choice, may find other groups claimed than in the last pass.
 void reach_below_limbo(Context& x) {
   for (Index i = x.s.order_count[x.component]; i-- != 0;) { // limbo comes last
     const Index group = x.s.order[x.row.order + i];

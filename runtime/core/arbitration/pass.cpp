@@ -89,7 +89,7 @@ void decide(Context& x, Index component) {
   finish(x);
 }
 
-/// What it did is noted for the next pass.
+/// Notes for the next pass what this one found.
 void end(Context& x) {
   for (const Index e : x.whole ? x.t.list(x.row.edges) : std::span<const TableIndex>{}) leave_unvisited(x, e);
   x.s.news_count[x.component] = nil;

@@ -20,7 +20,7 @@ namespace director::arbitration {
 /// Reads State's decision part; writes `now`, `next_order`, `next_count` and `queued` of the component.
 void decide(Context& x, Index component);
 
-/// When what it decided was looked at: notes for the next pass what this one did.
+/// When the engine has compared the result with the last one: notes for the next pass what this one found.
 void end(Context& x);
 
 /// Live groups that nobody claims are kept for an heir that is about to run.

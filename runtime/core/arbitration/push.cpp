@@ -44,7 +44,8 @@ void set_push(Context& x, Index group, const Push& push) {
   x.pushing = true;
 }
 
-/// The unit is granted: of its pushes those stay that serve the choices in hand, or a push that does.
+/// The unit is granted: of its pushes those stay whose provider satisfies a condition of the choices in hand, or of a
+/// push that stays.
 void keep_serving_pushes(Context& x, Index count) {
   const auto is_busy = [&](Index g) { return x.s.group_marks[g].has(mark::busy); };
   const auto serves = [&](Index provider) {

@@ -1,7 +1,8 @@
 // docs/semantics.md, section 4.4: which units a change reaches, so that they are decided again.
 // SPDX-License-Identifier: MIT
 //
-// What changed is an input, or a group whose claim, plan, push or place in the order is another than in the last pass.
+// A change is an input, or a group whose claim, plan, push or place in the order differs from the last pass. What it
+// reaches is found along the tables: each group knows in whose plans it may stand (Group::users).
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"
@@ -18,8 +19,8 @@ void compare_member(Context& x, Index edge) {
   const GroupAssignment &now = x.s.now[group], &last = x.s.last[group];
   const bool runs = is_opened(x, group) && now.holder == edge && now.granted(), ran = runs_for_now(x, edge);
   if (!runs && !ran) return;
-  // Below outdated orders it was tried as what ran before.
-  if (!runs) rest_on(x, edge, static_cast<std::uint8_t>((x.s.edge_trail[edge] & trail::kept) | trail::on_last));
+  // Its requester is stale: had it run, it would have been tried as what runs already.
+  if (!runs) note_dependence(x, edge, static_cast<std::uint8_t>((x.s.edge_trail[edge] & trail::kept) | trail::on_last));
   compare_claim(x, group);
   const bool other =
       runs != ran || now.active != last.active || now.planned != last.planned ||
@@ -37,8 +38,8 @@ void compare_member(Context& x, Index edge) {
   if (runs) compare_plan(x.s.now);
 }
 
-/// Units that may look at the group. Who is not held has none, and when it gets hold of something, all of its own are
-/// decided anyway.
+/// Units whose decision may depend on the group. A group that is not held asks for none, and when it becomes held, all
+/// that it asks for is decided anyway.
 template <class Take>
 void each_user_edge(Context& x, Index group, Take&& take) {
   for (const Index user : x.t.list(x.t.groups[group].users)) {
@@ -54,8 +55,8 @@ void each_user_edge(Context& x, Index group, Take&& take) {
 
 bool stands_behind(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::behind); }
 
-/// Those behind the holder of the group whose requesters are not looked at: take(edge, place of the requester in the
-/// last order).
+/// Blocked requests for the group, of requesters that are not opened: take(edge, place of the requester in the last
+/// order).
 template <class Take>
 void each_in_line(Context& x, Index group, Take&& take) {
   for (const Index e : x.t.list(x.t.groups[group].requesters)) {
@@ -67,8 +68,8 @@ void each_in_line(Context& x, Index group, Take&& take) {
 
 } // namespace
 
-/// The walk is about to pass by this group. Of those behind who holds a group that is free by now, who lies below it is
-/// looked at; and if it is not the first one to be, all others.
+/// The walk is about to pass by this group. Where a group with a waiting line is free by now, the requests in line that
+/// lie below this group are reached; and as soon as one was, all others.
 void look_at_lines(Context& x, Index group) {
   const auto end = static_cast<Index>(x.s.place[group] + x.s.extent[group]);
   for (WaitingLine& line : std::span(x.lines).first(x.line_count)) {
@@ -87,8 +88,8 @@ void look_at_lines(Context& x, Index group) {
   }
 }
 
-/// What the decision about an edge rests on; the bits of trail::kept that there were are forgotten.
-void rest_on(Context& x, Index edge, std::uint8_t bits) {
+/// What the decision about an edge depends on, as bits of trail::kept; those that there were are forgotten.
+void note_dependence(Context& x, Index edge, std::uint8_t bits) {
   Bits& trail = x.s.edge_trail[edge];
   const bool was = trail.has(trail::on_last), is = (bits & trail::on_last) != 0;
   if (is && !was) ++x.s.on_last[x.component];
@@ -96,14 +97,14 @@ void rest_on(Context& x, Index edge, std::uint8_t bits) {
   trail = static_cast<std::uint8_t>((trail & ~trail::kept) | bits);
 }
 
-/// What its decision looks at and may lose is cleared first.
+/// Opens what the unit held, as it may lose it, and forgets what its last decision depended on.
 void begin_followed(Context& x, Index count) {
   x.on_last = x.depends_on_last, x.on_stale = x.depends_on_stale;
   x.depends_on_last = x.depends_on_stale = false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.unit[at], group = target(x, edge);
     if (stands_behind(x, edge)) reach_edge(x, edge); // it is decided again, also if the sweep is taken back
-    rest_on(x, edge, 0);
+    note_dependence(x, edge, 0);
     if (x.s.last[group].holder != edge) continue;
     open(x, group);
     if (!runs_for_now(x, edge) || x.t.groups[group].simple) continue;
@@ -112,7 +113,7 @@ void begin_followed(Context& x, Index count) {
   }
 }
 
-/// What the decision rests on is noted, and what came out otherwise than in the last pass reaches others.
+/// Notes what the decision depends on; where it differs from that of the last pass, it reaches others.
 void compare_with_last(Context& x, Index count) {
   const bool below_stale = x.s.edge_marks[x.s.unit[0]].has(mark::below_stale);
   if (below_stale) note_if_stale(x, x.t.edges[x.s.unit[0]].requester);
@@ -124,7 +125,7 @@ void compare_with_last(Context& x, Index count) {
   bool pushing = false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.unit[at];
-    rest_on(x, edge, static_cast<std::uint8_t>(bits | (x.s.edge_trail[edge] & trail::waits)));
+    note_dependence(x, edge, static_cast<std::uint8_t>(bits | (x.s.edge_trail[edge] & trail::waits)));
     pushing = pushing || x.s.edge_marks[edge].has(mark::pushes);
     compare_member(x, edge);
   }
@@ -139,11 +140,11 @@ void compare_with_last(Context& x, Index count) {
     lost = lost || was_ours;
     if (was_ours || ours(now.edge)) reach(x, g);
   }
-  // Of its pushes those stay that serve another: so it is asked again what becomes of the rest.
+  // Pushes that serve another push stay: what becomes of the rest is decided in the next pass.
   for (Index at = 0; lost && at < count; ++at) x.s.edge_trail[x.s.unit[at]] |= trail::on_stale;
 }
 
-/// Its unit is decided again.
+/// Its unit is decided again in this pass.
 void reach_edge(Context& x, Index edge) {
   if (x.whole || x.s.edge_trail[edge].has(trail::reached)) return;
   x.s.edge_trail[edge] |= trail::reached;
@@ -153,7 +154,7 @@ void reach_edge(Context& x, Index edge) {
 }
 
 /// The edge is requested at another level than before, or not any more; and with it its unit has another member.
-void take_up(Context& x, Index edge, bool with_siblings) {
+void reach_by_request(Context& x, Index edge, bool with_siblings) {
   const Index group = target(x, edge), from = x.t.edges[edge].requester;
   reach_edge(x, edge);
   if (from != nil && with_siblings && !injected(Fault::other_members_are_overlooked)) {
@@ -161,11 +162,11 @@ void take_up(Context& x, Index edge, bool with_siblings) {
   }
   reach(x, group);
   reach_pushes_of(x, edge);
-  if (x.s.last[group].holder == edge) move(x, group);
+  if (x.s.last[group].holder == edge) reach_all_below(x, group);
 }
 
-/// The last pass changed where the group stands. Who looks at the last result looks at another one now.
-void take_up_last(Context& x, Index group) {
+/// The last pass changed what is assigned to the group: units that depend on the last assignment are decided again.
+void reach_by_last_result(Context& x, Index group) {
   disturb(x);
   if (injected(Fault::the_last_result_is_overlooked)) return;
   each_user_edge(x, group, [&](Index e) {
@@ -181,7 +182,7 @@ void reach_users(Context& x, Index group) {
   open(x, group);
   bool line = false;
   const bool has_room = x.line_count < x.lines.size();
-  each_user_edge(x, group, [&](Index e) { // who is behind the holder of another group does not look at this one
+  each_user_edge(x, group, [&](Index e) { // a blocked request depends on its target alone
     const bool is_target = x.t.edges[e].target == group;
     if (!stands_behind(x, e) || (is_target && !has_room)) return reach_edge(x, e);
     line = line || is_target;
@@ -189,8 +190,8 @@ void reach_users(Context& x, Index group) {
   if (line) x.lines[x.line_count++] = {group, 0, false};
 }
 
-/// What holds the group, or where that stands in the order, is another: so are the places of all below it.
-void move(Context& x, Index group) {
+/// The group has another holder, or that has another place in the order: so have all groups below it.
+void reach_all_below(Context& x, Index group) {
   Index found = 0;
   const auto add = [&](Index g) {
     reach(x, g);

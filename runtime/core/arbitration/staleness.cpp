@@ -26,12 +26,13 @@ Index stale_source(const Context& x, Index group) {
   }
 }
 
-/// Something new among the members in hand, whose requester's orders are outdated.
-bool any_new(const Context& x, Index count) {
+/// One of the members in hand does not run yet.
+bool any_not_running(const Context& x, Index count) {
   return any(members(x, count), [&](const TriedMember& member) { return !runs_for_now(x, member.edge); });
 }
 
-/// They are not even tried: a reason that there was stays until they are, unless the group is held for one from now on.
+/// The members in hand, of a stale requester, are not tried. Why they were queued before stays, unless their target is
+/// held by them from now on, for a need.
 void wait_for_orders(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.member[at].edge, group = target(x, edge);
@@ -42,7 +43,7 @@ void wait_for_orders(Context& x, Index count) {
   keep_pushes(x, count);
 }
 
-/// What was granted before stays, the others wait for the runs to come.
+/// What runs already stays, and the others wait until the stale groups before them have run.
 void defer(Context& x, Index count) {
   for (Index i = 0; i < count; ++i) {
     x.s.member[0].edge = x.s.unit[i];
@@ -56,7 +57,7 @@ void defer(Context& x, Index count) {
   }
 }
 
-/// There are stale groups that are granted.
+/// As premature(), where some group is stale.
 bool takes_from_stale(Context& x, Index count) {
   if (injected(Fault::nothing_is_deferred)) return false;
   for (Index at = 0; at < count; ++at) {
@@ -97,7 +98,7 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
   return yes;
 }
 
-/// Something, if it is granted, makes the orders that the group gave outdated.
+/// If the group is granted, its orders are outdated: it has a reason to run that may change what it asks for.
 bool outdates(const Context& x, Index group) {
   const Index holder = x.s.last[group].holder;
   return x.s.run_queue[group].pending.has(reason::outdating) ||

@@ -10,7 +10,7 @@ namespace director::arbitration {
 inline constexpr Index up_to_date = static_cast<Index>(nil - 1); ///< instead of a group: nobody's orders are outdated
 
 DIRECTOR_PART Index stale_source(const Context& x, Index group);
-DIRECTOR_PART bool any_new(const Context& x, Index count);
+DIRECTOR_PART bool any_not_running(const Context& x, Index count);
 DIRECTOR_PART void wait_for_orders(Context& x, Index count);
 DIRECTOR_PART void defer(Context& x, Index count);
 DIRECTOR_PART bool takes_from_stale(Context& x, Index count);

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 4.4: which groups a pass looks at; all others stand as they stood.
+// docs/semantics.md, section 4.4: which groups a pass opens; all others stand as in the last assignment.
 // SPDX-License-Identifier: MIT
 //
 // A unit's decision depends on what units before it claimed, pushed and were denied, on its conditions and requests, on
@@ -25,7 +25,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// The rows of a list of all components that are about this one; they leave it.
+/// Takes the rows that are about this component out of a list for all components.
 template <class ComponentOf, class Take>
 void take_own(Context& x, Index* list, Index& count, ComponentOf&& component_of, Take&& take) {
   Index left = 0;
@@ -58,24 +58,25 @@ bool any_edge(const Context& x, Index group, const Is& is) {
   return any(x.t.groups[group].edges.rows(), is);
 }
 
-/// It waits for somebody who is pushed, or searched for one.
+/// It searched for providers to push: so it depends on much, and is decided again whenever anything differs.
 bool waits(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::waits); }
 
-/// Whatever happens, or as soon as anything differs.
+/// In every pass, or in every pass in which anything differs.
 bool is_decided_again(const Context& x, Index edge) {
   return waits(x, edge) || x.s.edge_trail[edge].has(trail::on_stale);
 }
 
-/// What has to be looked at if something differs from the last pass, or when it has run, is left alone until then.
+/// The group, noted by the last pass, need not be opened yet: what it is noted for counts only once it has run, or once
+/// something differs.
 bool can_stand(const Context& x, Index group) {
   if (x.had_limbo && lies_in_limbo(x, group)) return false;
   if (is_outdated(x, group) && !outdates(x, group)) return false;
-  return !any_edge(x, group, [&](Index e) { // what is optional comes after all else
+  return !any_edge(x, group, [&](Index e) { // what is optional has its place behind all else
     return x.s.edge_trail[e].has(trail::on_stale) || optional(x, e);
   });
 }
 
-/// Who searched for somebody to push looked at much.
+/// Something differs: what depends on much is decided again.
 void open_waiting(Context& x) {
   for (Index i = 0; i < x.kept_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
@@ -83,7 +84,7 @@ void open_waiting(Context& x) {
   }
 }
 
-/// Nothing but the last result is another than for the last pass, and it reaches nobody: it is the result again.
+/// The pass is made only because the last one changed the assignment, and nothing depends on that: it stands.
 bool is_settled(const Context& x) {
   if (x.s.component[x.component].has(work::changed | work::stale_changed)) return false;
   if (injected(Fault::the_last_result_is_always_settled)) return true;
@@ -99,7 +100,8 @@ bool is_settled(const Context& x) {
   return true;
 }
 
-/// By the next pass: something of it is decided again whatever happens, or what is below it stands apart from it.
+/// It is noted for the next pass: something of it has to be decided again, or stands elsewhere in the order than below
+/// it.
 bool has_to_be_looked_at(const Context& x, Index group) {
   if (injected(Fault::what_is_always_decided_is_overlooked)) return false;
   return is_outdated(x, group) || any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
@@ -107,7 +109,7 @@ bool has_to_be_looked_at(const Context& x, Index group) {
 
 } // namespace
 
-/// From what changed since the last pass to the units that it reaches.
+/// Opens what changed since the last pass, and finds the units that this reaches.
 void begin_trail(Context& x) {
   const Index news = x.s.news_count[x.component];
   const Index held = x.s.order_count[x.component];
@@ -124,7 +126,7 @@ void begin_trail(Context& x) {
     const Index g = rows[i];
     const std::uint8_t bits = x.s.group_trail[g];
     x.s.group_trail[g].remove(trail::disturbed | trail::again);
-    if ((bits & trail::disturbed) != 0) take_up_last(x, g);
+    if ((bits & trail::disturbed) != 0) reach_by_last_result(x, g);
     if ((bits & trail::again) != 0) rows[x.kept_count++] = g;
   }
   x.settled = is_settled(x);
@@ -148,7 +150,7 @@ void begin_trail(Context& x) {
   Index from = nil;
   take_rerequested(x, [&](Index e) {
     x.s.edge_trail[e].remove(trail::changed);
-    take_up(x, e, x.t.edges[e].requester != from);
+    reach_by_request(x, e, x.t.edges[e].requester != from);
     from = x.t.edges[e].requester;
   });
   // Whose orders may be outdated: who is to run, and who was asked just now.
@@ -160,7 +162,7 @@ void begin_trail(Context& x) {
   for (Index i = 0; i < c.touched_count; ++i) look(x.s.touched[i]);
 }
 
-/// The walk has passed something that it is a part of.
+/// The walk has passed it by, or a group above it, and so it counts as claimed.
 bool is_passed(const Context& x, Index group) {
   for (; group != nil && !is_opened(x, group); group = requester_of_holder(x, x.s.last[group])) {
     if (x.s.group_trail[group].has(trail::passed)) return true;
@@ -168,7 +170,7 @@ bool is_passed(const Context& x, Index group) {
   return false;
 }
 
-/// Something is, or may be, another than in the last pass.
+/// Something differs from the last pass, or may.
 void disturb(Context& x) {
   if (x.disturbed) return;
   x.disturbed = true;
@@ -190,18 +192,18 @@ void open_with_above(Context& x, Index group) {
   }
 }
 
-/// All of the component is decided: what was noted does not matter.
+/// All of the component is decided: nobody needs what was noted.
 void drop_noted(Context& x) {
   take_flipped(x, [](Index) {});
   take_rerequested(x, [](Index) {});
 }
 
-/// What the pass did is noted for the next one, and its marks are removed.
+/// Notes for the next pass what it has to open, and removes the marks of this one.
 void end_trail(Context& x) {
   Index& news = x.s.news_count[x.component];
   for (Index i = 0; i < x.reached_count; ++i) {
     const Index e = x.s.reached[i], from = x.t.edges[e].requester;
-    // Otherwise it stands as it stood: also one of root behind where the walk ended.
+    // Others stand: also edges of root behind the place where the walk ended.
     if (!x.whole && (from == nil ? x.s.request[e].level == nil : is_opened(x, from))) leave_unvisited(x, e);
     x.s.edge_trail[e] &= trail::kept;
   }
@@ -233,7 +235,7 @@ void end_trail(Context& x) {
 
 namespace {
 
-/// So many groups from this place of the last order on come next.
+/// The next groups of the new order are so many of the last one, from this place on.
 DIRECTOR_INLINE void put_again(Context& x, Index from, Index count) {
   if (from != x.placed) {
     for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
@@ -244,14 +246,14 @@ DIRECTOR_INLINE void put_again(Context& x, Index from, Index count) {
 
 } // namespace
 
-/// The group, and all below it, stand as they stood.
+/// The group was not opened: it and all below it keep what they have, and their places.
 void pass_by(Context& x, Index group) {
   leave_to(x, requester_of_holder(x, x.s.last[group]));
   x.s.group_trail[group] |= trail::passed;
   put_again(x, x.s.place[group], x.s.extent[group]);
 }
 
-/// It waits for somebody who is pushed, or stands behind the holder of its target: it need not be decided again.
+/// Of an edge that searched for pushes, or whose target was taken: it need not be decided again.
 bool waits_on(const Context& x, Index edge) {
   const std::uint8_t bits = x.s.edge_trail[edge];
   const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::who_waits_is_overlooked);
@@ -259,8 +261,8 @@ bool waits_on(const Context& x, Index edge) {
   return !searches && !is_free;
 }
 
-/// Nothing that is to be looked at lies at or behind this edge of root: all of that stands as it stood, and is put
-/// down.
+/// Neither this edge of root nor one behind it has anything below it that was opened or reached: all of it stands, and
+/// is put into the new order at once.
 bool rest_stands(Context& x, Index root) {
   if (x.had_pushes || x.pushing || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
     x.undecided =
@@ -288,7 +290,8 @@ bool rest_stands(Context& x, Index root) {
   return true;
 }
 
-/// What is placed next is below this group, nil being root: of what was placed and does not lie above, all is placed.
+/// The next group to be placed is below this one (nil: below root). Of what was placed last, up to there, the extent is
+/// known now.
 void leave_to(Context& x, Index group) {
   while (x.top != group && x.top != nil) {
     x.s.extent[x.top] = static_cast<Index>(x.placed - x.s.place[x.top]);
@@ -296,7 +299,7 @@ void leave_to(Context& x, Index group) {
   }
 }
 
-/// A unit of this one edge stands as it stood.
+/// The decision about this edge stands, in a group that was opened: it claims again what it had.
 void repeat(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited;
   if (runs_for_now(x, edge)) {

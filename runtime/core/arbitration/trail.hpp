@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a pass looks at, and what it leaves as it is: from what is another than in the last pass (reach.cpp) to the
-// units that are decided again. docs/semantics.md, section 4.4.
+// Incremental passes: which groups a pass opens, that is, looks at, and which units it decides again, because what
+// their decision depends on differs from the last pass (reach.cpp). docs/semantics.md, section 4.4.
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/context.hpp"
@@ -15,7 +15,7 @@ DIRECTOR_PART void begin_trail(Context& x);
 DIRECTOR_PART void end_trail(Context& x);
 DIRECTOR_PART void drop_noted(Context& x);
 DIRECTOR_PART void open_with_above(Context& x, Index group);
-DIRECTOR_PART void rest_on(Context& x, Index edge, std::uint8_t bits);
+DIRECTOR_PART void note_dependence(Context& x, Index edge, std::uint8_t bits);
 DIRECTOR_PART void begin_followed(Context& x, Index count);
 DIRECTOR_PART void compare_with_last(Context& x, Index count);
 DIRECTOR_PART void reach_users(Context& x, Index group);
@@ -23,10 +23,10 @@ DIRECTOR_PART void reach_edge(Context& x, Index edge);
 DIRECTOR_PART void look_at_lines(Context& x, Index group);
 DIRECTOR_PART bool waits_on(const Context& x, Index edge);
 DIRECTOR_PART bool rest_stands(Context& x, Index root);
-DIRECTOR_PART void move(Context& x, Index group);
+DIRECTOR_PART void reach_all_below(Context& x, Index group);
 void disturb(Context& x);
-void take_up(Context& x, Index edge, bool with_siblings);
-void take_up_last(Context& x, Index group);
+void reach_by_request(Context& x, Index edge, bool with_siblings);
+void reach_by_last_result(Context& x, Index group);
 
 /// This pass looks at the group, and so at all above it.
 inline void open(Context& x, Index group) {
@@ -39,7 +39,7 @@ inline void reach(Context& x, Index group) {
 }
 
 inline void compare_claim(Context& x, Index group) {
-  if (!x.whole && x.s.now[group].holder != x.s.last[group].holder) move(x, group);
+  if (!x.whole && x.s.now[group].holder != x.s.last[group].holder) reach_all_below(x, group);
 }
 
 /// What is decided about the group in this pass: nothing yet.
@@ -50,10 +50,10 @@ inline void clear(Context& x, Index group) {
   for (const Index slot : x.t.groups[group].slots.rows()) x.s.now.plan[slot] = nil;
 }
 
-/// A component of few groups is decided whole: to find out what a change reaches costs more there.
+/// A component of few groups is decided whole in every pass: there, to find out what a change reaches costs more.
 inline bool is_followed(const Context& x) { return x.row.groups.size() > x.most_decided_whole; }
 
-/// Nothing that the decision about it looks at is another than in the last pass.
+/// Its decision of the last pass stands: nothing that it depends on differs.
 inline bool stands(const Context& x, Index edge) {
   if (x.whole) return false;
   const std::uint8_t bits = x.s.edge_trail[edge];
@@ -61,7 +61,7 @@ inline bool stands(const Context& x, Index edge) {
   return (bits & (trail::waits | trail::behind)) == 0 || waits_on(x, edge);
 }
 
-/// The groups that the pass that was made last looked at: all others stand as they stood.
+/// The groups that the pass has opened: all others stand as in the last assignment.
 inline std::span<const TableIndex> opened(const Context& x) {
   return x.whole ? x.t.list(x.row.groups) : std::span<const TableIndex>{x.s.opened + x.row.order, x.opened_count};
 }
@@ -69,21 +69,21 @@ inline std::span<const TableIndex> opened(const Context& x) {
 /// What changes about the group is noted for the next pass.
 inline bool is_noted(const Context& x, Index group) { return x.s.run_queue[group].flags.has(group_flag::followed); }
 
-/// A condition of one of its providers flipped, or it is to be looked at as if one had.
+/// For the next pass: a condition of one of its providers flipped, or it has to be decided again as if one had.
 inline void touch_group(Context& x, Index group) {
   if (!is_noted(x, group) || x.s.group_trail[group].has(trail::touched)) return;
   x.s.group_trail[group] |= trail::touched;
   x.s.flipped[x.flipped_count++] = group;
 }
 
-/// The request of the edge is another one since the last pass.
+/// For the next pass: the edge is requested at another level, or not any more.
 inline void note_rerequest(Context& x, Index edge) {
   if (!is_noted(x, x.s.request[edge].target) || x.s.edge_trail[edge].has(trail::changed)) return;
   x.s.edge_trail[edge] |= trail::changed;
   x.s.rerequested[x.rerequested_count++] = edge;
 }
 
-/// What nobody visited is not queued.
+/// An edge that the walk did not come to is not queued.
 inline void leave_unvisited(Context& x, Index edge) {
   if (!x.s.edge_marks[edge].has(mark::visited)) x.s.queued[edge] = Queued{};
 }
@@ -99,7 +99,7 @@ inline void end_decision(Context& x, Index count) {
   if (is_followed(x)) compare_with_last(x, count);
 }
 
-/// On edges, and where the walk passed.
+/// Those of edges that the walk may have visited, and of groups that it may have passed.
 inline void clear_marks(Context& x) {
   const auto clear_edge = [&](Index e) {
     x.s.edge_marks[e] = 0;

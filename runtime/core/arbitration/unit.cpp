@@ -18,7 +18,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// It comes before what stands ahead of its siblings?
+/// Puts the edge before its siblings on the stack. False: it does not go before the sibling that was put there last.
 bool look_ahead_to(Context& x, Index edge, Index base) {
   const bool in_order =
       x.ahead == base || compare_siblings(x, {edge, false}, {x.s.candidate[x.ahead - 1], false}, true) < 0;
@@ -28,7 +28,8 @@ bool look_ahead_to(Context& x, Index edge, Index base) {
 
 } // namespace
 
-/// Of what is held for a need only, the pack counts while it waits for its orders, and no longer.
+/// Puts the edges of a group that was placed on the stack of the walk. A group that is held for a need only asks for
+/// its pack while it is stale, and no longer.
 void look_ahead(Context& x, Index group) {
   const Index source = stale_source(x, group);
   const bool is_stale = source != up_to_date, asks = is_stale || x.s.now[group].granted();
@@ -57,7 +58,7 @@ void look_ahead(Context& x, Index group) {
       if (holder_now(x, x.t.edges[e].target) != e) {
         if (differs != 0 && !x.whole && x.s.last[x.t.edges[e].target].holder == e &&
             !injected(Fault::lost_needs_are_overlooked))
-          move(x, x.t.edges[e].target);
+          reach_all_below(x, x.t.edges[e].target);
         continue;
       }
       if (level == nil) {

@@ -13,7 +13,8 @@ namespace director::arbitration {
 
 namespace {
 
-/// It was granted, there is one way to grant it, which has no conditions and needs nothing, and nothing is in its way.
+/// It was granted, and is granted again without a search: it has one provider, without conditions and needs, and its
+/// target is free.
 inline bool runs_on(const Context& x, Index edge) {
   const Index group = x.t.edges[edge].target;
   return is_opened(x, group) && x.t.groups[group].simple && !x.t.groups[group].conditional && runs_for_now(x, edge) &&
@@ -27,7 +28,7 @@ inline void try_alone(Context& x, Index edge, bool outdated) {
   end_decision(x, 1);
 }
 
-/// The next in order, and what it asks for or needs stands ahead.
+/// The group is the next one of the new order, and what it asks for or needs comes next in the walk.
 inline void place(Context& x, Index group) {
   ++x.work;
   if (x.s.last[group].holder != nil) ++x.inherited;

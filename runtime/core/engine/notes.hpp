@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a micro-step notes on its way: components to be decided again, groups with a new reason. Small, and called from
-// everywhere in it: so it is inline. Only the engine's own files include it.
+// What a micro-step notes on its way: components to be decided again, and groups with a new reason to run. These functions
+// are small and called from all of the engine, so they are inline. Only its own sources include this header.
 
 #include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/inline.hpp"
