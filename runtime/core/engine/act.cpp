@@ -35,8 +35,8 @@ void Engine::arbitrate() {
   forget_work();
 }
 
-/// Is the new assignment another one? In what the page calls a change (holders, providers, who is granted, pushes), it
-/// is arbitrated once more at rest. `stops`: a group is not live any more.
+/// Does the new assignment differ from the last one? Where holders, providers, grants or pushes do, there is one more
+/// arbitration when nothing else is left to do. `stops`: a group is not live any more.
 bool Engine::changed(Index component, bool& stops) {
   const Index before = differing_;
   const bool plans = arbitration::alternatives(x_, component);
@@ -84,7 +84,7 @@ void Engine::act_on_touched() {
   if (granted(group)) give_again(group, x_.s.anew[x_.s.last[group].holder] != 0);
 }
 
-/// What is granted and can have a new reason to run, in the new order: it stands elsewhere than before, or was touched.
+/// Granted groups that may have a new reason to run, in the new order: their assignment differs, or they were touched.
 std::span<const Index> Engine::with_reasons() {
   const Counters& c = *x_.s.counters;
   const auto decided = [&](Index g) { return x_.s.component[x_.t.groups[g].component].has(work::passed); };
@@ -133,7 +133,7 @@ std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment&
   return bits;
 }
 
-/// To a group that is granted and stands elsewhere than before, or was touched.
+/// To one of these groups.
 void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
   if (x_.s.run_queue[group].flags.has(group_flag::ends)) begin_what_it_has(group);

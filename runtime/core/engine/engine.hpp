@@ -64,8 +64,8 @@ public:
 
   // For the thread that calls step().
 
-  /// An input that sets a state, taken at once where the next step would take it first, and nothing else could come of
-  /// it. False: post it.
+  /// Takes an input that sets a state at once, if the next step would take it first and nothing but the value would
+  /// change. False: post it.
   bool take_at_once(Index state, std::int32_t value) {
     Counters& c = *x_.s.counters;
     if (c.quiet_until == first_time || observed() || inside_ || !x_.s.values[state].unchanged.has(value) ||

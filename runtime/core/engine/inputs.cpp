@@ -5,7 +5,7 @@
 
 namespace director {
 
-/// What is long stands apart, and the call of it is the last thing that is done: so the way to it is short.
+/// What is long is a function of its own, and is called last: so the short ways stay short.
 bool Engine::take_input(const Input& record) {
   ++x_.s.counters->micro_step;
   if (observed()) report_input(record);

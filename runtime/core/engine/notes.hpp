@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a micro-step notes on its way: components to be decided again, and groups with a new reason to run. These functions
-// are small and called from all of the engine, so they are inline. Only its own sources include this header.
+// What a micro-step notes on its way: components to be decided again, and groups with a new reason to run. These
+// functions are small and called from all of the engine, so they are inline. Only its own sources include this header.
 
 #include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/inline.hpp"
@@ -18,7 +18,7 @@ DIRECTOR_ONE_COPY inline void Engine::mark(Index component, std::uint8_t bits) {
   x_.s.work[x_.s.counters->work_count++] = component;
 }
 
-/// Whose orders are outdated may be another from now on. Most of the time nobody has asked.
+/// The group becomes stale, or ceases to be, which matters only where a decision of the last pass depended on it.
 DIRECTOR_ONE_COPY inline void Engine::mark_stale(Index group) {
   if (injected(Fault::who_is_stale_is_overlooked)) return;
   const RunQueueEntry& entry = x_.s.run_queue[group];
@@ -48,7 +48,7 @@ inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
   return news != 0;
 }
 
-/// The data of the request by which it holds the group, if there are any.
+/// The group works on the data of this request from now on; nil: on a copy of its own.
 inline void Engine::live_on(Index group, Index edge) {
   if (bodies_.data != nullptr) x_.s.data_from[group] = edge;
 }
@@ -57,8 +57,8 @@ inline void Engine::add_reason(Index group, Reason reason) {
   if (note_reasons(group, static_cast<std::uint8_t>(reason))) touch(group);
 }
 
-/// To a group that is granted as before. `anew`: to the request that holds it. Whom it concerns that its orders are
-/// outdated, request() told.
+/// Nothing was decided, and the group is granted as before: it runs for what it was asked anew. `anew`: by the request
+/// that holds it. request() has noted already that it is stale.
 DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
   live_on(group, x_.s.last[group].holder);
   RunQueueEntry& entry = x_.s.run_queue[group];
@@ -71,7 +71,7 @@ DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
 
 // What the next arbitration has to look at.
 
-/// Leaves it in State::work.
+/// Leaves in State::work what has to be decided by the next arbitration, and forgets the rest.
 DIRECTOR_INLINE void Engine::forget_work() {
   constexpr std::uint8_t outdated = work::stale_counts | work::stale_changed;
   Counters& c = *x_.s.counters;
@@ -145,8 +145,8 @@ inline bool Engine::assign(Index state, std::int32_t value) {
   return true;
 }
 
-/// Of a micro-step that asks for this task and for nothing else: it does so again, and nobody looks at whose orders are
-/// outdated. All that can come of it is a run.
+/// A micro-step that asks for this task, and for nothing else, asks for what it has, and no decision depends on whether
+/// the target is stale. All that can come of it is a run.
 DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
   const Counters& c = *x_.s.counters;
   const Requested& request = x_.s.request[edge];
@@ -155,7 +155,7 @@ DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
   return entry.counts == 0 && !x_.s.component[entry.component].has(work::stale_counts);
 }
 
-/// The run; data are settled besides.
+/// That run; the caller settles the data.
 DIRECTOR_INLINE void Engine::give_what_is_asked_again(Index edge) {
   const Index group = x_.s.request[edge].target;
   const GroupAssignment& last = x_.s.last[group];

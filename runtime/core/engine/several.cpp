@@ -81,12 +81,12 @@ void Engine::forget_altered() {
   x_.before_count = 0;
 }
 
-/// What came to be noted first depends on how much is decided again; what an observer is told must not.
+/// In which order components were noted depends on how much was decided again; what an observer is told must not.
 void Engine::sort_work() {
   heap_sort({x_.s.work, x_.s.counters->work_count}, [](Index a, Index b) { return a < b; });
 }
 
-/// In the old order, which is that of the old requests: how they are now is another matter.
+/// In the old order, which follows from the requests as they were before this micro-step.
 std::span<const Index> Engine::held_in_all(Index passes) {
   swap_altered();
   Index count = 0;

@@ -55,8 +55,8 @@ bool narrow(UnchangedInterval& unchanged, std::span<const Interval> accepted, st
 
 } // namespace
 
-/// The state has another value. Components in which a condition flips have to decide again, unless nothing has begun.
-/// Without a value nothing is true, and nothing stays unchanged but at that number, which no value has.
+/// The state has another value. Components in which a condition flips have to be decided again, unless the first step
+/// is still to come. While a state is unset none of its conditions holds, and any value may change that.
 void Engine::look_at_conditions(Index state) {
   const std::int32_t value = x_.s.values[state].value;
   UnchangedInterval unchanged{unset + 1, 2147483647};
