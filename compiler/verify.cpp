@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/verify.hpp"
 
+#include "compiler/base/absolute_path.hpp"
 #include "compiler/base/version.hpp"
 #include "compiler/checks/code_check.hpp"
 #include "compiler/emit/artefact/notice.hpp"
@@ -75,7 +76,7 @@ private:
     commands_ = std::move(loaded.commands);
     const std::string name = header_name(checked_.model.name);
     const std::string only =
-        scope.generated.empty() ? std::string{} : (absolute(scope.generated) / name).lexically_normal().string();
+        scope.generated.empty() ? std::string{} : (absolute_path(scope.generated) / name).lexically_normal().string();
     std::vector<fs::path> excluded;
     for (const std::string& each : scope.excluded) excluded.push_back(whole(each));
     std::vector<bool> met(excluded.size(), false);
@@ -114,14 +115,8 @@ private:
                     scope.build, excluded.empty() ? "" : " that is not excluded", name));
   }
 
-  static fs::path absolute(const fs::path& path) {
-    std::error_code fault;
-    fs::path out = fs::absolute(path, fault);
-    return fault ? path : out; // the working directory is gone
-  }
-
   static fs::path whole(const fs::path& path) {
-    const fs::path out = absolute(path).lexically_normal();
+    const fs::path out = absolute_path(path).lexically_normal();
     return out.has_filename() ? out : out.parent_path(); // "tests/" is tests
   }
 

@@ -1,5 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/chains/overlaps.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -315,17 +316,18 @@ void report_all(const Model& model, const std::vector<Task>& tasks, const std::v
 }
 
 /// For each entry those before it that have a priority in common with it and may come to hold the same group, in order.
-/// Of many entries only few meet, so they are not all compared with each other.
+/// Of many entries only few meet, so they are not all compared with each other, and what an entry may come to hold is
+/// asked only of one that overlaps with another one of its priority: in a chain of groups all that is below would be
+/// kept for each of them.
 class Rivalry {
 public:
-  Rivalry(const Input& input, const std::vector<Task>& tasks) : stakes_(tasks.size()) {
+  Rivalry(const Input& input, Overlaps& overlaps, const std::vector<Task>& tasks) : stakes_(tasks.size()) {
     if (tasks.size() < 2) return;
+    const std::vector<std::vector<std::int32_t>> priorities = overlapping(input.model, overlaps, tasks);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      std::set<std::int32_t> priorities;
-      for (const Task::NamedLevel& named : tasks[i].levels)
-        priorities.insert(input.model.edges[tasks[i].edge].levels[named.level].priority);
+      if (priorities[i].empty()) continue;
       for (const GroupId group : input.shared.claims(tasks[i].target).groups()) {
-        for (const std::int32_t priority : priorities) {
+        for (const std::int32_t priority : priorities[i]) {
           std::vector<std::size_t>& all = claimed_by_[{group, priority}];
           all.push_back(i);
           stakes_[i].push_back(&all);
@@ -346,6 +348,29 @@ public:
   }
 
 private:
+  /// Of each entry those of its priorities at which another one may want something that it wants.
+  static std::vector<std::vector<std::int32_t>> overlapping(const Model& model, Overlaps& overlaps,
+                                                            const std::vector<Task>& tasks) {
+    std::map<std::int32_t, std::vector<std::size_t>> by_priority;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      for (const Task::NamedLevel& named : tasks[i].levels) {
+        std::vector<std::size_t>& like = by_priority[model.edges[tasks[i].edge].levels[named.level].priority];
+        if (like.empty() || like.back() != i) like.push_back(i);
+      }
+    }
+    std::vector<std::vector<std::int32_t>> out(tasks.size());
+    for (const auto& [priority, like] : by_priority) {
+      if (like.size() < 2) continue;
+      std::vector<GroupId> targets;
+      for (const std::size_t entry : like) targets.push_back(tasks[entry].target);
+      const std::vector<bool> overlap = overlaps.among(targets);
+      for (std::size_t at = 0; at < like.size(); ++at) {
+        if (overlap[at]) out[like[at]].push_back(priority);
+      }
+    }
+    return out;
+  }
+
   std::map<Stake, std::vector<std::size_t>> claimed_by_;
   std::vector<std::vector<const std::vector<std::size_t>*>> stakes_; ///< of each entry
 };
@@ -355,6 +380,7 @@ private:
 void equal_priority(const Input& input, Findings& findings) {
   const Model& model = input.model;
   ContestSearch search(input);
+  Overlaps overlaps(model, input.shared.branches());
   std::set<std::pair<const Task*, const Task*>> lost; // one side always loses: another finding
   for (const StarvingTask& starving : input.conflicts.starving_tasks()) {
     for (const Refused& place : starving.places) {
@@ -365,7 +391,7 @@ void equal_priority(const Input& input, Findings& findings) {
   }
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
-    const Rivalry rivalry(input, tasks);
+    const Rivalry rivalry(input, overlaps, tasks);
     Told<Stake> told(tasks.size());
     std::vector<Rivalling> all;
     for (std::size_t j = 1; j < tasks.size(); ++j) {

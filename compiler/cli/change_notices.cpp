@@ -5,6 +5,7 @@
 // the one that was there, and a watch would go away with the old one.
 #include "compiler/cli/change_notices.hpp"
 
+#include "compiler/base/absolute_path.hpp"
 #include "compiler/cli/console.hpp"
 
 #include <poll.h>
@@ -24,11 +25,6 @@ namespace {
 
 constexpr std::uint32_t telling = IN_MODIFY | IN_CLOSE_WRITE | IN_ATTRIB | IN_CREATE | IN_DELETE | IN_MOVED_FROM |
                                   IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
-
-fs::path whole(const std::string& path) {
-  std::error_code error;
-  return fs::absolute(path, error).lexically_normal();
-}
 
 /// That folder, or the nearest one above it that there is.
 std::string existing(fs::path folder) {
@@ -62,14 +58,14 @@ void ChangeNotices::expect(const std::vector<std::string>& files, const std::vec
   must_look_ = false;
   std::map<int, std::string> wanted;
   for (const std::string& file : files) {
-    add(existing(whole(file).parent_path()), wanted);
+    add(existing(absolute_path(file).lexically_normal().parent_path()), wanted);
     std::error_code error;
     if (!fs::is_symlink(file, error)) continue;
     const fs::path target = fs::weakly_canonical(file, error);
     if (!error) add(existing(target.parent_path()), wanted);
   }
   for (const std::string& folder : folders) {
-    add(existing(whole(folder)), wanted);
+    add(existing(absolute_path(folder).lexically_normal()), wanted);
     for (const std::string& below : all_below(folder).folders) add(below, wanted);
   }
   for (const auto& [number, folder] : watches_) {

@@ -1,5 +1,6 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/diff_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/base/absolute_path.hpp"
 #include "compiler/cli/git_files.hpp"
 #include "compiler/cli/load.hpp"
 #include "dsl/harmless.hpp"
@@ -31,8 +32,7 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
     return {};
   }
   Diff there = request;
-  std::error_code error; // a build is no part of a revision
-  if (!there.build.empty()) there.build = std::filesystem::absolute(there.build, error).string();
+  if (!there.build.empty()) there.build = absolute_path(there.build).string(); // it is no part of a revision
   std::optional<Checked> out = load_from(files, files.path(), there, sources, console);
   if (!out)
     say(console, fmt::format("  help: where it was called otherwise, `git add {}` lets git see that; any two files are "

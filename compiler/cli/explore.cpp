@@ -1,5 +1,6 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/explore_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/base/absolute_path.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/progress.hpp"
 #include "compiler/emit/artefact/notice.hpp"
@@ -19,9 +20,8 @@ namespace fs = std::filesystem;
 
 /// From where scenarios are written to the behaviour.
 std::string path_from(const std::string& folder, const std::string& file) {
-  std::error_code error;
-  const fs::path from = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal();
-  const fs::path to = fs::absolute(file, error).lexically_normal();
+  const fs::path from = absolute_path(folder).lexically_normal();
+  const fs::path to = absolute_path(file).lexically_normal();
   const fs::path relative = to.lexically_relative(from);
   return relative.empty() ? to.string() : relative.string();
 }

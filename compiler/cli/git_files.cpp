@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/git_files.hpp"
 
+#include "compiler/base/absolute_path.hpp"
 #include "dsl/load_file.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 /// Of the file; where that folder is gone too, the nearest one above it that is left.
 fs::path folder_of(const std::string& file) {
   std::error_code error;
-  fs::path folder = fs::absolute(file, error).lexically_normal().parent_path();
+  fs::path folder = absolute_path(file).lexically_normal().parent_path();
   while (!fs::is_directory(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
   return folder;
 }
@@ -53,8 +54,7 @@ dsl::Result<std::string, dsl::FileError> read_object(Programs& programs, const s
 
 /// From the top of the repository; begins with `..` where it lies outside.
 std::string inside(const Repository& repository, const std::string& file) {
-  std::error_code error;
-  const fs::path from_folder = fs::absolute(file, error).lexically_normal().lexically_relative(repository.folder);
+  const fs::path from_folder = absolute_path(file).lexically_normal().lexically_relative(repository.folder);
   return (fs::path(repository.prefix) / from_folder).lexically_normal().string();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/load.hpp"
 
+#include "compiler/base/absolute_path.hpp"
 #include "compiler/cli/fact_store.hpp"
 #include "compiler/cli/named_file.hpp"
 #include "compiler/facts/scanned_types.hpp"
@@ -55,9 +56,7 @@ TypeFlags flags_of_file(const std::string& path, Console& console) {
 }
 
 TypeFlags flags_near(const std::string& file, Console& console) {
-  std::error_code fault;
-  const fs::path whole = fs::absolute(file, fault);
-  LoadedCommands build = find_compile_commands(whole.parent_path().string(), console.files);
+  LoadedCommands build = find_compile_commands(absolute_path(file).parent_path().string(), console.files);
   if (!build.was_read) {
     build.fault =
         "how the headers are compiled is not known; `-p FOLDER` names a build's folder with compile_commands.json";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/stub_program.hpp"
 
+#include "compiler/base/absolute_path.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/stubs/merge.hpp"
@@ -18,10 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string whole_path(const fs::path& path) {
+  const fs::path absolute = absolute_path(path);
   std::error_code fault;
-  const fs::path given = path.empty() ? fs::path(".") : path;
-  const fs::path absolute = fs::absolute(given, fault);
-  if (fault) return given.lexically_normal().string(); // the working directory is gone
   const fs::path out = fs::weakly_canonical(absolute, fault);
   return fault ? absolute.lexically_normal().string() : out.string();
 }

@@ -57,20 +57,21 @@ private:
       if (before_.is_range == after_.is_range && before_.low == after_.low && before_.high == after_.high) return;
       const auto text = [](const State& state) {
         return state.is_range ? fmt::format("{}..{}", state.low, state.high)
-                              : "the values " + ticked_list(state.values);
+                              : "the values " + ticked_list(state.values.words());
       };
       add(ChangeKind::state_values, fmt::format("{} has {}, before {}", name_, text(after_), text(before_)))
           .breaks_code = before_.is_range != after_.is_range;
       return;
     }
-    const std::vector<std::string> more = missing_in(after_.values, before_.values),
-                                   less = missing_in(before_.values, after_.values);
+    const std::vector<std::string> more = missing_in(after_.values.words(), before_.values.words()),
+                                   less = missing_in(before_.values.words(), after_.values.words());
     if (!more.empty()) add(ChangeKind::state_values, fmt::format("{} may now be {}", name_, ticked_list(more)));
     if (!less.empty())
       add(ChangeKind::state_values, fmt::format("{} can no longer be {}", name_, ticked_list(less))).breaks_code = true;
-    if (is_reordered(before_.values, after_.values))
-      add(ChangeKind::state_values, fmt::format("the values of {} ascend as {}, before as {}", name_,
-                                                ticked_list(after_.values), ticked_list(before_.values)));
+    if (is_reordered(before_.values.words(), after_.values.words()))
+      add(ChangeKind::state_values,
+          fmt::format("the values of {} ascend as {}, before as {}", name_, ticked_list(after_.values.words()),
+                      ticked_list(before_.values.words())));
     const std::vector<std::string> was = words_of(before_, before_.unordered), is = words_of(after_, after_.unordered);
     if (was != is)
       add(ChangeKind::state_values,

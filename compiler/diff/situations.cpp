@@ -79,8 +79,8 @@ private:
 
   void add(StateId id) {
     const State& state = model_.states[id];
-    add("state", fmt::format("{} {} {}..{} {}", state.name.value, fmt::join(state.values, "|"), state.low, state.high,
-                             state.external));
+    add("state", fmt::format("{} {} {}..{} {}", state.name.value, fmt::join(state.values.words(), "|"), state.low,
+                             state.high, state.external));
     for (const std::int64_t value : state.unordered) add("unordered", state.value_text(value));
     if (state.initial) add("initial", state.value_text(*state.initial));
     if (state.of) add("of", name_of(model_, state.of->id));

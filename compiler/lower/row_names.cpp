@@ -15,7 +15,7 @@ RowNames::RowNames(const Model& model, const Lowered& lowered) : tables_(lowered
   for (const ConditionId id : lowered.condition_ids) texts_.conditions.push_back(model.conditions[id].text);
   for (const State& state : model.states) {
     texts_.states.push_back(state.name.value);
-    texts_.values.push_back(state.is_range ? std::vector<std::string>{} : state.values);
+    texts_.values.push_back(state.is_range ? std::vector<std::string>{} : state.values.words());
   }
   for (const Trigger& trigger : model.triggers) texts_.triggers.push_back(trigger.name);
 }

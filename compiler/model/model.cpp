@@ -26,13 +26,12 @@ std::optional<std::int64_t> State::value_of(std::string_view text) const {
     const bool whole = fault == std::errc() && end == text.data() + text.size();
     return whole && domain().contains(number) ? std::optional(number) : std::nullopt;
   }
-  const auto at = std::find(values.begin(), values.end(), text);
-  return at == values.end() ? std::nullopt : std::optional<std::int64_t>(at - values.begin());
+  return values.find(text);
 }
 
 std::string State::value_text(std::int64_t value) const {
   if (is_range) return std::to_string(value);
-  return values.at(static_cast<std::size_t>(value));
+  return values.words().at(static_cast<std::size_t>(value));
 }
 
 std::string Model::full_name(ProviderId id) const {

@@ -5,6 +5,7 @@
 // declares comes before what its importer declares; providers stand in order of preference, group after group.
 
 #include "compiler/model/ids.hpp"
+#include "compiler/model/listed_values.hpp"
 #include "compiler/model/value_set.hpp"
 #include "dsl/span.hpp"
 #include "dsl/spec.hpp"
@@ -35,7 +36,7 @@ struct State {
   std::optional<std::string> type;     ///< the C++ enum that the user named
   bool is_range = false;               ///< integers low..high; else the words of `values`, numbered from 0, ascending
   std::int64_t low = 0, high = 0;      ///< the domain; for words 0 and count - 1
-  std::vector<std::string> values;     ///< empty for a range
+  ListedValues values;                 ///< empty for a range
   std::vector<Span> value_spans;       ///< where each value is declared
   std::vector<std::int64_t> unordered; ///< sentinels: satisfy no < <= > >=
   std::optional<std::int64_t> initial;

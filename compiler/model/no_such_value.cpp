@@ -17,9 +17,9 @@ dsl::Diagnostic no_such_value(const State& state, const Word& value, std::size_t
     out.message += fmt::format("the whole numbers from {} to {}", state.low, state.high);
     out.help = dsl::parse_number(value.value) ? "write one of them, or widen the `range`" : "write one of them";
   } else {
-    out.message += dsl::list_of(state.values);
+    out.message += dsl::list_of(state.values.words());
     std::optional<std::string> nearest;
-    if (dsl::is_slip(state.values.size(), findings)) nearest = dsl::suggest(value.value, state.values);
+    if (dsl::is_slip(state.values.size(), findings)) nearest = dsl::suggest(value.value, state.values.words());
     out.help = nearest ? fmt::format("did you mean `{}`?", *nearest) : "write one of them, or add it to the `values`";
   }
   return out;

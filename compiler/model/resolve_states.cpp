@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <string_view>
-#include <unordered_map>
 #include <unordered_set>
 
 namespace director::compiler {
@@ -31,18 +29,16 @@ void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
     }
   }
   if (!spec.values) return;
-  std::unordered_map<std::string_view, dsl::Span> firsts;
   for (const Word& value : *spec.values) {
     check_name(r, "value", value, false);
-    const auto [first, is_new] = firsts.try_emplace(value.value, value.span);
-    if (!is_new) {
+    if (!state.values.add(value.value)) {
+      const auto first = static_cast<std::size_t>(*state.values.find(value.value));
       r.error("redefined_name", value.span,
               fmt::format("the value `{}` of the state `{}` is declared twice", value.value, state.name.value),
               "leave one of them out")
-          .notes.push_back({first->second, "declared first here"});
+          .notes.push_back({state.value_spans[first], "declared first here"});
       continue;
     }
-    state.values.push_back(value.value);
     state.value_spans.push_back(value.span);
   }
   state.high = static_cast<std::int64_t>(state.values.size()) - 1;
@@ -62,13 +58,6 @@ void declare_type(Resolver& r, State& state, const dsl::StateSpec& spec) {
   }
 }
 
-/// Of a state with listed values.
-std::unordered_map<std::string, std::int64_t> numbers_of(const State& state) {
-  std::unordered_map<std::string, std::int64_t> out;
-  for (const std::string& value : state.values) out.try_emplace(value, static_cast<std::int64_t>(out.size()));
-  return out;
-}
-
 } // namespace
 
 void declare_states_and_triggers(Resolver& r) {
@@ -84,7 +73,6 @@ void declare_states_and_triggers(Resolver& r) {
       if (spec.doc) state.doc = spec.doc->value;
       if (!r.states.try_emplace(spec.name.value, StateId{static_cast<std::uint32_t>(r.model.states.size())}).second)
         continue;
-      r.value_numbers.add(numbers_of(state));
       r.model.states.add(std::move(state));
       r.state_sources.add(&spec);
     }
@@ -100,11 +88,7 @@ void declare_states_and_triggers(Resolver& r) {
 
 std::optional<std::int64_t> find_value(Resolver& r, StateId id, const Word& value) {
   const State& state = r.model.states[id];
-  if (state.is_range) {
-    if (const auto number = state.value_of(value.value)) return number;
-  } else if (const auto at = r.value_numbers[id].find(value.value); at != r.value_numbers[id].end()) {
-    return at->second;
-  }
+  if (const auto number = state.value_of(value.value)) return number;
   if (!state.is_range && state.values.empty()) return std::nullopt; // that it has none is reported where it is declared
   r.findings.push_back(no_such_value(state, value, r.findings.size()));
   return std::nullopt;

@@ -65,7 +65,7 @@ void take_values(Resolver& r, State& state, const Word& name, const CppType& typ
   OneValue known;
   for (const CppType::Enumerator& each : type.enumerators) {
     if (const auto* const first = known.first_of(each)) tell_same(r, state, name, *first, each, name.span);
-    state.values.push_back(each.name);
+    state.values.add(each.name);
     state.value_spans.push_back(r.options.reader->span(each.place));
   }
   state.high = static_cast<std::int64_t>(state.values.size()) - 1;

@@ -11,7 +11,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace director::compiler {
@@ -40,7 +39,6 @@ struct Resolver {
   std::map<std::string, TriggerId, std::less<>> triggers{};
   std::map<std::string, LayerId, std::less<>> layers{};
   IdTable<StateId, const dsl::StateSpec*> state_sources{};
-  IdTable<StateId, std::unordered_map<std::string, std::int64_t>> value_numbers{}; ///< of those with listed values
   IdTable<GroupId, GroupSource> group_sources{};
   std::vector<GroupSource> forgotten_groups{};                  ///< likewise
   std::map<std::string, ConditionId, std::less<>> conditions{}; ///< by normal text

@@ -197,9 +197,7 @@ std::optional<std::int64_t> value_of(const State& state, const std::string& name
     if (fault != std::errc() || end != name.data() + name.size()) return {};
     return number;
   }
-  const auto at = std::find(state.values.begin(), state.values.end(), name);
-  if (at == state.values.end()) return {};
-  return at - state.values.begin();
+  return state.value_of(name);
 }
 
 } // namespace director::analysis

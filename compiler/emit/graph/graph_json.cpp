@@ -69,7 +69,7 @@ private:
     add_doc(out, row.doc);
     if (row.type) out.add("type", Json::text(*row.type));
     if (row.is_range) out.add("range", Json::list({Json::number(row.low), Json::number(row.high)}));
-    if (!row.is_range) out.add("values", Json::texts(row.values));
+    if (!row.is_range) out.add("values", Json::texts(row.values.words()));
     if (!row.unordered.empty())
       out.add("unordered", each(row.unordered, [&](std::int64_t value) { return Json::text(row.value_text(value)); }));
     if (row.initial) out.add("initial", Json::text(row.value_text(*row.initial)));

@@ -227,4 +227,23 @@ TEST_CASE("no finding has more notes or words than one reads, however many parti
   }
 }
 
+/// All below a group, kept for each group of a chain, was 3 GB for this one.
+TEST_CASE("of a chain of five thousand groups that each request the next one and a leaf nothing is in common") {
+  constexpr std::size_t size = 5'000;
+  std::string text = "roots: [T0]\ngroups:\n";
+  for (std::size_t i = 0; i + 1 < size; ++i)
+    text += fmt::format("  T{0}: {{tasks: [T{1}, L{0}]}}\n  L{0}: {{}}\n", i, i + 1);
+  CHECK(count(text + "  T4999: {}\n") == Counts{{"unbounded_choice", {1, 1}}});
+}
+
+/// Only the two entries in which the chain ends have something in common.
+TEST_CASE("of a chain of three thousand groups the two entries at its end that want one group are told of") {
+  constexpr std::size_t size = 3'000;
+  std::string text = "roots: [T0]\ngroups:\n";
+  for (std::size_t i = 0; i + 1 < size; ++i)
+    text += fmt::format("  T{0}: {{tasks: [T{1}, L{0}]}}\n  L{0}: {{}}\n", i, i + 1);
+  text += "  T2999: {tasks: [Walk, Kick]}\n  Walk: {tasks: [Legs]}\n  Kick: {tasks: [Legs]}\n  Legs: {}\n";
+  CHECK(count(text) == Counts{{"equal_priority", {1, 1}}, {"unbounded_choice", {1, 1}}});
+}
+
 } // namespace

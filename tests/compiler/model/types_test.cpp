@@ -61,7 +61,7 @@ TEST_CASE("a state without values has those of its enum, in their order") {
   types.types.files = {"/u/a.hpp"};
   Model model;
   CHECK(findings(without_values, types, &model) == "");
-  CHECK(model.states[StateId{0}].values == std::vector<std::string>{"initial", "ready", "playing"});
+  CHECK(model.states[StateId{0}].values.words() == std::vector<std::string>{"initial", "ready", "playing"});
   REQUIRE(types.asked.size() == 1);
   CHECK(types.asked[0].headers == std::vector<std::string>{"a.hpp"});
   CHECK(types.asked[0].names == std::vector<std::string>{"GamePhase", "Order"});

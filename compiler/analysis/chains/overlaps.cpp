@@ -1,0 +1,60 @@
+// Header: compiler/analysis/chains/overlaps.hpp. Test: tests/compiler/analysis/chains/overlaps_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/chains/overlaps.hpp"
+
+namespace director::analysis {
+
+Overlaps::Overlaps(const Model& model, const Branches& branches)
+    : branches_(branches),
+      lonely_(model.groups.size()),
+      found_by_(model.groups.size(), nobody) {
+  // From the leaves up: who is on a circle never comes to have nothing left.
+  IdTable<GroupId, std::size_t> left(model.groups.size()); // edges to what is not known to be lonely
+  for (const Edge& edge : model.edges) {
+    if (edge.requester) ++left[*edge.requester];
+  }
+  std::vector<GroupId> open;
+  const auto look_at = [&](GroupId group) {
+    if (left[group] == 0 && model.groups[group].requesters.size() < 2 && lonely_.add(group)) open.push_back(group);
+  };
+  for (const GroupId group : model.groups.ids()) look_at(group);
+  while (!open.empty()) {
+    const GroupId group = open.back();
+    open.pop_back();
+    for (const EdgeId id : model.groups[group].requesters) {
+      const Edge& edge = model.edges[id];
+      if (!edge.requester) continue;
+      --left[*edge.requester];
+      look_at(*edge.requester);
+    }
+  }
+}
+
+// An entry stops where an earlier one has been, as that has gone on from there. No overlap is lost by it: where two
+// come to one group, either the later one meets the earlier one on its way, or another one that has been there between
+// the two, and that one has met the earlier one for the same reason.
+std::vector<bool> Overlaps::among(const std::vector<GroupId>& targets) {
+  std::vector<bool> out(targets.size(), false);
+  std::vector<GroupId> found, open;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    open.push_back(targets[i]);
+    while (!open.empty()) {
+      const GroupId group = open.back();
+      open.pop_back();
+      std::size_t& by = found_by_[group];
+      if (by == i) continue;
+      if (by != nobody) {
+        out[i] = out[by] = true;
+        continue;
+      }
+      by = i;
+      found.push_back(group);
+      if (lonely_.contains(group)) continue;
+      for (const Branch& branch : branches_.from(group)) open.push_back(branch.to);
+    }
+  }
+  for (const GroupId group : found) found_by_[group] = nobody;
+  return out;
+}
+
+} // namespace director::analysis

@@ -1,0 +1,11 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+
+#include <filesystem>
+
+namespace director::compiler {
+
+/// The path from the root, `.` for an empty one; as it is where the working directory is gone.
+std::filesystem::path absolute_path(const std::filesystem::path& path);
+
+} // namespace director::compiler
