@@ -66,6 +66,7 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
     {"3", "what is true may be another after any value"},
     {"3", "who is enabled may be another"},
     {"4.4", "another request changes what its unit is"},
+    {"4.4", "a unit is tried where the first of its members stands"},
     {"4.1", "what is below an edge has its place by it"},
     {"4.3", "who may need what is claimed otherwise is decided again"},
     {"4.4", "so is who searched for somebody to push"},

@@ -32,6 +32,7 @@ public:
     // What a group needs stands behind it, so that how it can be met is known when it is written.
     for (std::size_t g = draft_.groups.size(); g-- > 0;) write_group(g);
     if (r_.chance(0.3)) write_ladder();
+    if (draft_.groups.size() > 5 && r_.chance(0.15)) write_moving_unit();
     write_roots();
     return std::move(draft_);
   }
@@ -319,6 +320,24 @@ private:
       each.when = {{state, "==", {value}, {}}};
       each.causing = {{state, "==", {++value}, {}}};
       each.stay.clear();
+    }
+  }
+
+  /// A unit is tried where its first member stands, and that one may be asked for at a lower level. In between there is
+  /// a task that is apart, and leads in two steps to what the other member wants.
+  void write_moving_unit() {
+    const std::size_t g = r_.below(draft_.groups.size() - 4);
+    std::vector<std::size_t> below(draft_.groups.size() - g - 1);
+    std::iota(below.begin(), below.end(), g + 1);
+    const std::vector<std::size_t> found = r_.some(below, 4, 4);
+    const std::size_t apart = found[0], between = found[1], wanted = found[2], first = found[3];
+    const PackDraft unit{"",
+                         {{first, {{"firm", 50, false, false}, {"spare", 0, false, false}}},
+                          {apart, {{"", 20, false, true}}},
+                          {wanted, {{"", 0, false, false}}}}};
+    for (const auto& [group, pack] : {std::pair{g, unit}, std::pair{apart, PackDraft{"", {{between, {LevelDraft{}}}}}},
+                                      std::pair{between, PackDraft{"", {{wanted, {LevelDraft{}}}}}}}) {
+      for (ProviderDraft& each : draft_.groups[group].providers) each.packs = {pack}, each.needs.clear();
     }
   }
 

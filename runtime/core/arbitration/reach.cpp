@@ -153,12 +153,25 @@ void reach_edge(Context& x, Index edge) {
   if (from != nil) open(x, from);
 }
 
+/// Members of a unit are tried where the first of them stands among its siblings, and that may be another place now.
+/// What lies below siblings that are apart, and so between the old place and the new one, may find free what a member
+/// holds.
+void reach_unit(Context& x, Index requester) {
+  const Range edges = x.t.groups[requester].edges;
+  const auto apart = [&](Index e) { return requested(x, e) && x.t.levels[x.s.request[e].level].apart; };
+  if (injected(Fault::units_stay_in_place) || !any(edges.rows(), apart)) return;
+  for (const Index e : edges.rows()) {
+    if (!apart(e) && x.s.last[target(x, e)].holder == e) reach_all_below(x, target(x, e));
+  }
+}
+
 /// The edge is requested at another level than before, or not any more; and with it its unit has another member.
 void reach_by_request(Context& x, Index edge, bool with_siblings) {
   const Index group = target(x, edge), from = x.t.edges[edge].requester;
   reach_edge(x, edge);
   if (from != nil && with_siblings && !injected(Fault::other_members_are_overlooked)) {
     for (const Index e : x.t.groups[from].edges.rows()) reach_edge(x, e);
+    reach_unit(x, from);
   }
   reach(x, group);
   reach_pushes_of(x, edge);

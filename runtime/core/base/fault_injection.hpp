@@ -45,6 +45,7 @@ enum class Fault : unsigned char {
   enabling_is_overlooked,
   // and of what reaches units (trail.cpp): a pass overlooks this
   other_members_are_overlooked,
+  units_stay_in_place,
   what_is_below_is_overlooked,
   who_uses_it_is_overlooked,
   who_waits_is_overlooked,
