@@ -53,6 +53,18 @@ void each_user_edge(Context& x, Index group, Take&& take) {
   if (pusher != nil) reach_edge(x, pusher);
 }
 
+/// Members of a unit are tried where the first of them stands among its siblings, and that may be another place now.
+/// What lies below siblings that are apart, and so between the old place and the new one, may find free what a member
+/// holds.
+void reach_unit(Context& x, Index requester) {
+  const Range edges = x.t.groups[requester].edges;
+  const auto apart = [&](Index e) { return requested(x, e) && x.t.levels[x.s.request[e].level].apart; };
+  if (injected(Fault::units_stay_in_place) || !any(edges.rows(), apart)) return;
+  for (const Index e : edges.rows()) {
+    if (!apart(e) && x.s.last[target(x, e)].holder == e) reach_all_below(x, target(x, e));
+  }
+}
+
 bool stands_behind(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::behind); }
 
 /// Blocked requests for the group, of requesters that are not opened: take(edge, place of the requester in the last
@@ -151,18 +163,6 @@ void reach_edge(Context& x, Index edge) {
   x.s.reached[x.reached_count++] = edge;
   const Index from = x.t.edges[edge].requester;
   if (from != nil) open(x, from);
-}
-
-/// Members of a unit are tried where the first of them stands among its siblings, and that may be another place now.
-/// What lies below siblings that are apart, and so between the old place and the new one, may find free what a member
-/// holds.
-void reach_unit(Context& x, Index requester) {
-  const Range edges = x.t.groups[requester].edges;
-  const auto apart = [&](Index e) { return requested(x, e) && x.t.levels[x.s.request[e].level].apart; };
-  if (injected(Fault::units_stay_in_place) || !any(edges.rows(), apart)) return;
-  for (const Index e : edges.rows()) {
-    if (!apart(e) && x.s.last[target(x, e)].holder == e) reach_all_below(x, target(x, e));
-  }
 }
 
 /// The edge is requested at another level than before, or not any more; and with it its unit has another member.

@@ -19,7 +19,6 @@ DIRECTOR_PART void note_dependence(Context& x, Index edge, std::uint8_t bits);
 DIRECTOR_PART void begin_followed(Context& x, Index count);
 DIRECTOR_PART void compare_with_last(Context& x, Index count);
 DIRECTOR_PART void reach_users(Context& x, Index group);
-DIRECTOR_PART void reach_unit(Context& x, Index requester);
 DIRECTOR_PART void reach_edge(Context& x, Index edge);
 DIRECTOR_PART void look_at_lines(Context& x, Index group);
 DIRECTOR_PART bool waits_on(const Context& x, Index edge);

@@ -39,7 +39,6 @@ void look_ahead(Context& x, Index group) {
   const auto differs = static_cast<std::uint8_t>((x.s.group_trail[group] & (trail::stale | trail::asks)) ^ known);
   x.s.group_trail[group].remove(trail::stale | trail::asks);
   x.s.group_trail[group] |= known;
-  if ((differs & trail::stale) != 0 && !x.whole) reach_unit(x, group); // members of stale ones are tried alone
   const Index base = x.ahead;
   Index together = 0, member = nil;
   bool in_order = true, counts = false; // that the orders are outdated
