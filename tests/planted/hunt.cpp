@@ -91,13 +91,14 @@ bool shows_the_fault(const property::Documents& documents, std::uint64_t seed) {
 }
 
 /// The number of the case that shows the fault in hand; 0: none does. What is several in one shows what components have
-/// to do with each other.
+/// to do with each other, and a unit that moves what lies between its places.
 void hunt(volatile std::uint64_t& in_hand, volatile bool& found) {
   const std::uint64_t cases = injected_fault == Fault::none ? sound_cases : most_cases;
   for (std::uint64_t seed = 1; seed <= cases && !found; ++seed) {
     in_hand = seed;
     ::alarm(most_seconds);
-    found = shows_the_fault(property::generate(seed), seed) || shows_the_fault(property::generate_parts(seed), seed);
+    found = shows_the_fault(property::generate(seed), seed) || shows_the_fault(property::generate_parts(seed), seed) ||
+            shows_the_fault(property::generate_moving_unit(seed), seed);
   }
 }
 

@@ -17,6 +17,7 @@ struct Flavour {
   double favourite = 0.35; ///< how often the few shared groups are wanted
   double diligence = 0.5;  ///< how often a body sets what its provider causes
   std::vector<int> priorities;
+  bool moving_unit = false; ///< one unit is tried now before and now behind a task that is apart
 };
 
 Flavour random_flavour(Random& random);
@@ -30,6 +31,9 @@ struct Documents {
 
 /// 3 to 15 groups; one in forty has 30.
 Documents generate(std::uint64_t seed);
+
+/// 6 to 15 groups, among them a unit that moves, as its first member may be asked for at a lower level.
+Documents generate_moving_unit(std::uint64_t seed);
 
 /// Two to four such behaviours in one, small ones. What happens in one may matter to another by a state at most, so
 /// that they are components of their own: what one input or run changes in several has one order all the same.

@@ -32,7 +32,7 @@ public:
     // What a group needs stands behind it, so that how it can be met is known when it is written.
     for (std::size_t g = draft_.groups.size(); g-- > 0;) write_group(g);
     if (r_.chance(0.3)) write_ladder();
-    if (draft_.groups.size() > 5 && r_.chance(0.15)) write_moving_unit();
+    if (f_.moving_unit) write_moving_unit();
     write_roots();
     return std::move(draft_);
   }
@@ -366,6 +366,14 @@ Flavour random_flavour(Random& random) {
 
 BehaviourDraft random_behaviour(Random& random, const Flavour& flavour, std::size_t groups) {
   return BehaviourWriter(random, flavour, groups).write();
+}
+
+Documents generate_moving_unit(std::uint64_t seed) {
+  Random random(seed + 80'000'000);
+  Flavour flavour = random_flavour(random);
+  flavour.moving_unit = true;
+  const BehaviourDraft behaviour = random_behaviour(random, flavour, static_cast<std::size_t>(random.between(6, 15)));
+  return {to_document(behaviour), random_scenario(random, flavour, behaviour)};
 }
 
 Documents generate(std::uint64_t seed) {

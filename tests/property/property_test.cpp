@@ -124,17 +124,22 @@ void run_part(int part) {
   }
 }
 
-/// Of parts there are half as many cases as in each part of the others.
-void run_parts() {
+/// There are half as many of these cases as in each part of the others.
+void run_special(Documents (*make)(std::uint64_t), const char* of) {
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases) / (2 * parts);
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  compare_cases(first, cases, generate_parts, " of several parts");
+  compare_cases(first, cases, make, of);
 }
 
 TEST_CASE("the engine does what the oracle does, in the first part of the random cases") { run_part(0); }
 TEST_CASE("the engine does what the oracle does, in the second part of the random cases") { run_part(1); }
 TEST_CASE("the engine does what the oracle does, in the third part of the random cases") { run_part(2); }
 TEST_CASE("the engine does what the oracle does, in the last part of the random cases") { run_part(3); }
-TEST_CASE("the engine does what the oracle does, in behaviours that are several in one") { run_parts(); }
+TEST_CASE("the engine does what the oracle does, in behaviours that are several in one") {
+  run_special(generate_parts, " of several parts");
+}
+TEST_CASE("the engine does what the oracle does, where a unit is tried now before and now behind another task") {
+  run_special(generate_moving_unit, " of units that move");
+}
 
 } // namespace
