@@ -323,7 +323,7 @@ class Rivalry {
 public:
   Rivalry(const Input& input, Overlaps& overlaps, const std::vector<Task>& tasks) : stakes_(tasks.size()) {
     if (tasks.size() < 2) return;
-    const std::vector<std::vector<std::int32_t>> priorities = overlapping(input.model, overlaps, tasks);
+    const std::vector<std::vector<std::int32_t>> priorities = overlaps.priorities(tasks);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       if (priorities[i].empty()) continue;
       for (const GroupId group : input.shared.claims(tasks[i].target).groups()) {
@@ -348,29 +348,6 @@ public:
   }
 
 private:
-  /// Of each entry those of its priorities at which another one may want something that it wants.
-  static std::vector<std::vector<std::int32_t>> overlapping(const Model& model, Overlaps& overlaps,
-                                                            const std::vector<Task>& tasks) {
-    std::map<std::int32_t, std::vector<std::size_t>> by_priority;
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      for (const Task::NamedLevel& named : tasks[i].levels) {
-        std::vector<std::size_t>& like = by_priority[model.edges[tasks[i].edge].levels[named.level].priority];
-        if (like.empty() || like.back() != i) like.push_back(i);
-      }
-    }
-    std::vector<std::vector<std::int32_t>> out(tasks.size());
-    for (const auto& [priority, like] : by_priority) {
-      if (like.size() < 2) continue;
-      std::vector<GroupId> targets;
-      for (const std::size_t entry : like) targets.push_back(tasks[entry].target);
-      const std::vector<bool> overlap = overlaps.among(targets);
-      for (std::size_t at = 0; at < like.size(); ++at) {
-        if (overlap[at]) out[like[at]].push_back(priority);
-      }
-    }
-    return out;
-  }
-
   std::map<Stake, std::vector<std::size_t>> claimed_by_;
   std::vector<std::vector<const std::vector<std::size_t>*>> stakes_; ///< of each entry
 };

@@ -7,7 +7,6 @@
 #include "compiler/lower/steps.hpp"
 
 #include <map>
-#include <span>
 #include <vector>
 
 namespace director::compiler {
@@ -36,16 +35,16 @@ public:
         found_by_(out.groups.size(), nil) {}
 
   /// The edges of one requester.
-  void look_at(std::span<const Index> edges) {
+  void look_at(Range edges) {
     std::map<Index, std::vector<Index>> by_urgency;
     const auto add = [&](Index urgency, Index edge) {
       std::vector<Index>& like = by_urgency[urgency];
       if (like.empty() || like.back() != edge) like.push_back(edge);
     };
-    for (const Index edge : edges) {
+    for (const Index edge : edges.rows()) {
       const Range levels = out_.edges[edge].levels;
       add(out_.edges[edge].need_urgency, edge);
-      for (Index level = levels.begin; level != levels.end; ++level) add(out_.levels[level].urgency, edge);
+      for (const Index level : levels.rows()) add(out_.levels[level].urgency, edge);
     }
     for (const auto& [urgency, like] : by_urgency) {
       if (like.size() > 1) meet(like);
@@ -59,13 +58,11 @@ private:
   /// Where one of them leads to what another one has led to.
   void meet(const std::vector<Index>& like) {
     for (const Index edge : like) {
-      enter_below(edge, [&](Index group) {
+      enter(out_.edges[edge].target, [&](Index group) {
         Index& by = found_by_[group];
         if (is_below_pair_[group] || by == edge) return false;
         if (by != nil) {
-          is_below_pair_[group] = true;
-          for (Index e = out_.groups[group].edges.begin; e != out_.groups[group].edges.end; ++e) // and all below it
-            enter_below(e, [&](Index below) { return !is_below_pair_[below] && (is_below_pair_[below] = true); });
+          mark(group);
           return false;
         }
         by = edge;
@@ -77,16 +74,24 @@ private:
     found_.clear();
   }
 
-  /// Calls enter(group) for the target of the edge, and for the targets of each group for which it is true.
-  template <class Enter>
-  void enter_below(Index edge, const Enter& enter) const {
-    std::vector<Index> open{out_.edges[edge].target};
+  /// With all below it.
+  void mark(Index group) {
+    enter(group, [&](Index each) {
+      if (is_below_pair_[each]) return false;
+      is_below_pair_[each] = true;
+      return true;
+    });
+  }
+
+  /// Calls goes_on(group) for the group, and for the targets of each for which it is true.
+  template <class GoesOn>
+  void enter(Index first, const GoesOn& goes_on) const {
+    std::vector<Index> open{first};
     while (!open.empty()) {
       const Index group = open.back();
       open.pop_back();
-      if (!enter(group)) continue;
-      for (Index e = out_.groups[group].edges.begin; e != out_.groups[group].edges.end; ++e)
-        open.push_back(out_.edges[e].target);
+      if (!goes_on(group)) continue;
+      for (const Index edge : out_.groups[group].edges.rows()) open.push_back(out_.edges[edge].target);
     }
   }
 
@@ -101,13 +106,8 @@ private:
 void lower_traits(Lowered& out) {
   for (director::Group& group : out.groups) find_shape(out, group);
   Equals equals(out);
-  std::vector<Index> edges;
-  for (Index e = 0; e < out.edges.size(); ++e) { // those of one requester stand together
-    edges.push_back(e);
-    if (e + 1 < out.edges.size() && out.edges[e + 1].requester == out.edges[e].requester) continue;
-    equals.look_at(edges);
-    edges.clear();
-  }
+  equals.look_at({0, out.root_edges});
+  for (const director::Group& group : out.groups) equals.look_at(group.edges);
   for (Index g = 0; g < out.groups.size(); ++g) {
     director::Group& group = out.groups[g];
     group.equals = equals.lead_to(g);

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/chains/overlaps.hpp"
 
+#include <map>
+
 namespace director::analysis {
 
 Overlaps::Overlaps(const Model& model, const Branches& branches)
-    : branches_(branches),
+    : model_(model),
+      branches_(branches),
       lonely_(model.groups.size()),
       found_by_(model.groups.size(), nobody) {
   // From the leaves up: who is on a circle never comes to have nothing left.
@@ -54,6 +57,27 @@ std::vector<bool> Overlaps::among(const std::vector<GroupId>& targets) {
     }
   }
   for (const GroupId group : found) found_by_[group] = nobody;
+  return out;
+}
+
+std::vector<std::vector<std::int32_t>> Overlaps::priorities(const std::vector<Task>& entries) {
+  std::map<std::int32_t, std::vector<std::size_t>> by_priority;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    for (const Task::NamedLevel& named : entries[i].levels) {
+      std::vector<std::size_t>& like = by_priority[model_.edges[entries[i].edge].levels[named.level].priority];
+      if (like.empty() || like.back() != i) like.push_back(i);
+    }
+  }
+  std::vector<std::vector<std::int32_t>> out(entries.size());
+  for (const auto& [priority, like] : by_priority) {
+    if (like.size() < 2) continue;
+    std::vector<GroupId> targets;
+    for (const std::size_t entry : like) targets.push_back(entries[entry].target);
+    const std::vector<bool> overlap = among(targets);
+    for (std::size_t at = 0; at < like.size(); ++at) {
+      if (overlap[at]) out[like[at]].push_back(priority);
+    }
+  }
   return out;
 }
 

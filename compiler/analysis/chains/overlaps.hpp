@@ -7,6 +7,7 @@
 #include "compiler/model/model.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace director::analysis {
@@ -20,9 +21,13 @@ public:
   /// each group is gone through once, and none below which nobody else can come.
   std::vector<bool> among(const std::vector<GroupId>& targets);
 
+  /// Of each entry of a list those of its priorities, ascending, at which another one may want something that it wants.
+  std::vector<std::vector<std::int32_t>> priorities(const std::vector<Task>& entries);
+
 private:
   static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
+  const Model& model_;
   const Branches& branches_;
   IdSet<GroupId> lonely_;                  ///< one edge leads to it at most, and likewise to all below it
   IdTable<GroupId, std::size_t> found_by_; ///< the first entry that led to it, by its place; between calls nobody

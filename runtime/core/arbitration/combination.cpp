@@ -1,7 +1,6 @@
 // docs/semantics.md, section 4.4, Grant: the first combination of choices of several members, or of one that equals
 // stand in the way of. SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/base/parts.hpp"
