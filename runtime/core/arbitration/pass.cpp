@@ -36,6 +36,7 @@ void open_all(Context& x) {
 
 /// The last result stands.
 void keep_all(Context& x) {
+  x.walking = false;
   x.rest = x.s.first_root[x.component];
   x.limbo_begin = x.placed = x.s.order_count[x.component];
 }
@@ -44,7 +45,6 @@ void sweep_all(Context& x) {
   for (;; begin_sweep(x)) {
     sweep(x);
     if (x.denied_count == 0 || !denied_in_vain(x)) break;
-    take_back(x);
   }
   x.walking = false;
   x.limbo_begin = x.placed;
@@ -74,7 +74,7 @@ void decide(Context& x, Index component) {
   x.walking = !x.whole;
   x.disturbed = false;
   x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = x.placed = 0;
-  x.settled = false;
+  x.settled = x.all_reached = false;
   x.whole ? open_all(x) : begin_trail(x);
   x.had_pushes = x.pushed_count != 0;
   x.depends_on_stale = x.depends_on_all_stale = false;
