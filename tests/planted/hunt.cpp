@@ -42,6 +42,7 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
     {"4.1", "of equals the older request goes first"},
     {"4.2", "equals never take from each other"},
     {"4.2", "a denial for the sake of a holder that leaves is taken back"},
+    {"4.2", "a denial counts for every choice, also of who has another one"},
     {"4.3", "all plans are tried, in order"},
     {"4.3", "a provider that is not enabled is no choice"},
     {"4.3", "while all of `stay` holds, `when` does not count"},
@@ -98,7 +99,8 @@ void hunt(volatile std::uint64_t& in_hand, volatile bool& found) {
     in_hand = seed;
     ::alarm(most_seconds);
     found = shows_the_fault(property::generate(seed), seed) || shows_the_fault(property::generate_parts(seed), seed) ||
-            shows_the_fault(property::generate_moving_unit(seed), seed);
+            shows_the_fault(property::generate_moving_unit(seed), seed) ||
+            shows_the_fault(property::generate_equals(seed), seed);
   }
 }
 

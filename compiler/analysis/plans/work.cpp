@@ -2,6 +2,8 @@
 // tests/property/property_test.cpp. SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/work.hpp"
 
+#include "runtime/core/base/parts.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -157,6 +159,9 @@ WorkBound bound_work(const Model& model, const Tables& tables, Trials& trials) {
   std::vector<std::int64_t> repetitions(tables.components.size());
   for (const director::Group& group : tables.groups) {
     if (group.equals) ++repetitions[group.component];
+  }
+  for (std::size_t c = 0; c < repetitions.size(); ++c) { // before the first one, what stood until then is decided
+    if (repetitions[c] != 0 && tables.components[c].groups.size() > director::most_decided_whole) ++repetitions[c];
   }
   const std::vector<std::int64_t> sweeps = Working(model, tables, trials, out).sweeps();
   for (std::size_t c = 0; c < sweeps.size(); ++c) {

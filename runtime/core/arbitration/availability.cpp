@@ -28,6 +28,23 @@ bool alive(const Context& x, Index edge) {
   }
 }
 
+/// All that the sweep decided is undone; only which denials are forgotten stays.
+void take_back(Context& x) {
+  clear_marks(x);
+  x.placed = 0;
+  for (WaitingLine& line : x.lines) line.first = 0; // the walk comes to all of them again
+  if (x.pushed_count != 0) mark_pushers(x);
+  for (const Index g : opened(x)) {
+    x.s.group_marks[g] &= mark::forgotten | mark::listed;
+    clear(x, g);
+  }
+  const Index* const order = x.s.order + x.row.order;
+  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
+    x.s.place[order[i]] = i;
+    x.s.next_order[x.row.order + i] = order[i];
+  }
+}
+
 } // namespace
 
 /// The last holder of the group, another edge, is an equal of this one and would go on: equals never take from each
@@ -47,33 +64,25 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
   return true;
 }
 
-/// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten.
+/// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten. Which one is
+/// the first is known only where all units were decided: those that stood may have been denied something too, for which
+/// they have other choices. So before the first one is forgotten, all are decided.
 bool denied_in_vain(Context& x) {
   for (Index i = 0; i < x.denied_count; ++i) {
     const Index group = x.s.denied[i];
     if (x.s.now[group].holder == x.s.last[group].holder || injected(Fault::denials_are_final)) continue;
-    x.s.group_marks[group] |= mark::forgotten;
-    reach(x, group);
-    x.s.group_trail[group] |= trail::disturbed; // its last holder counts again in the next pass
+    const bool all_decided = x.whole || x.all_reached || injected(Fault::denials_of_who_stands_are_overlooked);
+    take_back(x);
+    if (all_decided) {
+      x.s.group_marks[group] |= mark::forgotten;
+      x.s.group_trail[group] |= trail::disturbed; // its last holder counts again in the next pass
+    } else {
+      x.all_reached = true;
+      for (const Index e : x.t.list(x.row.edges)) reach_edge(x, e);
+    }
     return true;
   }
   return false;
-}
-
-/// All that the sweep decided is undone; only which denials are forgotten stays.
-void take_back(Context& x) {
-  clear_marks(x);
-  for (WaitingLine& line : x.lines) line.first = 0; // the walk comes to all of them again
-  if (x.pushed_count != 0) mark_pushers(x);
-  for (const Index g : opened(x)) {
-    x.s.group_marks[g] &= mark::forgotten | mark::listed;
-    clear(x, g);
-  }
-  const Index* const order = x.s.order + x.row.order;
-  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
-    x.s.place[order[i]] = i;
-    x.s.next_order[x.row.order + i] = order[i];
-  }
 }
 
 } // namespace director::arbitration

@@ -10,7 +10,6 @@ namespace director::arbitration {
 
 DIRECTOR_PART bool kept_by_equal(Context& x, Index group, Index edge, bool record);
 DIRECTOR_PART bool denied_in_vain(Context& x);
-DIRECTOR_PART void take_back(Context& x);
 
 inline bool available(Context& x, Index group, Index edge, bool record) {
   const Index claimant = holder_now(x, group);

@@ -16,6 +16,7 @@ enum class Fault : unsigned char {
   // 4.2
   equals_take,
   denials_are_final,
+  denials_of_who_stands_are_overlooked,
   // 4.3
   only_the_first_plan,
   disabled_providers_run,

@@ -170,6 +170,69 @@ groups:
   CHECK(std::count(both.whole.begin(), both.whole.end(), "release Lean") == 1);
 }
 
+TEST_CASE("a denial counts also for a task that has another choice, and whose decision stands") {
+  const Both both = play_both(R"(
+behaviour: equals
+language: 1
+states: {Phase: {values: [off, low, high], external: true}}
+roots: {Play: {}, Step: {}}
+groups:
+  Play:
+    providers:
+      - {name: usual, when: [Phase != off], tasks: {Walk: {}, Step: {}, Legs: {}, Dance: {apart: true}}}
+      - {name: other, needs: [Dance]}
+  Walk: {tasks: [Step]}
+  Step: {providers: [{name: firm, needs: [Legs]}, {name: light, when: [Phase != high]}]}
+  Dance: {needs: [Legs]}
+  Legs: {}
+)",
+                              [](Machine& machine, auto&& step) {
+                                machine.request("Play");
+                                step();
+                                machine.set("Phase", "low");
+                                step();
+                                machine.set("Phase", "off");
+                                machine.request("Step");
+                                machine.set("Phase", "high");
+                                step();
+                              });
+  CHECK(both.followed == both.whole);
+  CHECK(std::count(both.whole.begin(), both.whole.end(), "run Dance new_task") == 1);
+}
+
+TEST_CASE("what a trigger wakes in several components runs in order, also where nothing is left to decide") {
+  const Both both =
+      play_both(R"(
+behaviour: apart
+language: 1
+states: {Light: {values: [off, on], external: true}}
+triggers: [Tick]
+roots: {Lamp: {}, First: {}, Second: {}}
+groups:
+  Lamp: {when: [Light == on]}
+  First: {tasks: {Arm: {}}}
+  Arm: {triggers: [Tick]}
+  Second: {tasks: {Head: {}}}
+  Head: {triggers: [Tick]}
+)",
+                [](Machine& machine, auto&& step) {
+                  bool asks = false;
+                  machine.body("First", [&](Run& run) { return asks ? machine.everything(run) : run.pack(); });
+                  for (const char* each : {"First", "Second", "Lamp"}) {
+                    machine.request(each);
+                    step();
+                  }
+                  asks = true;
+                  machine.request("First"); // what it asks for is asked for later than by the second one
+                  step();
+                  machine.set("Light", "on");
+                  machine.fire("Tick");
+                  step();
+                });
+  CHECK(both.followed == both.whole);
+  CHECK(Lines(both.followed.end() - 2, both.followed.end()) == Lines{"run Arm trigger", "run Head trigger"});
+}
+
 TEST_CASE("an engine whose state was put back decides from nothing, and the same") {
   Machine machine(player_in_a_crowd(12));
   machine.request("Crowd");
