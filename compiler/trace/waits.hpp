@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // What a trace does not tell and its replay does: why each group that waits does so, at every moment, what is only held
-// any more, and what goes on though its request waits. `why` is asked whenever its answer may have become another; few answers differ, so each is kept once.
+// any more, and what goes on though its request waits. `why` is asked whenever its answer may have become another; few
+// answers differ, so each is kept once.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
