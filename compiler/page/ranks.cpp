@@ -7,6 +7,7 @@
 
 #include "compiler/graph/graph.hpp"
 #include "compiler/lower/contention.hpp"
+#include "compiler/page/leaders.hpp"
 
 #include <fmt/format.h>
 
@@ -21,27 +22,45 @@ namespace {
 
 /// What two edges of one requester have to do with each other.
 struct Company {
-  bool at_once = false; ///< some pack, with the needs of its provider, holds both
-  bool unit = false;    ///< granted together, or not at all
-  bool loose = false;   ///< both are asked for by some pack, and neither are they of one unit nor is one a need
+  bool at_once = false;                             ///< some pack, with the needs of its provider, holds both
+  bool unit = false;                                ///< granted together, or not at all
+  bool first_loose = false, second_loose = false;   ///< both are asked for by some pack, and it is neither of one unit
+                                                    ///< with the other one nor a need
   bool first_needed = false, second_needed = false; ///< by a provider that asks for the other one
 };
 
 /// A decision between two edges to one group. Where one of them is the sibling itself, and the other one lies below the
 /// other sibling, priorities do not always decide: a unit is granted whole before anything below it, and a requester
-/// runs only with what it needs.
+/// runs only with what it needs. Nor do they where one of them is a sibling, or needed for one: that is granted where
+/// its unit stands.
 struct Ruling {
-  enum class Held : std::uint8_t { by_rank, in_unit, as_need };
+  enum class Held : std::uint8_t { by_rank, in_unit, as_need, by_leader };
+  struct Side {
+    Held held = Held::by_rank;
+    bool needs = false;          ///< it is not about the task, but about what that needs
+    std::vector<Leader> leaders; ///< by rank: with one of these it goes first
+    auto operator<=>(const Side&) const = default;
+  };
   Decision decision;
-  Held first = Held::by_rank, second = Held::by_rank; ///< at most one of them is not
+  Side first, second; ///< at most one of them is held otherwise than by rank
   auto operator<=>(const Ruling&) const = default;
 
-  int order() const { return first != Held::by_rank ? -1 : second != Held::by_rank ? 1 : order_of(decision); }
+  int order() const { return first.held != Held::by_rank ? -1 : second.held != Held::by_rank ? 1 : order_of(decision); }
+};
+
+/// How the chain of one side goes on below the sibling.
+struct Below {
+  bool itself = false, needs = false, asks = false;
 };
 
 class RankWriter {
 public:
-  explicit RankWriter(const Model& model) : model_(model), contentions_(model), reaches_(model.groups.size()) {}
+  explicit RankWriter(const Model& model)
+      : model_(model),
+        contentions_(model),
+        leaders_(model),
+        ways_(model),
+        reaches_(model.groups.size()) {}
 
   Json write() {
     Json contended = Json::list({});
@@ -95,31 +114,83 @@ private:
     return Json::object({{"group", Json::text(name(id))}, {"rivals", std::move(rivals)}});
   }
 
-  static std::vector<Ruling> by_rank(const std::vector<Decision>& decisions) {
-    std::vector<Ruling> out;
-    for (const Decision& each : decisions) out.push_back({each});
-    return out;
+  Below below(EdgeId sibling, GroupId group) {
+    const GroupId from = edge(sibling).target;
+    return {from == group, from != group && ways_.needs(from, group), ways_.asks(from, group)};
+  }
+  Below below(EdgeId sibling, EdgeId last) {
+    if (sibling == last) return {true, false, false};
+    const GroupId from = edge(sibling).target, to = *edge(last).requester;
+    const bool passes = ways_.needs(from, to), asks = ways_.asks(from, to);
+    return {false, edge(last).needed && passes, asks || (!edge(last).levels.empty() && passes)};
   }
 
-  std::vector<Ruling> rulings(const Contention& contention) const {
+  /// By rank, unless a unit is tried earlier than its member stands. `below(first)`: of that side.
+  template <class BelowOf>
+  void add_ranked(const Decision& decision, BelowOf below, std::vector<Ruling>& out) {
+    Ruling ranked{decision, {}, {}};
+    std::optional<Ruling> led;
+    bool may_be_ranked = true;
+    for (const bool first : {true, false}) {
+      const Leaders& leaders = leaders_.of(decision, first);
+      if (leaders.all.empty()) continue;
+      const Below how = below(first);
+      if (!how.itself && !how.needs) continue;
+      Ruling::Side& side = first ? ranked.first : ranked.second;
+      side.needs = !how.itself;
+      if (!how.asks || order_of(decision) == 0) side.leaders = leaders.all;
+      if (order_of(decision) == 0) continue;
+      led = Ruling{decision, {}, {}};
+      (first ? led->first : led->second) = {Ruling::Held::by_leader, side.needs, leaders.all};
+      may_be_ranked = how.asks || !leaders.always;
+    }
+    if (may_be_ranked) out.push_back(std::move(ranked));
+    if (led) out.push_back(std::move(*led));
+  }
+
+  std::vector<Ruling> rulings(const Contention& contention) {
     using Held = Ruling::Held;
     std::vector<Ruling> out;
     for (const Decision& each : contention.decisions) {
       const bool first = each.first_sibling == contention.first, second = each.second_sibling == contention.second;
-      const Company both = company(each);
+      const auto add_by_rank = [&] {
+        add_ranked(
+            each,
+            [&](bool of_first) {
+              return of_first ? below(each.first_sibling, contention.first)
+                              : below(each.second_sibling, contention.second);
+            },
+            out);
+      };
       if (first == second || !each.requester) {
-        out.push_back({each});
+        add_by_rank();
         continue;
       }
+      const Company both = company(each);
       const bool needed = first ? both.first_needed : both.second_needed;
       const auto held = [&](Held how) {
-        out.push_back({each, first ? how : Held::by_rank, second ? how : Held::by_rank});
+        Ruling ruling{each, {}, {}};
+        (first ? ruling.first : ruling.second).held = how;
+        out.push_back(std::move(ruling));
       };
       if (both.unit) held(Held::in_unit);
       if (needed) held(Held::as_need);
       // What the other one has as a need it may have since before there was a unit.
       const bool is_plan = edge(first ? contention.second : contention.first).needed;
-      if (both.loose || is_plan || (!both.unit && !needed)) out.push_back({each});
+      if ((first ? both.first_loose : both.second_loose) || is_plan || (!both.unit && !needed)) add_by_rank();
+    }
+    return out;
+  }
+
+  std::vector<Ruling> rulings(GroupId first, GroupId second) {
+    std::vector<Ruling> out;
+    for (const Decision& each : contentions_.between(first, second)) {
+      add_ranked(
+          each,
+          [&](bool of_first) {
+            return of_first ? below(each.first_sibling, first) : below(each.second_sibling, second);
+          },
+          out);
     }
     return out;
   }
@@ -158,7 +229,7 @@ private:
     Json all = Json::object({});
     if (reaches_[first][second.value] && first != second) all.add("leads", Json::text("first"));
     if (reaches_[second][first.value] && first != second) all.add("leads", Json::text("second"));
-    all.add("decisions", numbers(first == second ? rulings(first) : by_rank(contentions_.between(first, second))));
+    all.add("decisions", numbers(first == second ? rulings(first) : rulings(first, second)));
     const auto [at, fresh] = answer_places_.try_emplace(to_line(all), answer_places_.size());
     if (fresh) answers_.add(std::move(all));
     return static_cast<std::int64_t>(at->second);
@@ -195,18 +266,49 @@ private:
   std::string words(const Ruling& ruling) const {
     const Decision& decision = ruling.decision;
     const int order = ruling.order();
+    const std::string requester = decision.requester ? name(*decision.requester) : "the program";
     std::string first = asked(decision.first_sibling, decision.first);
     std::string second = asked(decision.second_sibling, decision.second);
-    if (order > 0) std::swap(first, second);
-    const Ruling::Held held = order < 0 ? ruling.first : ruling.second;
-    if (held != Ruling::Held::by_rank)
-      return fmt::format("{}: {} before what {} asks for, as {}", name(*decision.requester), first, second,
-                         held == Ruling::Held::in_unit ? "both are granted together"
-                                                       : name(*decision.requester) + " runs only with it");
+    EdgeId ahead = decision.first_sibling, behind = decision.second_sibling;
+    if (order > 0) std::swap(first, second), std::swap(ahead, behind);
+    const Ruling::Side &winner = order > 0 ? ruling.second : ruling.first,
+                       &loser = order > 0 ? ruling.first : ruling.second;
+    switch (winner.held) {
+    case Ruling::Held::in_unit:
+      return fmt::format("{}: {} before what {} asks for, as both are granted together", requester, first, second);
+    case Ruling::Held::as_need:
+      return fmt::format("{}: {} before what {} asks for, as {} runs only with it", requester, first, second,
+                         requester);
+    case Ruling::Held::by_leader:
+      return fmt::format("{}: {} before {}, as {} is {}", requester, winner.needs ? "what " + first + " needs" : first,
+                         second, name(edge(ahead).target), together(winner.leaders));
+    case Ruling::Held::by_rank: break;
+    }
     const Company both = company(decision);
-    return fmt::format("{}: {} {} {}{}{}{}", decision.requester ? name(*decision.requester) : "the program", first,
-                       order == 0 ? "and" : "before", second, order == 0 ? " are equal" : "",
-                       both.unit ? ", together or not at all" : "", both.at_once ? "" : ", never both at once");
+    std::string out = fmt::format("{}: {} {} {}{}{}{}", requester, first, order == 0 ? "and" : "before", second,
+                                  order == 0 ? " are equal" : "", both.unit ? ", together or not at all" : "",
+                                  both.at_once ? "" : ", never both at once");
+    if (order != 0 && !loser.leaders.empty())
+      out += ", unless " + name(edge(behind).target) + " is " + together(loser.leaders);
+    if (order == 0) out += asks_first(ahead, winner) + asks_first(behind, loser);
+    return out;
+  }
+
+  /// `granted together with Lift (priority 50)`
+  std::string together(const std::vector<Leader>& leaders) const {
+    std::string out;
+    for (const Leader& each : leaders)
+      out += fmt::format("{}{} (priority {}{})", out.empty() ? "" : " or ", name(edge(each.edge).target), each.priority,
+                         each.if_older ? ", if older" : "");
+    return "granted together with " + out;
+  }
+
+  /// Of equals.
+  std::string asks_first(EdgeId member, const Ruling::Side& side) const {
+    if (side.leaders.empty()) return "";
+    const std::string& task = name(edge(member).target);
+    return fmt::format("; of two that ask, {} goes first where {}{}", side.needs ? "what " + task + " needs" : task,
+                       side.needs ? task + " is " : "", together(side.leaders));
   }
 
   static const Task* entry(const std::vector<Task>& tasks, EdgeId edge) {
@@ -242,7 +344,8 @@ private:
         if (first != nullptr && second != nullptr) {
           out.unit = out.unit || (may_be(*first, decision.first, true) && may_be(*second, decision.second, true));
           const bool loose = may_be(*first, decision.first, false) || may_be(*second, decision.second, false);
-          out.loose = out.loose || (loose && !first_needed && !second_needed);
+          out.first_loose = out.first_loose || (loose && !first_needed);
+          out.second_loose = out.second_loose || (loose && !second_needed);
         }
         out.first_needed = out.first_needed || (first_needed && second != nullptr);
         out.second_needed = out.second_needed || (second_needed && first != nullptr);
@@ -253,6 +356,8 @@ private:
 
   const Model& model_;
   Contentions contentions_;
+  LeaderFinder leaders_;
+  Ways ways_;
   IdTable<GroupId, std::vector<bool>> reaches_;
   std::map<Ruling, std::size_t> known_;
   std::map<std::string, std::size_t> answer_places_;

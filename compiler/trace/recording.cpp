@@ -50,7 +50,7 @@ void Recording::event(const Event& event, std::string&) {
     shape.erase(1, times.size());
     add(event.time, std::move(shape));
   }
-  add_held();
+  add_untold();
   add_changes();
 }
 
@@ -73,10 +73,16 @@ void Recording::add(Time time, std::string shape) {
   ++events_;
 }
 
-void Recording::add_held() {
-  for (; held_ < waits_.held.size() && waits_.held[held_].line == line_; ++held_) {
-    const char* const group = names_.group(names_.self, waits_.held[held_].group);
-    add(now_, to_line(Json::object({{"event", Json::text("held")}, {"group", Json::text(group)}})));
+/// Behind the event in their line.
+void Recording::add_untold() {
+  add_untold("held", waits_.held, held_);
+  add_untold("stays", waits_.stays, stays_);
+}
+
+void Recording::add_untold(const char* event, const std::vector<Waits::Held>& all, std::size_t& next) {
+  for (; next < all.size() && all[next].line == line_; ++next) {
+    const char* const group = names_.group(names_.self, all[next].group);
+    add(now_, to_line(Json::object({{"event", Json::text(event)}, {"group", Json::text(group)}})));
   }
 }
 

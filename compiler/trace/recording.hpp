@@ -20,7 +20,7 @@
 //
 // Numbers behind the head have seven bits a byte, the lowest first, each byte but the last with its highest bit set.
 // Events that nothing on the page needs are left out: what bodies answered and set, and which timer was due. One is
-// added, {"event":"held","group":…}, for Waits::held.
+// added for Waits::held, {"event":"held","group":…}, and one for Waits::stays, {"event":"stays","group":…}.
 
 #include "compiler/base/json.hpp"
 #include "compiler/trace/waits.hpp"
@@ -52,7 +52,8 @@ public:
 
 private:
   void add(Time time, std::string shape);
-  void add_held();
+  void add_untold();
+  void add_untold(const char* event, const std::vector<Waits::Held>& all, std::size_t& next);
   void add_changes();
 
   const director::Names names_;
@@ -61,7 +62,7 @@ private:
   std::unordered_map<std::string, std::size_t> shape_of_;
   std::vector<std::string> shapes_;
   std::string times_, places_, change_events_, change_groups_, change_answers_;
-  std::size_t line_ = 1, events_ = 0, held_ = 0, changes_ = 0, change_event_ = 0, why_until_ = 0;
+  std::size_t line_ = 1, events_ = 0, held_ = 0, stays_ = 0, changes_ = 0, change_event_ = 0, why_until_ = 0;
   Time begins_ = 0, now_ = 0;
 };
 

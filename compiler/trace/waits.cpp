@@ -27,7 +27,11 @@ public:
     const bool decides = is_decision(event.kind);
     if (decides && decision_line_ == 0) decision_line_ = line;
     anew_ = anew_ || decides || may_change_notes(event);
-    if (event.group != nil && ends_run(event, groups_[event.group].holder)) groups_[event.group].is_told = true;
+    if (event.group == nil) return;
+    Standing& standing = groups_[event.group];
+    if (ends_run(event, standing.holder)) standing.is_told = true;
+    if (ends_request(event)) standing.is_doubtful = event.edge == standing.holder || standing.is_doubtful;
+    if (event.kind == Kind::grant) standing.is_doubtful = false;
   }
 
   void stepped(const View& view) override {
@@ -52,6 +56,7 @@ private:
     std::uint32_t text = 0; ///< as in Change
     Index holder = nil;
     bool is_live = false, is_told = false; ///< as it was; and that this micro-step told of its end
+    bool is_doubtful = false;              ///< by the end of its request alone
   };
 
   static bool is_decision(Kind kind) {
@@ -78,19 +83,22 @@ private:
     case Kind::grant:
     case Kind::lose:
     case Kind::stop: return true;
-    case Kind::queue:
-    case Kind::withdraw: return event.edge == holder;
-    default: return event.input == Event::Input::cancel && event.edge == holder;
+    default: return ends_request(event) && event.edge == holder;
     }
+  }
+  static bool ends_request(const Event& event) {
+    return event.kind == Kind::queue || event.kind == Kind::withdraw || event.input == Event::Input::cancel;
   }
 
   void note_held(const View& view, Index group) {
     Standing& standing = groups_[group];
     const bool is_live = view.assignment[group].active != nil;
     if (standing.is_live && !is_live && !standing.is_told) out_.held.push_back({last_line_, group});
+    if (standing.is_live && is_live && standing.is_doubtful && !view.granted(group))
+      out_.stays.push_back({last_line_, group});
     standing.is_live = is_live;
     standing.holder = view.holder(group);
-    standing.is_told = false;
+    standing.is_told = standing.is_doubtful = false;
   }
 
   static bool waits(const View& view, Index group) {

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a trace does not tell and its replay does: why each group that waits does so, at every moment, and what is only
-// held any more. `why` is asked whenever its answer may have become another; few answers differ, so each is kept once.
+// What a trace does not tell and its replay does: why each group that waits does so, at every moment, what is only held
+// any more, and what goes on though its request waits. `why` is asked whenever its answer may have become another; few
+// answers differ, so each is kept once.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
@@ -28,9 +29,13 @@ struct Waits {
     Index group = nil;
     bool operator==(const Held&) const = default;
   };
+  /// A group whose request was queued or withdrawn, and that goes on as what its requester needs: it keeps what it asks
+  /// for until that one has run. Behind the event in this line. The engine does not tell it either.
+  using Stays = Held;
   std::vector<std::string> texts; ///< as `directorc why` prints them
   std::vector<Change> changes;    ///< by line
   std::vector<Held> held;         ///< by line
+  std::vector<Stays> stays;       ///< likewise
   std::size_t last_line = 0;      ///< behind it nothing is known; 0: nothing is known at all
   Replayed replayed;
 };

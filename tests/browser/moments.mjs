@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// node moments.mjs MOMENTS FIRST COUNT: the marks that the page's script finds from events alone, and the engine's own (moments/moments.cpp), of random
-// behaviours. Only where time goes on do they have to be the same: before it the engine tells of some things one event later.
+// node moments.mjs MOMENTS FIRST COUNT [NUMBER...]: the marks that the page's script finds from events alone, and the engine's own
+// (moments/moments.cpp), of random behaviours. Only where time goes on do they have to be the same: before it the engine tells of some things one event
+// later.
 import { build } from 'esbuild';
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
@@ -8,8 +9,8 @@ import { createInterface } from 'node:readline';
 await build({ entryPoints: ['recording.ts'], bundle: true, format: 'esm', outfile: 'recording.mjs' });
 const { Recording } = await import('./recording.mjs');
 
-const [program, first, count] = process.argv.slice(2);
-const child = spawn(program, [first, count], { stdio: ['ignore', 'pipe', 'inherit'] });
+const [program, ...numbers] = process.argv.slice(2);
+const child = spawn(program, numbers, { stdio: ['ignore', 'pipe', 'inherit'] });
 let recording, about, moment, last;
 let compared = 0;
 let wrong = 0;
@@ -33,7 +34,7 @@ function compare(line) {
   if (moment && (line === undefined || line.t > last)) {
     ++compared;
     const mine = JSON.stringify(found());
-    if (mine !== JSON.stringify(moment) && ++wrong <= 3) console.log(`seed ${about.seed}, before ${JSON.stringify(line)}\n  found: ${mine}\n  engine: ${JSON.stringify(moment)}`);
+    if (mine !== JSON.stringify(moment) && ++wrong <= 3) console.log(`seed ${about.seed} of ${about.of}, before ${JSON.stringify(line)}\n  found: ${mine}\n  engine: ${JSON.stringify(moment)}`);
   }
   moment = undefined;
   last = line?.t ?? last;
@@ -51,7 +52,7 @@ for await (const text of createInterface({ input: child.stdout })) {
   } else if (line.moment) {
     moment = line.moment;
   } else {
-    if (line.event !== 'held') compare(line);
+    if (line.event !== 'held' && line.event !== 'stays') compare(line);
     recording.append(text);
   }
 }

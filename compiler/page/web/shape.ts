@@ -38,7 +38,7 @@ function sortOf(line: EventLine): Sort {
     case 'run': return 'run';
     case 'ask': case 'keep': return 'ask';
     case 'grant': return line.from === undefined || line.from === 'limbo' || line.edge === 'limbo' ? 'control' : 'take-over';
-    case 'lose': case 'withdraw': case 'held': return 'control';
+    case 'lose': case 'withdraw': case 'held': case 'stays': return 'control';
     case 'push': case 'release': return 'push';
     case 'queue': return 'queue';
     case 'set': return 'state';
@@ -76,7 +76,7 @@ export class Shape {
     this.isGap = line.event === 'dropped';
     this.setsState = line.event === 'set' || line.event === 'given' || line.input === 'set';
     this.isFlow = line.event === 'push' || this.sort === 'take-over';
-    this.decides = ['run', 'stop', 'held', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.input === 'cancel' || line.input === 'request';
+    this.decides = ['run', 'stop', 'held', 'stays', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.event === 'input';
     this.text = textOf(this, names);
     this.groups = [this.group, names.requesters[this.edge] ?? nobody, names.requesters[this.from] ?? nobody].filter((group) => group !== nobody);
   }

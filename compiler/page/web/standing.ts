@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where each group stands, kept up event by event: what the engine's own view says at rest (compiler/play/moment.cpp), found from what it told. What
 // it does not tell is when a group stops that nobody asks for any more, which was kept for who might, and is still held for a need. A source that can
-// look at the engine adds {"event":"held","group":…} there (compiler/trace/waits.cpp); without it the next thing that happens to the group tells.
+// look at the engine adds {"event":"held","group":…} there (compiler/trace/waits.cpp); without it the next thing that happens to the group tells. Nor
+// does it tell that a group whose request is queued or withdrawn goes on as a need of who is about to run, and still asks: {"event":"stays","group":…};
+// without it that is known where one of its own requests is queued along with it.
 
 import { type Names, nobody } from './names';
 import type { Shape } from './shape';
@@ -38,19 +40,23 @@ interface Group {
   holder: number;
   provider: number;
   granted: boolean;
+  /** Not granted any more, and it goes on all the same: what it asks for stands. */
+  stays: boolean;
   push?: Push;
 }
 
 export class Standings {
   private readonly groups: Group[];
   private readonly waits: (Wait | undefined)[]; // by edge
+  private readonly told: (Wait | undefined)[]; // by edge: why it waited last, until it is granted; only another reason is told again
   private readonly asked: boolean[]; // by edge: somebody asks by it
   private readonly touched = new Set<number>();
-  private readonly lapsing = new Set<number>(); // groups that lost their request, and may be handed on in the same micro-step
+  private readonly lapsing = new Map<number, boolean>(); // groups that lost their request, and may be handed on in the same micro-step; they were granted
 
   constructor(private readonly names: Names) {
-    this.groups = names.header.groups.map(() => ({ known: true, holder: nobody, provider: nobody, granted: false }));
+    this.groups = names.header.groups.map(() => ({ known: true, holder: nobody, provider: nobody, granted: false, stays: false }));
     this.waits = names.header.edges.map(() => undefined);
+    this.told = names.header.edges.map(() => undefined);
     this.asked = names.header.edges.map(() => false);
   }
 
@@ -65,7 +71,8 @@ export class Standings {
       case 'ask': case 'keep': return this.ask(edge);
       case 'grant': return at ? this.grant(at, shape) : this.touched;
       case 'lose': return at ? this.lose(at, group, shape.from) : this.touched;
-      case 'stop': case 'held': if (at?.granted) this.end(group); break;
+      case 'stop': case 'held': if (at && (this.isAlive(group) || this.lapsing.delete(group))) this.end(group); break;
+      case 'stays': if (at) this.stay(group); break;
       case 'queue': return this.queue(shape);
       case 'withdraw': return this.forget(edge);
       case 'input':
@@ -89,7 +96,7 @@ export class Standings {
 
   /** The program always is. */
   private isAlive(group: number): boolean {
-    return group === nobody || this.groups[group].granted;
+    return group === nobody || this.groups[group].granted || this.groups[group].stays;
   }
 
   private touchAsked(group: number): void {
@@ -108,18 +115,26 @@ export class Standings {
     if (at.granted && at.provider === shape.provider && at.known) return this.touched;
     at.granted = at.known = true;
     at.provider = shape.provider;
-    if (at.holder >= 0) this.waits[at.holder] = undefined;
+    this.runsFor(at.holder);
     return this.touched.add(shape.group);
   }
 
-  /** What is still there from before goes on. */
+  /** What is still there from before goes on, or waits as before. */
   private ask(edge: number): Set<number> {
     this.asked[edge] = true;
     const group = this.names.targets[edge];
-    if (this.groups[group]?.holder !== edge || !this.lapsing.delete(group)) return this.touched;
-    this.groups[group].granted = true;
-    this.touchAsked(group);
+    const at = this.groups[group];
+    if (!at) return this.touched;
+    if (at.holder === edge && this.lapsing.has(group)) {
+      at.granted = this.lapsing.get(group) ?? false;
+      this.stay(group);
+    }
+    if (at.holder !== edge || !at.granted) this.waits[edge] ??= this.told[edge];
     return this.touched.add(group);
+  }
+
+  private runsFor(edge: number): void {
+    if (edge >= 0) this.waits[edge] = this.told[edge] = undefined;
   }
 
   private grant(at: Group, shape: Shape): Set<number> {
@@ -129,7 +144,7 @@ export class Standings {
     at.provider = shape.provider;
     at.granted = shape.provider !== nobody;
     this.touchAsked(shape.group);
-    if (at.granted && shape.edge >= 0) this.waits[shape.edge] = undefined;
+    if (at.granted) this.runsFor(shape.edge);
     return this.touched.add(shape.group);
   }
 
@@ -150,21 +165,29 @@ export class Standings {
     const { edge, line, group } = shape;
     if (edge < 0) return this.touched;
     this.asked[edge] = true;
-    this.waits[edge] = { edge, why: line.why ?? '', condition: line.condition };
+    this.waits[edge] = this.told[edge] = { edge, why: line.why ?? '', condition: line.condition };
     if (this.groups[group].holder === edge) this.stopUnlessHandedOn(group);
+    const asker = this.names.requesters[edge];
+    if (this.lapsing.has(asker)) this.stay(asker); // what does not go on asks for nothing
     return this.touched.add(group);
   }
 
+  private stay(group: number): void {
+    this.lapsing.delete(group);
+    this.groups[group].stays = !this.groups[group].granted;
+    this.touchAsked(group);
+  }
+
   private stopUnlessHandedOn(group: number): void {
-    if (!this.groups[group].granted) return;
-    this.groups[group].granted = false;
-    this.lapsing.add(group);
+    if (!this.isAlive(group)) return;
+    this.lapsing.set(group, this.groups[group].granted);
+    this.groups[group].granted = this.groups[group].stays = false;
     this.touchAsked(group);
   }
 
   private lapse(): void {
-    for (const group of this.lapsing) {
-      if (this.groups[group].granted) continue;
+    for (const group of this.lapsing.keys()) {
+      if (this.isAlive(group)) continue;
       this.end(group);
       this.touched.add(group);
     }
@@ -186,7 +209,7 @@ export class Standings {
 
   /** What does not run asks for nothing. */
   private end(group: number): void {
-    this.groups[group].granted = false;
+    this.groups[group].granted = this.groups[group].stays = false;
     this.groups[group].provider = nobody;
     for (const edge of this.names.requests[group]) {
       this.asked[edge] = false;
@@ -198,10 +221,11 @@ export class Standings {
 
   private lostTrack(): Set<number> {
     this.groups.forEach((at, group) => {
-      Object.assign(at, { known: false, granted: false, holder: nobody, provider: nobody, push: undefined });
+      Object.assign(at, { known: false, granted: false, stays: false, holder: nobody, provider: nobody, push: undefined });
       this.touched.add(group);
     });
     this.waits.fill(undefined);
+    this.told.fill(undefined);
     this.asked.fill(false);
     return this.touched;
   }

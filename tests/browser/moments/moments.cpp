@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// moments FIRST COUNT: random scenarios as traces, each with its header, and behind the events of each micro-step a
-// line {"moment": …} with what the engine's own view says then. tests/browser/moments.mjs compares what the page's
-// script finds from the events alone.
+// moments FIRST COUNT [NUMBER...]: random scenarios as traces, each with its header, and behind the events of each
+// micro-step a line {"moment": …} with what the engine's own view says then. tests/browser/moments.mjs compares what
+// the page's script finds from the events alone. Each number is that of a random behaviour, and of one with a unit that
+// moves.
 #include "compiler/base/json.hpp"
 #include "compiler/lower/row_names.hpp"
 #include "compiler/play/moment.hpp"
@@ -55,9 +56,8 @@ public:
     std::string line;
     director::append_event(event, names_, line);
     std::cout << line << '\n';
-    for (; held_ < waits_.held.size() && waits_.held[held_].line == number; ++held_)
-      std::cout << R"({"event":"held","group":")" << of_.model.groups[GroupId{waits_.held[held_].group}].name.value
-                << "\"}\n";
+    untold("held", waits_.held, held_, number);
+    untold("stays", waits_.stays, stays_, number);
   }
 
   void stepped(const director::View& view) override {
@@ -79,37 +79,56 @@ public:
   }
 
 private:
+  void untold(const char* event, const std::vector<Waits::Held>& all, std::size_t& next, std::size_t number) {
+    for (; next < all.size() && all[next].line == number; ++next)
+      std::cout << R"({"event":")" << event << R"(","group":")" << of_.model.groups[GroupId{all[next].group}].name.value
+                << "\"}\n";
+  }
+
   const Compiled& of_;
   const director::Names names_;
   const Waits& waits_;
-  std::size_t held_ = 0;
+  std::size_t held_ = 0, stays_ = 0;
 };
+
+bool tell(const director::property::Documents& documents, std::uint64_t seed, const char* of) {
+  const auto result = director::property::compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
+  if (!result.compiled) return false;
+  const RowNames rows(result.compiled->model, result.compiled->lowered);
+  Json initial = Json::object({});
+  for (const State& state : result.compiled->model.states)
+    initial.add(state.name.value, state.initial ? Json::text(state.value_text(*state.initial)) : Json{});
+  std::cout << to_line(
+                   Json::object({{"seed", Json::count(seed)}, {"of", Json::text(of)}, {"initial", std::move(initial)}}))
+            << '\n';
+  std::string header;
+  director::append_header(rows.names(), "", header);
+  std::cout << header << '\n';
+  const std::string recorded = record(*result.compiled, rows);
+  TraceLines asked(recorded), lines(recorded);
+  director::dsl::Sources sources; // for the places that answers name
+  sources.add("scenario.yaml", to_yaml(documents.scenario));
+  sources.add("behaviour.yaml", to_yaml(documents.behaviour));
+  const Waits waits = find_waits(asked, result.compiled->model, result.compiled->lowered, sources);
+  Telling telling(*result.compiled, rows, waits);
+  replay(lines, rows.names(), &telling);
+  return true;
+}
 
 } // namespace
 
 int main(int count, char** words) {
-  if (count != 3) return 2;
-  const auto first = std::strtoull(words[1], nullptr, 10), cases = std::strtoull(words[2], nullptr, 10);
-  for (std::uint64_t seed = first; seed < first + cases; ++seed) {
-    const director::property::Documents documents = director::property::generate(seed);
-    const auto result = director::property::compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
-    if (!result.compiled) return 1;
-    const RowNames rows(result.compiled->model, result.compiled->lowered);
-    Json initial = Json::object({});
-    for (const State& state : result.compiled->model.states)
-      initial.add(state.name.value, state.initial ? Json::text(state.value_text(*state.initial)) : Json{});
-    std::cout << to_line(Json::object({{"seed", Json::count(seed)}, {"initial", std::move(initial)}})) << '\n';
-    std::string header;
-    director::append_header(rows.names(), "", header);
-    std::cout << header << '\n';
-    const std::string recorded = record(*result.compiled, rows);
-    TraceLines asked(recorded), lines(recorded);
-    director::dsl::Sources sources; // for the places that answers name
-    sources.add("scenario.yaml", to_yaml(documents.scenario));
-    sources.add("behaviour.yaml", to_yaml(documents.behaviour));
-    const Waits waits = find_waits(asked, result.compiled->model, result.compiled->lowered, sources);
-    Telling telling(*result.compiled, rows, waits);
-    replay(lines, rows.names(), &telling);
+  if (count < 3) return 2;
+  const auto number = [&](int at) { return std::strtoull(words[at], nullptr, 10); };
+  const auto tell_both = [](std::uint64_t seed) {
+    return tell(director::property::generate(seed), seed, "any") &&
+           tell(director::property::generate_moving_unit(seed), seed, "a unit that moves");
+  };
+  for (std::uint64_t seed = number(1); seed < number(1) + number(2); ++seed) {
+    if (!tell_both(seed)) return 1;
+  }
+  for (int i = 3; i < count; ++i) {
+    if (!tell_both(number(i))) return 1;
   }
   return 0;
 }

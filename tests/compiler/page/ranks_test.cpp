@@ -140,6 +140,70 @@ TEST_CASE("what is granted together, or needed, goes before what others of the s
         "second, Play: Walk (priority 9) before Legs (priority 2), never both at once\n");
 }
 
+TEST_CASE("a member of a unit goes first of what stands behind another member, where that one is asked for") {
+  const auto pack = [](const std::string& tasks, const char* first, const char* second) {
+    return told_of("roots: [Pack]\ngroups:\n  Pack: {" + tasks +
+                       "}\n  Lift: {}\n  Hold: {}\n  Sort: {tasks: [Pick]}\n  Pick: {tasks: [Grip]}\n"
+                       "  Grip: {needs: [Palm]}\n  Palm: {tasks: [Nail]}\n  Nail: {}\n  Spot: {tasks: [Nail, Palm]}\n",
+                   first, second);
+  };
+  const std::string any =
+      "tasks: {Lift: {priority: {hurried: 50, calm: 0}}, Sort: {priority: 20, apart: true}, Grip: {}}";
+  const std::string with_lift =
+      "Pack: Grip (priority 0) before Sort (priority 20), as Grip is granted together with Lift (priority 50)\n";
+  const std::string without_lift =
+      "Pack: Sort (priority 20) before Grip (priority 0), unless Grip is granted together with Lift (priority 50)\n";
+  CHECK(pack(any, "Grip", "Grip") == "second, " + without_lift + "first, " + with_lift);
+  CHECK(pack(any, "Grip", "Sort") == "second leads\nsecond, " + without_lift + "first, " + with_lift);
+  CHECK(pack(any, "Grip", "Pick") == "second leads\nsecond, " + without_lift + "first, " + with_lift);
+  // What it needs comes with it, and what that asks for does not.
+  CHECK(pack(any, "Palm", "Sort") == "second leads\nsecond, " + without_lift +
+                                         "first, Pack: what Grip (priority 0) needs before Sort (priority 20), as Grip "
+                                         "is granted together with Lift (priority 50)\n");
+  CHECK(pack(any, "Nail", "Sort") == "second leads\nsecond, Pack: Sort (priority 20) before Grip (priority 0)\n");
+}
+
+TEST_CASE(
+    "a member goes first in each pack that asks for who stands before it, and where that is older if it is equal") {
+  const auto grip = [](const std::string& tasks) {
+    return told_of("roots: [Pack]\ngroups:\n  Pack: {" + tasks +
+                       "}\n  Lift: {}\n  Hold: {}\n  Sort: {tasks: [Grip]}\n  Grip: {}\n",
+                   "Grip", "Grip");
+  };
+  const std::string by_rank = "second, Pack: Sort (priority 20) before Grip (priority 0)";
+  const std::string led = "first, Pack: Grip (priority 0) before Sort (priority 20), as Grip is granted together with ";
+  // A pack is asked for as a whole.
+  CHECK(grip("packs: {whole: {Lift: {priority: 50}, Hold: {priority: 20}, Sort: {priority: 20, apart: true}, Grip: "
+             "{}}}") == led + "Lift (priority 50) or Hold (priority 20, if older)\n");
+  CHECK(grip("packs: {whole: {Lift: {levels: {firm: {priority: 50}, spare: {priority: 50, optional: true}}}, Sort: "
+             "{priority: 20, apart: true}, Grip: {}}}") ==
+        by_rank + ", unless Grip is granted together with Lift (priority 50)\n" + led + "Lift (priority 50)\n");
+  CHECK(grip("packs: {whole: {Hold: {priority: 20}, Sort: {priority: 20, apart: true}, Grip: {}}}") ==
+        by_rank + ", unless Grip is granted together with Hold (priority 20, if older)\n" + led +
+            "Hold (priority 20, if older)\n");
+  CHECK(grip("tasks: {Lift: {priority: 50}, Sort: {apart: true}, Grip: {}}") ==
+        "equal, Pack: Sort (priority 0) and Grip (priority 0) are equal; of two that ask, Grip goes first where "
+        "granted together with Lift (priority 50)\n");
+  // None of these brings it forward.
+  CHECK(grip("tasks: {Lift: {priority: 50, apart: true}, Hold: {priority: 10}, Sort: {priority: 20, apart: true}, "
+             "Grip: {}}") == by_rank + "\n");
+  CHECK(grip("packs: {fast: {Lift: {priority: 50}, Grip: {}}, slow: {Sort: {priority: 20, apart: true}, Grip: {}}}") ==
+        by_rank + "\n");
+}
+
+TEST_CASE("what one provider needs and another one asks for apart goes first only where it is needed") {
+  CHECK(told_of(R"(roots: [Play]
+groups:
+  Play: {providers: [{name: near, needs: [Walk], tasks: {Walk: {}, Legs: {apart: true}}}, {name: far, needs: [Legs], tasks: [Walk, Legs]}]}
+  Walk: {tasks: [Legs]}
+  Legs: {}
+)",
+                "Legs", "Legs") ==
+        "equal, Play: Walk (priority 0) and Legs (priority 0) are equal, together or not at all\n"
+        "first, Play: Legs (priority 0) before what Walk (priority 0) asks for, as both are granted together\n"
+        "first, Play: Legs (priority 0) before what Walk (priority 0) asks for, as Play runs only with it\n");
+}
+
 TEST_CASE("of what several ask for, each two have what decides between them") {
   const Compiled c = compile(R"(behaviour: test
 language: 1

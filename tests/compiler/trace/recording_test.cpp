@@ -120,6 +120,7 @@ TEST_CASE("answers hold from the event in their line on, or from the one before 
   waits.texts = {"B waits", "B waits otherwise"};
   waits.changes = {{2, 1, 1}, {4, 1, 2}, {5, 1, 0}};
   waits.held = {{4, 0}};
+  waits.stays = {{4, 1}};
   waits.last_line = 5;
   const Decoded out =
       recorded({R"({"t":1,"n":1,"event":"done","group":"A"})", R"({"t":2,"n":2,"event":"done","group":"B"})",
@@ -127,11 +128,12 @@ TEST_CASE("answers hold from the event in their line on, or from the one before 
                 R"({"t":3,"n":3,"event":"answer","group":"A","provider":"x","answer":"done"})",
                 R"({"t":4,"n":4,"event":"done","group":"B"})"},
                waits, "something is missing");
-  CHECK(out.events.size() == 5);
+  CHECK(out.events.size() == 6);
   CHECK(out.events[3] == std::pair<std::int64_t, std::string>{3, R"({"event":"held","group":"A"})"});
+  CHECK(out.events[4] == std::pair<std::int64_t, std::string>{3, R"({"event":"stays","group":"B"})"});
   CHECK(out.head["texts"].as_texts() == waits.texts);
-  CHECK(out.changes == std::vector<std::vector<std::uint64_t>>{{0, 1, 1}, {3, 1, 2}, {3, 1, 0}});
-  CHECK(out.head["why_until"].as_number() == 4);
+  CHECK(out.changes == std::vector<std::vector<std::uint64_t>>{{0, 1, 1}, {4, 1, 2}, {4, 1, 0}});
+  CHECK(out.head["why_until"].as_number() == 5);
   CHECK(out.head["why_ends"].as_text() == "something is missing");
 }
 

@@ -100,3 +100,36 @@ steps:
   CHECK(some.empty());
   CHECK(cut.replayed.dropped == 2);
 }
+
+TEST_CASE("a group whose request is queued while its requester is about to run stays, and with it what it asks for") {
+  World world;
+  world.files.add("carrier.yaml", R"(behaviour: carrier
+language: 1
+states: {Charge: {values: [low, high], initial: high, external: true}}
+roots: [Carry]
+groups:
+  Carry: {needs: [Walk], tasks: [Walk]}
+  Walk: {providers: [{name: fast, when: [Charge == high], tasks: [Rest]}, {name: slow, tasks: [Rest]}]}
+  Rest: {when: [Charge == low]}
+)");
+  world.files.add("s.yaml", R"(scenario: the charge is low when there is a new task
+behaviour: carrier.yaml
+steps:
+  - request: Carry
+  - inputs: [{request: Carry}, {set: {Charge: low}}]
+)");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  director::dsl::Sources sources;
+  const Checked checked = check("carrier.yaml", world.files, sources);
+  REQUIRE(checked.lowerable);
+  const std::string& trace = world.outputs.files.at("run.jsonl");
+  TraceLines lines(trace);
+  lines.next();
+  const Waits waits = find_waits(lines, checked.model, lower(checked.model), sources);
+  const std::size_t queued = trace.find(R"("event":"queue","edge":"Carry>Walk","why":"waiting")");
+  REQUIRE(queued != std::string::npos);
+  const auto line = static_cast<std::size_t>(
+      1 + std::count(trace.begin(), trace.begin() + static_cast<std::ptrdiff_t>(queued), '\n'));
+  CHECK(waits.stays == std::vector<Waits::Stays>{{line, 1}});
+  CHECK(waits.held.empty());
+}

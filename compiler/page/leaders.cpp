@@ -1,0 +1,101 @@
+// Header: compiler/page/leaders.hpp. Test: tests/compiler/page/ranks_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/page/leaders.hpp"
+
+#include "compiler/graph/algorithms.hpp"
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+const Task* entry(const Pack& pack, EdgeId edge) {
+  const auto at =
+      std::find_if(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) { return task.edge == edge; });
+  return at == pack.tasks.end() ? nullptr : &*at;
+}
+
+bool in_unit(const Level& level) { return !level.optional && !level.apart; }
+
+} // namespace
+
+const Leaders& LeaderFinder::of(const Decision& decision, bool first) {
+  static const Leaders none;
+  const Standing& own = first ? decision.first : decision.second;
+  const Standing& rivals = first ? decision.second : decision.first;
+  const bool behind = !own.optional && !rivals.optional && own.priority <= rivals.priority;
+  if (!decision.requester || !behind) return none;
+  const auto [at, fresh] = known_.try_emplace({decision, first});
+  if (fresh) at->second = find(decision, first);
+  return at->second;
+}
+
+Leaders LeaderFinder::find(const Decision& decision, bool first) const {
+  Leaders out{{}, true};
+  const EdgeId member = first ? decision.first_sibling : decision.second_sibling;
+  const EdgeId rival = first ? decision.second_sibling : decision.first_sibling;
+  for (const ProviderId id : model_.groups[*decision.requester].providers) {
+    for (const Pack& pack : model_.providers[id].packs)
+      look(pack, member, first ? decision.first : decision.second, rival, first ? decision.second : decision.first,
+           out);
+  }
+  std::sort(out.all.begin(), out.all.end());
+  out.all.erase(std::unique(out.all.begin(), out.all.end()), out.all.end());
+  return out;
+}
+
+void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standing, EdgeId rival, const Standing& rivals,
+                        Leaders& out) const {
+  const auto level = [&](const Task& task, const Task::NamedLevel& named) {
+    return model_.edges[task.edge].levels[named.level];
+  };
+  const auto may_be = [&](const Task& task, std::int32_t priority, auto kind) {
+    return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
+      return level(task, named).priority == priority && kind(level(task, named));
+    });
+  };
+  const Task *const own = entry(pack, member), *const others = entry(pack, rival);
+  if (own == nullptr || others == nullptr) return;
+  const auto alone = [](const Level& each) { return !in_unit(each); };
+  const auto apart = [](const Level& each) { return each.apart && !each.optional; };
+  if (may_be(*own, standing.priority, alone)) out.always = false;
+  if (may_be(*others, rivals.priority, [](const Level& each) { return in_unit(each); })) out.always = false;
+  if (!may_be(*own, standing.priority, in_unit) || !may_be(*others, rivals.priority, apart)) return;
+  bool always = false;
+  for (const Task& task : pack.tasks) {
+    if (task.edge == member) continue;
+    bool each_level = true;
+    for (const Task::NamedLevel& named : task.levels) {
+      const Level& it = level(task, named);
+      const bool before = in_unit(it) && it.priority > rivals.priority;
+      const bool beside = in_unit(it) && it.priority == rivals.priority && standing.priority < rivals.priority;
+      if (before || beside) out.all.push_back({task.edge, it.priority, beside});
+      each_level = each_level && before;
+    }
+    always = always || each_level;
+  }
+  out.always = out.always && always && !pack.name.empty(); // of what has no name any part may be asked for
+}
+
+const Ways::Paths& Ways::paths(GroupId from) {
+  std::optional<Paths>& known = known_[from];
+  if (known) return *known;
+  Arrows needs(model_.groups.size()), both(model_.groups.size());
+  for (const Edge& edge : model_.edges) {
+    if (!edge.requester) continue;
+    if (edge.needed) needs[edge.requester->value].push_back(edge.target.value);
+    both[edge.requester->value].push_back(edge.target.value);
+  }
+  Paths out{reachable(needs, from.value), {}};
+  out.needs[from.value] = true;
+  std::vector<Node> asked;
+  for (const Edge& edge : model_.edges) {
+    if (edge.requester && !edge.levels.empty() && out.needs[edge.requester->value]) asked.push_back(edge.target.value);
+  }
+  out.asks = reachable(both, asked);
+  for (const Node node : asked) out.asks[node] = true;
+  return known.emplace(std::move(out));
+}
+
+} // namespace director::compiler

@@ -1,0 +1,66 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// A unit is tried where the first of its members stands, so that a member may go before what its own rank is behind:
+// with which other members, and whether always. Source: semantics.md 4.4.
+
+#include "compiler/lower/contention.hpp"
+#include "compiler/model/model.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace director::compiler {
+
+/// A member that stands first.
+struct Leader {
+  EdgeId edge{};
+  std::int32_t priority = 0;
+  bool if_older = false; ///< its priority is that of the rival: the older request of the two goes first
+  auto operator<=>(const Leader&) const = default;
+};
+
+struct Leaders {
+  std::vector<Leader> all; ///< by edge and level; empty: nothing of this kind
+  bool always = false;     ///< whatever is asked for, one of them is asked for too, and goes before the rival
+};
+
+/// Of one side of a decision, which is behind by rank or equal: what brings it forward where it is asked for as a
+/// member of its unit, and the other side is apart.
+class LeaderFinder {
+public:
+  explicit LeaderFinder(const Model& model) : model_(model) {}
+  const Leaders& of(const Decision& decision, bool first);
+
+private:
+  void look(const Pack& pack, EdgeId member, const Standing& standing, EdgeId rival, const Standing& rivals,
+            Leaders& out) const;
+  Leaders find(const Decision& decision, bool first) const;
+
+  const Model& model_;
+  std::map<std::pair<Decision, bool>, Leaders> known_;
+};
+
+/// How one group comes to hold another.
+class Ways {
+public:
+  explicit Ways(const Model& model) : model_(model), known_(model.groups.size()) {}
+  /// By needs alone, with its own grant; a group needs itself.
+  bool needs(GroupId from, GroupId to) { return paths(from).needs[to.value]; }
+  /// By some task that it, or what it has by then, asks for.
+  bool asks(GroupId from, GroupId to) { return paths(from).asks[to.value]; }
+
+private:
+  struct Paths {
+    std::vector<bool> needs, asks;
+  };
+  const Paths& paths(GroupId from);
+
+  const Model& model_;
+  IdTable<GroupId, std::optional<Paths>> known_;
+};
+
+} // namespace director::compiler
