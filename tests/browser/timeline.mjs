@@ -184,6 +184,20 @@ await situation('the filter says which events are stepped to and listed, and whi
   assert.equal(await page.locator('.labels a').count(), before);
 });
 
+await situation('where the tracks are scrolled, the ruler stays above them; a name that is cut off can be read', 'minute', {}, async (page) => {
+  const top = await page.locator('.lanes').evaluate((lanes) => {
+    lanes.scrollTop = 100;
+    const { left, right, top: edge } = lanes.getBoundingClientRect();
+    const canvas = lanes.querySelector('.ruler').getBoundingClientRect();
+    return { scrolled: lanes.scrollTop, ruler: canvas.top - edge, label: document.elementFromPoint(left + 20, edge + 15).className, right: right > canvas.left };
+  });
+  assert.deepEqual(top, { scrolled: 100, ruler: 1, label: 'labels', right: true });
+  const isDrawn = await page.locator('.ruler').evaluate((ruler) => new Set(ruler.getContext('2d').getImageData(0, 0, ruler.width, ruler.height).data).size > 10);
+  assert.ok(isDrawn);
+  assert.equal(await page.locator('.labels a[href="#group-FallRecovery"]').getAttribute('title'), 'FallRecovery');
+  await all.shot(page, 'minute_scrolled');
+});
+
 await situation('a slice says under the pointer what it is', 'rover', {}, async (page) => {
   const { x, y, width } = await box(page);
   await page.mouse.move(x + width / 2, y + 34 + 2 * 20 + 10);
