@@ -184,6 +184,15 @@ await situation('on paper there are no buttons, and it fits', 'soccer', {}, asyn
   await page.pdf({ path: join(folder, 'soccer.pdf'), format: 'A4' });
 });
 
+await situation('on paper nothing of seventy groups is cut off at the side', 'robocup', { viewport: { width: 718, height: 1047 } }, async (page) => {
+  await page.emulateMedia({ media: 'print' });
+  const [inner, whole] = await page.evaluate(() => [document.documentElement.clientWidth, document.documentElement.scrollWidth]);
+  assert.ok(whole <= inner, `${whole} points in ${inner}`);
+  assert.deepEqual(await beyond(page), []);
+  await page.locator('.matrix').evaluate((matrix) => matrix.scrollIntoView());
+  await shot(page, 'robocup_paper');
+});
+
 await situation('seventy groups are one page of at most 1.5 MB', 'robocup', {}, async (page) => {
   assert.ok(statSync(join(folder, 'robocup.html')).size <= 1.5e6);
   await page.fill('#search', 'walk');
