@@ -104,17 +104,19 @@ std::string html_page(const PageInput& input) {
         "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
         section.id, section.title, html);
   }
+  // the script makes links of the places that answers to `why` name
+  const std::string links = input.link.empty() ? "" : fmt::format(" data-link=\"{}\"", html(input.link));
   return fmt::format(
       "<!DOCTYPE html>\n{}\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src '{}'; style-src '{}'; "
       "base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body{}>\n"
       "<a class=\"skip\" href=\"#main\">To the text</a>\n<header>\n<h1>{}</h1>\n{}"
       "<div id=\"finder\" hidden></div>\n</header>\n<nav aria-label=\"On this page\">\n<ul>\n{}</ul>\n</nav>\n"
       "<main id=\"main\">\n{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n"
       "</body>\n</html>\n",
-      html_notice(input.file), check_sum(page_script()), check_sum(page_style()), name, page_style(), name,
+      html_notice(input.file), check_sum(page_script()), check_sum(page_style()), name, page_style(), links, name,
       doc_html(input.data), nav, body, in_script(input.data), page_script());
 }
 

@@ -78,7 +78,6 @@ std::string groups_html(const HtmlInput& input) {
         "<article class=\"group\" id=\"group-{0}\" data-group=\"{0}\" tabindex=\"-1\">\n<h3>{0} {1}</h3>\n{2}"
         "<p class=\"about\">{3}</p>\n",
         html(name), place_html(group, input), doc_html(group), about);
-    for (const Json& provider : group["providers"].items()) out += provider_html(group, provider, input);
     std::string facts;
     const auto at = input.relations.groups.find(name);
     if (at != input.relations.groups.end()) {
@@ -86,7 +85,9 @@ std::string groups_html(const HtmlInput& input) {
       add_mentions(facts, "needed by", at->second.needs);
       add_mentions(facts, "may be pushed by", at->second.pushes);
     }
+    // before the providers: below the last one it would seem to be said of that one
     if (!facts.empty()) out += fmt::format("<dl class=\"others\">\n{}</dl>\n", facts);
+    for (const Json& provider : group["providers"].items()) out += provider_html(group, provider, input);
     out += "</article>\n";
   }
   return out;

@@ -1,4 +1,4 @@
-// Header: compiler/page/words.hpp. Test: tests/compiler/page/pages_test.cpp.
+// Header: compiler/page/words.hpp. Test: tests/compiler/page/words_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/page/words.hpp"
 
@@ -92,13 +92,17 @@ std::vector<Rivals> rivals_in(const Json& ranks) {
   for (const Json& contended : ranks["contended"].items()) {
     for (const Json& row : contended["rivals"].items()) {
       Rivals rivals{contended["group"].as_text(), who(row["first"]), who(row["second"]), {}};
-      const std::vector<Json>& all = row["decisions"].items();
-      for (std::size_t i = 0; i < std::min(all.size(), most_decisions_told); ++i) {
-        const auto place = static_cast<std::size_t>(all[i].as_number() / 2);
-        rivals.decisions.push_back(ranks["decisions"].items()[place]["words"].as_text());
+      // One decision may fall either way, as each of the two is on each side of it: its words are the same.
+      for (const Json& code : row["decisions"].items()) {
+        const std::string& words =
+            ranks["decisions"].items()[static_cast<std::size_t>(code.as_number() / 2)]["words"].as_text();
+        if (std::find(rivals.decisions.begin(), rivals.decisions.end(), words) == rivals.decisions.end())
+          rivals.decisions.push_back(words);
       }
-      if (all.size() > most_decisions_told)
-        rivals.decisions.push_back(fmt::format("and {} more", all.size() - most_decisions_told));
+      if (const std::size_t all = rivals.decisions.size(); all > most_decisions_told) {
+        rivals.decisions.resize(most_decisions_told);
+        rivals.decisions.push_back(fmt::format("and {} more", all - most_decisions_told));
+      }
       out.push_back(std::move(rivals));
     }
   }

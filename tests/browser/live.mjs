@@ -102,6 +102,21 @@ await situation('a click on a box says why, and so does a choice by keyboard', [
   await sees(page, '#why-answer', /^Sing runs/);
 });
 
+for (const [screen, viewport] of Object.entries({ 'a laptop': { width: 1366, height: 768 }, 'a phone': { width: 390, height: 844 } })) {
+  await situation(`how the connection is, and the answer to a click, are in sight beside the picture, on ${screen}`, [live], { viewport }, async ({ page }) => {
+    await page.locator('.bench').evaluate((bench) => bench.scrollIntoView());
+    await node(page, 'Open').click();
+    await sees(page, '#why-answer', /^Open waits/);
+    const seen = await page.evaluate(() => ['.live-state', '#why-answer p', '.bench .picture'].map((each) => {
+      const element = document.querySelector(each);
+      const { left, top } = element.getBoundingClientRect();
+      return element.contains(document.elementFromPoint(left + 10, top + 10));
+    }));
+    assert.deepEqual(seen, [true, true, true]);
+    await shot(page, `waits_${viewport.width}`);
+  });
+}
+
 await situation('only what runs or waits now has a track, and the rest of the picture is hardly there', [live], {}, async ({ page, url }) => {
   await page.check('#only-now');
   await until(page, () => document.querySelectorAll('.labels a:not(.state)').length === 5);

@@ -12,6 +12,14 @@ const shot = (page, name) => all.shot(page, name);
 const near = (page) => page.locator('.holder:not([hidden]) g.node.near title').allTextContents();
 const focused = (page) => page.evaluate(() => document.activeElement?.id || document.activeElement?.textContent);
 
+/** The groups of the picture that are not whole in its frame. */
+const beyond = (page) => page.evaluate(() => {
+  const picture = document.querySelector('.holder:not([hidden]) .picture');
+  const paper = picture.getBoundingClientRect();
+  const isOut = ({ left, right, top, bottom }) => left < paper.left - 1 || right > paper.right + 1 || top < paper.top - 1 || bottom > paper.bottom + 1;
+  return [...picture.querySelectorAll('g.node')].filter((node) => isOut(node.getBoundingClientRect())).map((node) => node.querySelector('title').textContent);
+});
+
 for (const colorScheme of ['light', 'dark']) {
   for (const name of ['soccer', 'photo']) {
     await situation(`axe finds nothing, ${colorScheme}`, name, { colorScheme, bypassCSP: true }, async (page) => {
@@ -25,6 +33,10 @@ for (const colorScheme of ['light', 'dark']) {
     });
   }
 }
+
+await situation('who asks for a group stands above its providers, as it is said of all of them', 'soccer', {}, async (page) => {
+  assert.deepEqual(await page.locator('#group-Walk').locator('.others dt, h4').evaluateAll((all) => all.map((each) => each.firstChild.textContent.trim())), ['requested by', 'may be pushed by', 'Walk.walking', 'Walk.halting']);
+});
 
 await situation('a search finds by name, then by what is said; Enter goes there', 'soccer', {}, async (page) => {
   await page.keyboard.press('/');
@@ -103,6 +115,45 @@ await situation('of any two groups the page says who goes first, and what decide
   await shot(page, 'soccer_pair');
 });
 
+await situation('where the matrix is scrolled, its corner hides the names that go below it', 'robocup', {}, async (page) => {
+  await page.locator('.matrix').evaluate((matrix) => { matrix.scrollIntoView(); matrix.scrollTop = 400; matrix.scrollLeft = 100; });
+  const seen = await page.locator('.matrix').evaluate((matrix) => {
+    const { left, top } = matrix.getBoundingClientRect();
+    return [20, 60, 100].map((down) => document.elementFromPoint(left + 20, top + down).closest('tr').parentElement.localName);
+  });
+  assert.deepEqual(seen, ['thead', 'thead', 'thead']);
+  await shot(page, 'robocup_matrix');
+});
+
+await situation('what a cell says comes in sight, and the cell stays there', 'robocup', {}, async (page) => {
+  const link = page.getByRole('link', { name: 'hard: from WalkTo to GetUp', exact: true });
+  await page.locator('.matrix').evaluate((matrix) => matrix.scrollIntoView({ block: 'end' }));
+  await click(link);
+  const [bottom, top, height] = await page.evaluate(() => [document.getElementById('cell').getBoundingClientRect().bottom, document.activeElement.getBoundingClientRect().top, innerHeight]);
+  assert.ok(bottom <= height + 1 || top < 100, `the words end at ${bottom} of ${height}, the cell is at ${top}`);
+  assert.ok(top > 0);
+});
+
+await situation('one finger scrolls the page, also on the picture; two move the picture', 'soccer', { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true }, async (page) => {
+  const session = await page.context().newCDPSession(page);
+  const { x, y, width } = await page.locator('.holder:not([hidden]) .picture').boundingBox();
+  const touch = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })) });
+  const place = () => page.locator('.holder:not([hidden]) svg > g').getAttribute('transform');
+  const before = await place();
+  await touch('touchStart', [x + width / 2, y + 200]);
+  for (let moved = 10; moved <= 150; moved += 10) await touch('touchMove', [x + width / 2, y + 200 - moved]);
+  await touch('touchEnd');
+  for (let last = -1, now = 0; now !== last; [last, now] = [now, await page.evaluate(() => scrollY)]) await page.waitForTimeout(300); // until it is at rest
+  assert.ok((await page.evaluate(() => scrollY)) >= 100);
+  assert.equal(await place(), before);
+  const at = (await page.locator('.holder:not([hidden]) .picture').boundingBox()).y + 100;
+  const [left, right] = [x + width / 3, x + width / 2];
+  await touch('touchStart', [left, at], [right, at]);
+  for (let moved = 10; moved <= 60; moved += 10) await touch('touchMove', [left, at + moved], [right, at + moved]);
+  await touch('touchEnd');
+  assert.notEqual(await place(), before);
+});
+
 await situation('without JavaScript all of the text is there, and each cell leads to its words and its scenario', 'soccer', { javaScriptEnabled: false }, async (page) => {
   assert.equal(await page.locator('#finder').isVisible(), false);
   assert.equal(await page.locator('.picture').first().isVisible(), true);
@@ -129,7 +180,17 @@ await situation('at 200 % nothing is cut off at the side', 'soccer', { viewport:
 await situation('on paper there are no buttons, and it fits', 'soccer', {}, async (page) => {
   await page.emulateMedia({ media: 'print' });
   assert.equal(await page.locator('button:visible').count(), 0);
+  assert.deepEqual(await beyond(page), []);
   await page.pdf({ path: join(folder, 'soccer.pdf'), format: 'A4' });
+});
+
+await situation('on paper nothing of seventy groups is cut off at the side', 'robocup', { viewport: { width: 718, height: 1047 } }, async (page) => {
+  await page.emulateMedia({ media: 'print' });
+  const [inner, whole] = await page.evaluate(() => [document.documentElement.clientWidth, document.documentElement.scrollWidth]);
+  assert.ok(whole <= inner, `${whole} points in ${inner}`);
+  assert.deepEqual(await beyond(page), []);
+  await page.locator('.matrix').evaluate((matrix) => matrix.scrollIntoView());
+  await shot(page, 'robocup_paper');
 });
 
 await situation('seventy groups are one page of at most 1.5 MB', 'robocup', {}, async (page) => {

@@ -12,7 +12,7 @@ execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl WORKING_DIRECTORY
 foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml)
   string(REPLACE ":" ";" page ${page})
   list(POP_FRONT page name)
-  execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html
+  execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html "--link=https://git.example.org/{file}#L{line}"
                   WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 execute_process(COMMAND ${NODE} timeline.mjs ${CHROMIUM} ${into}/out WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)

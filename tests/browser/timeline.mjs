@@ -82,6 +82,7 @@ await situation('a push is shown: who waits and why, who is pushed for it, in wo
     'Photograph waits (root>Photograph): until Motion == still, which Drive.braking could cause' +
       'Motion is rolling (tests/docs/rover/rover.yaml:21)' + 'Drive.braking is to cause it: pushed for root>Photograph (tests/docs/rover/rover.yaml:36)',
   ]);
+  assert.deepEqual(await page.locator('#moment .notes a').evaluateAll((all) => all.map((each) => each.href)), [21, 36].map((line) => `https://git.example.org/tests/docs/rover/rover.yaml#L${line}`));
   assert.deepEqual(await lines(page, 'Pushed'), ['Drive: pushed to braking for Photograph, which waits for Motion == still']);
   assert.deepEqual(await lines(page, 'States'), ['Motion == rolling']);
   assert.deepEqual([await marked(page, 'running'), await marked(page, 'pushed'), await marked(page, 'queued'), await marked(page, 'inactive')], [['Explore', 'Wheels'], ['Drive'], ['Photograph'], ['Camera']]);
@@ -182,6 +183,20 @@ await situation('the filter says which events are stepped to and listed, and whi
   await page.getByRole('button', { name: 'Those to which something happens' }).click();
   await frame(page);
   assert.equal(await page.locator('.labels a').count(), before);
+});
+
+await situation('where the tracks are scrolled, the ruler stays above them; a name that is cut off can be read', 'minute', {}, async (page) => {
+  const top = await page.locator('.lanes').evaluate((lanes) => {
+    lanes.scrollTop = 100;
+    const { left, right, top: edge } = lanes.getBoundingClientRect();
+    const canvas = lanes.querySelector('.ruler').getBoundingClientRect();
+    return { scrolled: lanes.scrollTop, ruler: canvas.top - edge, label: document.elementFromPoint(left + 20, edge + 15).className, right: right > canvas.left };
+  });
+  assert.deepEqual(top, { scrolled: 100, ruler: 1, label: 'labels', right: true });
+  const isDrawn = await page.locator('.ruler').evaluate((ruler) => new Set(ruler.getContext('2d').getImageData(0, 0, ruler.width, ruler.height).data).size > 10);
+  assert.ok(isDrawn);
+  assert.equal(await page.locator('.labels a[href="#group-FallRecovery"]').getAttribute('title'), 'FallRecovery');
+  await all.shot(page, 'minute_scrolled');
 });
 
 await situation('a slice says under the pointer what it is', 'rover', {}, async (page) => {

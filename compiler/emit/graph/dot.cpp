@@ -193,12 +193,17 @@ private:
     int width = 1;
   };
   static Frame frame_of(const PictureBox& box) {
-    const bool alike = box.kind == PictureBox::Kind::alike;
-    const std::string_view solid = alike ? "DASHED" : "ROUNDED";
-    Frame out = mark_frame(box, solid);
+    Frame out = mark_frame(box, "ROUNDED");
     if (!box.frames.empty()) out.width = box.in_focus ? 4 : 2;
     return out;
   }
+
+  /// Around groups that are asked for alike, each of which has a frame of its own that tells where it stands.
+  static Frame frame_around(const PictureBox& box) {
+    const std::string_view colour = box.in_focus ? palette::ink : is_grey(box) ? palette::faint : palette::frame;
+    return {colour, "DASHED", box.in_focus ? 4 : 1};
+  }
+
   static Frame mark_frame(const PictureBox& box, std::string_view solid) {
     const int width = box.in_focus ? 4 : box.asked ? 2 : 1;
     if (box.kind == PictureBox::Kind::missing) return {palette::queued, "ROUNDED,DASHED", 2};
@@ -253,9 +258,10 @@ private:
     for (std::size_t i = 0; i < (few ? box.members.size() : most - 1); ++i) {
       const PictureMember& member = box.members[i];
       if (box.kind == PictureBox::Kind::alike) {
+        const Frame frame = frame_of(box);
         code_.line(fmt::format(
-            "<TR><TD BORDER=\"1\" STYLE=\"ROUNDED\" COLOR=\"{}\" BGCOLOR=\"{}\"{}{}><B>{}</B></TD></TR>",
-            frame_of(box).colour, palette::paper,
+            "<TR><TD BORDER=\"{}\" STYLE=\"{}\" COLOR=\"{}\" BGCOLOR=\"{}\"{}{}><B>{}</B></TD></TR>",
+            box.mark ? frame.width : 1, frame.style, frame.colour, palette::paper,
             box.frames.empty() ? "" : room((member.name.size() + 2) * letter_width + padding, line_height + padding),
             cell_words(member.about), name_of(is_grey(box), (runs(box) ? "\u25B6 " : "") + member.name)));
       } else {
@@ -270,7 +276,7 @@ private:
 
   void draw_box(const PictureBox& box) {
     const bool alike = box.kind == PictureBox::Kind::alike;
-    const Frame frame = frame_of(box);
+    const Frame frame = alike ? frame_around(box) : frame_of(box);
     const std::string url = links_.to(box.about);
     code_.open(fmt::format("{} [tooltip={}{}, label=<", in_quotes(box.name), in_quotes(tooltip(box.about)),
                            url.empty() ? "" : ", URL=" + in_quotes(url)));

@@ -35,16 +35,30 @@ struct Line {
 
 Line line_of(Sample sample) {
   switch (sample) {
+  case Sample::both:
   case Sample::task: return {palette::task, "SOLID", "&#9654;"};
   case Sample::optional: return {palette::task, "DOTTED", "&#9655;"};
   case Sample::apart: return {palette::task, "DASHED", "&#9654;"};
   case Sample::need: return {palette::need, "SOLID", "&#9679;"};
-  case Sample::both: return {palette::need, "SOLID", "&#9654;"};
   case Sample::push: return {palette::push, "SOLID", "&#9654;", 3};
   case Sample::take: return {palette::take, "SOLID", "&#9654;&#9654;", 2};
   case Sample::text: break;
   }
   return {};
+}
+
+/// The lower border of a cell that is no higher than that: it lies at half the height of the words beside it.
+std::string stroke(std::string_view colour, std::string_view style, int width) {
+  return fmt::format("<TD FIXEDSIZE=\"TRUE\" WIDTH=\"30\" HEIGHT=\"{}\" CELLPADDING=\"0\" BORDER=\"{}\" SIDES=\"B\" "
+                     "COLOR=\"{}\" STYLE=\"{}\"></TD>",
+                     2 * width, width, colour, style);
+}
+
+/// A request and a need beside each other, as the arrow has them.
+std::string two_strokes() {
+  return fmt::format("<TD ALIGN=\"RIGHT\"><TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"1\" CELLPADDING=\"0\">"
+                     "<TR>{}</TR><TR>{}</TR></TABLE></TD>",
+                     stroke(palette::task, "SOLID", 1), stroke(palette::need, "SOLID", 1));
 }
 
 std::string table_row(const LegendEntry& entry) {
@@ -53,10 +67,8 @@ std::string table_row(const LegendEntry& entry) {
     return fmt::format("<TR><TD COLSPAN=\"2\" ALIGN=\"LEFT\">{}&#160;&#160;</TD>{}</TR>", html_attribute(entry.sign),
                        words);
   const Line line = line_of(entry.sample);
-  const bool both = entry.sample == Sample::both;
-  return fmt::format("<TR><TD FIXEDSIZE=\"TRUE\" WIDTH=\"30\" HEIGHT=\"{}\" BORDER=\"{}\" SIDES=\"{}\" COLOR=\"{}\" "
-                     "STYLE=\"{}\"></TD><TD ALIGN=\"LEFT\"><FONT COLOR=\"{}\">{}</FONT></TD>{}</TR>",
-                     6 + 2 * line.width, line.width, both ? "TB" : "B", line.colour, line.style, line.colour, line.head,
+  const std::string drawn = entry.sample == Sample::both ? two_strokes() : stroke(line.colour, line.style, line.width);
+  return fmt::format("<TR>{}<TD ALIGN=\"LEFT\"><FONT COLOR=\"{}\">{}</FONT></TD>{}</TR>", drawn, line.colour, line.head,
                      words);
 }
 
@@ -76,6 +88,7 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
   const auto has_number = [](const std::string& text) {
     return any(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
   };
+  say(!picture.nothing.empty(), "nothing drawn", picture.nothing);
   const auto marks = [&](Moment::Mark mark, std::string sign, std::string words) {
     const auto has_mark = [&](const PictureBox& box) {
       return box.mark == mark || any(box.frames, [&](const Moment::Standing& frame) { return frame.mark == mark; });
@@ -108,8 +121,12 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
   say(any(picture.boxes, [](const PictureBox& box) { return box.asked.has_value(); }), "thick frame",
       fmt::format("the program itself requests it{}", ranked ? ", with that priority" : ""));
   say(any(picture.boxes, [](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
+  const bool from_rows = draws([](const PictureArrow& arrow) { return arrow.from.row.has_value(); });
   say(any(picture.boxes, [](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
-      "providers, the preferred one first; an arrow from one row is of that provider alone");
+      fmt::format("providers, the preferred one first{}", picture.packs_left_out ? "; an arrow stands for all that ask"
+                                                          : from_rows
+                                                              ? "; an arrow from one row is of that provider alone"
+                                                              : ""));
   say(any(picture.boxes,
           [](const PictureBox& box) {
             return any(box.rows, [](const PictureRow& row) { return !row.packs.empty(); });

@@ -60,6 +60,7 @@ public:
     add_arrows();
     add_flaws();
     add_layers();
+    if (picture_.boxes.empty()) picture_.nothing = why_empty();
     return std::move(picture_);
   }
 
@@ -83,10 +84,19 @@ private:
   }
 
   void leave_out_packs() {
+    picture_.packs_left_out = true;
     arrows_ = seen_arrows(Detail::groups);
     for (PictureBox& box : picture_.boxes) {
       for (PictureRow& row : box.rows) row.packs.clear();
     }
+  }
+
+  std::string why_empty() const {
+    const std::string where = options_.focus.empty() ? "" : ", of those in the focus";
+    if (options_.view == View::pushes)
+      return (options_.moment ? "nobody is pushed" : "nobody may push anybody") + where;
+    if (options_.view == View::takes) return "nobody may take anything from another one" + where;
+    return "there are no groups";
   }
 
   /// What these views show is between some groups only.

@@ -120,6 +120,8 @@ struct Picture {
   std::vector<std::string> values;  ///< of states, at that moment
   std::size_t longest_head = 0;     ///< letters of the longest title or value in all frames
   std::vector<std::string> wrong;   ///< what is found that is about no box
+  std::string nothing;              ///< why there is no box; empty: there are some
+  bool packs_left_out = false;      ///< there are so many boxes that an arrow stands for all providers and packs
   std::vector<PictureLayer> layers; ///< in the order declared; what is in none comes last
   std::vector<PictureBox> boxes;
   std::vector<PictureArrow> arrows; ///< by box

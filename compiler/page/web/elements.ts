@@ -20,6 +20,16 @@ export function button(label: string, act: () => void, attributes: Attributes = 
   return out;
 }
 
+/** A place at the end of a text, `(robot.yaml:12)`, is a link, where the page has any. */
+export function withPlace(text: string): (Node | string)[] {
+  const pattern = document.body.dataset.link;
+  const found = /^(.* \()([^()]+):(\d+)\)$/.exec(text);
+  if (!pattern || !found) return [text];
+  const [, before, file, line] = found;
+  const href = pattern.split('{line}').join(line).split('{file}').join(file);
+  return [before, make('a', { href }, `${file}:${line}`), ')'];
+}
+
 export function byId(id: string): HTMLElement | null {
   return document.getElementById(id);
 }

@@ -85,7 +85,9 @@ export class LiveBar {
     } catch (error) {
       parts = [make('p', {}, `Not answered: ${error instanceof Error ? error.message.trim() : String(error)}`)];
     }
-    if (mine === this.asked) this.answer.replaceChildren(...parts);
+    if (mine !== this.asked) return;
+    this.answer.replaceChildren(...parts);
+    this.answer.scrollIntoView({ block: 'nearest' }); // who clicked a box may not see it
   }
 
   private show(state: State, about: string): void {

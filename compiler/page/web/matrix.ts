@@ -88,6 +88,14 @@ export class Matrix {
     parts.push(button('Close', () => { panel.hidden = true; this.go(i, j); }));
     panel.replaceChildren(...parts);
     panel.hidden = false;
+    this.reveal(this.links[i][j], panel);
+  }
+
+  /** The words stand below the matrix: as much of them is scrolled into sight as leaves the cell there. */
+  private reveal(link: HTMLElement, panel: HTMLElement): void {
+    const missing = panel.getBoundingClientRect().bottom - innerHeight;
+    const room = link.getBoundingClientRect().top - 2 * link.offsetHeight;
+    scrollBy(0, Math.max(0, Math.min(missing, room)));
   }
 
   /** Without the right to the clipboard, the text is selected. */

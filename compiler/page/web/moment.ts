@@ -2,7 +2,7 @@
 // The moment in words: who waits and why, who is pushed, who runs for whom, what the states are worth.
 
 import { type Cursor, seconds } from './cursor';
-import { make } from './elements';
+import { make, withPlace } from './elements';
 import type { Source } from './recording';
 import type { Standing } from './standing';
 import { words } from './standing_words';
@@ -85,6 +85,6 @@ export class Moment {
     }
     const [first, ...notes] = text.split('\n').filter((line) => line !== '');
     const short = first.startsWith(`${this.name(group)} `) ? first.slice(this.name(group).length) : ` ${first}`;
-    return [make('span', {}, short), make('ul', { class: 'notes' }, ...notes.map((note) => make('li', {}, note.trim())))];
+    return [make('span', {}, short), make('ul', { class: 'notes' }, ...notes.map((note) => make('li', {}, ...withPlace(note.trim()))))];
   }
 }

@@ -73,9 +73,11 @@ export class Picture {
     this.svg.setAttribute('preserveAspectRatio', 'xMidYMin meet');
     this.motion
       .scaleExtent([0.2, 12])
-      .filter((event: Event) => !(event instanceof WheelEvent) || event.ctrlKey || event.metaKey)
+      .filter((event: Event) => (event instanceof WheelEvent ? event.ctrlKey || event.metaKey : !('touches' in event) || (event.touches as TouchList).length > 1))
       .on('zoom', (event: { transform: { toString(): string } }) => moved.setAttribute('transform', event.transform.toString()));
     select(this.svg).call(this.motion).on('dblclick.zoom', null);
+    // Two fingers would scroll the page as well.
+    this.svg.addEventListener('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
     this.frame.classList.add('moves');
     this.frame.addEventListener('keydown', (event) => this.key(event));
   }
@@ -130,7 +132,7 @@ export class Picture {
       button('Larger', () => this.scale(1.3)),
       button('Smaller', () => this.scale(1 / 1.3)),
       button('Whole', () => this.whole()),
-      make('span', { class: 'hint' }, 'Drag to move; Ctrl and the wheel, or + and −, to zoom; arrow keys move'),
+      make('span', { class: 'hint' }, 'Drag to move; Ctrl and the wheel, or + and −, to zoom; arrow keys move; on a touch screen two fingers'),
     );
   }
 }

@@ -37,10 +37,11 @@ export class Timeline {
   private readonly overview: Overview;
   private readonly marks: PictureMarks[];
   private readonly canvas = make('canvas', { class: 'slices', 'aria-hidden': 'true' });
+  private readonly ruler = make('canvas', { class: 'ruler', 'aria-hidden': 'true' }); // stays where the tracks are scrolled
   private readonly line = make('div', { class: 'cursor' });
   private readonly tip = make('div', { class: 'tip', hidden: '' });
   private readonly labels = make('div', { class: 'labels' });
-  private readonly area = make('div', { class: 'area', id: 'scrub', tabindex: '0', role: 'slider', 'aria-label': 'Time' }, this.canvas, this.line, this.tip);
+  private readonly area = make('div', { class: 'area', id: 'scrub', tabindex: '0', role: 'slider', 'aria-label': 'Time' }, this.ruler, this.canvas, this.line, this.tip);
   private readonly where = make('output', { class: 'where' });
   private readonly inPicture = make('input', { type: 'checkbox', id: 'in-picture', checked: '' });
   private readonly onlyNow = make('input', { type: 'checkbox', id: 'only-now' });
@@ -243,19 +244,30 @@ export class Timeline {
   private draw(): void {
     const { names } = this.source.recording;
     this.tracks.rows = [...this.filter.groups(this.onlyNow.checked ? this.cursor.event : undefined).map((group) => ({ group })), ...names.header.states.map((_, state) => ({ state }))];
+    const label = (kind: string, name: string): HTMLElement => make('a', { class: kind, href: `#${kind}-${name}`, title: name }, name);
     this.labels.replaceChildren(
-      ...this.tracks.rows.map((row) => ('group' in row ? make('a', { href: `#group-${names.header.groups[row.group as number].name}` }, names.header.groups[row.group as number].name) : make('a', { class: 'state', href: `#state-${names.header.states[row.state as number].name}` }, names.header.states[row.state as number].name))),
+      ...this.tracks.rows.map((row) => (row.group !== undefined ? label('group', names.header.groups[row.group].name) : label('state', names.header.states[row.state ?? 0].name))),
     );
     this.width = Math.max(1, Math.floor(this.area.clientWidth));
     const scale = devicePixelRatio;
     this.canvas.width = this.width * scale;
     this.canvas.height = this.tracks.height * scale;
     this.canvas.style.height = this.line.style.height = `${this.tracks.height}px`;
-    this.labels.style.paddingTop = `${rulerHeight}px`;
     const context = this.canvas.getContext('2d');
     if (!context) return;
     context.scale(scale, scale);
     this.tracks.draw(context, this.width, this.look);
+    this.copyRuler(scale);
     this.overview.draw(this.look);
+  }
+
+  private copyRuler(scale: number): void {
+    this.ruler.width = this.canvas.width;
+    this.ruler.height = rulerHeight * scale;
+    const context = this.ruler.getContext('2d');
+    if (!context) return;
+    context.fillStyle = this.look.paper;
+    context.fillRect(0, 0, this.ruler.width, this.ruler.height);
+    context.drawImage(this.canvas, 0, 0);
   }
 }

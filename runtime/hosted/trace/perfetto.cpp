@@ -1,8 +1,10 @@
 // Header: runtime/hosted/trace/trace_format.hpp. Test: tests/runtime/hosted/trace/perfetto_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A process track for the behaviour; below it one track for what comes from outside, one for each group, with a slice
-// for each time that a provider is in charge, and counters. Flows lead from who waits to who is pushed for it, and from
+// A process track for the behaviour; below it, in this order, one track for what comes from outside, one for each
+// group, with a slice for each time that a provider is in charge, those of the states, with a slice for each value, and
+// counters. Viewers merge tracks of one name below one parent, so those of the states have a parent of their own; and
+// they sort by name, where nothing else is told. Flows lead from who waits to who is pushed for it, and from
 // who loses a group to who takes it over. Numbers of fields: protos/perfetto/trace of
 // https://github.com/google/perfetto; those used are in tests/support/perfetto.proto.
 #include "runtime/core/api/event_names.hpp"
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -32,6 +35,8 @@ enum : std::uint32_t { // fields
   track_process = 3,
   track_parent = 5,
   track_counter = 8,
+  track_ordering = 11,
+  track_rank = 12,
   process_pid = 1,
   process_name = 6,
   event_annotation = 4,
@@ -47,7 +52,9 @@ enum : std::uint32_t { // fields
 
 enum class Type : std::uint32_t { begin = 1, end = 2, instant = 3, counter = 4 };
 
-constexpr std::uint64_t process = 1, outside = 2, queued_tasks = 3, lost_inputs = 4, first_group = 16; ///< tracks
+constexpr std::uint64_t process = 1, outside = 2, queued_tasks = 3, lost_inputs = 4, states = 5,
+                        first_group = 16; ///< tracks
+constexpr std::uint64_t by_rank = 3;      ///< of the tracks below one
 constexpr std::size_t longest_line = 1000;
 
 class Perfetto final : public TraceFormat {
@@ -56,18 +63,25 @@ public:
       : n_(names),
         t_(*names.tables),
         in_charge_(t_.groups.size(), nil),
+        values_(t_.states.size()),
         queued_at_(t_.edges.size(), 0) {}
 
   void begin(std::string& out) override {
     const char* const behaviour = n_.behaviour == nullptr ? "behaviour" : n_.behaviour;
     Message root;
     root.number(track_uuid, process)
+        .number(track_ordering, by_rank)
         .message(track_process, Message().number(process_pid, 1).text(process_name, behaviour));
     describe(root, out);
-    describe(below(outside, "outside"), out);
-    for (Index g = 0; g < t_.groups.size(); ++g) describe(below(first_group + g, n_.group(n_.self, g)), out);
-    describe(below(queued_tasks, "queued tasks").message(track_counter, Message()), out);
-    describe(below(lost_inputs, "lost inputs").message(track_counter, Message()), out);
+    std::uint64_t rank = 0;
+    describe(below(process, outside, "outside", rank++), out);
+    for (Index g = 0; g < t_.groups.size(); ++g)
+      describe(below(process, first_group + g, n_.group(n_.self, g), rank++), out);
+    if (!values_.empty()) describe(below(process, states, "states", rank++).number(track_ordering, by_rank), out);
+    for (Index row = 0; row < values_.size(); ++row)
+      describe(below(states, state_track(row), n_.state(n_.self, row), row), out);
+    describe(below(process, queued_tasks, "queued tasks", rank++).message(track_counter, Message()), out);
+    describe(below(process, lost_inputs, "lost inputs", rank++).message(track_counter, Message()), out);
   }
 
   void event(const Event& e, std::string& out) override {
@@ -98,7 +112,11 @@ public:
     case Event::Kind::broken:
     case Event::Kind::fault:
     case Event::Kind::release: instant(first_group + e.group, line(e), {}, out); break;
-    case Event::Kind::set: instant(outside, line(e), {}, out); break;
+    case Event::Kind::begin:
+      for (Index row = 0; row < values_.size(); ++row) take_value(row, t_.states[row].initial, out);
+      break;
+    case Event::Kind::given:
+    case Event::Kind::set: take_value(e.state, e.value, out); break;
     case Event::Kind::refused: instant(first_group + e.group, line(e), {}, out); break;
     case Event::Kind::exhausted: instant(outside, line(e), {}, out); break;
     case Event::Kind::lost:
@@ -109,13 +127,11 @@ public:
     case Event::Kind::keep:
     case Event::Kind::wait:
     case Event::Kind::answer:
-    case Event::Kind::assign:
-    case Event::Kind::begin:
-    case Event::Kind::given: break; // what people look for comes of them
+    case Event::Kind::assign: break; // what people look for comes of them
     }
   }
 
-  /// Nobody knows who is in charge from here on, until it is told again.
+  /// Nobody knows who is in charge, and what states are worth, from here on, until it is told again.
   void dropped(std::uint64_t count, std::string& out) override {
     end(out);
     instant(outside, std::to_string(count) + " events are missing", {}, out);
@@ -123,14 +139,17 @@ public:
 
   void end(std::string& out) override {
     for (Index g = 0; g < t_.groups.size(); ++g) take_charge(g, nil, out);
+    for (Index row = 0; row < values_.size(); ++row) forget_value(row, out);
   }
 
 private:
-  static Message below(std::uint64_t uuid, std::string_view name) {
+  static Message below(std::uint64_t parent, std::uint64_t uuid, std::string_view name, std::uint64_t rank) {
     Message track;
-    track.number(track_uuid, uuid).number(track_parent, process).text(track_name, name);
+    track.number(track_uuid, uuid).number(track_parent, parent).text(track_name, name).number(track_rank, rank);
     return track;
   }
+
+  std::uint64_t state_track(Index row) const { return first_group + t_.groups.size() + row; }
 
   static void write(Message& packet, std::string& out) {
     packet.number(packet_sequence, 1);
@@ -189,6 +208,20 @@ private:
     tell(slice.text(event_name, name == "default" ? n_.group(n_.self, group) : name), out);
   }
 
+  void take_value(Index row, std::int32_t value, std::string& out) {
+    if (row >= values_.size() || values_[row] == value) return;
+    forget_value(row, out);
+    values_[row] = value;
+    Message slice = told(Type::begin, state_track(row));
+    const std::string_view name = value == unset ? "unset" : n_.value(n_.self, row, value);
+    tell(slice.text(event_name, name.empty() ? std::to_string(value) : std::string(name)), out);
+  }
+
+  void forget_value(Index row, std::string& out) {
+    if (values_[row]) tell(told(Type::end, state_track(row)), out);
+    values_[row].reset();
+  }
+
   std::uint64_t requester(Index edge) const {
     const Index group = edge < t_.edges.size() ? t_.edges[edge].requester : nil;
     return group == nil ? outside : first_group + group;
@@ -221,6 +254,7 @@ private:
 
   void input(const Event& e, std::string& out) {
     if (e.input == Event::Input::cancel && e.edge != nil) forget(e.edge, out);
+    if (e.input == Event::Input::set) take_value(e.state, e.value, out);
     const std::string text = line(e);
     if (!text.empty()) instant(outside, std::string_view(text).substr(2), {}, out); // without `> `
   }
@@ -240,7 +274,8 @@ private:
 
   const Names n_;
   const Tables& t_;
-  std::vector<Index> in_charge_;         ///< by group: provider
+  std::vector<Index> in_charge_;                    ///< by group: provider
+  std::vector<std::optional<std::int32_t>> values_; ///< by state; nothing: not known
   std::vector<std::uint64_t> queued_at_; ///< by edge: the micro-step in which it was queued last; 0: it is not
   std::uint64_t queued_ = 0, lost_ = 0, flows_ = 0;
   Time now_ = 0;

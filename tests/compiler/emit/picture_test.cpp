@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What a picture shows, before any format.
+#include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
 #include "compiler/emit/graph/picture.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+
+#include <sstream>
 
 namespace {
 
@@ -224,6 +227,81 @@ TEST_CASE("the legend names what is drawn, and nothing else") {
         "causing: makes that true when it is pushed\n"
         "sets: may set that, and promises nothing\n"
         "on, every: runs again then\n");
+}
+
+TEST_CASE("the legend says of rows what the arrows of this picture do") {
+  const auto rows = [](const Picture& picture) {
+    for (const LegendEntry& entry : legend_of(picture)) {
+      if (entry.sign == "rows") return entry.words;
+    }
+    return std::string{};
+  };
+  std::string large = "behaviour: large\nlanguage: 1\nroots: [Head]\nstates: {Mood: {values: [low, high], external: "
+                      "true, initial: low}}\n"
+                      "groups:\n  Head:\n    providers:\n      - {name: a, when: [Mood == low], tasks: [A0]}\n      - "
+                      "{name: b, tasks: [A1]}\n";
+  for (int i = 0; i < 40; ++i) large += fmt::format("  A{}: {{every: 1 s}}\n", i);
+  CHECK(rows(picture_of(large)) == "providers, the preferred one first; an arrow stands for all that ask");
+  PictureOptions options;
+  options.view = PictureOptions::View::pushes;
+  CHECK(rows(picture_of(walker, options)) == "providers, the preferred one first");
+}
+
+TEST_CASE("a view in which nothing is drawn says why") {
+  const std::string lamp = "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {}}\n";
+  const auto told = [&](PictureOptions::View view, std::optional<Moment> moment = {}, bool in_focus = false) {
+    PictureOptions options;
+    options.view = view;
+    options.moment = std::move(moment);
+    if (in_focus) options.focus = {GroupId{0}};
+    const Picture picture = picture_of(lamp, options);
+    const std::vector<LegendEntry> legend = legend_of(picture);
+    REQUIRE(legend.size() == 1);
+    return legend.front().sign + ": " + legend.front().words;
+  };
+  using View = PictureOptions::View;
+  CHECK(told(View::pushes) == "nothing drawn: nobody may push anybody");
+  CHECK(told(View::takes) == "nothing drawn: nobody may take anything from another one");
+  CHECK(told(View::takes, {}, true) ==
+        "nothing drawn: nobody may take anything from another one, of those in the focus");
+  Moment moment;
+  moment.groups.resize(1);
+  moment.edges.resize(1);
+  CHECK(told(View::pushes, moment) == "nothing drawn: nobody is pushed");
+}
+
+TEST_CASE("groups that are asked for alike have frames of their own, which tell where they stand") {
+  const auto frames = [](Moment::Mark mark) {
+    PictureOptions options;
+    options.moment.emplace();
+    options.moment->groups = {{Moment::Mark::running, {}, {}}, {mark, {}, {}}, {mark, {}, {}}};
+    options.moment->edges.resize(3, mark);
+    const std::string text = dot(picture_of("behaviour: arms\nlanguage: 1\nroots: [Wave]\ngroups:\n"
+                                            "  Wave: {tasks: [Left, Right]}\n  Left: {}\n  Right: {}\n",
+                                            options),
+                                 {});
+    const std::size_t begin = text.find("\"Left, Right\" ["), end = text.find("</TABLE>", begin);
+    REQUIRE(end != std::string::npos);
+    std::istringstream lines(text.substr(begin, end - begin));
+    std::string out;
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t border = line.find(" BORDER="), colour = line.find(" COLOR="), style = line.find(" STYLE=");
+      for (const std::size_t at : {border, style, colour}) {
+        if (at != std::string::npos) out += line.substr(at + 1, line.find_first_of(" >", at + 1) - at - 1) + " ";
+      }
+      if (border != std::string::npos) out += "\n";
+    }
+    return out;
+  };
+  CHECK(frames(Moment::Mark::running) == "BORDER=\"1\" STYLE=\"DASHED\" COLOR=\"#6B727C\" \n"
+                                         "BORDER=\"3\" STYLE=\"ROUNDED\" COLOR=\"#00629B\" \n"
+                                         "BORDER=\"3\" STYLE=\"ROUNDED\" COLOR=\"#00629B\" \n");
+  CHECK(frames(Moment::Mark::held) == "BORDER=\"1\" STYLE=\"DASHED\" COLOR=\"#6B727C\" \n"
+                                      "BORDER=\"2\" STYLE=\"ROUNDED,DOTTED\" COLOR=\"#00629B\" \n"
+                                      "BORDER=\"2\" STYLE=\"ROUNDED,DOTTED\" COLOR=\"#00629B\" \n");
+  CHECK(frames(Moment::Mark::inactive) == "BORDER=\"1\" STYLE=\"DASHED\" COLOR=\"#8A919B\" \n"
+                                          "BORDER=\"1\" STYLE=\"ROUNDED\" COLOR=\"#8A919B\" \n"
+                                          "BORDER=\"1\" STYLE=\"ROUNDED\" COLOR=\"#8A919B\" \n");
 }
 
 TEST_CASE("a picture in words says what it is for and how much there is of what") {

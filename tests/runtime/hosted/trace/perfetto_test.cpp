@@ -107,6 +107,79 @@ TEST_CASE("a counter in a trace for Perfetto says how many inputs were lost so f
   CHECK(seen == "3000000: 3\n3000000: 4\n7000000: 11\n"); // time does not go back
 }
 
+TEST_CASE(
+    "in a trace for Perfetto the tracks stand as they are declared, and those of states have a parent of their own") {
+  const Lamp lamp;
+  const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
+  std::string bytes, seen;
+  format->begin(bytes);
+  for (const Packet& packet : packets_in(bytes)) {
+    seen += packet["parent_uuid"] + "/" + packet["sibling_order_rank"] + " " + packet["uuid"] + " " +
+            packet[packet["process_name"].empty() ? "name" : "process_name"] + " " + packet["child_ordering"] + "\n";
+  }
+  CHECK(seen == "/ 1 \"lamp\" EXPLICIT\n"
+                "1/0 2 \"outside\" \n"
+                "1/1 16 \"Shine\" \n"
+                "1/2 17 \"Signal\" \n"
+                "1/3 18 \"Bulb\" \n"
+                "1/4 5 \"states\" EXPLICIT\n"
+                "5/0 19 \"Motion\" \n"
+                "5/1 20 \"Charge\" \n"
+                "1/5 3 \"queued tasks\" \n"
+                "1/6 4 \"lost inputs\" \n");
+}
+
+TEST_CASE(
+    "in a trace for Perfetto each value of a state is a slice, whoever sets it, and not known behind missing events") {
+  const Lamp lamp;
+  const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
+  std::string bytes;
+  format->begin(bytes);
+  using Kind = director::Event::Kind;
+  const auto tell = [&](Kind kind, director::Time time, director::Index state = director::nil, std::int32_t value = 0) {
+    director::Event event = lamp.event(kind, time);
+    if (kind == Kind::input) event.input = director::Event::Input::set;
+    event.state = state;
+    event.value = value;
+    format->event(event, bytes);
+  };
+  tell(Kind::begin, 0);
+  tell(Kind::given, 0, 1, 80);
+  tell(Kind::set, 1, 0, 1);
+  tell(Kind::set, 2, 0, 1); // as it is
+  tell(Kind::input, 3, 1, 79);
+  tell(Kind::set, 4, 1, director::unset);
+  format->dropped(7, bytes);
+  tell(Kind::given, 5, 0, 0);
+  format->end(bytes);
+  std::string seen;
+  for (const Packet& packet : packets_in(bytes)) {
+    const std::string track = packet["track_uuid"];
+    if (!track.empty())
+      seen += packet["timestamp"] + " " +
+              (track == "19"   ? "Motion"
+               : track == "20" ? "Charge"
+                               : "outside") +
+              " " + packet["type"].substr(5) + " " + packet["name"] + "\n";
+  }
+  CHECK(seen == "0 Motion SLICE_BEGIN \"still\"\n"
+                "0 Charge SLICE_BEGIN \"unset\"\n"
+                "0 Charge SLICE_END \n"
+                "0 Charge SLICE_BEGIN \"80\"\n"
+                "1000 Motion SLICE_END \n"
+                "1000 Motion SLICE_BEGIN \"moving\"\n"
+                "3000 Charge SLICE_END \n"
+                "3000 Charge SLICE_BEGIN \"79\"\n"
+                "3000 outside INSTANT \"set {Charge: 79}\"\n"
+                "4000 Charge SLICE_END \n"
+                "4000 Charge SLICE_BEGIN \"unset\"\n"
+                "4000 Motion SLICE_END \n"
+                "4000 Charge SLICE_END \n"
+                "4000 outside INSTANT \"7 events are missing\"\n"
+                "5000 Motion SLICE_BEGIN \"still\"\n"
+                "5000 Motion SLICE_END \n");
+}
+
 TEST_CASE("of a process that is killed a trace for Perfetto can be read up to shortly before its end") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.perfetto-trace").string();
@@ -149,7 +222,7 @@ TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time g
       CHECK(packet["trusted_packet_sequence_id"] == "1");
       if (!packet["uuid"].empty()) {
         CHECK(tracks.insert(packet["uuid"]).second);
-        if (!packet["parent_uuid"].empty()) CHECK(packet["parent_uuid"] == "1");
+        if (!packet["parent_uuid"].empty()) CHECK(tracks.contains(packet["parent_uuid"]));
         continue;
       }
       const std::string track = packet["track_uuid"], type = packet["type"];
