@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/exclusion.hpp"
+#include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/plans/trials.hpp"
@@ -86,8 +87,10 @@ void report_never(const Input& input, ProviderId id, Findings& findings) {
   const std::string name = name_of(input.model, id);
   dsl::Diagnostic& finding = findings.add(input.model.providers[id].span, fmt::format("{} can never run", name));
   finding.rules_out = {input.model.providers[id].span};
-  finding.notes = explain_idle(input, id);
-  finding.help = fmt::format("request what brings that about, or leave {} out", name);
+  Idleness idleness = explain_idle(input, id);
+  finding.notes = std::move(idleness.notes);
+  finding.help = idleness.deadlock ? apart_help(input.model, *idleness.deadlock)
+                                   : fmt::format("request what brings that about, or leave {} out", name);
 }
 
 /// Where its group is asked for it cannot run, and others of the group can.

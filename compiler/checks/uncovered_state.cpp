@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/exclusion.hpp"
+#include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/causing/self_defeats.hpp"
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
@@ -186,10 +187,19 @@ private:
   void report_never(const std::vector<const Uncoveredness*>& all, const std::string& names) {
     dsl::Diagnostic& finding = findings_.add(model_.groups[all.front()->group].name.span,
                                              fmt::format("no provider of {} can ever run", names));
+    std::optional<Deadlock> deadlock;
     for (const Uncoveredness* one : all) {
       finding.rules_out.push_back(model_.groups[one->group].name.span);
       add_request(*one, one != all.front(), finding);
-      add(explain_idle(model_, facts_, model_.groups[one->group].providers), finding);
+      Idleness idleness = explain_idle(model_, facts_, model_.groups[one->group].providers);
+      if (!deadlock) deadlock = idleness.deadlock;
+      // Who requests it is told already.
+      const auto is_told = [&](const dsl::Note& note) {
+        return note.span == one->where->task->span && note.message.find(" requests ") != std::string::npos;
+      };
+      std::vector<dsl::Note>& notes = idleness.notes;
+      notes.erase(std::remove_if(notes.begin(), notes.end(), is_told), notes.end());
+      add(std::move(notes), finding);
     }
     // Where a provider lacks nothing that could be brought about, conditions exclude each other.
     const bool excluded = std::all_of(all.begin(), all.end(), [&](const Uncoveredness* one) {
@@ -198,8 +208,9 @@ private:
         return facts_.excluded.contains(id) || !explain_exclusion(model_, facts_, id).empty();
       });
     });
-    finding.help = excluded ? "say these conditions so that all of them can hold at once"
-                            : fmt::format("request what brings that about, or leave {} out", names);
+    finding.help = deadlock   ? apart_help(model_, *deadlock)
+                   : excluded ? "say these conditions so that all of them can hold at once"
+                              : fmt::format("request what brings that about, or leave {} out", names);
   }
 
   /// It runs for others, and never for this one.

@@ -68,12 +68,12 @@ std::string propose(const Model& model, const std::vector<Obstacle>& obstacles) 
   const Obstacle& obstacle = obstacles.front();
   const std::string first = name_of(model, obstacle.meeting.first->target);
   const std::string second = name_of(model, obstacle.meeting.second->target);
-  if (obstacle.one_unit)
-    return fmt::format("make {} `apart`, or ask for it one level lower",
-                       obstacle.meeting.first_goes_before() ? second : first);
+  if (obstacle.one_unit && obstacle.meeting.first_goes_before())
+    return fmt::format("make {} `apart`, or ask for it one level lower", second);
   if (obstacle.meeting.first_optional != obstacle.meeting.second_optional)
     return fmt::format("an optional task goes after all others: make {} mandatory, or {} optional too", first, second);
-  if (obstacle.waits_with) return fmt::format("make {} `apart`, with a higher priority than {}", first, second);
+  if (obstacle.one_unit || obstacle.waits_with)
+    return fmt::format("make {} `apart`, with a higher priority than {}", first, second);
   return fmt::format("give {} a higher priority than {}", first, second);
 }
 
