@@ -358,7 +358,13 @@ void equal_priority(const Input& input, Findings& findings) {
   const Model& model = input.model;
   ContestSearch search(input);
   Overlaps overlaps(model, input.shared.branches());
-  std::set<std::pair<const Task*, const Task*>> lost; // one side always loses: another finding
+  std::set<std::pair<const Task*, const Task*>> lost; // one side always loses, or both: another finding
+  for (const PackConflict& conflict : input.conflicts.pack_conflicts()) {
+    if (conflict.verdict != UnitVerdict::impossible) continue;
+    for (const Task* first : conflict.members) {
+      for (const Task* second : conflict.members) lost.insert({first, second});
+    }
+  }
   for (const StarvingTask& starving : input.conflicts.starving_tasks()) {
     for (const Refused& place : starving.places) {
       const Taker& taker = place.refusals.front().taker;
