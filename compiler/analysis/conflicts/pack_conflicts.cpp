@@ -124,24 +124,48 @@ std::string members_in_words(const Model& model, const std::vector<const Task*>&
   return list_of(names);
 }
 
+namespace {
+
+/// Whatever is granted together with it.
+bool is_impossible_alone(Units& units, GroupId member) {
+  bool found = false;
+  const bool complete = units.visit({member}, false, [&](const Combination&) {
+    found = true;
+    return false;
+  });
+  return complete && !found;
+}
+
+/// One of them can never be granted, and that is no fault of the others. Where they want the same groups, it is.
+bool is_fault_of_one(Units& units, const std::vector<GroupId>& members) {
+  return std::any_of(members.begin(), members.end(),
+                     [&](GroupId member) { return is_impossible_alone(units, member); }) &&
+         units.verdict(members, true) != UnitVerdict::impossible;
+}
+
+} // namespace
+
 std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) {
   std::vector<PackConflict> out;
   for (const ProviderId id : model.providers.ids()) {
     for (const Pack& pack : model.providers[id].packs) {
       const std::vector<const Task*> members = unit_members(model, pack);
       if (members.size() < 2) continue;
-      const UnitVerdict whole = units.verdict(targets_of(members));
+      const std::vector<GroupId> targets = targets_of(members);
+      const UnitVerdict whole = units.verdict(targets);
       if (whole == UnitVerdict::possible) continue;
       const std::size_t before = out.size();
       for (std::size_t j = 1; j < members.size(); ++j) {
         for (std::size_t i = 0; i < j; ++i) {
           const GroupId a = members[i]->target, b = members[j]->target;
-          if (a == b || units.verdict({a, b}) != UnitVerdict::impossible) continue;
+          if (a == b || units.verdict({a, b}) != UnitVerdict::impossible || is_fault_of_one(units, {a, b})) continue;
           out.push_back({id, &pack, {members[i], members[j]}, UnitVerdict::impossible});
           if (members.size() > told_in_pairs) break; // each but the first is told of once
         }
       }
-      if (out.size() == before && model.providers[id].has_packs) out.push_back({id, &pack, members, whole});
+      if (out.size() == before && model.providers[id].has_packs &&
+          (whole == UnitVerdict::undecided || !is_fault_of_one(units, targets)))
+        out.push_back({id, &pack, members, whole});
     }
   }
   return out;
