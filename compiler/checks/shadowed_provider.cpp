@@ -91,8 +91,11 @@ void report_never(const Input& input, ProviderId id, Findings& findings) {
   finding.rules_out = {input.model.providers[id].span};
   Idleness idleness = explain_idle(input, id);
   finding.notes = std::move(idleness.notes);
+  const bool excluded = !explain_exclusion(input.model, input.facts, id).empty();
   finding.help = idleness.deadlock ? apart_help(input.model, *idleness.deadlock)
-                                   : fmt::format("request what brings that about, or leave {} out", name);
+                 : excluded
+                     ? fmt::format("say these conditions so that all of them can hold at once, or leave {} out", name)
+                     : fmt::format("request what brings that about, or leave {} out", name);
 }
 
 /// Where its group is asked for it cannot run, and others of the group can.
