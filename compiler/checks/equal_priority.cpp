@@ -372,6 +372,10 @@ void equal_priority(const Input& input, Findings& findings) {
       lost.insert({taker.over, taker.by});
     }
   }
+  std::set<const Task*> kept_off; // by what the requester keeps for itself
+  for (const Loser& loser : input.conflicts.losers()) {
+    if (loser.taker.kind == Taker::Kind::above && loser.refused.task == loser.entry) kept_off.insert(loser.entry);
+  }
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
     const Rivalry rivalry(input, overlaps, tasks);
@@ -380,6 +384,7 @@ void equal_priority(const Input& input, Findings& findings) {
     for (std::size_t j = 1; j < tasks.size(); ++j) {
       for (const std::size_t i : rivalry.before(j)) {
         if (told.covers(i, j) || lost.count({&tasks[i], &tasks[j]}) != 0) continue;
+        if (kept_off.count(&tasks[i]) + kept_off.count(&tasks[j]) != 0) continue;
         // Asked at once, the edge that is declared first wins.
         const bool swapped = tasks[j].edge < tasks[i].edge;
         auto found = look_at(model, together, tasks[swapped ? j : i], tasks[swapped ? i : j], search);
