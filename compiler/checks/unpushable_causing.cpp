@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -9,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 namespace director::checks {
 
@@ -19,6 +22,7 @@ using dsl::Diagnostic;
 /// What keeps one task from going before another, where they meet.
 struct Obstacle {
   Meeting meeting;
+  GroupId waiter{};
   bool one_unit = false;
   bool waits_with = false; ///< it is not granted while the task waits, but in one unit with that
 };
@@ -31,8 +35,9 @@ std::vector<Obstacle> find_obstacles(const Chains& chains, GroupId waiter, Group
       return obstacle.meeting.first == meeting.first && obstacle.meeting.second == meeting.second;
     });
     const bool in_unit = meeting.one_unit();
-    if (!known)
-      out.push_back({meeting, in_unit && meeting.second->target == other, in_unit && meeting.first->target == waiter});
+    if (!known && (in_unit || !meeting.first_goes_before()))
+      out.push_back(
+          {meeting, waiter, in_unit && meeting.second->target == other, in_unit && meeting.first->target == waiter});
   });
   return out;
 }
@@ -63,6 +68,19 @@ void explain(const Model& model, const Obstacle& obstacle, GroupId waiter, Group
                                                             rank(meeting.first_level, meeting.first_optional))});
 }
 
+/// Mandatory and in one unit with the other one it would be granted together with that, so that it has to be `apart`.
+std::string propose_mandatory(const Model& model, const Obstacle& obstacle) {
+  const Meeting& meeting = obstacle.meeting;
+  const std::string first = name_of(model, meeting.first->target), second = name_of(model, meeting.second->target);
+  const bool ranks = meeting.first_level.priority > meeting.second_level.priority;
+  const std::string begin = "an optional task goes after all others: ";
+  if (!meeting.first_level.optional)
+    return begin + fmt::format("let what leads from {} to {} be mandatory", first, name_of(model, obstacle.waiter)) +
+           (ranks ? "" : fmt::format(", and give {} a higher priority than {}", first, second));
+  return begin + fmt::format("make {} {}", first, meeting.together->provider ? "`apart` instead" : "mandatory") +
+         (ranks ? "" : fmt::format(", with a higher priority than {}", second));
+}
+
 std::string propose(const Model& model, const std::vector<Obstacle>& obstacles) {
   if (obstacles.empty()) return "request the two side by side: a task pushes nothing below itself, and nothing above";
   const Obstacle& obstacle = obstacles.front();
@@ -70,14 +88,22 @@ std::string propose(const Model& model, const std::vector<Obstacle>& obstacles) 
   const std::string second = name_of(model, obstacle.meeting.second->target);
   if (obstacle.one_unit && obstacle.meeting.first_goes_before())
     return fmt::format("make {} `apart`, or ask for it one level lower", second);
-  if (obstacle.meeting.first_optional != obstacle.meeting.second_optional)
-    return fmt::format("an optional task goes after all others: make {} mandatory, or {} optional too", first, second);
+  if (obstacle.meeting.first_optional != obstacle.meeting.second_optional) return propose_mandatory(model, obstacle);
   if (obstacle.one_unit || obstacle.waits_with)
     return fmt::format("make {} `apart`, with a higher priority than {}", first, second);
   return fmt::format("give {} a higher priority than {}", first, second);
 }
 
-void report(const Input& input, const Chains& chains, const NeverKept& promise, Findings& findings) {
+/// Those that may wait for it: where another provider of the group can always run, rank is no help. All of them, where
+/// none may.
+std::vector<NeverKept::Waiting> find_waiting(const Model& model, Waiting& waiting, const NeverKept& promise) {
+  std::vector<NeverKept::Waiting> out;
+  std::copy_if(promise.waiting.begin(), promise.waiting.end(), std::back_inserter(out),
+               [&](const NeverKept::Waiting& each) { return waiting.may_wait(model.providers[each.provider].group); });
+  return out.empty() ? promise.waiting : out;
+}
+
+void report(const Input& input, const Chains& chains, Waiting& waits, const NeverKept& promise, Findings& findings) {
   const Model& model = input.model;
   const GroupId group = model.providers[promise.causer].group;
   Diagnostic& finding =
@@ -87,8 +113,8 @@ void report(const Input& input, const Chains& chains, const NeverKept& promise, 
                                name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
   std::vector<Obstacle> all;
   finding.rules_out = {promise.promise.span};
-  for (const NeverKept::Waiting& waiting : promise.waiting) {
-    finding.rules_out.push_back(waiting.condition.span);
+  for (const NeverKept::Waiting& waiting : promise.waiting) finding.rules_out.push_back(waiting.condition.span);
+  for (const NeverKept::Waiting& waiting : find_waiting(model, waits, promise)) {
     finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
                                                                  name_of(model, waiting.condition.id))});
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
@@ -104,8 +130,9 @@ void report(const Input& input, const Chains& chains, const NeverKept& promise, 
 } // namespace
 
 void unpushable_causing(const Input& input, Findings& findings) {
+  Waiting waiting(input.model, input.facts);
   for (const NeverKept& promise : input.shared.promises().never_kept) {
-    if (!promise.pushable) report(input, input.shared.chains(), promise, findings);
+    if (!promise.pushable) report(input, input.shared.chains(), waiting, promise, findings);
   }
 }
 
