@@ -27,10 +27,16 @@ struct Obstacle {
   bool waits_with = false; ///< it is not granted while the task waits, but in one unit with that
 };
 
-/// The meetings of a waiting task and a group, the first at each pair of entries. None: one is always below the other.
-std::vector<Obstacle> find_obstacles(const Chains& chains, GroupId waiter, GroupId other) {
+struct Obstacles {
+  std::vector<Obstacle> all;
+  bool meet = false; ///< somewhere; else one is always below the other
+};
+
+/// Of the meetings of a waiting task and a group, the first at each pair of entries.
+void find_obstacles(const Chains& chains, GroupId waiter, GroupId other, Obstacles& to) {
   std::vector<Obstacle> out;
   chains.visit(waiter, {other}, [&](const Meeting& meeting, GroupId) {
+    to.meet = true;
     const bool known = std::any_of(out.begin(), out.end(), [&](const Obstacle& obstacle) {
       return obstacle.meeting.first == meeting.first && obstacle.meeting.second == meeting.second;
     });
@@ -39,7 +45,7 @@ std::vector<Obstacle> find_obstacles(const Chains& chains, GroupId waiter, Group
       out.push_back(
           {meeting, waiter, in_unit && meeting.second->target == other, in_unit && meeting.first->target == waiter});
   });
-  return out;
+  to.all.insert(to.all.end(), out.begin(), out.end());
 }
 
 std::string rank(const Level& level, bool optional) {
@@ -81,9 +87,13 @@ std::string propose_mandatory(const Model& model, const Obstacle& obstacle) {
          (ranks ? "" : fmt::format(", with a higher priority than {}", second));
 }
 
-std::string propose(const Model& model, const std::vector<Obstacle>& obstacles) {
-  if (obstacles.empty()) return "request the two side by side: a task pushes nothing below itself, and nothing above";
-  const Obstacle& obstacle = obstacles.front();
+std::string propose(const Model& model, const Obstacles& obstacles) {
+  // They have another way, and so never wait for this one.
+  if (obstacles.all.empty() && obstacles.meet)
+    return "let those that wait for it have no other way, or leave the promise out";
+  if (obstacles.all.empty())
+    return "request the two side by side: a task pushes nothing below itself, and nothing above";
+  const Obstacle& obstacle = obstacles.all.front();
   const std::string first = name_of(model, obstacle.meeting.first->target);
   const std::string second = name_of(model, obstacle.meeting.second->target);
   if (obstacle.one_unit && obstacle.meeting.first_goes_before())
@@ -111,7 +121,7 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
                    fmt::format("{} could cause {}, but nothing that waits for it can ever push {}{}",
                                name_of(model, promise.causer), name_of(model, promise.promise.id),
                                name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
-  std::vector<Obstacle> all;
+  Obstacles obstacles;
   finding.rules_out = {promise.promise.span};
   for (const NeverKept::Waiting& waiting : promise.waiting) finding.rules_out.push_back(waiting.condition.span);
   for (const NeverKept::Waiting& waiting : find_waiting(model, waits, promise)) {
@@ -119,12 +129,12 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
                                                                  name_of(model, waiting.condition.id))});
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
     const GroupId waiter = model.providers[waiting.provider].group;
-    for (const Obstacle& obstacle : find_obstacles(chains, waiter, group)) {
-      explain(model, obstacle, waiter, group, finding);
-      all.push_back(obstacle);
-    }
+    const std::size_t before = obstacles.all.size();
+    find_obstacles(chains, waiter, group, obstacles);
+    for (std::size_t i = before; i < obstacles.all.size(); ++i)
+      explain(model, obstacles.all[i], waiter, group, finding);
   }
-  finding.help = propose(model, all);
+  finding.help = propose(model, obstacles);
 }
 
 } // namespace
