@@ -108,7 +108,7 @@ private:
                                                     name_of(model_, request.task->target), group)
                    : request.pack->name.empty()
                        ? fmt::format("say with `packs` that {} is requested too: a push never starts a group", group)
-                       : fmt::format("request {} too, here or above: a push never starts a group", group);
+                       : fmt::format("request {} too, `apart` here, or above: a push never starts a group", group);
   }
 
   const Model& model_;

@@ -358,13 +358,23 @@ void equal_priority(const Input& input, Findings& findings) {
   const Model& model = input.model;
   ContestSearch search(input);
   Overlaps overlaps(model, input.shared.branches());
-  std::set<std::pair<const Task*, const Task*>> lost; // one side always loses: another finding
+  std::set<std::pair<const Task*, const Task*>> lost; // one side always loses, or both: another finding
+  for (const PackConflict& conflict : input.conflicts.pack_conflicts()) {
+    if (conflict.verdict != UnitVerdict::impossible) continue;
+    for (const Task* first : conflict.members) {
+      for (const Task* second : conflict.members) lost.insert({first, second});
+    }
+  }
   for (const StarvingTask& starving : input.conflicts.starving_tasks()) {
     for (const Refused& place : starving.places) {
       const Taker& taker = place.refusals.front().taker;
       lost.insert({taker.by, taker.over});
       lost.insert({taker.over, taker.by});
     }
+  }
+  std::set<const Task*> kept_off; // by what the requester keeps for itself
+  for (const Loser& loser : input.conflicts.losers()) {
+    if (loser.taker.kind == Taker::Kind::above && loser.refused.task == loser.entry) kept_off.insert(loser.entry);
   }
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
@@ -374,6 +384,7 @@ void equal_priority(const Input& input, Findings& findings) {
     for (std::size_t j = 1; j < tasks.size(); ++j) {
       for (const std::size_t i : rivalry.before(j)) {
         if (told.covers(i, j) || lost.count({&tasks[i], &tasks[j]}) != 0) continue;
+        if (kept_off.count(&tasks[i]) + kept_off.count(&tasks[j]) != 0) continue;
         // Asked at once, the edge that is declared first wins.
         const bool swapped = tasks[j].edge < tasks[i].edge;
         auto found = look_at(model, together, tasks[swapped ? j : i], tasks[swapped ? i : j], search);

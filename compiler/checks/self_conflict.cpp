@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/self_conflict.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -145,6 +146,10 @@ void report(const Input& input, const std::vector<Losers>& all, Findings& findin
   }
   if (need == nullptr) {
     finding.help = fmt::format("ask for it where {} is not above it", kept);
+  } else if (need->id == loser.taker.group && loser.entry->target != need->id &&
+             input.facts.may_wait.contains(loser.entry->target)) {
+    // To need it would be to wait with it.
+    finding.help = fmt::format("do not need {}: what a task needs is held when it is granted", kept);
   } else if (need->id == loser.taker.group && loser.entry->target != need->id) {
     finding.help = fmt::format("need {} instead of {}, or nothing: what a task needs is held when it is granted",
                                name_of(model, loser.entry->target), kept);

@@ -1,11 +1,14 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/exclusion.hpp"
+#include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
+#include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -86,8 +89,13 @@ void report_never(const Input& input, ProviderId id, Findings& findings) {
   const std::string name = name_of(input.model, id);
   dsl::Diagnostic& finding = findings.add(input.model.providers[id].span, fmt::format("{} can never run", name));
   finding.rules_out = {input.model.providers[id].span};
-  finding.notes = explain_idle(input, id);
-  finding.help = fmt::format("request what brings that about, or leave {} out", name);
+  Idleness idleness = explain_idle(input, id);
+  finding.notes = std::move(idleness.notes);
+  const bool excluded = !explain_exclusion(input.model, input.facts, id).empty();
+  finding.help = idleness.deadlock ? apart_help(input.model, *idleness.deadlock)
+                 : excluded
+                     ? fmt::format("say these conditions so that all of them can hold at once, or leave {} out", name)
+                     : fmt::format("request what brings that about, or leave {} out", name);
 }
 
 /// Where its group is asked for it cannot run, and others of the group can.
@@ -116,6 +124,32 @@ void report_idle(const Input& input, ProviderId id, const Refused& refused, Find
   add_taker(input, refused, taker, finding.notes);
   finding.help =
       fmt::format("request it where that is free, give it other needs, or leave {} out", name_of(input.model, id));
+}
+
+/// It can run whenever the other one can, as far as their own conditions and needs say.
+bool can_always_replace(const Model& model, ProviderId id, ProviderId other) {
+  const Region own = region_of(model, model.providers[id].when), others = region_of(model, model.providers[other].when);
+  return needs_no_more(model.providers[id], model.providers[other]) &&
+         std::all_of(own.states.begin(), own.states.end(), [&](const auto& entry) {
+           const auto at = others.states.find(entry.first);
+           return at != others.states.end() && at->second.subset_of(entry.second);
+         });
+}
+
+/// Another order helps where nobody else never runs then: neither another one of these, nor a promise that nobody
+/// pushes.
+std::string propose(const Input& input, ProviderId id, const std::vector<ProviderId>& culprits) {
+  const Model& model = input.model;
+  const bool helps = std::none_of(culprits.begin(), culprits.end(), [&](ProviderId each) {
+    const bool is_promise = !model.providers[each].causing.empty() && !input.facts.pushed.contains(each);
+    return is_promise || can_always_replace(model, id, each);
+  });
+  const std::string name = name_of(model, id);
+  if (culprits.size() == 1)
+    return fmt::format("give {} a `when` that leaves something, or {}", name_of(model, culprits.front()),
+                       helps ? "put it last" : fmt::format("leave {} out", name));
+  return fmt::format("give one of them a `when` that leaves something, or {}",
+                     helps ? "put this one first" : fmt::format("leave {} out", name));
 }
 
 } // namespace
@@ -158,8 +192,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
     for (std::size_t i = 0; i < std::min(culprits.size(), most_culprits); ++i)
       finding.notes.push_back({model.providers[culprits[i]].span, fmt::format("{} is preferred", names[i])});
     note_members(input, id, rivals.of(id), finding);
-    finding.help = names.size() == 1 ? fmt::format("give {} a `when` that leaves something, or put it last", names[0])
-                                     : "give one of them a `when` that leaves something, or put this one first";
+    finding.help = propose(input, id, culprits);
   }
 }
 

@@ -1,9 +1,11 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/exclusion.hpp"
+#include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/causing/self_defeats.hpp"
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -78,10 +80,44 @@ private:
   /// None of its providers ever runs, and that is not told of any of them.
   bool never_runs(GroupId group) const {
     const std::vector<ProviderId>& all = model_.groups[group].providers;
-    return std::all_of(all.begin(), all.end(), [&](ProviderId id) {
-      SparseSet<GroupId> seen;
-      return !facts_.active.contains(id) && !is_told(id, seen);
-    });
+    return std::all_of(all.begin(), all.end(),
+                       [&](ProviderId id) {
+                         SparseSet<GroupId> seen;
+                         return !facts_.active.contains(id) && !is_told(id, seen);
+                       }) &&
+           !waits_with_told(group);
+  }
+
+  /// Wherever it is asked for it is granted only together with something that never runs, of which that is told.
+  bool waits_with_told(GroupId group) const {
+    bool any = false;
+    for (const EdgeId edge : model_.groups[group].requesters) {
+      if (model_.edges[edge].levels.empty()) continue;
+      if (!model_.edges[edge].requester) return false;
+      for (const ProviderId id : model_.groups[*model_.edges[edge].requester].providers) {
+        if (!facts_.active.contains(id)) continue;
+        for (const Pack& pack : model_.providers[id].packs) {
+          const auto is_it = [&](const Task& task) { return task.target == group; };
+          if (std::none_of(pack.tasks.begin(), pack.tasks.end(), is_it)) continue;
+          if (!model_.providers[id].has_packs || !waits_with_told(group, unit_members(model_, pack))) return false;
+          any = true;
+        }
+      }
+    }
+    return any;
+  }
+
+  bool waits_with_told(GroupId group, const std::vector<const Task*>& members) const {
+    const auto is_it = [&](const Task* member) { return member->target == group; };
+    return std::any_of(members.begin(), members.end(), is_it) &&
+           std::any_of(members.begin(), members.end(), [&](const Task* member) {
+             if (member->target == group || facts_.capable_groups.contains(member->target)) return false;
+             const std::vector<ProviderId>& all = model_.groups[member->target].providers;
+             return std::all_of(all.begin(), all.end(), [&](ProviderId each) {
+               SparseSet<GroupId> seen;
+               return is_told(each, seen);
+             });
+           });
   }
 
   /// Something else is reported that keeps it from running, of it or of what it needs.
@@ -186,20 +222,29 @@ private:
   void report_never(const std::vector<const Uncoveredness*>& all, const std::string& names) {
     dsl::Diagnostic& finding = findings_.add(model_.groups[all.front()->group].name.span,
                                              fmt::format("no provider of {} can ever run", names));
+    std::optional<Deadlock> deadlock;
     for (const Uncoveredness* one : all) {
       finding.rules_out.push_back(model_.groups[one->group].name.span);
       add_request(*one, one != all.front(), finding);
-      add(explain_idle(model_, facts_, model_.groups[one->group].providers), finding);
+      Idleness idleness = explain_idle(model_, facts_, model_.groups[one->group].providers);
+      if (!deadlock) deadlock = idleness.deadlock;
+      // Who requests it is told already.
+      const auto is_told = [&](const dsl::Note& note) {
+        return note.span == one->where->task->span && note.message.find(" requests ") != std::string::npos;
+      };
+      std::vector<dsl::Note>& notes = idleness.notes;
+      notes.erase(std::remove_if(notes.begin(), notes.end(), is_told), notes.end());
+      add(std::move(notes), finding);
     }
     // Where a provider lacks nothing that could be brought about, conditions exclude each other.
     const bool excluded = std::all_of(all.begin(), all.end(), [&](const Uncoveredness* one) {
       const std::vector<ProviderId>& providers = model_.groups[one->group].providers;
-      return std::all_of(providers.begin(), providers.end(), [&](ProviderId id) {
-        return facts_.excluded.contains(id) || !explain_exclusion(model_, facts_, id).empty();
-      });
+      return std::all_of(providers.begin(), providers.end(),
+                         [&](ProviderId id) { return !explain_exclusion(model_, facts_, id).empty(); });
     });
-    finding.help = excluded ? "say these conditions so that all of them can hold at once"
-                            : fmt::format("request what brings that about, or leave {} out", names);
+    finding.help = deadlock   ? apart_help(model_, *deadlock)
+                   : excluded ? "say these conditions so that all of them can hold at once"
+                              : fmt::format("request what brings that about, or leave {} out", names);
   }
 
   /// It runs for others, and never for this one.

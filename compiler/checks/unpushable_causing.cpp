@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -9,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 namespace director::checks {
 
@@ -19,22 +22,30 @@ using dsl::Diagnostic;
 /// What keeps one task from going before another, where they meet.
 struct Obstacle {
   Meeting meeting;
+  GroupId waiter{};
   bool one_unit = false;
   bool waits_with = false; ///< it is not granted while the task waits, but in one unit with that
 };
 
-/// The meetings of a waiting task and a group, the first at each pair of entries. None: one is always below the other.
-std::vector<Obstacle> find_obstacles(const Chains& chains, GroupId waiter, GroupId other) {
+struct Obstacles {
+  std::vector<Obstacle> all;
+  bool meet = false; ///< somewhere; else one is always below the other
+};
+
+/// Of the meetings of a waiting task and a group, the first at each pair of entries.
+void find_obstacles(const Chains& chains, GroupId waiter, GroupId other, Obstacles& to) {
   std::vector<Obstacle> out;
   chains.visit(waiter, {other}, [&](const Meeting& meeting, GroupId) {
+    to.meet = true;
     const bool known = std::any_of(out.begin(), out.end(), [&](const Obstacle& obstacle) {
       return obstacle.meeting.first == meeting.first && obstacle.meeting.second == meeting.second;
     });
     const bool in_unit = meeting.one_unit();
-    if (!known)
-      out.push_back({meeting, in_unit && meeting.second->target == other, in_unit && meeting.first->target == waiter});
+    if (!known && (in_unit || !meeting.first_goes_before()))
+      out.push_back(
+          {meeting, waiter, in_unit && meeting.second->target == other, in_unit && meeting.first->target == waiter});
   });
-  return out;
+  to.all.insert(to.all.end(), out.begin(), out.end());
 }
 
 std::string rank(const Level& level, bool optional) {
@@ -63,21 +74,46 @@ void explain(const Model& model, const Obstacle& obstacle, GroupId waiter, Group
                                                             rank(meeting.first_level, meeting.first_optional))});
 }
 
-std::string propose(const Model& model, const std::vector<Obstacle>& obstacles) {
-  if (obstacles.empty()) return "request the two side by side: a task pushes nothing below itself, and nothing above";
-  const Obstacle& obstacle = obstacles.front();
+/// Mandatory and in one unit with the other one it would be granted together with that, so that it has to be `apart`.
+std::string propose_mandatory(const Model& model, const Obstacle& obstacle) {
+  const Meeting& meeting = obstacle.meeting;
+  const std::string first = name_of(model, meeting.first->target), second = name_of(model, meeting.second->target);
+  const bool ranks = meeting.first_level.priority > meeting.second_level.priority;
+  const std::string begin = "an optional task goes after all others: ";
+  if (!meeting.first_level.optional)
+    return begin + fmt::format("let what leads from {} to {} be mandatory", first, name_of(model, obstacle.waiter)) +
+           (ranks ? "" : fmt::format(", and give {} a higher priority than {}", first, second));
+  return begin + fmt::format("make {} {}", first, meeting.together->provider ? "`apart` instead" : "mandatory") +
+         (ranks ? "" : fmt::format(", with a higher priority than {}", second));
+}
+
+std::string propose(const Model& model, const Obstacles& obstacles) {
+  // They have another way, and so never wait for this one.
+  if (obstacles.all.empty() && obstacles.meet)
+    return "let those that wait for it have no other way, or leave the promise out";
+  if (obstacles.all.empty())
+    return "request the two side by side: a task pushes nothing below itself, and nothing above";
+  const Obstacle& obstacle = obstacles.all.front();
   const std::string first = name_of(model, obstacle.meeting.first->target);
   const std::string second = name_of(model, obstacle.meeting.second->target);
-  if (obstacle.one_unit)
-    return fmt::format("make {} `apart`, or ask for it one level lower",
-                       obstacle.meeting.first_goes_before() ? second : first);
-  if (obstacle.meeting.first_optional != obstacle.meeting.second_optional)
-    return fmt::format("an optional task goes after all others: make {} mandatory, or {} optional too", first, second);
-  if (obstacle.waits_with) return fmt::format("make {} `apart`, with a higher priority than {}", first, second);
+  if (obstacle.one_unit && obstacle.meeting.first_goes_before())
+    return fmt::format("make {} `apart`, or ask for it one level lower", second);
+  if (obstacle.meeting.first_optional != obstacle.meeting.second_optional) return propose_mandatory(model, obstacle);
+  if (obstacle.one_unit || obstacle.waits_with)
+    return fmt::format("make {} `apart`, with a higher priority than {}", first, second);
   return fmt::format("give {} a higher priority than {}", first, second);
 }
 
-void report(const Input& input, const Chains& chains, const NeverKept& promise, Findings& findings) {
+/// Those that may wait for it: where another provider of the group can always run, rank is no help. All of them, where
+/// none may.
+std::vector<NeverKept::Waiting> find_waiting(const Model& model, Waiting& waiting, const NeverKept& promise) {
+  std::vector<NeverKept::Waiting> out;
+  std::copy_if(promise.waiting.begin(), promise.waiting.end(), std::back_inserter(out),
+               [&](const NeverKept::Waiting& each) { return waiting.may_wait(model.providers[each.provider].group); });
+  return out.empty() ? promise.waiting : out;
+}
+
+void report(const Input& input, const Chains& chains, Waiting& waits, const NeverKept& promise, Findings& findings) {
   const Model& model = input.model;
   const GroupId group = model.providers[promise.causer].group;
   Diagnostic& finding =
@@ -85,27 +121,28 @@ void report(const Input& input, const Chains& chains, const NeverKept& promise, 
                    fmt::format("{} could cause {}, but nothing that waits for it can ever push {}{}",
                                name_of(model, promise.causer), name_of(model, promise.promise.id),
                                name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
-  std::vector<Obstacle> all;
+  Obstacles obstacles;
   finding.rules_out = {promise.promise.span};
-  for (const NeverKept::Waiting& waiting : promise.waiting) {
-    finding.rules_out.push_back(waiting.condition.span);
+  for (const NeverKept::Waiting& waiting : promise.waiting) finding.rules_out.push_back(waiting.condition.span);
+  for (const NeverKept::Waiting& waiting : find_waiting(model, waits, promise)) {
     finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
                                                                  name_of(model, waiting.condition.id))});
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
     const GroupId waiter = model.providers[waiting.provider].group;
-    for (const Obstacle& obstacle : find_obstacles(chains, waiter, group)) {
-      explain(model, obstacle, waiter, group, finding);
-      all.push_back(obstacle);
-    }
+    const std::size_t before = obstacles.all.size();
+    find_obstacles(chains, waiter, group, obstacles);
+    for (std::size_t i = before; i < obstacles.all.size(); ++i)
+      explain(model, obstacles.all[i], waiter, group, finding);
   }
-  finding.help = propose(model, all);
+  finding.help = propose(model, obstacles);
 }
 
 } // namespace
 
 void unpushable_causing(const Input& input, Findings& findings) {
+  Waiting waiting(input.model, input.facts);
   for (const NeverKept& promise : input.shared.promises().never_kept) {
-    if (!promise.pushable) report(input, input.shared.chains(), promise, findings);
+    if (!promise.pushable) report(input, input.shared.chains(), waiting, promise, findings);
   }
 }
 

@@ -1,5 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/unreachable_causing.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -24,12 +25,18 @@ void unreachable_causing(const Input& input, Findings& findings) {
                                                                    name_of(model, waiting.condition.id))});
     }
     auto link = dsl::Note::Link::first;
-    for (dsl::Note& note : explain_idle(input, promise.causer)) {
+    Idleness idleness = explain_idle(input, promise.causer);
+    for (dsl::Note& note : idleness.notes) {
       note.link = std::exchange(link, dsl::Note::Link::next);
       finding.notes.push_back(std::move(note));
     }
     const GroupId group = model.providers[promise.causer].group;
-    if (model.groups[group].requesters.empty()) {
+    if (idleness.deadlock) {
+      // It is not the first choice of its group.
+      const bool to_push =
+          idleness.deadlock->kept->target == group && model.groups[group].providers.front() != promise.causer;
+      finding.help = apart_help(model, *idleness.deadlock, to_push);
+    } else if (model.groups[group].requesters.empty()) {
       finding.help = fmt::format("request {} wherever the state is waited for: a push never starts a group",
                                  name_of(model, group));
     } else if (!input.facts.requested.contains(group)) {

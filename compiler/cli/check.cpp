@@ -51,7 +51,7 @@ std::vector<dsl::Note> missing_for(const Model& model, const analysis::Facts& fa
       return {{state.name.span,
                fmt::format("nothing causes or sets `{} == {}`", state.name.value, state.value_text(value->value))}};
   }
-  return analysis::explain_idle(model, facts, providers);
+  return analysis::explain_idle(model, facts, providers).notes;
 }
 
 std::string to_text(const Explained& explained, const dsl::Sources& sources) {

@@ -3,12 +3,16 @@
 #include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <set>
 
 namespace director::analysis {
@@ -22,12 +26,13 @@ class IdleReasons {
 public:
   IdleReasons(const Model& model, const Facts& facts) : model_(model), facts_(facts), sources_(find_sources(model)) {}
 
-  std::vector<Note> run(ProviderId id) { return run(std::vector{id}); }
-
   std::vector<Note> run(const std::vector<ProviderId>& providers) {
     for (const ProviderId id : providers) explain(id);
     return std::move(notes_);
   }
+
+  /// After run().
+  std::optional<Deadlock> deadlock() const { return has_end_ ? std::nullopt : deadlock_; }
 
 private:
   /// `needed`: it lacks no request.
@@ -45,6 +50,8 @@ private:
       for (const ProviderId below : model_.groups[need.id].providers) explain(below, true);
     }
     if (notes_.size() != before) return;
+    if (facts_.excluded.contains(id) && explain_company(provider.group)) return;
+    has_end_ = true;
     if (facts_.requested.contains(provider.group) && facts_.capable.contains(id) && !facts_.excluded.contains(id)) {
       // Nothing is missing: it is not chosen, and not pushed.
       notes_.push_back({provider.span, fmt::format("{} never runs: whenever it could, others of its group come first",
@@ -71,9 +78,46 @@ private:
         next.push_back(id);
       }
     }
-    if (!asked)
+    if (!asked) {
       notes_.push_back({model_.groups[group].name.span, fmt::format("nothing requests {}", name_of(model_, group))});
+      has_end_ = true;
+    }
     for (const ProviderId id : next) explain(id);
+  }
+
+  /// Where it is asked for it is granted only together with something that can never run; true: so it is.
+  bool explain_company(GroupId group) {
+    if (kept_.count(group) != 0) return true;
+    std::vector<GroupId> others;
+    for (const EdgeId edge : model_.groups[group].requesters) {
+      if (!model_.edges[edge].requester) continue;
+      for (const ProviderId id : model_.groups[*model_.edges[edge].requester].providers) {
+        if (!model_.providers[id].has_packs || !facts_.active.contains(id)) continue;
+        for (const Pack& pack : model_.providers[id].packs) add_company(id, unit_members(model_, pack), group, others);
+      }
+    }
+    if (others.empty()) return false;
+    kept_.insert(group);
+    for (const GroupId other : others) {
+      for (const ProviderId id : model_.groups[other].providers) explain(id, true);
+    }
+    return true;
+  }
+
+  void add_company(ProviderId by, const std::vector<const Task*>& members, GroupId group,
+                   std::vector<GroupId>& others) {
+    const auto own =
+        std::find_if(members.begin(), members.end(), [&](const Task* member) { return member->target == group; });
+    if (own == members.end()) return;
+    const auto other = std::find_if(members.begin(), members.end(), [&](const Task* member) {
+      return member->target != group && !facts_.capable_groups.contains(member->target);
+    });
+    if (other == members.end()) return;
+    const GroupId target = (*other)->target;
+    notes_.push_back({(*own)->span, fmt::format("{} requests {}", name_of(model_, by), name_of(model_, group))});
+    notes_.push_back({(*other)->span, fmt::format("it is granted only together with {}", name_of(model_, target))});
+    if (!deadlock_) deadlock_ = Deadlock{*other, *own};
+    others.push_back(target);
   }
 
   Span entry_of(ProviderId id, GroupId target) const {
@@ -100,6 +144,7 @@ private:
         for (const ProviderId id : model_.groups[*source.group].providers) next.push_back(id);
       }
     }
+    if (next.empty()) has_end_ = true;
     notes_.push_back({use.span, fmt::format("it waits for {}, and only {} could set that", name_of(model_, use.id),
                                             list_of(who, "or"))});
     for (const ProviderId id : next) explain(id);
@@ -110,17 +155,37 @@ private:
   IdTable<StateId, std::vector<Source>> sources_;
   std::vector<Note> notes_;
   std::set<ProviderId> seen_;
-  std::set<GroupId> groups_;
+  std::set<GroupId> groups_, kept_;
+  std::optional<Deadlock> deadlock_; ///< the first one met
+  bool has_end_ = false;             ///< something is missing that hangs on nothing else
 };
+
+std::int32_t highest_priority(const Model& model, const Task& task) {
+  std::int32_t out = std::numeric_limits<std::int32_t>::min();
+  for (const Task::NamedLevel& use : task.levels)
+    out = std::max(out, model.edges[task.edge].levels[use.level].priority);
+  return out;
+}
 
 } // namespace
 
-std::vector<Note> explain_idle(const Input& input, ProviderId provider) {
-  return IdleReasons(input.model, input.facts).run(provider);
+std::string apart_help(const Model& model, const Deadlock& deadlock, bool to_push) {
+  const std::string waits = name_of(model, deadlock.waits->target);
+  if (to_push && highest_priority(model, *deadlock.waits) <= highest_priority(model, *deadlock.kept))
+    return fmt::format("make {} `apart`, with a higher priority than {}", waits, name_of(model, deadlock.kept->target));
+  return fmt::format("make {} `apart`, so that it waits for itself alone", waits);
 }
 
-std::vector<Note> explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers) {
-  return IdleReasons(model, facts).run(providers);
+Idleness explain_idle(const Input& input, ProviderId provider) {
+  return explain_idle(input.model, input.facts, {provider});
+}
+
+Idleness explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers) {
+  IdleReasons reasons(model, facts);
+  Idleness out;
+  out.notes = reasons.run(providers);
+  out.deadlock = reasons.deadlock();
+  return out;
 }
 
 } // namespace director::analysis

@@ -8,6 +8,8 @@
 #include "compiler/analysis/input.hpp"
 #include "dsl/diagnostic.hpp"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace director::analysis {
@@ -34,8 +36,22 @@ struct Promises {
 /// `chains`: over the providers that may be active.
 Promises find_promises(const Model& model, const Graph& graph, const Facts& facts, const Chains& chains);
 
-/// Why a provider never runs, to the bottom: each reason at its own place.
-std::vector<dsl::Note> explain_idle(const Input& input, ProviderId provider);
-std::vector<dsl::Note> explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers);
+/// Two members of one unit.
+struct Deadlock {
+  const Task *waits = nullptr, *kept = nullptr; ///< one can never run, and the other one waits with it
+};
+
+/// `to_push`: what waits has to push the other one.
+std::string apart_help(const Model& model, const Deadlock& deadlock, bool to_push = false);
+
+/// Why something never runs.
+struct Idleness {
+  std::vector<dsl::Note> notes; ///< to the bottom: each reason at its own place
+  std::optional<Deadlock>
+      deadlock; ///< where all of that goes round: what is kept could bring about what the other lacks
+};
+
+Idleness explain_idle(const Input& input, ProviderId provider);
+Idleness explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers);
 
 } // namespace director::analysis

@@ -60,11 +60,26 @@ private:
                          [&](const ConditionUse& use) { return model_.conditions[use.id].state == state; });
   }
 
+  /// Values that the state may have when the group starts: its own one is back at what its stop left.
+  ValueSet values_before(GroupId group, StateId id) const {
+    const State& state = model_.states[id];
+    if (!state.of || state.of->id != group) return facts_.values[id];
+    ValueSet out = ValueSet::single(*state.initial);
+    if (state.expires && state.expires->to) out = out.united(ValueSet::single(*state.expires->to));
+    if (!model_.groups[group].stop) return out;
+    for (const ConditionUse& entry : model_.groups[group].stop->sets) {
+      if (model_.conditions[entry.id].state == id) out = out.united(model_.conditions[entry.id].accepts);
+    }
+    return out;
+  }
+
   void look_at_start(GroupId group, const ConditionUse& entry) {
     const Condition& set = model_.conditions[entry.id];
+    const ValueSet before = values_before(group, set.state);
     for (const ProviderId id : active_) {
       const auto starts = accepted(id, set.state, false), stays = accepted(id, set.state, true);
-      if (!starts || (!stays || !stays->intersected(set.accepts).empty())) continue;
+      if (!starts || starts->intersected(before).empty()) continue;
+      if (!stays || !stays->intersected(set.accepts).empty()) continue;
       if (is_taken_over(id, set.state, set.accepts)) continue;
       out_.push_back({group, false, id, entry, condition_on(id, set.state)});
       return;

@@ -170,12 +170,13 @@ std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId i
     for (const Task* task : unit_members(model, pack)) {
       if (is_reserved(task->target) || !seen.add(task->target)) continue;
       const auto& parts = input.shared.indispensable().of(task->target);
-      if (!parts) continue;
+      // What the provider holds itself the task never gets: that is another fault.
+      if (!parts || std::any_of(parts->begin(), parts->end(), is_reserved)) continue;
       std::optional<ContendedTask> found;
       std::vector<GroupId> wanted{task->target};
       wanted.insert(wanted.end(), parts->begin(), parts->end());
       for (const GroupId part : wanted) {
-        if (found || is_reserved(part) || !is_wanted_elsewhere(part, *parts)) continue;
+        if (found || !is_wanted_elsewhere(part, *parts)) continue;
         if (auto contender = find_contender(input, id, part)) found = ContendedTask{task, part, std::move(*contender)};
       }
       if (found) out.push_back(std::move(*found));

@@ -3,6 +3,7 @@
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
 
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -16,6 +17,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace director::analysis {
 
@@ -86,13 +88,28 @@ void add_choices(const Model& model, const std::vector<const Task*>& members, Di
   }
 }
 
-std::string propose(const Model& model, const PackConflict& conflict) {
+/// Of two that take the same the one that is granted, were the second one to wait for itself alone.
+const Task& winner_of(const Model& model, const Task& first, const Task& second) {
+  const auto rank = [&](const Task& task) {
+    const auto& levels = model.edges[task.edge].levels;
+    return std::pair(levels[task.levels.front().level].priority, task.edge == std::min(first.edge, second.edge));
+  };
+  return rank(first) < rank(second) ? second : first;
+}
+
+/// `by_groups`: they exclude each other whatever the states are.
+std::string propose(const Input& input, const PackConflict& conflict, bool by_groups) {
+  const Model& model = input.model;
   if (!model.providers[conflict.provider].has_packs)
     return "give the provider `packs`, one for each course of action: a flat list says that all may be asked for at "
            "once";
   if (!conflict.others.empty())
     return "ask for them in packs of their own, or make all but one of them `apart`, so that each waits for itself "
            "alone";
+  // The one that never has to wait would always take what the other one wants.
+  if (conflict.members.size() == 2 && by_groups &&
+      !input.facts.may_wait.contains(winner_of(model, *conflict.members[0], *conflict.members[1]).target))
+    return "ask for them in two packs";
   return conflict.members.size() == 2
              ? fmt::format("ask for them in two packs, or make {} `apart`, so that it waits for itself alone",
                            name_of(model, conflict.members[1]->target))
@@ -107,24 +124,48 @@ std::string members_in_words(const Model& model, const std::vector<const Task*>&
   return list_of(names);
 }
 
+namespace {
+
+/// Whatever is granted together with it.
+bool is_impossible_alone(Units& units, GroupId member) {
+  bool found = false;
+  const bool complete = units.visit({member}, false, [&](const Combination&) {
+    found = true;
+    return false;
+  });
+  return complete && !found;
+}
+
+/// One of them can never be granted, and that is no fault of the others. Where they want the same groups, it is.
+bool is_fault_of_one(Units& units, const std::vector<GroupId>& members) {
+  return std::any_of(members.begin(), members.end(),
+                     [&](GroupId member) { return is_impossible_alone(units, member); }) &&
+         units.verdict(members, true) != UnitVerdict::impossible;
+}
+
+} // namespace
+
 std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) {
   std::vector<PackConflict> out;
   for (const ProviderId id : model.providers.ids()) {
     for (const Pack& pack : model.providers[id].packs) {
       const std::vector<const Task*> members = unit_members(model, pack);
       if (members.size() < 2) continue;
-      const UnitVerdict whole = units.verdict(targets_of(members));
+      const std::vector<GroupId> targets = targets_of(members);
+      const UnitVerdict whole = units.verdict(targets);
       if (whole == UnitVerdict::possible) continue;
       const std::size_t before = out.size();
       for (std::size_t j = 1; j < members.size(); ++j) {
         for (std::size_t i = 0; i < j; ++i) {
           const GroupId a = members[i]->target, b = members[j]->target;
-          if (a == b || units.verdict({a, b}) != UnitVerdict::impossible) continue;
+          if (a == b || units.verdict({a, b}) != UnitVerdict::impossible || is_fault_of_one(units, {a, b})) continue;
           out.push_back({id, &pack, {members[i], members[j]}, UnitVerdict::impossible});
           if (members.size() > told_in_pairs) break; // each but the first is told of once
         }
       }
-      if (out.size() == before && model.providers[id].has_packs) out.push_back({id, &pack, members, whole});
+      if (out.size() == before && model.providers[id].has_packs &&
+          (whole == UnitVerdict::undecided || !is_fault_of_one(units, targets)))
+        out.push_back({id, &pack, members, whole});
     }
   }
   return out;
@@ -187,7 +228,7 @@ void report(const Input& input, const PackConflict& conflict, Findings& findings
     finding->rules_out_together.push_back(other->span);
     finding->notes.push_back({other->span, fmt::format("nor with {}", name_of(model, other->target))});
   }
-  finding->help = propose(model, conflict);
+  finding->help = propose(input, conflict, !state);
 }
 
 /// Why two members exclude each other, where a third one may do so for the same reason; else nothing.

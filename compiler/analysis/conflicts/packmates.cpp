@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/packmates.hpp"
 
+#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 
 #include <algorithm>
@@ -23,6 +24,10 @@ const std::vector<PackEntry>& Packmates::of(const Provider& provider, const Pack
   if (!is_new) return out;
   // Who says that all of a list is asked for together: its mandatory entries, those that are `apart` each by itself.
   const Unit& unit = units_.emplace_back(provider.has_packs ? unit_members(input_.model, pack) : Unit{});
+  Unit& company = units_.emplace_back();
+  for (const Task& task : pack.tasks) {
+    if (may_be_member(input_.model, task)) company.push_back(&task);
+  }
   ByTaken by_taken;
   if (provider.has_packs && pack.tasks.size() > 1) {
     // At other levels others may be members too, and then it waits for them.
@@ -41,7 +46,7 @@ const std::vector<PackEntry>& Packmates::of(const Provider& provider, const Pack
   for (auto& [group, rivals] : by_taken)
     std::stable_sort(rivals.begin(), rivals.end(), [&](const Rival& a, const Rival& b) { return rank(a) > rank(b); });
   for (const Task& task : pack.tasks) {
-    PackEntry entry{&task, is_in(unit, &task) ? &unit : nullptr, {}};
+    PackEntry entry{&task, is_in(unit, &task) ? &unit : nullptr, {}, is_in(company, &task) ? &company : nullptr};
     if (!by_taken.empty()) add_mates(provider.group, by_taken, entry);
     out.push_back(std::move(entry));
   }
@@ -98,9 +103,10 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
   out.from_below = first || together;
   // A unit is tried in the place of the first of its members.
   out.from_entry =
-      first && (entry.unit == nullptr || std::all_of(entry.unit->begin(), entry.unit->end(), [&](const Task* each) {
-                  return takers_.always_before(by, *each) || takers_.always_first_of_equals(requester, by, *each);
-                }));
+      first &&
+      (entry.company == nullptr || std::all_of(entry.company->begin(), entry.company->end(), [&](const Task* each) {
+         return takers_.always_before(by, *each) || takers_.always_first_of_equals(requester, by, *each);
+       }));
   if (!rival.at_first || (!first && !together && !takers_.is_mandatory(over))) return std::nullopt;
   // It waits until who goes before it has run, and then for its requester if that has new orders by now: what the
   // first one asked for may be granted meanwhile.

@@ -27,6 +27,7 @@ struct PackEntry {
   const Task* task = nullptr;
   const Unit* unit = nullptr; ///< that it is a member of, if of any
   std::vector<Packmate> mates;
+  const Unit* company = nullptr; ///< all that may be in one unit with it, at some level, if it may be in any
 };
 
 /// Found when it is asked for, and kept.

@@ -3,7 +3,9 @@
 #include "compiler/analysis/conflicts/starving.hpp"
 
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
@@ -48,6 +50,39 @@ void add_taker(const Input& input, const Refused& refused, const Taker& taker, s
   add_chain(model, need_path(model, task, taker.group), notes);
 }
 
+namespace {
+
+/// At each of its levels.
+bool is_member(const Model& model, const Task& task) {
+  return std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& use) {
+    const Level& level = model.edges[task.edge].levels[use.level];
+    return !level.optional && !level.apart;
+  });
+}
+
+/// What helps a mandatory task. Who ranks lower in one unit takes all the same what it needs before anything below is
+/// tried.
+std::string propose(const Input& input, const Refused& refused, const Taker& taker) {
+  const Model& model = input.model;
+  if (taker.kind == Taker::Kind::above)
+    return fmt::format("ask for it where {} is not above it", name_of(model, taker.holder));
+  const GroupId task = refused.task->target, by = taker.by->target;
+  const std::string elsewhere = fmt::format("ask for it where {} is not asked for", name_of(model, by));
+  if (taker.kind == Taker::Kind::unit) return elsewhere;
+  const bool one_unit = is_member(model, *taker.by) && is_member(model, *taker.over);
+  if (taker.over != refused.task)
+    return one_unit ? elsewhere
+                    : fmt::format("give {} a higher priority than {}, or {}", name_of(model, taker.over->target),
+                                  name_of(model, by), elsewhere);
+  // The other way round it would be the other one that never runs.
+  const Indispensable& indispensable = input.shared.indispensable();
+  const bool either = !input.facts.may_wait.contains(task) && indispensable.contains(task, taker.group) &&
+                      indispensable.contains(by, taker.group);
+  return either ? elsewhere : "give it a higher priority, or " + elsewhere;
+}
+
+} // namespace
+
 void report_starving_task(const Input& input, const StarvingTask& starving, Findings& findings) {
   const Model& model = input.model;
   const Refused& first = starving.places.front();
@@ -79,7 +114,7 @@ void report_starving_task(const Input& input, const StarvingTask& starving, Find
                      ? fmt::format("ask for it where {} is not asked for: what is optional goes after all "
                                    "that is mandatory",
                                    by)
-                     : fmt::format("give it a higher priority, or ask for it where {} is not asked for", by);
+                     : propose(input, first, taker);
 }
 
 } // namespace director::analysis
