@@ -77,16 +77,44 @@ private:
   const oracle::Level& level(EdgeId edge) const { return model().edges[edge].levels[*now_.requests[edge.value]]; }
   Chain chain(EdgeId edge) const { return oracle::chain_of(parts_, held_, edge); }
 
-  std::vector<EdgeId> unit() const {
-    const EdgeId edge{claim_.edge};
-    const std::optional<GroupId> requester = parts_.requester(edge);
-    if (!requester || level(edge).optional || level(edge).apart) return {edge};
+  bool is_member(EdgeId edge) const {
+    return parts_.requester(edge) && now_.requests[edge.value] && !level(edge).optional && !level(edge).apart;
+  }
+  std::vector<EdgeId> unit_of(EdgeId edge) const {
+    if (!is_member(edge)) return {edge};
     std::vector<EdgeId> out;
-    for (const EdgeId e : model().groups[*requester].edges) {
-      if (now_.requests[e.value] && !level(e).optional && !level(e).apart) out.push_back(e);
+    for (const EdgeId e : model().groups[*parts_.requester(edge)].edges) {
+      if (is_member(e)) out.push_back(e);
     }
     return out;
   }
+  std::vector<EdgeId> unit() const { return unit_of(EdgeId{claim_.edge}); }
+
+  /// Two chains, each with the first member of a unit where they part at another member: a unit stands there.
+  struct Rivals {
+    Chain ours, theirs;
+    EdgeId our_first{nil}, their_first{nil}; ///< where they part
+  };
+  Rivals rivals(EdgeId member, EdgeId holder) const {
+    Rivals out{chain(member), chain(holder)};
+    const auto [a, b] = std::mismatch(out.ours.edges.rbegin(), out.ours.edges.rend(), out.theirs.edges.rbegin(),
+                                      out.theirs.edges.rend());
+    if (a == out.ours.edges.rend() || b == out.theirs.edges.rend()) return out;
+    const EdgeId ours = *a, theirs = *b;
+    const bool as_needs =
+        std::all_of(out.theirs.edges.begin(), b.base() - 1, [&](EdgeId e) { return group(parts_.target(e)).needed; });
+    if (ours == member && !parts_.is_limbo(ours) && is_member(ours) && !is_member(theirs)) *a = first_of(unit_of(ours));
+    if (as_needs && !parts_.is_limbo(theirs) && is_member(theirs) && !is_member(ours)) *b = first_of(unit_of(theirs));
+    out.our_first = *a, out.their_first = *b;
+    return out;
+  }
+  EdgeId first_of(const std::vector<EdgeId>& unit) const {
+    return *std::min_element(unit.begin(), unit.end(), [&](EdgeId a, EdgeId b) {
+      if (level(a).priority != level(b).priority) return level(a).priority > level(b).priority;
+      return view_.request[a.value].stamp < view_.request[b.value].stamp; // of those of one the earlier declared
+    });
+  }
+
   bool in_unit(EdgeId member) const {
     const std::vector<EdgeId> all = unit();
     return std::find(all.begin(), all.end(), member) != all.end();
@@ -110,7 +138,8 @@ private:
   bool in_the_way(GroupId of, EdgeId edge, EdgeId member) const {
     const std::optional<EdgeId> holder = group(of).holder;
     if (!holder || *holder == edge || parts_.is_limbo(*holder)) return false;
-    return !oracle::Order(parts_, facts_).before(chain(member), chain(*holder));
+    const Rivals both = rivals(member, *holder);
+    return !oracle::Order(parts_, facts_).before(both.ours, both.theirs);
   }
   bool can_be_had(const Choice& choice, EdgeId member) const {
     if (in_the_way(parts_.target(member), member, member)) return false;
@@ -136,12 +165,14 @@ private:
     if (group(what).holder != holder) return "somebody else holds it";
     if (claim_.kind == Kind::lost ? what != member_target() : !is_needed(what)) return "that is not what it takes";
     const oracle::Order order(parts_, facts_);
-    const Chain ours = chain(member), theirs = chain(holder);
-    if (order.before(ours, theirs)) return "the holder goes behind";
+    const Rivals both = rivals(member, holder);
+    if (order.before(both.ours, both.theirs)) return "the holder goes behind";
     const Rivalry& rivalry = claim_.rivalry;
-    if (order.before(theirs, ours) == (rivalry.won_by == Precedence::equal)) return "they are not equal";
-    if (rivalry.won_by == Precedence::above) return ours.below(holder) ? "" : "the holder is not above";
-    return wrong_rivalry(ours, theirs);
+    if (order.before(both.theirs, both.ours) == (rivalry.won_by == Precedence::equal)) return "they are not equal";
+    if (rivalry.won_by == Precedence::above) return both.ours.below(holder) ? "" : "the holder is not above";
+    if (rivalry.our_first != both.our_first.value || rivalry.their_first != both.their_first.value)
+      return "another member of the unit goes first";
+    return wrong_rivalry(chain(member), chain(holder));
   }
 
   bool is_needed(GroupId what) const {
@@ -168,7 +199,9 @@ private:
       if (now_.requests[edge.value]) return row.levels[*now_.requests[edge.value]].priority;
       return row.levels.empty() ? 0 : row.levels.front().priority;
     };
-    if (rivalry.our_priority != priority(a) || rivalry.their_priority != priority(b)) return "other priorities";
+    if (rivalry.our_priority != priority(EdgeId{rivalry.our_first}) ||
+        rivalry.their_priority != priority(EdgeId{rivalry.their_first}))
+      return "other priorities";
     if (rivalry.won_by == Precedence::priority && rivalry.our_priority >= rivalry.their_priority)
       return "the priority is not higher";
     return "";

@@ -96,9 +96,12 @@ private:
       out.won_by = Precedence::optional;
       return v_.is_limbo(out.ours);
     }
-    out.our_priority = priority(out.ours);
-    out.their_priority = priority(out.theirs);
-    const Verdict verdict = arbitration::compare_ranks(at_ours, at_theirs, urgency(out.ours), urgency(out.theirs));
+    out.our_first = ours == out.ours ? first_of_unit(out.ours, out.theirs) : out.ours;
+    out.their_first = came_with(theirs, out.theirs) ? first_of_unit(out.theirs, out.ours) : out.theirs;
+    out.our_priority = priority(out.our_first);
+    out.their_priority = priority(out.their_first);
+    const Verdict verdict =
+        arbitration::compare_ranks(at_ours, at_theirs, urgency(out.our_first), urgency(out.their_first));
     out.won_by = verdict.by;
     return verdict.order >= 0;
   }
@@ -119,6 +122,27 @@ private:
   bool alone(Index edge) const {
     const Level& level = t_.levels[v_.request[edge].level];
     return requester(edge) == nil || level.optional || level.apart;
+  }
+
+  bool in_unit(Index edge) const { return v_.requested(edge) && !alone(edge); }
+
+  /// A unit stands where the first of its members does, which is this one for a member and a rival outside; for others
+  /// the sibling itself.
+  Index first_of_unit(Index sibling, Index rival) const {
+    if (!in_unit(sibling) || in_unit(rival)) return sibling;
+    Index first = nil;
+    for (const Index e : t_.groups[requester(sibling)].edges.rows()) {
+      if (!in_unit(e)) continue;
+      const bool older = first != nil && v_.request[e].stamp < v_.request[first].stamp;
+      if (first == nil || urgency(e) < urgency(first) || (urgency(e) == urgency(first) && older)) first = e;
+    }
+    return first;
+  }
+
+  /// A holder is the sibling, or all from it up to the sibling is held as a need of that: it was granted with it.
+  bool came_with(Index holder, Index sibling) const {
+    while (holder != sibling && v_.assignment[target(holder)].needed()) holder = above(holder);
+    return holder == sibling;
   }
 
   /// Calls found(member) for the request and then for the others of its unit, until it says true: that is the member.

@@ -14,8 +14,10 @@ struct Rivalry {
   Index common = nil;                    ///< the closest common requester, a group; nil: the program
   Index ours = nil;                ///< the edges of that requester that lead to the two; nil with Precedence::above
   Index theirs = nil;              ///< likewise, of the rival
-  std::int32_t our_priority = 0;   ///< of `ours`
-  std::int32_t their_priority = 0; ///< of `theirs`
+  Index our_first = nil;           ///< by whose priority `ours` goes: its own, or that of the first member of its unit
+  Index their_first = nil;         ///< likewise
+  std::int32_t our_priority = 0;   ///< of `our_first`
+  std::int32_t their_priority = 0; ///< of `their_first`
   /// All members are the same.
   constexpr bool operator==(const Rivalry&) const = default;
 };

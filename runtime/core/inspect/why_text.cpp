@@ -80,14 +80,22 @@ private:
       *this << "and " << edge(r.ours) << " is optional, or leads through something optional, unlike " << edge(r.theirs);
       return;
     case Precedence::priority:
-      *this << "and " << edge(r.theirs) << " (priority " << r.their_priority << ") goes before " << edge(r.ours)
-            << " (priority " << r.our_priority << ")";
-      return;
+      *this << "and ";
+      rival(r.theirs, r.their_first, r.their_priority);
+      *this << " goes before ";
+      return rival(r.ours, r.our_first, r.our_priority);
     case Precedence::equal:
-      *this << "and " << edge(r.theirs) << " is the equal of " << edge(r.ours) << " (priority " << r.our_priority
-            << ") and was there first";
+      *this << "and " << edge(r.theirs) << " is the equal of ";
+      rival(r.ours, r.our_first, r.our_priority);
+      *this << " and was there first";
       return;
     }
+  }
+
+  void rival(Index row, Index first, std::int32_t priority) {
+    *this << edge(row) << " (";
+    if (first != row) *this << "granted together with " << edge(first) << ", ";
+    *this << "priority " << priority << ")";
   }
 
   const Names& names_;

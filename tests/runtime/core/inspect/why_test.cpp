@@ -176,6 +176,25 @@ groups:
   CHECK(why(machine, "Left") == "Left waits (Both>Left): what it takes cannot be had together");
 }
 
+TEST_CASE("a member of a unit goes before what is apart by the priority of the unit's first member") {
+  Machine machine(R"(
+behaviour: packing
+language: 1
+roots: {Pack: {}}
+groups:
+  Pack: {tasks: {Lift: {priority: 50}, Sort: {priority: 20, apart: true}, Grip: {priority: 0}}}
+  Lift: {}
+  Sort: {needs: [Grip]}
+  Grip: {needs: [Finger]}
+  Finger: {}
+)");
+  machine.request("Pack");
+  machine.step();
+  CHECK(why(machine, "Sort") ==
+        "Sort waits (Pack>Sort): Grip, which it needs, is held by Pack>Grip, and Pack>Grip (granted together with "
+        "Pack>Lift, priority 50) goes before Pack>Sort (priority 20)");
+}
+
 TEST_CASE("between micro-steps it says who is about to decide, and what is kept for an heir") {
   Machine machine(R"(
 behaviour: heirs
