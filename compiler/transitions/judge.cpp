@@ -32,12 +32,18 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     out.bound = out.bound && push.within ? std::optional(*out.bound + *push.within) : std::nullopt;
 }
 
+/// It is a push, and not for what waits on the row's own side.
+bool Judge::pushes(const Event& event, const Beginning& row) const {
+  return event.kind == Event::Kind::push &&
+         !row.rest.is_under(model_, model_.edges[EdgeId{event.edge}].target, row.way.last().edge);
+}
+
 /// Nothing was taken from the row's side before somebody was pushed.
 bool Judge::pushed_first(const Beginning& row, const Trial& trial) const {
   const EdgeId edge = row.way.last().edge;
   std::uint64_t pushed = std::numeric_limits<std::uint64_t>::max();
   for (const Event& event : trial.events) {
-    if (event.kind == Event::Kind::push) pushed = std::min(pushed, event.micro_step);
+    if (pushes(event, row)) pushed = std::min(pushed, event.micro_step);
     if (event.micro_step >= pushed) return true;
     const bool takes = event.kind == Event::Kind::lose || event.kind == Event::Kind::stop ||
                        (event.kind == Event::Kind::grant && event.other != nil && event.other != event.edge);
@@ -49,9 +55,7 @@ bool Judge::pushed_first(const Beginning& row, const Trial& trial) const {
 std::vector<Transition::Push> Judge::pushes_of(const Trial& trial, const Beginning& row) const {
   std::vector<Transition::Push> out;
   for (const Event& event : trial.events) {
-    if (event.kind != Event::Kind::push) continue;
-    const GroupId waits = model_.edges[EdgeId{event.edge}].target;
-    if (row.rest.is_under(model_, waits, row.way.last().edge)) continue;
+    if (!pushes(event, row)) continue;
     Transition::Push push{ProviderId{event.provider}, {}, {}};
     if (event.condition != nil) push.condition = model_.conditions[lowered_.condition_ids[event.condition]].text;
     for (const ConditionUse& use : model_.providers[push.to].causing) {

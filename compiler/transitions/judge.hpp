@@ -22,6 +22,7 @@ public:
   std::vector<Transition::Push> pushes_of(const Trial& trial, const Beginning& row) const;
 
 private:
+  bool pushes(const Event& event, const Beginning& row) const;
   bool pushed_first(const Beginning& row, const Trial& trial) const;
 
   const Model& model_;

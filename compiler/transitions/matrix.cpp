@@ -155,18 +155,14 @@ private:
   }
 
   void decide(const Beginning& row, const Beginning& column, Transition& out, Told& told) {
-    const Script script = script_of(model_, row.way, column.way, row.runs);
+    const Script script = script_of(model_, row.way, column.way, {row.runs, {}});
     const std::string begin = player_.beginning(row.way, row.outside);
     std::optional<Play> decided;
     for (const Values& change : choices(lacking(row, column))) {
       const Play now = player_.play(script, begin + request_step(model_, column.way, change), 2, column.way);
-      const bool runs_now = now.trial.good && runs_at_all(now.trial.rest, column.way);
-      if (runs_now) {
-        out.states = words_of(change, model_);
-        judge_.judge(row, column, now, change, out, told);
-        keep_scenario(now, told, out);
+      if (runs_now(row, column, now, change, out, told) ||
+          (undoes(now.trial, change) && runs_where_the_outside_stands(row, column, change, out, told)))
         return;
-      }
       const Play later = player_.play(script, now.steps + done_step(), 2, column.way);
       const bool runs_later = later.trial.good && runs_at_all(later.trial.rest, column.way);
       const bool ends = runs_later && player_.ends_by(row, change, {});
@@ -178,6 +174,31 @@ private:
       if (runs_later) break;
     }
     if (decided) keep_scenario(*decided, told, out);
+  }
+
+  bool runs_now(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
+                Told& told) {
+    if (!now.trial.good || !runs_at_all(now.trial.rest, column.way)) return false;
+    out.states = words_of(change, model_);
+    judge_.judge(row, column, now, change, out, told);
+    keep_scenario(now, told, out);
+    return true;
+  }
+
+  /// Somebody was pushed, and set another value than the outside just did.
+  bool undoes(const Trial& trial, const Values& change) const {
+    return std::any_of(change.begin(), change.end(), [&](const auto& said) {
+      const auto at = trial.rest.values.find(said.first);
+      return at == trial.rest.values.end() || at->second != said.second;
+    });
+  }
+
+  /// A promise takes time, and does not undo what is sensed.
+  bool runs_where_the_outside_stands(const Beginning& row, const Beginning& column, const Values& change,
+                                     Transition& out, Told& told) {
+    const Script script = script_of(model_, row.way, column.way, {row.runs, change});
+    const std::string steps = player_.beginning(row.way, row.outside) + request_step(model_, column.way, change);
+    return runs_now(row, column, player_.play(script, steps, 2, column.way), change, out, told);
   }
 
   std::size_t piece(const std::string& text) {

@@ -68,7 +68,7 @@ Values opposed(const Model& model, ProviderId id) {
 }
 
 /// `{reason: pushed, pack: go, wait: 1 ms}`; what is empty is left out.
-std::string mapping(std::initializer_list<std::string> words) {
+std::string mapping(const std::vector<std::string>& words) {
   std::vector<std::string> out;
   std::copy_if(words.begin(), words.end(), std::back_inserter(out),
                [](const std::string& word) { return !word.empty(); });
@@ -123,6 +123,33 @@ std::string goes_on_with(const Model& model, const Link& row, const Link& column
   return "continue: true";
 }
 
+/// What a body does in a case: it sets these values, but from the column's request on none that the outside says.
+void add_cases(ProviderId id, const std::string& guard, const Model& model, const Values& values, const Until& until,
+               std::initializer_list<std::string> answer, std::vector<std::string>& out) {
+  Values left = values;
+  std::erase_if(left, [&](const auto& each) { return until.outside.contains(each.first); });
+  const auto add = [&](const std::string& run, const Values& set) {
+    std::vector<std::string> words{run, guard, setting_words(model, set)};
+    words.insert(words.end(), answer);
+    out.push_back(mapping(words));
+  };
+  const auto ran = until.runs.find(id);
+  const std::uint32_t runs = left.size() == values.size() || ran == until.runs.end() ? 0 : ran->second;
+  for (std::uint32_t run = 1; run <= runs; ++run) add(fmt::format("run: {}", run), values);
+  add({}, left);
+}
+
+void add_pushed(ProviderId id, const Model& model, const Until& until, std::initializer_list<std::string> answer,
+                std::vector<std::string>& out) {
+  const Values promise = promised(model, id);
+  if (!promise.empty()) add_cases(id, "reason: pushed", model, promise, until, answer, out);
+}
+
+void add_usual(ProviderId id, const Model& model, const Until& until, std::initializer_list<std::string> answer,
+               std::vector<std::string>& out) {
+  add_cases(id, {}, model, opposed(model, id), until, answer, out);
+}
+
 /// Those that may come to run where the program asks for nothing but these.
 IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> asked) {
   IdSet<GroupId> out(model.groups.size());
@@ -141,43 +168,34 @@ IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> asked) {
 
 /// The bodies of providers that nobody asks anything special of: those that promise something, or set what is against
 /// a promise. The others do the usual. Without those that do not come to run: a text is read for each play.
-Script usual_script(const Model& model, std::initializer_list<GroupId> asked) {
+Script usual_script(const Model& model, std::initializer_list<GroupId> asked, const Until& until) {
   Script out;
   const IdSet<GroupId> may_run = below(model, asked);
   for (const ProviderId id : model.providers.ids()) {
     if (!may_run.contains(model.providers[id].group)) continue;
-    const Values promise = promised(model, id), against = opposed(model, id);
-    if (!promise.empty())
-      out[id].push_back(mapping({"reason: pushed", setting_words(model, promise), usual(model, id)}));
-    if (!promise.empty() || !against.empty())
-      out[id].push_back(mapping({setting_words(model, against), usual(model, id)}));
+    if (promised(model, id).empty() && opposed(model, id).empty()) continue;
+    add_pushed(id, model, until, {usual(model, id)}, out[id]);
+    add_usual(id, model, until, {usual(model, id)}, out[id]);
   }
   return out;
 }
 
-std::vector<std::string> pushed_case(const Model& model, ProviderId id, const std::string& answer,
-                                     const std::string& wait) {
-  const Values promise = promised(model, id);
-  if (promise.empty()) return {};
-  return {mapping({"reason: pushed", setting_words(model, promise), answer, wait})};
-}
-
 /// The row's task: done a millisecond later, by then whoever could take what it holds has done so.
-void add_target(const Model& model, GroupId target, Script& out) {
+void add_target(const Model& model, GroupId target, const Until& until, Script& out) {
   for (const ProviderId id : model.groups[target].providers) {
     std::vector<std::string> cases{"{reason: wait, done: true}"};
-    for (std::string& each : pushed_case(model, id, usual(model, id), "wait: 1 ms")) cases.push_back(std::move(each));
-    cases.push_back(mapping({setting_words(model, opposed(model, id)), usual(model, id), "wait: 1 ms"}));
+    add_pushed(id, model, until, {usual(model, id), "wait: 1 ms"}, cases);
+    add_usual(id, model, until, {usual(model, id), "wait: 1 ms"}, cases);
     out[id] = std::move(cases);
   }
 }
 
-void add_link(const Model& model, const Link& link, bool passes_done, Script& out) {
+void add_link(const Model& model, const Link& link, bool passes_done, const Until& until, Script& out) {
   std::vector<std::string> cases;
   if (passes_done) cases.emplace_back("{reason: subtask_done, done: true}");
   const std::string answer = leads_on(model, link);
-  for (std::string& each : pushed_case(model, link.provider, answer, {})) cases.push_back(std::move(each));
-  cases.push_back(mapping({setting_words(model, opposed(model, link.provider)), answer}));
+  add_pushed(link.provider, model, until, {answer}, cases);
+  add_usual(link.provider, model, until, {answer}, cases);
   out[link.provider] = std::move(cases);
 }
 
@@ -197,20 +215,20 @@ Parting part(const Model& model, const Way& row, const Way& column) {
 
 namespace {
 
-Script script_from(Script out, const Model& model, const Way& row) {
-  for (const Link& link : row.links) add_link(model, link, true, out);
-  add_target(model, row.target, out);
+Script script_from(Script out, const Model& model, const Way& row, const Until& until) {
+  for (const Link& link : row.links) add_link(model, link, true, until, out);
+  add_target(model, row.target, until, out);
   return out;
 }
 
 } // namespace
 
 Script script_of(const Model& model, const Way& row) {
-  return script_from(usual_script(model, {row.root->target}), model, row);
+  return script_from(usual_script(model, {row.root->target}, {}), model, row, {});
 }
 
-Script script_of(const Model& model, const Way& row, const Way& column, const Runs& runs) {
-  Script out = script_from(usual_script(model, {row.root->target, column.root->target}), model, row);
+Script script_of(const Model& model, const Way& row, const Way& column, const Until& until) {
+  Script out = script_from(usual_script(model, {row.root->target, column.root->target}, until), model, row, until);
   const Parting parting = part(model, row, column);
   // Who asks for both goes on when the first one is done.
   if (parting.link) out[row.links[*parting.link].provider].front() = "{reason: subtask_done, continue: true}";
@@ -220,8 +238,8 @@ Script script_of(const Model& model, const Way& row, const Way& column, const Ru
                                    [&](const Link& each) { return each.provider == link.provider; });
     const bool on_both = same != row.links.end();
     std::vector<std::string> cases;
-    const auto ran = runs.find(link.provider);
-    for (std::uint32_t run = 1; ran != runs.end() && run <= ran->second; ++run)
+    const auto ran = until.runs.find(link.provider);
+    for (std::uint32_t run = 1; ran != until.runs.end() && run <= ran->second; ++run)
       cases.push_back(mapping({fmt::format("run: {}", run), setting_words(model, opposed(model, link.provider)),
                                on_both ? leads_on(model, *same) : usual(model, link.provider)}));
     std::string answer = leads_on(model, link);
@@ -229,8 +247,8 @@ Script script_of(const Model& model, const Way& row, const Way& column, const Ru
       answer = leads_beside(model, *same, link);
       cases.push_back(mapping({"reason: subtask_done", goes_on_with(model, *same, link)}));
     }
-    for (std::string& each : pushed_case(model, link.provider, answer, {})) cases.push_back(std::move(each));
-    cases.push_back(mapping({setting_words(model, opposed(model, link.provider)), answer}));
+    add_pushed(link.provider, model, until, {answer}, cases);
+    add_usual(link.provider, model, until, {answer}, cases);
     out[link.provider] = std::move(cases);
   }
   return out;

@@ -27,8 +27,13 @@ Parting part(const Model& model, const Way& row, const Way& column);
 /// Until it rests: what leads there, and what is pushed keeps its promise. The target is done a millisecond later.
 Script script_of(const Model& model, const Way& row);
 
+/// The column's request.
+struct Until {
+  Runs runs;      ///< before it
+  Values outside; ///< what is pushed from then on leaves these states as they are
+};
 /// ... and then what leads to the column.
-Script script_of(const Model& model, const Way& row, const Way& column, const Runs& runs);
+Script script_of(const Model& model, const Way& row, const Way& column, const Until& until);
 
 /// The steps: the outside says so much, and the program asks for what leads there; the outside alone; the row's task is
 /// done.

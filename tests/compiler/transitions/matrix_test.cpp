@@ -226,6 +226,48 @@ steps:
 )");
 }
 
+TEST_CASE("what the outside says for the second is not undone by a push that the first one makes") {
+  CHECK(cell(R"(
+states: {Pose: {values: [moving, still, falling], initial: still, external: true}}
+roots: {Recover: {priority: 90}, Play: {priority: 10}}
+groups:
+  Recover: {tasks: [Brace]}
+  Brace: {when: [Pose == falling], needs: [Legs]}
+  Play: {packs: {shoot: {Kick: {priority: 20, apart: true}, Walk: {priority: 10, apart: true}}}}
+  Kick: {when: [Pose == still], needs: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, sets: [Pose == moving]}
+      - {name: halting, causing: [Pose == still]}
+  Legs: {}
+)",
+             "Kick", "Brace") ==
+        R"(hard: Brace takes at once what Kick holds. Kick stops. The outside says Pose == falling.
+stops Kick
+scenario: from Kick to Brace
+behaviour: test.yaml
+script:
+  Recover.default:
+    - {tasks: [Brace]}
+  Play.default:
+    - {reason: subtask_done, done: true}
+    - {pack: shoot}
+  Kick.default:
+    - {reason: wait, done: true}
+    - {wait: 1 ms}
+  Walk.walking:
+    - {run: 1, set: {Pose: moving}}
+    - {}
+  Walk.halting:
+    - {run: 1, reason: pushed, set: {Pose: still}}
+    - {reason: pushed}
+    - {}
+steps:
+  - request: Play
+  - inputs: [{set: {Pose: falling}}, {request: Recover}]
+)");
+}
+
 TEST_CASE("unreachable: it never gets what it needs") {
   const char* const lost = R"(roots: [Walk, Play]
 groups:
