@@ -4,6 +4,7 @@
 #include "runtime/core/arbitration/availability.hpp"
 
 #include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/pass.hpp"
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/parts.hpp"
@@ -28,21 +29,14 @@ bool alive(const Context& x, Index edge) {
   }
 }
 
-/// All that the sweep decided is undone; only which denials are forgotten stays.
+/// All that the sweep over the whole component decided is undone; only which denials are forgotten stays.
 void take_back(Context& x) {
-  clear_marks(x);
-  x.placed = 0;
-  for (WaitingLine& line : x.lines) line.first = 0; // the walk comes to all of them again
-  if (x.pushed_count != 0) mark_pushers(x);
   for (const Index g : opened(x)) {
     x.s.group_marks[g] &= mark::forgotten | mark::listed;
     clear(x, g);
   }
-  const Index* const order = x.s.order + x.row.order;
-  for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
-    x.s.place[order[i]] = i;
-    x.s.next_order[x.row.order + i] = order[i];
-  }
+  for (const Index e : x.t.list(x.row.edges)) x.s.edge_marks[e] = 0;
+  if (x.pushed_count != 0) mark_pushers(x);
 }
 
 } // namespace
@@ -66,19 +60,17 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
 
 /// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten. Which one is
 /// the first is known only where all units were decided: those that stood may have been denied something too, for which
-/// they have other choices. So before the first one is forgotten, all are decided.
+/// they have another choice. True: the sweep has to be repeated.
 bool denied_in_vain(Context& x) {
-  for (Index i = 0; i < x.denied_count; ++i) {
-    const Index group = x.s.denied[i];
+  for (const Index group : std::span<const Index>{x.s.denied, x.denied_count}) {
     if (x.s.now[group].holder == x.s.last[group].holder || injected(Fault::denials_are_final)) continue;
-    const bool all_decided = x.whole || x.all_reached || injected(Fault::denials_of_who_stands_are_overlooked);
-    take_back(x);
-    if (all_decided) {
+    if (x.whole || injected(Fault::denials_of_who_stands_are_overlooked)) {
       x.s.group_marks[group] |= mark::forgotten;
       x.s.group_trail[group] |= trail::disturbed; // its last holder counts again in the next pass
+      take_back(x);
     } else {
-      x.all_reached = true;
-      for (const Index e : x.t.list(x.row.edges)) reach_edge(x, e);
+      x.s.news_count[x.component] = nil;
+      begin(x);
     }
     return true;
   }

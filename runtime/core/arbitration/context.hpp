@@ -36,14 +36,13 @@ struct Context {
       0; ///< so far: groups placed, units decided, choices and plans tried, also in searches for pushes
 
   // The pass in hand.
-  Component row;            ///< of the component
-  Index component = 0;      ///< which one that is
-  bool whole = false;       ///< all of it is decided
-  bool all_reached = false; ///< each unit of it is decided, if not because it is `whole`
-  bool settled = false;     ///< nothing has to be decided: the last result stands
-  bool had_limbo = false;   ///< in the last assignment something was in limbo; only known where the pass is followed
-  bool walking = false;     ///< the pass is on its way along the order
-  bool disturbed = false;   ///< something differs from the last pass, or may
+  Component row;          ///< of the component
+  Index component = 0;    ///< which one that is
+  bool whole = false;     ///< all of it is decided
+  bool settled = false;   ///< nothing has to be decided: the last result stands
+  bool had_limbo = false; ///< in the last assignment something was in limbo; only known where the pass is followed
+  bool walking = false;   ///< the pass is on its way along the order
+  bool disturbed = false; ///< something differs from the last pass, or may
   /// The result may be another one when it is the last assignment itself, or when other groups are stale.
   mutable bool depends_on_last = false, depends_on_stale = false;
   bool depends_on_all_stale = false;      ///< also on groups that RunQueueEntry::counts does not name

@@ -66,19 +66,23 @@ void finish(Context& x) {
 
 } // namespace
 
-void decide(Context& x, Index component) {
-  x.row = x.t.components[component];
-  x.component = component;
-  x.had_pushes = x.s.pushed_count[component] != 0;
-  x.whole = x.s.news_count[component] == nil;
+/// Opens what has to be looked at: all of it, if what the last pass did is not known.
+void begin(Context& x) {
+  x.had_pushes = x.s.pushed_count[x.component] != 0;
+  x.whole = x.s.news_count[x.component] == nil;
   x.walking = !x.whole;
-  x.disturbed = false;
+  x.disturbed = x.settled = false;
   x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = x.placed = 0;
-  x.settled = x.all_reached = false;
   x.whole ? open_all(x) : begin_trail(x);
   x.had_pushes = x.pushed_count != 0;
   x.depends_on_stale = x.depends_on_all_stale = false;
-  x.depends_on_last = x.had_pushes || x.s.on_last[component] != 0;
+  x.depends_on_last = x.had_pushes || x.s.on_last[x.component] != 0;
+}
+
+void decide(Context& x, Index component) {
+  x.row = x.t.components[component];
+  x.component = component;
+  begin(x);
   if (x.s.component[component].has(work::reordered)) {
     x.s.component[component].remove(work::reordered);
     const Index first = x.s.first_root[component];

@@ -20,6 +20,9 @@ namespace director::arbitration {
 /// Reads State's decision part; writes `now`, `next_order`, `next_count` and `queued` of the component.
 void decide(Context& x, Index component);
 
+/// Of a pass that is about to sweep, or has swept in vain: it sweeps from the beginning.
+void begin(Context& x);
+
 /// When the engine has compared the result with the last one: notes for the next pass what this one found.
 void end(Context& x);
 

@@ -86,7 +86,7 @@ void open_waiting(Context& x) {
 
 /// The pass is made only because the last one changed the assignment, and nothing depends on that: it stands.
 bool is_settled(const Context& x) {
-  if (x.s.component[x.component].has(work::changed | work::stale_changed)) return false;
+  if (x.s.component[x.component].has(work::changed)) return false;
   if (injected(Fault::the_last_result_is_always_settled)) return true;
   if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
   for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {

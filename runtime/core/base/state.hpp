@@ -51,14 +51,13 @@ inline constexpr Index serving = 8;  ///< and the condition that the push was ma
 
 /// Bits of State::component: what the next arbitration has to know about it.
 namespace work {
-inline constexpr std::uint8_t changed = 1;       ///< a request, value or flag that it depends on is another one
-inline constexpr std::uint8_t unsettled = 2;     ///< the last pass may decide differently on its own result
-inline constexpr std::uint8_t stale_counts = 4;  ///< whose orders are outdated made a difference in the last pass
-inline constexpr std::uint8_t stale_changed = 8; ///< and may be another since
-inline constexpr std::uint8_t listed = 16;       ///< it stands in State::work
-inline constexpr std::uint8_t passed = 32;       ///< it was decided again in this micro-step
-inline constexpr std::uint8_t reordered = 64;    ///< an edge of root may be in another place among its like
-inline constexpr std::uint8_t pushes = 128;      ///< with `passed`: there are pushes, or were before
+inline constexpr std::uint8_t changed = 1;      ///< a request, value or flag that it depends on is another one
+inline constexpr std::uint8_t unsettled = 2;    ///< the last pass may decide differently on its own result
+inline constexpr std::uint8_t stale_counts = 4; ///< whose orders are outdated made a difference in the last pass
+inline constexpr std::uint8_t listed = 8;       ///< it stands in State::work
+inline constexpr std::uint8_t passed = 16;      ///< it was decided again in this micro-step
+inline constexpr std::uint8_t reordered = 32;   ///< an edge of root may be in another place among its like
+inline constexpr std::uint8_t pushes = 64;      ///< with `passed`: there are pushes, or were before
 inline constexpr std::uint8_t kept = stale_counts | reordered; ///< also where nothing is to be decided
 } // namespace work
 

@@ -22,11 +22,8 @@ DIRECTOR_ONE_COPY inline void Engine::mark(Index component, std::uint8_t bits) {
 DIRECTOR_ONE_COPY inline void Engine::mark_stale(Index group) {
   if (injected(Fault::who_is_stale_is_overlooked)) return;
   const RunQueueEntry& entry = x_.s.run_queue[group];
-  if (entry.counts != 0) {
+  if (entry.counts != 0 || x_.s.component[entry.component].has(work::stale_counts))
     mark(entry.component, work::changed);
-  } else if (x_.s.component[entry.component].has(work::stale_counts)) {
-    mark(entry.component, work::stale_changed);
-  }
 }
 
 DIRECTOR_ONE_COPY inline void Engine::touch(Index group) {
@@ -73,7 +70,6 @@ DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
 
 /// Leaves in State::work what has to be decided by the next arbitration, and forgets the rest.
 DIRECTOR_INLINE void Engine::forget_work() {
-  constexpr std::uint8_t outdated = work::stale_counts | work::stale_changed;
   Counters& c = *x_.s.counters;
   const Index before = c.work_count;
   Index left = 0;
@@ -81,7 +77,7 @@ DIRECTOR_INLINE void Engine::forget_work() {
     const Index component = x_.s.work[i];
     Bits& bits = x_.s.component[component];
     bits.remove(work::passed | work::pushes);
-    if ((bits & (work::changed | work::unsettled)) != 0 || (bits & outdated) == outdated) {
+    if (bits.has(work::changed | work::unsettled)) {
       x_.s.work[left++] = component;
     } else {
       bits &= work::kept;

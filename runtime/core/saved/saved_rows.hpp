@@ -29,8 +29,7 @@ inline constexpr std::uint32_t version_word = 0x44000000U | format << 16 |
 inline constexpr std::size_t summed_from = 8;
 
 /// Of State::component, what lasts longer than a micro-step.
-inline constexpr std::uint8_t component_bits =
-    work::changed | work::unsettled | work::stale_counts | work::stale_changed;
+inline constexpr std::uint8_t component_bits = work::changed | work::unsettled | work::stale_counts;
 
 /// Where a number lies: a member of a row of an array that is there.
 template <class T>
