@@ -148,7 +148,7 @@ await situation('a program that has ended is called lost, and what was seen stay
   await sees(page, '#why-answer', /^Not answered: /);
   assert.match(await text(page, '#moment'), /Rest/);
   await shot(page, 'lost');
-  for (const each of said.splice(0)) assert.match(each, /^console: Failed to load resource: net::ERR_(CONNECTION_REFUSED|INCOMPLETE_CHUNKED_ENCODING|EMPTY_RESPONSE|CONNECTION_RESET)/);
+  for (const each of said.splice(0)) assert.match(each, /^console: Failed to load resource: net::ERR_(CONNECTION_REFUSED|INCOMPLETE_CHUNKED_ENCODING|CONTENT_LENGTH_MISMATCH|EMPTY_RESPONSE|CONNECTION_RESET)/);
 });
 
 await situation('events that are missing are counted, and then it is the present again', [live, 'flood'], {}, async ({ page }) => {
