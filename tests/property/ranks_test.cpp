@@ -186,7 +186,10 @@ private:
     const std::optional<Fork> at = fork(chain(member), other);
     if (!at) return wrong("no common requester");
     const std::set<std::string> first = told(answer(ours, theirs)["decisions"], *at);
-    const char* const expected = claim.rivalry.won_by == Precedence::equal ? "equal" : "theirs";
+    const bool equal = claim.rivalry.won_by == Precedence::equal;
+    // As a unit it may be equal, and behind by its own rank.
+    const bool behind = equal && claim.rivalry.our_first != claim.rivalry.ours && first.count("theirs") != 0;
+    const char* const expected = equal && !behind ? "equal" : "theirs";
     const bool no_rank =
         std::any_of(first.begin(), first.end(), [](const auto& each) { return each.starts_with("theirs!"); });
     if (first.count(expected) == 0 && !no_rank)
