@@ -35,8 +35,8 @@ Documents generate(std::uint64_t seed);
 /// 6 to 15 groups, among them a unit that moves, as its first member may be asked for at a lower level.
 Documents generate_moving_unit(std::uint64_t seed);
 
-/// Five groups of equals, where one has another choice than what is denied to it. No body is scripted: each asks for all
-/// that it may.
+/// Five groups of equals, where one has another choice than what is denied to it. No body is scripted: each asks for
+/// all that it may.
 Documents generate_equals(std::uint64_t seed);
 
 /// Two to four such behaviours in one, small ones. What happens in one may matter to another by a state at most, so

@@ -109,7 +109,8 @@ Shares compare_cases(std::uint64_t first, std::uint64_t count, Documents (*make)
     const Verdict verdict = verdict_of(documents, manner_of(seed));
     stop_watching();
     if (!verdict.difference.empty())
-      FAIL("DIRECTOR_SEED=" << seed << of << " differs, " << verdict.difference << "\n" << minimal(documents, seed, verdict.difference));
+      FAIL("DIRECTOR_SEED=" << seed << of << " differs, " << verdict.difference << "\n"
+                            << minimal(documents, seed, verdict.difference));
     shares.add(verdict);
   }
   shares.print(first);
