@@ -161,7 +161,7 @@ private:
     for (const Values& change : choices(lacking(row, column))) {
       const Play now = player_.play(script, begin + request_step(model_, column.way, change), 2, column.way);
       if (runs_now(row, column, now, change, out, told) ||
-          (undoes(now.trial, change) && runs_where_the_outside_stands(row, column, change, out, told)))
+          (is_undone(now.trial, change) && runs_where_the_outside_stands(row, column, now, change, out, told)))
         return;
       const Play later = player_.play(script, now.steps + done_step(), 2, column.way);
       const bool runs_later = later.trial.good && runs_at_all(later.trial.rest, column.way);
@@ -185,8 +185,8 @@ private:
     return true;
   }
 
-  /// Somebody was pushed, and set another value than the outside just did.
-  bool undoes(const Trial& trial, const Values& change) const {
+  /// What the outside just said has another value by now.
+  static bool is_undone(const Trial& trial, const Values& change) {
     return std::any_of(change.begin(), change.end(), [&](const auto& said) {
       const auto at = trial.rest.values.find(said.first);
       return at == trial.rest.values.end() || at->second != said.second;
@@ -194,11 +194,10 @@ private:
   }
 
   /// A promise takes time, and does not undo what is sensed.
-  bool runs_where_the_outside_stands(const Beginning& row, const Beginning& column, const Values& change,
-                                     Transition& out, Told& told) {
+  bool runs_where_the_outside_stands(const Beginning& row, const Beginning& column, const Play& before,
+                                     const Values& change, Transition& out, Told& told) {
     const Script script = script_of(model_, row.way, column.way, {row.runs, change});
-    const std::string steps = player_.beginning(row.way, row.outside) + request_step(model_, column.way, change);
-    return runs_now(row, column, player_.play(script, steps, 2, column.way), change, out, told);
+    return runs_now(row, column, player_.play(script, before.steps, 2, column.way), change, out, told);
   }
 
   std::size_t piece(const std::string& text) {

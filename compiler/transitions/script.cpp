@@ -139,15 +139,13 @@ void add_cases(ProviderId id, const std::string& guard, const Model& model, cons
   add({}, left);
 }
 
-void add_pushed(ProviderId id, const Model& model, const Until& until, std::initializer_list<std::string> answer,
+/// When it is pushed, and else. True: it sets something.
+bool add_answer(ProviderId id, const Model& model, const Until& until, std::initializer_list<std::string> answer,
                 std::vector<std::string>& out) {
-  const Values promise = promised(model, id);
+  const Values promise = promised(model, id), against = opposed(model, id);
   if (!promise.empty()) add_cases(id, "reason: pushed", model, promise, until, answer, out);
-}
-
-void add_usual(ProviderId id, const Model& model, const Until& until, std::initializer_list<std::string> answer,
-               std::vector<std::string>& out) {
-  add_cases(id, {}, model, opposed(model, id), until, answer, out);
+  add_cases(id, {}, model, against, until, answer, out);
+  return !promise.empty() || !against.empty();
 }
 
 /// Those that may come to run where the program asks for nothing but these.
@@ -173,9 +171,8 @@ Script usual_script(const Model& model, std::initializer_list<GroupId> asked, co
   const IdSet<GroupId> may_run = below(model, asked);
   for (const ProviderId id : model.providers.ids()) {
     if (!may_run.contains(model.providers[id].group)) continue;
-    if (promised(model, id).empty() && opposed(model, id).empty()) continue;
-    add_pushed(id, model, until, {usual(model, id)}, out[id]);
-    add_usual(id, model, until, {usual(model, id)}, out[id]);
+    std::vector<std::string> cases;
+    if (add_answer(id, model, until, {usual(model, id)}, cases)) out[id] = std::move(cases);
   }
   return out;
 }
@@ -184,8 +181,7 @@ Script usual_script(const Model& model, std::initializer_list<GroupId> asked, co
 void add_target(const Model& model, GroupId target, const Until& until, Script& out) {
   for (const ProviderId id : model.groups[target].providers) {
     std::vector<std::string> cases{"{reason: wait, done: true}"};
-    add_pushed(id, model, until, {usual(model, id), "wait: 1 ms"}, cases);
-    add_usual(id, model, until, {usual(model, id), "wait: 1 ms"}, cases);
+    add_answer(id, model, until, {usual(model, id), "wait: 1 ms"}, cases);
     out[id] = std::move(cases);
   }
 }
@@ -194,8 +190,7 @@ void add_link(const Model& model, const Link& link, bool passes_done, const Unti
   std::vector<std::string> cases;
   if (passes_done) cases.emplace_back("{reason: subtask_done, done: true}");
   const std::string answer = leads_on(model, link);
-  add_pushed(link.provider, model, until, {answer}, cases);
-  add_usual(link.provider, model, until, {answer}, cases);
+  add_answer(link.provider, model, until, {answer}, cases);
   out[link.provider] = std::move(cases);
 }
 
@@ -247,8 +242,7 @@ Script script_of(const Model& model, const Way& row, const Way& column, const Un
       answer = leads_beside(model, *same, link);
       cases.push_back(mapping({"reason: subtask_done", goes_on_with(model, *same, link)}));
     }
-    add_pushed(link.provider, model, until, {answer}, cases);
-    add_usual(link.provider, model, until, {answer}, cases);
+    add_answer(link.provider, model, until, {answer}, cases);
     out[link.provider] = std::move(cases);
   }
   return out;
