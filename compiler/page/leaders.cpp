@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/page/leaders.hpp"
 
-#include "compiler/graph/algorithms.hpp"
-
 #include <algorithm>
 
 namespace director::compiler {
@@ -78,22 +76,28 @@ void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standin
   out.always = out.always && always && !pack.name.empty(); // of what has no name any part may be asked for
 }
 
+Ways::Ways(const Model& model)
+    : model_(model),
+      needs_(model.groups.size()),
+      all_(model.groups.size()),
+      known_(model.groups.size()) {
+  for (const Edge& edge : model.edges) {
+    if (!edge.requester) continue;
+    if (edge.needed) needs_[edge.requester->value].push_back(edge.target.value);
+    all_[edge.requester->value].push_back(edge.target.value);
+  }
+}
+
 const Ways::Paths& Ways::paths(GroupId from) {
   std::optional<Paths>& known = known_[from];
   if (known) return *known;
-  Arrows needs(model_.groups.size()), both(model_.groups.size());
-  for (const Edge& edge : model_.edges) {
-    if (!edge.requester) continue;
-    if (edge.needed) needs[edge.requester->value].push_back(edge.target.value);
-    both[edge.requester->value].push_back(edge.target.value);
-  }
-  Paths out{reachable(needs, from.value), {}};
+  Paths out{reachable(needs_, from.value), {}};
   out.needs[from.value] = true;
   std::vector<Node> asked;
   for (const Edge& edge : model_.edges) {
     if (edge.requester && !edge.levels.empty() && out.needs[edge.requester->value]) asked.push_back(edge.target.value);
   }
-  out.asks = reachable(both, asked);
+  out.asks = reachable(all_, asked);
   for (const Node node : asked) out.asks[node] = true;
   return known.emplace(std::move(out));
 }

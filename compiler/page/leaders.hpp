@@ -3,6 +3,7 @@
 // A unit is tried where the first of its members stands, so that a member may go before what its own rank is behind:
 // with which other members, and whether always. Source: semantics.md 4.4.
 
+#include "compiler/graph/algorithms.hpp"
 #include "compiler/lower/contention.hpp"
 #include "compiler/model/model.hpp"
 
@@ -47,7 +48,7 @@ private:
 /// How one group comes to hold another.
 class Ways {
 public:
-  explicit Ways(const Model& model) : model_(model), known_(model.groups.size()) {}
+  explicit Ways(const Model& model);
   /// By needs alone, with its own grant; a group needs itself.
   bool needs(GroupId from, GroupId to) { return paths(from).needs[to.value]; }
   /// By some task that it, or what it has by then, asks for.
@@ -60,6 +61,7 @@ private:
   const Paths& paths(GroupId from);
 
   const Model& model_;
+  Arrows needs_, all_; ///< from group to group
   IdTable<GroupId, std::optional<Paths>> known_;
 };
 

@@ -160,12 +160,11 @@ WorkBound bound_work(const Model& model, const Tables& tables, Trials& trials) {
   for (const director::Group& group : tables.groups) {
     if (group.equals) ++repetitions[group.component];
   }
-  for (std::size_t c = 0; c < repetitions.size(); ++c) { // before the first one, what stood until then is decided
-    if (repetitions[c] != 0 && tables.components[c].groups.size() > director::most_decided_whole) ++repetitions[c];
-  }
   const std::vector<std::int64_t> sweeps = Working(model, tables, trials, out).sweeps();
   for (std::size_t c = 0; c < sweeps.size(); ++c) {
-    const std::int64_t pass = product(1 + repetitions[c], sweeps[c]);
+    // Before the first repetition a pass that did not decide all begins again.
+    const bool begins_again = repetitions[c] != 0 && tables.components[c].groups.size() > director::most_decided_whole;
+    const std::int64_t pass = product(1 + repetitions[c] + (begins_again ? 1 : 0), sweeps[c]);
     out.pass = std::max(out.pass, pass);
     out.micro_step = sum(out.micro_step, pass);
   }
