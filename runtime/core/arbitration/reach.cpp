@@ -115,7 +115,6 @@ void begin_followed(Context& x, Index count) {
   x.depends_on_last = x.depends_on_stale = false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.unit[at], group = target(x, edge);
-    if (stands_behind(x, edge)) reach_edge(x, edge); // it is decided again, also if the sweep is taken back
     note_dependence(x, edge, 0);
     if (x.s.last[group].holder != edge) continue;
     open(x, group);
