@@ -6,13 +6,13 @@
 
 namespace director::compiler {
 
-namespace {
-
-const Task* entry(const Pack& pack, EdgeId edge) {
+const Task* entry_of(const Pack& pack, EdgeId edge) {
   const auto at =
       std::find_if(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) { return task.edge == edge; });
   return at == pack.tasks.end() ? nullptr : &*at;
 }
+
+namespace {
 
 bool in_unit(const Level& level) { return !level.optional && !level.apart; }
 
@@ -53,7 +53,7 @@ void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standin
       return level(task, named).priority == priority && kind(level(task, named));
     });
   };
-  const Task *const own = entry(pack, member), *const others = entry(pack, rival);
+  const Task *const own = entry_of(pack, member), *const others = entry_of(pack, rival);
   if (own == nullptr || others == nullptr) return;
   const auto alone = [](const Level& each) { return !in_unit(each); };
   const auto apart = [](const Level& each) { return each.apart && !each.optional; };

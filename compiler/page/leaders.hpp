@@ -16,6 +16,9 @@
 
 namespace director::compiler {
 
+/// What the pack says of the edge; null: nothing.
+const Task* entry_of(const Pack& pack, EdgeId edge);
+
 /// A member that stands first.
 struct Leader {
   EdgeId edge{};

@@ -311,11 +311,6 @@ private:
                        side.needs ? task + " is " : "", together(side.leaders));
   }
 
-  static const Task* entry(const std::vector<Task>& tasks, EdgeId edge) {
-    const auto at = std::find_if(tasks.begin(), tasks.end(), [&](const Task& task) { return task.edge == edge; });
-    return at == tasks.end() ? nullptr : &*at;
-  }
-
   /// At some level of this priority, as a member of the unit of its pack, or not.
   bool may_be(const Task& task, const Standing& standing, bool in_unit) const {
     return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
@@ -338,8 +333,8 @@ private:
       out.first_needed = out.first_needed || (first_needed && second_needed);
       out.second_needed = out.second_needed || (first_needed && second_needed);
       for (const Pack& pack : provider.packs) {
-        const Task* const first = entry(pack.tasks, decision.first_sibling);
-        const Task* const second = entry(pack.tasks, decision.second_sibling);
+        const Task* const first = entry_of(pack, decision.first_sibling);
+        const Task* const second = entry_of(pack, decision.second_sibling);
         out.at_once = out.at_once || ((first != nullptr || first_needed) && (second != nullptr || second_needed));
         if (first != nullptr && second != nullptr) {
           out.unit = out.unit || (may_be(*first, decision.first, true) && may_be(*second, decision.second, true));
