@@ -7,6 +7,7 @@
 #include "runtime/core/base/fault_injection.hpp"
 #include "tests/property/compare.hpp"
 #include "tests/property/generate.hpp"
+#include "tests/property/long_game.hpp"
 
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -74,6 +75,7 @@ constexpr std::array<Row, static_cast<std::size_t>(Fault::count)> rows{{
     {"4.4", "so is who waits behind others for what is free now"},
     {"4.4", "the walk goes on for as long as something is to be looked at"},
     {"4.4", "a result that is arbitrated once more may be another"},
+    {"4.1", "so is the place of what is needed still when its requester stops"},
     {"4.4", "so is what somebody asks for whose orders are outdated, or are not any more"},
     {"4.2", "so is who looks at the last result"},
     {"4.4", "what was requested for outdated orders that are over is lost"},
@@ -91,6 +93,13 @@ bool shows_the_fault(const property::Documents& documents, std::uint64_t seed) {
   return !result.compiled || !property::compare(*result.compiled, property::manner_of(seed)).difference.empty();
 }
 
+bool decides_otherwise(std::uint64_t seed) {
+  const property::Documents documents = property::generate_any(seed);
+  const auto result = property::compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
+  std::uint64_t micro_steps = 0;
+  return !property::decided_otherwise(*result.compiled, seed, micro_steps).empty();
+}
+
 /// The number of the case that shows the fault in hand; 0: none does. What is several in one shows what components have
 /// to do with each other, and a unit that moves what lies between its places.
 void hunt(volatile std::uint64_t& in_hand, volatile bool& found) {
@@ -100,7 +109,7 @@ void hunt(volatile std::uint64_t& in_hand, volatile bool& found) {
     ::alarm(most_seconds);
     found = shows_the_fault(property::generate(seed), seed) || shows_the_fault(property::generate_parts(seed), seed) ||
             shows_the_fault(property::generate_moving_unit(seed), seed) ||
-            shows_the_fault(property::generate_equals(seed), seed);
+            shows_the_fault(property::generate_equals(seed), seed) || decides_otherwise(seed);
   }
 }
 

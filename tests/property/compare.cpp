@@ -32,7 +32,7 @@ public:
         engine_(compiled, manner == Manner::in_leaps),
         rounds_(manner == Manner::often ? 4 : 1),
         bounds_(analysis::find_bounds(compiled.model, compiled.lowered.view())) {
-    last_ = snapshot_of(oracle_.behaviour());
+    last_ = expected();
   }
 
   Verdict run() {
@@ -56,19 +56,21 @@ public:
   }
 
 private:
+  Snapshot expected() { return snapshot_of(oracle_.behaviour(), engine_.engine().tables()); }
+
   void show(Show what, bool shown) {
     bool& flag = out_.shown[static_cast<std::size_t>(what)];
     flag = flag || shown;
   }
 
   void step(std::size_t index) {
-    Course expected{snapshot_of(oracle_.behaviour())}, course{engine_.snapshot()};
+    Course wanted{expected()}, course{engine_.snapshot()};
     oracle_.begin_step(c_.spec.steps[index]);
     while (oracle_.micro_step()) {
-      Snapshot now = snapshot_of(oracle_.behaviour());
+      Snapshot now = expected();
       ++out_.micro_steps;
       look(now);
-      add(expected, std::move(now));
+      add(wanted, std::move(now));
     }
     if (oracle_.exhausted()) return fail("the oracle does not come to rest");
     engine_.begin_step(c_.scenario.steps[index]);
@@ -85,13 +87,13 @@ private:
       add(course, engine_.snapshot());
       if (!obeys(course.back(), false)) return;
       const std::size_t at = course.size() - 1;
-      if (at >= expected.size() || !(course[at] == expected[at])) return differs(expected, course, at);
+      if (at >= wanted.size() || !(course[at] == wanted[at])) return differs(wanted, course, at);
     }
     add(course, engine_.snapshot());
     if (!obeys(course.back(), true)) return;
     const std::size_t at = course.size() - 1;
-    if (course.size() != expected.size() || !(course[at] == expected[at]))
-      return differs(expected, course, course.size() < expected.size() ? course.size() : at);
+    if (course.size() != wanted.size() || !(course[at] == wanted[at]))
+      return differs(wanted, course, course.size() < wanted.size() ? course.size() : at);
     compare_traces();
   }
 

@@ -160,6 +160,10 @@ Snapshot EngineRun::snapshot() const {
   }
   for (Index g = s.counters->queue_first; g != nil; g = s.run_queue[g].runs_before)
     out.queue.push_back(oracle::GroupId{g});
+  for (Index c = 0; c < tables_.components.size(); ++c) {
+    for (Index i = 0; i < s.order_count[c]; ++i)
+      out.order.push_back(oracle::GroupId{s.order[tables_.components[c].order + i]});
+  }
   return out;
 }
 

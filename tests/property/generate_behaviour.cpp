@@ -376,6 +376,29 @@ Documents generate_moving_unit(std::uint64_t seed) {
   return {to_document(behaviour), random_scenario(random, flavour, behaviour)};
 }
 
+Documents generate_long(std::uint64_t seed) {
+  Random random(seed + 100'000'000);
+  Flavour flavour = random_flavour(random);
+  flavour.scripted_runs = 20;
+  flavour.length = 4;
+  const BehaviourDraft behaviour = random_behaviour(random, flavour, static_cast<std::size_t>(random.between(3, 8)));
+  return {to_document(behaviour), random_scenario(random, flavour, behaviour)};
+}
+
+Documents generate_any(std::uint64_t seed) {
+  Random random(seed + 60'000'000);
+  switch (random.below(8)) {
+  case 0: return generate_parts(seed);
+  case 1: return generate_moving_unit(seed);
+  case 2: return generate_equals(seed);
+  default: break;
+  }
+  const Flavour flavour = random_flavour(random);
+  const auto groups = static_cast<std::size_t>(random.between(5, random.one_of({15, 30, 60})));
+  const BehaviourDraft behaviour = random_behaviour(random, flavour, groups);
+  return {to_document(behaviour), random_scenario(random, flavour, behaviour)};
+}
+
 Documents generate(std::uint64_t seed) {
   Random random(seed);
   const Flavour flavour = random_flavour(random);

@@ -8,8 +8,6 @@ namespace director::property {
 
 namespace {
 
-constexpr int scripted_runs = 3; ///< of a provider or handler; later ones only continue
-
 class ScenarioWriter {
 public:
   ScenarioWriter(Random& random, const Flavour& flavour, const BehaviourDraft& behaviour)
@@ -32,7 +30,7 @@ public:
       if (!group.stop_sets.empty()) script.add(group.name + ".stop", handler_cases(group.stop_sets));
     }
     Node& steps = out.add("steps", Node::list());
-    for (int i = r_.between(10, 30); i > 0; --i) steps.add(step());
+    for (int i = r_.between(10, 30) * f_.length; i > 0; --i) steps.add(step());
     return out;
   }
 
@@ -41,7 +39,7 @@ private:
 
   Node cases(const GroupDraft& group, const ProviderDraft& provider) {
     Node out = Node::list();
-    for (int run = 1; run <= scripted_runs; ++run) {
+    for (int run = 1; run <= f_.scripted_runs; ++run) {
       if (r_.chance(0.4)) out.add(guarded(group, provider, run));
       Node plain;
       plain.add("run", std::to_string(run));
@@ -71,7 +69,7 @@ private:
 
   Node handler_cases(const std::vector<ConditionDraft>& sets) {
     Node out = Node::list();
-    for (int run = 1; run <= scripted_runs; ++run) {
+    for (int run = 1; run <= f_.scripted_runs; ++run) {
       Node each;
       each.add("run", std::to_string(run));
       each.add("set", {}).add(b_.states[sets.front().state].name, value_for(sets.front()));

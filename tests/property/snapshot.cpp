@@ -4,9 +4,11 @@
 
 #include "tests/oracle/parts.hpp"
 
+#include <algorithm>
+
 namespace director::property {
 
-Snapshot snapshot_of(const oracle::Behaviour& behaviour) {
+Snapshot snapshot_of(const oracle::Behaviour& behaviour, const Tables& tables) {
   const compiler::Model& model = behaviour.parts().model();
   const oracle::Assignment& now = behaviour.assignment();
   Snapshot out;
@@ -24,6 +26,10 @@ Snapshot snapshot_of(const oracle::Behaviour& behaviour) {
     out.requests.push_back(request ? std::optional(request->level) : std::nullopt);
   for (const auto& value : behaviour.facts().value) out.values.push_back(value);
   out.queue.assign(behaviour.run_queue().begin(), behaviour.run_queue().end());
+  out.order = now.order;
+  const auto component = [&](oracle::GroupId g) { return tables.groups[g.value].component; };
+  std::stable_sort(out.order.begin(), out.order.end(),
+                   [&](oracle::GroupId a, oracle::GroupId b) { return component(a) < component(b); });
   return out;
 }
 
@@ -56,6 +62,8 @@ std::string to_text(const Snapshot& snapshot, const compiler::Model& model) {
   }
   out += "\n  queue:";
   for (const oracle::GroupId g : snapshot.queue) out += " " + model.groups[g].name.value;
+  out += "\n  order:";
+  for (const oracle::GroupId g : snapshot.order) out += " " + model.groups[g].name.value;
   return out + "\n  lines: " + std::to_string(snapshot.lines) + "\n";
 }
 

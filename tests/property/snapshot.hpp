@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What engine and oracle must agree on after every micro-step.
 
+#include "runtime/core/base/tables.hpp"
 #include "tests/oracle/assignment.hpp"
 #include "tests/oracle/behaviour.hpp"
 
@@ -25,10 +26,11 @@ struct Snapshot {
   std::vector<std::optional<std::uint32_t>> requests; ///< edge: level
   std::vector<std::optional<std::int64_t>> values;    ///< state
   std::vector<oracle::GroupId> queue;
+  std::vector<oracle::GroupId> order; ///< groups that are held: component after component, each in its order
   bool operator==(const Snapshot&) const = default;
 };
 
-Snapshot snapshot_of(const oracle::Behaviour& behaviour);
+Snapshot snapshot_of(const oracle::Behaviour& behaviour, const Tables& tables);
 
 /// For people: one line a group that is held or pushed.
 std::string to_text(const Snapshot& snapshot, const compiler::Model& model);

@@ -84,11 +84,19 @@ void open_waiting(Context& x) {
   }
 }
 
+/// Its request ended when its requester stopped, but it holds on as a need, and so in another place of the order.
+bool became_a_need(const Context& x, Index edge) {
+  const Index group = x.s.request[edge].target;
+  if (injected(Fault::ended_requests_are_overlooked)) return false;
+  return x.s.last[group].holder == edge && x.s.run_queue[group].component == x.component;
+}
+
 /// The pass is made only because the last one changed the assignment, and nothing depends on that: it stands.
 bool is_settled(const Context& x) {
   if (x.s.component[x.component].has(work::changed)) return false;
   if (injected(Fault::the_last_result_is_always_settled)) return true;
   if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
+  if (any(std::span(x.s.rerequested, x.rerequested_count), [&](Index e) { return became_a_need(x, e); })) return false;
   for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
     if (is_decided_again(x, e)) return false;
   }

@@ -53,6 +53,7 @@ enum class Fault : unsigned char {
   who_is_behind_is_overlooked,
   the_rest_stands_always,
   the_last_result_is_always_settled,
+  ended_requests_are_overlooked,
   outdated_orders_are_overlooked,
   the_last_result_is_overlooked,
   lost_needs_are_overlooked,

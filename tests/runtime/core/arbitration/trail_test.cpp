@@ -233,6 +233,31 @@ groups:
   CHECK(Lines(both.followed.end() - 2, both.followed.end()) == Lines{"run Arm trigger", "run Head trigger"});
 }
 
+TEST_CASE("what was an optional task, and is only needed since its requester stopped, has its place by the need") {
+  for (const Index most_decided_whole : {0, 1'000}) {
+    Machine machine(R"(
+behaviour: need
+language: 1
+roots: {Walk: {}, Play: {priority: 10}}
+groups:
+  Play: {needs: [Walk], tasks: {Look: {optional: true}}}
+  Walk: {needs: [Legs], tasks: {Legs: {optional: true}}}
+  Legs: {}
+  Look: {}
+)");
+    machine.engine().set_most_decided_whole(most_decided_whole);
+    machine.request("Walk");
+    machine.step();
+    machine.request("Play");
+    machine.step();
+    const State& memory = machine.engine().memory();
+    Lines order;
+    for (Index i = 0; i < memory.order_count[0]; ++i)
+      order.push_back(machine.model().groups[compiler::GroupId{memory.order[i]}].name.value);
+    CHECK(order == Lines{"Play", "Walk", "Legs", "Look"});
+  }
+}
+
 TEST_CASE("an engine whose state was put back decides from nothing, and the same") {
   Machine machine(player_in_a_crowd(12));
   machine.request("Crowd");

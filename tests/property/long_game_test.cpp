@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// That what a change does not reach may stand: a pass decides what one that decides everything again would decide.
+//
+//   DIRECTOR_SEED   first seed, instead of 1
+//   DIRECTOR_CASES  how many games, instead of as many as take some seconds
+#include "tests/property/generate.hpp"
+#include "tests/property/long_game.hpp"
+#include "tests/property/watch.hpp"
+#include "tests/support/environment.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <iostream>
+
+namespace {
+
+using namespace director::property;
+using director::tests::from_environment;
+
+#ifdef NDEBUG
+constexpr std::uint64_t usual_games = 600;
+#else
+constexpr std::uint64_t usual_games = 20; // not optimised, or under a sanitizer
+#endif
+
+TEST_CASE("in long games a pass decides what it would if it decided everything again") {
+  const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
+  const auto games = from_environment("DIRECTOR_CASES", usual_games);
+  std::uint64_t micro_steps = 0;
+  for (std::uint64_t seed = first; seed < first + games; ++seed) {
+    watch(seed);
+    const Documents documents = generate_any(seed);
+    const CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
+    if (!result.compiled) FAIL("DIRECTOR_SEED=" << seed << " is not valid: " << result.why);
+    const std::string wrong = decided_otherwise(*result.compiled, seed, micro_steps);
+    stop_watching();
+    if (!wrong.empty()) FAIL("DIRECTOR_SEED=" << seed << " differs " << wrong << to_yaml(documents.behaviour));
+  }
+  std::cout << games << " games from seed " << first << ", " << micro_steps << " micro-steps\n";
+  CHECK(micro_steps > games * 100);
+}
+
+} // namespace
