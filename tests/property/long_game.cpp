@@ -118,6 +118,7 @@ public:
     events.clear();
     return engine_.step(now) == StepResult::budget_exhausted;
   }
+  void forget_trail() { engine_.forget_trail(); }
   const Engine& engine() const { return engine_; }
   const Tables& tables() const { return tables_; }
 
@@ -250,6 +251,7 @@ std::string decided_otherwise(const Compiled& compiled, std::uint64_t seed, std:
     }
     for (int left = most_for_one_input; left > 0; --left) {
       ++micro_steps;
+      if (random.chance(0.03)) followed.forget_trail(); // as where a state is loaded
       const bool goes_on = followed.micro_step(now);
       if (goes_on != whole.micro_step(now) || !same(followed, whole))
         return "after input " + std::to_string(i + 1) + ", in micro-step " +

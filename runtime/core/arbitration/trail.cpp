@@ -228,9 +228,12 @@ void end_trail(Context& x) {
   }
   clear_marks(x);
   for (Index at = x.limbo_begin; at < x.placed; ++at) x.s.group_trail[x.s.next_order[x.row.order + at]] |= trail::again;
+  // Where all is decided nobody notes whose place moves, with a holder above them.
+  const bool any_moved = x.whole && any(opened(x), [&](Index g) { return x.s.group_marks[g].has(mark::differs); });
   for (const Index g : opened(x)) {
     const GroupAssignment& now = x.s.now[g];
     Bits& bits = x.s.group_trail[g];
+    if (any_moved) bits |= trail::disturbed;
     if (now.holder != nil && has_to_be_looked_at(x, g)) bits |= trail::again;
     if (now.holder == nil && x.s.last[g].holder != nil && !x.whole) {
       for (const Index e : x.t.groups[g].edges.rows()) leave_unvisited(x, e);

@@ -258,6 +258,34 @@ groups:
   }
 }
 
+TEST_CASE("who is an equal of whoever holds a group, since a pass from nothing moved that one, is denied it") {
+  for (const Index most_decided_whole : {0, 1'000}) {
+    Machine machine(R"(
+behaviour: moved
+language: 1
+states: {Light: {values: [off, on], initial: off, external: true}}
+roots: {Play: {priority: 10}, Help: {priority: 20}}
+groups:
+  Play: {tasks: {Aim: {apart: true}, Walk: {apart: true}}}
+  Help: {tasks: [Walk]}
+  Aim: {packs: {both: {Legs: {}, Camera: {}}}}
+  Walk: {tasks: [Legs]}
+  Camera: {when: [Light == on]}
+  Legs: {}
+)");
+    machine.engine().set_most_decided_whole(most_decided_whole);
+    machine.request("Play");
+    machine.step();
+    machine.request("Help");
+    machine.step();
+    machine.engine().forget_trail();
+    machine.cancel("Help");
+    machine.step();
+    CHECK(machine.engine().holder(machine.group("Legs")) == machine.edge("Walk>Legs"));
+    CHECK(machine.engine().queued(machine.edge("Aim>Legs")).why == Why::blocked);
+  }
+}
+
 TEST_CASE("an engine whose state was put back decides from nothing, and the same") {
   Machine machine(player_in_a_crowd(12));
   machine.request("Crowd");
