@@ -62,7 +62,7 @@ private:
                                                    name_of(model_, id))});
       return;
     }
-    for (Note& note : explain_exclusion(model_, facts_, id)) {
+    for (Note& note : explain_exclusion(model_, facts_, id, told_)) {
       if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(std::move(note));
     }
   }
