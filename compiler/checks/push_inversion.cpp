@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace director::checks {
 
@@ -40,9 +41,9 @@ public:
       for (const Use<GroupId>& need : model_.providers[causer].needs) {
         const auto& parts = shared_.indispensable().of(need.id);
         if (!parts || seen_.count({need.span, want.condition.span}) != 0) continue;
-        for (const GroupId part : *parts) {
-          if (look_at_need(wanting, want, causer, need, part)) break;
-        }
+        std::optional<Between> worst;
+        for (const GroupId part : *parts) find_between(wanting.task, want, causer, part, worst);
+        if (worst) report(wanting, want, causer, need, *worst);
       }
     }
   }
@@ -80,22 +81,29 @@ private:
     });
   }
 
-  bool look_at_need(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,
-                    GroupId part) {
+  /// Who may hold a part of what is needed, and where it goes before the pushed group.
+  struct Between {
+    GroupId part{};
+    Holder holder;
+    Meeting below;
+  };
+
+  /// Of several the one that goes first: where the pushed group goes before that one, it does before all of them.
+  void find_between(GroupId task, const Want& want, ProviderId causer, GroupId part,
+                    std::optional<Between>& worst) const {
+    const GroupId pushed = model_.providers[causer].group;
     for (const Holder& holder : holders_of(part)) {
-      if (!is_between(wanting.task, want, causer, holder)) continue;
-      const GroupId pushed = model_.providers[causer].group;
-      const std::optional<Meeting> above = find_above(wanting.task, holder, pushed);
-      const std::optional<Meeting> below = find_below(wanting.task, holder, pushed);
-      if (!above || !below) continue;
-      bool one_side = false;
-      shared_.chains().visit(wanting.task, {pushed}, [&](const Meeting& found, GroupId) {
-        one_side = one_side || (found.first == below->first && found.second == below->second);
-      });
-      report(wanting, want, causer, need, part, holder, *below, one_side);
-      return true;
+      if (!is_between(task, want, causer, holder)) continue;
+      const std::optional<Meeting> above = find_above(task, holder, pushed);
+      const std::optional<Meeting> below = find_below(task, holder, pushed);
+      if (above && below && (!worst || goes_before(*below, worst->below))) worst = Between{part, holder, *below};
     }
-    return false;
+  }
+
+  /// The first ones of both, before the same entry.
+  static bool goes_before(const Meeting& a, const Meeting& b) {
+    if (a.second != b.second) return false;
+    return std::pair(!a.first_optional, a.first_level.priority) > std::pair(!b.first_optional, b.first_level.priority);
   }
 
   /// Where the waiting task goes before the holder. Of what is in one unit with the task nothing is granted.
@@ -189,10 +197,15 @@ private:
     return gate.has_value();
   }
 
-  void report(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need, GroupId part,
-              const Holder& holder, const Meeting& below, bool one_side) {
+  void report(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,
+              const Between& found) {
     seen_.insert({need.span, want.condition.span});
+    const auto& [part, holder, below] = found;
     const GroupId pushed = model_.providers[causer].group;
+    bool one_side = false;
+    shared_.chains().visit(wanting.task, {pushed}, [&, &at = below](const Meeting& other, GroupId) {
+      one_side = one_side || (other.first == at.first && other.second == at.second);
+    });
     const std::string task = name_of(model_, wanting.task), between = name_of(model_, holder.group);
     const std::string what = part == need.id ? "that" : name_of(model_, part);
     const std::string holds = holder.provider ? fmt::format("{} may hold {}", between, what)

@@ -226,15 +226,9 @@ private:
     for (const Uncoveredness* one : all) {
       finding.rules_out.push_back(model_.groups[one->group].name.span);
       add_request(*one, one != all.front(), finding);
-      Idleness idleness = explain_idle(model_, facts_, model_.groups[one->group].providers);
+      Idleness idleness = explain_idle(model_, facts_, model_.groups[one->group].providers, one->where->task);
       if (!deadlock) deadlock = idleness.deadlock;
-      // Who requests it is told already.
-      const auto is_told = [&](const dsl::Note& note) {
-        return note.span == one->where->task->span && note.message.find(" requests ") != std::string::npos;
-      };
-      std::vector<dsl::Note>& notes = idleness.notes;
-      notes.erase(std::remove_if(notes.begin(), notes.end(), is_told), notes.end());
-      add(std::move(notes), finding);
+      add(std::move(idleness.notes), finding);
     }
     // Where a provider lacks nothing that could be brought about, conditions exclude each other.
     const bool excluded = std::all_of(all.begin(), all.end(), [&](const Uncoveredness* one) {

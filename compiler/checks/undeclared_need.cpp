@@ -2,13 +2,33 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/contenders.hpp"
 #include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace director::checks {
+
+namespace {
+
+/// Were the task needed, another one that the provider requests could come to want what that holds, and never get it.
+bool is_wanted_below(const Input& input, const Provider& provider, GroupId task) {
+  const auto& parts = input.shared.indispensable().of(task);
+  return parts && std::any_of(provider.packs.begin(), provider.packs.end(), [&](const Pack& pack) {
+           return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& other) {
+             const std::vector<GroupId>& below = input.shared.claims(other.target).groups();
+             return other.target != task && std::any_of(parts->begin(), parts->end(), [&](GroupId part) {
+                      return std::binary_search(below.begin(), below.end(), part);
+                    });
+           });
+         });
+}
+
+} // namespace
 
 void undeclared_need(const Input& input, Findings& findings) {
   const Model& model = input.model;
@@ -24,7 +44,9 @@ void undeclared_need(const Input& input, Findings& findings) {
       finding.notes.push_back({need->span, fmt::format("{} needs {}", name_of(model, id), name_of(model, need->id))});
       add_chain(model, need_path(model, contended.task->target, contended.group), finding.notes);
       add_contender(model, contended.contender, contended.group, finding);
-      finding.help = fmt::format("need {} too, or make the request `apart` or `optional`", task);
+      finding.help = is_wanted_below(input, model.providers[id], contended.task->target)
+                         ? "make the request `apart` or `optional`"
+                         : fmt::format("need {} too, or make the request `apart` or `optional`", task);
     }
   }
 }

@@ -18,7 +18,8 @@ void unused_need(const Input& input, Findings& findings) {
       findings
           .add(need.span, fmt::format("{} needs {} and never requests it", name_of(model, provider.group),
                                       name_of(model, need.id)))
-          .help = "a need keeps others away; what should run for it has to be requested too";
+          .help = "a need keeps others away; what should run for it has to be requested too, `apart` where it need not "
+                  "wait for the others";
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
+#include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -24,6 +25,7 @@ public:
       : input_(input),
         findings_(findings),
         ways_(input.model, input.facts, false, [](ProviderId, const ConditionUse&) { return true; }),
+        sources_(find_sources(input.model)),
         explained_(input.model.groups.size()) {
     for (const PackConflict& conflict : input.conflicts.pack_conflicts()) conflicts_.insert(conflict.pack);
     for (const Impossible& fault : input.facts.impossible) explain(fault.provider);
@@ -42,13 +44,17 @@ public:
     const Region region = active_region(input_.model, provider);
     std::vector<const Task*> waiting;
     for (const Task* member : members) {
-      if (!is_explained(member->target) && may_wait(member->target, region)) waiting.push_back(member);
+      if (may_run(member->target) && !is_explained(member->target) && may_wait(member->target, region))
+        waiting.push_back(member);
     }
     for (const Task* member : members) {
-      const auto held_by = std::find_if(waiting.begin(), waiting.end(), [&](const Task* other) {
-        return other->target != member->target && !share(member->target, other->target);
-      });
-      if (held_by != waiting.end()) report(*member, **held_by, region);
+      for (const Task* other : waiting) {
+        if (other->target == member->target || share(member->target, other->target)) continue;
+        const auto where = find_held_back(member->target, other->target, region);
+        if (!where) continue;
+        report(*member, *other, *where);
+        break;
+      }
     }
   }
 
@@ -59,6 +65,23 @@ private:
   bool is_explained(GroupId group) const {
     const std::vector<GroupId>& needed = input_.shared.units().needed(group);
     return std::any_of(needed.begin(), needed.end(), [&](GroupId id) { return explained_.contains(id); });
+  }
+
+  /// Else it is another finding that it never does.
+  bool may_run(GroupId group) const {
+    const std::vector<ProviderId>& all = input_.model.groups[group].providers;
+    return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return input_.facts.active.contains(id); });
+  }
+
+  /// Where the member could run while the other one waits.
+  std::optional<Region> find_held_back(GroupId member, GroupId waiting, const Region& region) {
+    if (!may_run(member)) return std::nullopt;
+    for (const Region& way : ways_.of(member)) {
+      Region out = region;
+      out.meet(way);
+      if (!out.empty() && may_wait(waiting, out)) return out;
+    }
+    return std::nullopt;
   }
 
   /// Each of its providers, or of the plans of that one, can lack something while the requester runs.
@@ -75,12 +98,22 @@ private:
     return std::any_of(second.begin(), second.end(), is_in_first);
   }
 
+  /// It, or something that it leads to.
+  bool could_satisfy(GroupId member, const Condition& condition) const {
+    const std::vector<GroupId>& below = input_.shared.claims(member).groups();
+    const std::vector<Source>& all = sources_[condition.state];
+    return std::any_of(all.begin(), all.end(), [&](const Source& source) {
+      const auto by = source.provider ? std::optional(input_.model.providers[*source.provider].group) : source.group;
+      return by && std::binary_search(below.begin(), below.end(), *by) &&
+             !source.values.intersected(condition.accepts).empty();
+    });
+  }
+
   void report(const Task& member, const Task& waiting, const Region& region) {
     const Model& model = input_.model;
     const std::string name = name_of(model, member.target), other = name_of(model, waiting.target);
-    dsl::Diagnostic& finding = findings_.add(
-        member.span,
-        fmt::format("{} is held back while {} waits for a condition, and shares nothing with it", name, other));
+    dsl::Diagnostic& finding = findings_.add(member.span, "");
+    bool for_member = false;
     finding.notes.push_back({waiting.span, fmt::format("{} is granted only together with {}", other, name)});
     std::vector<GroupId> groups{waiting.target};
     for (const GroupId needed : input_.shared.units().needed(waiting.target)) {
@@ -90,12 +123,15 @@ private:
       for (const ProviderId id : model.groups[group].providers) {
         for (const ConditionUse& use : model.providers[id].when) {
           if (holds_in(region, use)) continue;
+          for_member = for_member || could_satisfy(member.target, model.conditions[use.id]);
           if (group != waiting.target) add_chain(model, need_path(model, waiting.target, group), finding.notes);
           finding.notes.push_back(
               {use.span, fmt::format("{} waits for {}", name_of(model, id), name_of(model, use.id))});
         }
       }
     }
+    finding.message = fmt::format("{} is held back while {} waits for a condition, {}", name, other,
+                                  for_member ? "and could bring it about" : "and shares nothing with it");
     finding.help = fmt::format("make {} `apart`: it keeps its rank and goes on by itself", name);
   }
 
@@ -108,6 +144,7 @@ private:
   const Input& input_;
   Findings& findings_;
   Ways ways_;
+  IdTable<StateId, std::vector<Source>> sources_;
   std::set<const Pack*> conflicts_;
   IdSet<GroupId> explained_; ///< why it waits is another finding
 };

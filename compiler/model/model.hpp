@@ -81,6 +81,8 @@ struct Level {
   std::int32_t priority = 0;
   bool optional = false;
   bool apart = false;
+  /// One unit with the others of its pack for which this is so. (What root requests is a unit by itself all the same.)
+  bool shares_unit() const { return !optional && !apart; }
   bool operator==(const Level&) const = default;
 };
 

@@ -12,12 +12,6 @@ const Task* entry_of(const Pack& pack, EdgeId edge) {
   return at == pack.tasks.end() ? nullptr : &*at;
 }
 
-namespace {
-
-bool in_unit(const Level& level) { return !level.optional && !level.apart; }
-
-} // namespace
-
 const Leaders& LeaderFinder::of(const Decision& decision, bool first) {
   static const Leaders none;
   const Standing& own = first ? decision.first : decision.second;
@@ -55,10 +49,11 @@ void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standin
   };
   const Task *const own = entry_of(pack, member), *const others = entry_of(pack, rival);
   if (own == nullptr || others == nullptr) return;
-  const auto alone = [](const Level& each) { return !in_unit(each); };
+  const auto in_unit = [](const Level& each) { return each.shares_unit(); };
+  const auto alone = [](const Level& each) { return !each.shares_unit(); };
   const auto apart = [](const Level& each) { return each.apart && !each.optional; };
   if (may_be(*own, standing.priority, alone)) out.always = false;
-  if (may_be(*others, rivals.priority, [](const Level& each) { return in_unit(each); })) out.always = false;
+  if (may_be(*others, rivals.priority, in_unit)) out.always = false;
   if (!may_be(*own, standing.priority, in_unit) || !may_be(*others, rivals.priority, apart)) return;
   bool always = false;
   for (const Task& task : pack.tasks) {
@@ -66,8 +61,8 @@ void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standin
     bool each_level = true;
     for (const Task::NamedLevel& named : task.levels) {
       const Level& it = level(task, named);
-      const bool before = in_unit(it) && it.priority > rivals.priority;
-      const bool beside = in_unit(it) && it.priority == rivals.priority && standing.priority < rivals.priority;
+      const bool before = it.shares_unit() && it.priority > rivals.priority;
+      const bool beside = it.shares_unit() && it.priority == rivals.priority && standing.priority < rivals.priority;
       if (before || beside) out.all.push_back({task.edge, it.priority, beside});
       each_level = each_level && before;
     }

@@ -315,7 +315,7 @@ private:
   bool may_be(const Task& task, const Standing& standing, bool in_unit) const {
     return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
       const Level& level = edge(task.edge).levels[named.level];
-      return level.priority == standing.priority && (!level.optional && !level.apart) == in_unit;
+      return level.priority == standing.priority && level.shares_unit() == in_unit;
     });
   }
 

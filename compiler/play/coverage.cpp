@@ -20,7 +20,7 @@ using Kind = CoveragePoint::Kind;
 
 /// Granted whole, or not at all.
 bool in_unit(const analysis::Together& together, const Level& level) {
-  return together.provider && !level.optional && !level.apart;
+  return together.provider && level.shares_unit();
 }
 
 class Planner {

@@ -3,6 +3,7 @@
 #include "tests/property/claims.hpp"
 
 #include "tests/oracle/order.hpp"
+#include "tests/property/units.hpp"
 
 #include <algorithm>
 
@@ -27,6 +28,7 @@ public:
         now_(now),
         compiled_(compiled),
         parts_(parts),
+        units_(parts.model(), view, now),
         facts_(parts.model()),
         held_(parts.model().groups.size()) {
     for (const EdgeId e : model().edges.ids()) {
@@ -74,21 +76,10 @@ private:
   const compiler::Model& model() const { return parts_.model(); }
   const Snapshot::Group& group(GroupId g) const { return now_.groups[g.value]; }
   GroupId member_target() const { return model().edges[EdgeId{claim_.member}].target; }
-  const oracle::Level& level(EdgeId edge) const { return model().edges[edge].levels[*now_.requests[edge.value]]; }
   Chain chain(EdgeId edge) const { return oracle::chain_of(parts_, held_, edge); }
 
-  bool is_member(EdgeId edge) const {
-    return parts_.requester(edge) && now_.requests[edge.value] && !level(edge).optional && !level(edge).apart;
-  }
-  std::vector<EdgeId> unit_of(EdgeId edge) const {
-    if (!is_member(edge)) return {edge};
-    std::vector<EdgeId> out;
-    for (const EdgeId e : model().groups[*parts_.requester(edge)].edges) {
-      if (is_member(e)) out.push_back(e);
-    }
-    return out;
-  }
-  std::vector<EdgeId> unit() const { return unit_of(EdgeId{claim_.edge}); }
+  bool is_member(EdgeId edge) const { return units_.is_member(edge); }
+  std::vector<EdgeId> unit() const { return units_.of(EdgeId{claim_.edge}); }
 
   /// Two chains, each with the first member of a unit where they part at another member: a unit stands there.
   struct Rivals {
@@ -103,16 +94,10 @@ private:
     const EdgeId ours = *a, theirs = *b;
     const bool as_needs =
         std::all_of(out.theirs.edges.begin(), b.base() - 1, [&](EdgeId e) { return group(parts_.target(e)).needed; });
-    if (ours == member && !parts_.is_limbo(ours) && is_member(ours) && !is_member(theirs)) *a = first_of(unit_of(ours));
-    if (as_needs && !parts_.is_limbo(theirs) && is_member(theirs) && !is_member(ours)) *b = first_of(unit_of(theirs));
+    if (ours == member && !parts_.is_limbo(ours) && is_member(ours) && !is_member(theirs)) *a = units_.first_of(ours);
+    if (as_needs && !parts_.is_limbo(theirs) && is_member(theirs) && !is_member(ours)) *b = units_.first_of(theirs);
     out.our_first = *a, out.their_first = *b;
     return out;
-  }
-  EdgeId first_of(const std::vector<EdgeId>& unit) const {
-    return *std::min_element(unit.begin(), unit.end(), [&](EdgeId a, EdgeId b) {
-      if (level(a).priority != level(b).priority) return level(a).priority > level(b).priority;
-      return view_.request[a.value].stamp < view_.request[b.value].stamp; // of those of one the earlier declared
-    });
   }
 
   bool in_unit(EdgeId member) const {
@@ -194,11 +179,7 @@ private:
     if (parts_.requester(a) != parts_.requester(b)) return "they have no common requester there";
     const auto common = parts_.requester(a);
     if (common ? rivalry.common != common->value : rivalry.common != nil) return "that is not the common requester";
-    const auto priority = [&](EdgeId edge) -> std::int64_t {
-      const auto& row = model().edges[edge];
-      if (now_.requests[edge.value]) return row.levels[*now_.requests[edge.value]].priority;
-      return row.levels.empty() ? 0 : row.levels.front().priority;
-    };
+    const auto priority = [&](EdgeId edge) -> std::int64_t { return units_.level(edge).priority; };
     if (rivalry.our_priority != priority(EdgeId{rivalry.our_first}) ||
         rivalry.their_priority != priority(EdgeId{rivalry.their_first}))
       return "other priorities";
@@ -235,6 +216,7 @@ private:
   const Snapshot& now_;
   const Compiled& compiled_;
   const oracle::Parts& parts_;
+  const Units units_;
   oracle::Facts facts_;
   oracle::Holders held_;
 };

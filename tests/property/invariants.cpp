@@ -100,7 +100,7 @@ private:
     for (const EdgeId e : model().groups[g].edges) {
       if (!now_.requests[e.value]) continue;
       const oracle::Level& level = model().edges[e].levels[*now_.requests[e.value]];
-      if (level.optional || level.apart) continue;
+      if (!level.shares_unit()) continue;
       ++members;
       const Snapshot::Group& target = group(parts_.target(e));
       if (target.granted && target.holder == e) ++granted;

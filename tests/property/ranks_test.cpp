@@ -9,6 +9,7 @@
 #include "tests/oracle/order.hpp"
 #include "tests/property/engine_run.hpp"
 #include "tests/property/generate.hpp"
+#include "tests/property/units.hpp"
 #include "tests/property/watch.hpp"
 #include "tests/support/environment.hpp"
 
@@ -20,7 +21,6 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace {
@@ -82,14 +82,8 @@ private:
   GroupId target(EdgeId edge) const { return model_.edges[edge].target; }
   Chain chain(EdgeId edge) const { return director::oracle::chain_of(parts_, held_, edge); }
 
-  /// Of the level that it is asked for at; a need has that of the first one.
-  director::compiler::Level level(EdgeId edge) const {
-    const std::vector<director::compiler::Level>& levels = model_.edges[edge].levels;
-    if (const auto& asked = now_->requests[edge.value]) return levels.at(*asked);
-    director::compiler::Level out;
-    if (!levels.empty()) out.priority = levels.front().priority;
-    return out;
-  }
+  Units units() const { return {model_, *view_, *now_}; }
+  director::compiler::Level level(EdgeId edge) const { return units().level(edge); }
 
   void wrong(std::string what) { seen_.wrong.insert(std::move(what)); }
 
@@ -213,18 +207,6 @@ private:
     const auto end = std::find(chain.edges.begin(), chain.edges.end(), sibling);
     return std::all_of(chain.edges.begin(), end, [&](EdgeId edge) { return now_->groups[target(edge).value].needed; });
   }
-  bool is_member(EdgeId edge) const {
-    return model_.edges[edge].requester && now_->requests[edge.value] && !level(edge).optional && !level(edge).apart;
-  }
-  /// The others of its unit.
-  std::vector<EdgeId> mates(EdgeId edge) const {
-    std::vector<EdgeId> out;
-    if (!is_member(edge)) return out;
-    for (const EdgeId other : model_.groups[*model_.edges[edge].requester].edges) {
-      if (other != edge && is_member(other)) out.push_back(other);
-    }
-    return out;
-  }
 
   /// What it asks for is of its provider: that of an earlier one stands until it asks for something else.
   bool has_own_pack(std::optional<GroupId> requester) const {
@@ -243,24 +225,20 @@ private:
   /// What brings the unit of one of two siblings forward, though it is behind the other one by rank: `! with Lift
   /// (priority 50)`, of several the first one.
   std::string lead(EdgeId member, EdgeId rival, bool rival_is_optional) const {
-    if (!is_member(member) || is_member(rival) || rival_is_optional || level(member).priority >= level(rival).priority)
+    const Units now = units();
+    if (!now.is_member(member) || now.is_member(rival) || rival_is_optional ||
+        level(member).priority >= level(rival).priority)
       return {};
-    const auto stands_first = [&](EdgeId a, EdgeId b) {
-      const auto stamp = [&](EdgeId edge) {
-        return now_->requests[edge.value] ? view_->request[edge.value].stamp : ~std::uint64_t{0};
-      };
-      return std::tuple(-level(a).priority, stamp(a), a) < std::tuple(-level(b).priority, stamp(b), b);
-    };
-    const std::vector<EdgeId> all = mates(member);
-    const auto first = std::min_element(all.begin(), all.end(), stands_first);
-    if (first == all.end() || !stands_first(*first, rival)) return {};
-    return "! with " + standing(*first) + (level(*first).priority == level(rival).priority ? ", if older)" : ")");
+    // The member itself is behind the rival, so it is not the first where the first one is before it.
+    const EdgeId first = now.first_of(member);
+    if (first == member || !now.stands_before(first, rival)) return {};
+    return "! with " + standing(first) + (level(first).priority == level(rival).priority ? ", if older)" : ")");
   }
 
   /// Who goes first at a fork as things are. `ours_with`: our group comes with our sibling; `theirs_with`: likewise.
   std::string truth(const Fork& at, bool ours_with, bool theirs_with) {
     const auto needed = [&](EdgeId edge) { return now_->groups[target(edge).value].needed; };
-    const bool one_unit = is_member(at.ours) && is_member(at.theirs);
+    const bool one_unit = units().is_member(at.ours) && units().is_member(at.theirs);
     if (ours_with && (one_unit || needed(at.ours))) return "ours!";
     if (theirs_with && (one_unit || needed(at.theirs))) return "theirs!";
     std::string led = ours_with ? lead(at.ours, at.theirs, at.their_optional) : "";
@@ -316,7 +294,7 @@ private:
           has_own_pack(model_.edges[at->ours].requester) && (is_led || !has_needs(theirs)))
         wrong(fmt::format("{}: of {} and {} is told: `{}`, and it is: {}", name(g), standing(at->ours),
                           standing(at->theirs), to_text(here), sure));
-      if (sure.starts_with("ours") && is_simple(g) && mates(edge).empty() && !has_needs(theirs))
+      if (sure.starts_with("ours") && is_simple(g) && units().mates(edge).empty() && !has_needs(theirs))
         wrong(fmt::format("{} is held for {}, and {} goes first", name(g), standing(at->theirs), standing(at->ours)));
     }
   }

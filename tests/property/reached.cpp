@@ -18,8 +18,7 @@ std::vector<WholePack> whole_packs(const compiler::Model& model) {
     for (std::size_t i = 0; provider.has_packs && i < provider.packs.size(); ++i) {
       WholePack pack{id, i, {}};
       for (const compiler::Task& task : provider.packs[i].tasks) {
-        const compiler::Level& level = model.edges[task.edge].levels[task.levels.front().level];
-        if (!level.optional && !level.apart) pack.members.push_back(task.edge);
+        if (model.edges[task.edge].levels[task.levels.front().level].shares_unit()) pack.members.push_back(task.edge);
       }
       if (pack.members.size() > 1) out.push_back(std::move(pack));
     }

@@ -20,7 +20,11 @@ using dsl::Note;
 
 class Exclusion {
 public:
-  Exclusion(const Model& model, const Facts& facts, ProviderId id) : model_(model), facts_(facts), id_(id) {}
+  Exclusion(const Model& model, const Facts& facts, ProviderId id, const Task* told)
+      : model_(model),
+        facts_(facts),
+        id_(id),
+        told_entry_(told) {}
 
   std::vector<Note> run() {
     find_needed();
@@ -107,7 +111,8 @@ private:
     for (const Pack& pack : model_.providers[id].packs) {
       for (const Task& task : pack.tasks) {
         if (task.target != group) continue;
-        notes_.push_back({task.span, fmt::format("{} requests {}", name_of(model_, id), name_of(model_, group))});
+        if (&task != told_entry_)
+          notes_.push_back({task.span, fmt::format("{} requests {}", name_of(model_, id), name_of(model_, group))});
         tell_members(pack, task);
         return true;
       }
@@ -159,6 +164,7 @@ private:
   const Model& model_;
   const Facts& facts_;
   ProviderId id_;
+  const Task* told_entry_;
   std::vector<GroupId> needed_;
   std::set<StateId> states_;
   std::set<ProviderId> told_;
@@ -167,8 +173,8 @@ private:
 
 } // namespace
 
-std::vector<Note> explain_exclusion(const Model& model, const Facts& facts, ProviderId provider) {
-  return Exclusion(model, facts, provider).run();
+std::vector<Note> explain_exclusion(const Model& model, const Facts& facts, ProviderId provider, const Task* told) {
+  return Exclusion(model, facts, provider, told).run();
 }
 
 } // namespace director::analysis

@@ -24,7 +24,11 @@ using dsl::Note;
 /// Goes down from a provider that never runs, and says at each step what is missing there.
 class IdleReasons {
 public:
-  IdleReasons(const Model& model, const Facts& facts) : model_(model), facts_(facts), sources_(find_sources(model)) {}
+  IdleReasons(const Model& model, const Facts& facts, const Task* told)
+      : model_(model),
+        facts_(facts),
+        told_(told),
+        sources_(find_sources(model)) {}
 
   std::vector<Note> run(const std::vector<ProviderId>& providers) {
     for (const ProviderId id : providers) explain(id);
@@ -58,7 +62,7 @@ private:
                                                    name_of(model_, id))});
       return;
     }
-    for (Note& note : explain_exclusion(model_, facts_, id)) {
+    for (Note& note : explain_exclusion(model_, facts_, id, told_)) {
       if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(std::move(note));
     }
   }
@@ -114,7 +118,8 @@ private:
     });
     if (other == members.end()) return;
     const GroupId target = (*other)->target;
-    notes_.push_back({(*own)->span, fmt::format("{} requests {}", name_of(model_, by), name_of(model_, group))});
+    if (*own != told_)
+      notes_.push_back({(*own)->span, fmt::format("{} requests {}", name_of(model_, by), name_of(model_, group))});
     notes_.push_back({(*other)->span, fmt::format("it is granted only together with {}", name_of(model_, target))});
     if (!deadlock_) deadlock_ = Deadlock{*other, *own};
     others.push_back(target);
@@ -152,6 +157,7 @@ private:
 
   const Model& model_;
   const Facts& facts_;
+  const Task* const told_;
   IdTable<StateId, std::vector<Source>> sources_;
   std::vector<Note> notes_;
   std::set<ProviderId> seen_;
@@ -180,8 +186,9 @@ Idleness explain_idle(const Input& input, ProviderId provider) {
   return explain_idle(input.model, input.facts, {provider});
 }
 
-Idleness explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers) {
-  IdleReasons reasons(model, facts);
+Idleness explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers,
+                      const Task* told) {
+  IdleReasons reasons(model, facts, told);
   Idleness out;
   out.notes = reasons.run(providers);
   out.deadlock = reasons.deadlock();

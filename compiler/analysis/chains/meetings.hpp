@@ -38,10 +38,7 @@ struct Meeting {
   bool second_optional = false;
 
   /// Members of one unit: granted whole, or not at all.
-  bool one_unit() const {
-    const auto is_member = [](const Level& level) { return !level.optional && !level.apart; };
-    return together->provider && is_member(first_level) && is_member(second_level);
-  }
+  bool one_unit() const { return together->provider && first_level.shares_unit() && second_level.shares_unit(); }
   bool first_goes_before() const {
     if (first_optional != second_optional) return second_optional;
     return first_level.priority > second_level.priority;

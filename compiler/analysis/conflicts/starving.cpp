@@ -55,8 +55,7 @@ namespace {
 /// At each of its levels.
 bool is_member(const Model& model, const Task& task) {
   return std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& use) {
-    const Level& level = model.edges[task.edge].levels[use.level];
-    return !level.optional && !level.apart;
+    return model.edges[task.edge].levels[use.level].shares_unit();
   });
 }
 

@@ -289,7 +289,7 @@ bool Takers::is_optional(const Task& task) const {
 }
 
 bool Takers::is_member(const Task& task) const {
-  return at_all_levels(input_.model, task, [](const Level& level) { return !level.optional && !level.apart; });
+  return at_all_levels(input_.model, task, [](const Level& level) { return level.shares_unit(); });
 }
 
 bool Takers::is_apart(const Task& task) const {

@@ -227,7 +227,7 @@ private:
           entry.may_lack = entry.may_lack || model_.edges[task.edge].levels[level.level].optional;
         }
         const Level& usual = model_.edges[task.edge].levels[task.levels.front().level];
-        if (!usual.optional && !usual.apart && provider.has_packs) out.members.push_back(entry.edge);
+        if (usual.shares_unit() && provider.has_packs) out.members.push_back(entry.edge);
       }
       if (out.members.size() < 2) out.members.clear();
     }

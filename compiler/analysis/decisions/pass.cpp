@@ -146,10 +146,7 @@ bool Pass::denied_in_vain() {
 
 // 4.4: the pass.
 
-bool Pass::alone(Row edge) const {
-  const Level& at = level(edge);
-  return requester(edge) == nothing || at.optional || at.apart;
-}
+bool Pass::alone(Row edge) const { return requester(edge) == nothing || !level(edge).shares_unit(); }
 
 bool Pass::stale(Row group) const {
   for (;;) {

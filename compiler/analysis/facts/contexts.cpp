@@ -134,8 +134,7 @@ Region Contexts::after(const Region& region) const {
 
 bool Contexts::is_always_member(const Pack& pack, const Task& task) const {
   return !pack.name.empty() && std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& use) {
-    const Level& level = model_.edges[task.edge].levels[use.level];
-    return !level.optional && !level.apart;
+    return model_.edges[task.edge].levels[use.level].shares_unit();
   });
 }
 

@@ -60,9 +60,8 @@ std::vector<const Task*> unit_members(const Model& model, const Pack& pack) {
   std::vector<const Task*> out;
   for (const Task& task : pack.tasks) {
     const std::vector<Level>& levels = model.edges[task.edge].levels;
-    if (std::none_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-          return levels[named.level].optional || levels[named.level].apart;
-        }))
+    if (std::all_of(task.levels.begin(), task.levels.end(),
+                    [&](const Task::NamedLevel& named) { return levels[named.level].shares_unit(); }))
       out.push_back(&task);
   }
   return out;

@@ -30,9 +30,8 @@ void multiply(TrialCount& to, const TrialCount& factor) {
 
 bool may_be_member(const Model& model, const Task& task) {
   const std::vector<Level>& levels = model.edges[task.edge].levels;
-  return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-    return !levels[named.level].optional && !levels[named.level].apart;
-  });
+  return std::any_of(task.levels.begin(), task.levels.end(),
+                     [&](const Task::NamedLevel& named) { return levels[named.level].shares_unit(); });
 }
 
 Trials::Trials(const Model& model, std::int64_t most_plans, Budget& budget)

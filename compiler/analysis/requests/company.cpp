@@ -37,8 +37,7 @@ void Company::find_leading() {
 }
 
 bool Company::is_member(const Task& entry) const {
-  const Level& level = model_.edges[entry.edge].levels[entry.levels.front().level];
-  return !level.optional && !level.apart;
+  return model_.edges[entry.edge].levels[entry.levels.front().level].shares_unit();
 }
 
 bool Company::is_wanted(GroupId group) const {

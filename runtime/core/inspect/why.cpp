@@ -106,6 +106,13 @@ private:
     return verdict.order >= 0;
   }
 
+  /// Rule 5. What is held without a request is younger than every request.
+  bool is_older(Index ours, Index theirs) const {
+    if (v_.requested(ours) != v_.requested(theirs)) return v_.requested(ours);
+    if (v_.request[ours].stamp != v_.request[theirs].stamp) return v_.request[ours].stamp < v_.request[theirs].stamp;
+    return ours < theirs;
+  }
+
   /// Of the requests for a group, the one that goes first.
   Index first_request(Index group) const {
     Index first = nil;
@@ -113,7 +120,7 @@ private:
       if (!v_.requested(edge)) continue;
       Rivalry rivalry;
       if (first == nil || !goes_first(first, edge, rivalry) ||
-          (rivalry.won_by == Precedence::equal && v_.request[rivalry.ours].stamp < v_.request[rivalry.theirs].stamp))
+          (rivalry.won_by == Precedence::equal && is_older(rivalry.our_first, rivalry.their_first)))
         first = edge;
     }
     return first;
@@ -139,9 +146,11 @@ private:
     return first;
   }
 
-  /// A holder is the sibling, or all from it up to the sibling is held as a need of that: it was granted with it.
+  /// A holder is the sibling, or all from it up to the sibling is held as a need of that: it was granted with it. So it
+  /// is with a request that holds nothing only where it is the sibling.
   bool came_with(Index holder, Index sibling) const {
-    while (holder != sibling && v_.assignment[target(holder)].needed()) holder = above(holder);
+    while (holder != sibling && v_.holder(target(holder)) == holder && v_.assignment[target(holder)].needed())
+      holder = above(holder);
     return holder == sibling;
   }
 

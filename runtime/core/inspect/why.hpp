@@ -32,7 +32,7 @@ struct Because {
     lost,          ///< `group`, the target of `member`, is held by `holder`, which goes first: `rivalry`
     need_held,     ///< likewise, where `group` is something that `provider` of that target needs
     together,      ///< what one unit asks for cannot be had together: its members need the same
-    condition, ///< `condition` is false; `causer` could make it true (nil: nobody but the outside), by a push or else
+    condition, ///< `condition` is false; `causer` could make it true, by a push or else (nil: nobody who is enabled)
     outdated,  ///< its requester, or one above, has not run yet since its own task changed, or is only kept for an heir
     deferred,  ///< somebody stronger is about to run, and may ask for what it needs
     reserved,  ///< it is held for `holder`, whose requester needs it and did not ask for it yet

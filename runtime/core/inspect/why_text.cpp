@@ -63,7 +63,7 @@ private:
     case Kind::condition:
       *this << "until " << condition(b.condition) << ", which ";
       if (b.causer == nil) {
-        *this << "only the outside can make true";
+        *this << "no enabled provider promises";
       } else {
         *this << group(b.causer_group) << "." << provider(b.causer) << " could cause";
       }

@@ -64,7 +64,7 @@ TEST_CASE("on a terminal the answer stands out, and so do the places") {
 TEST_CASE("why a group waits: which condition, and what those do who could make it true") {
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Photograph", "--step=3"}) == 0);
-  CHECK(world.out == "Photograph waits (root>Photograph): until Motion == still, which only the outside can make true\n"
+  CHECK(world.out == "Photograph waits (root>Photograph): until Motion == still, which no enabled provider promises\n"
                      "  Motion is rolling (rover.yaml:11)\n"
                      "  Drive.braking could cause it, and is disabled (rover.yaml:16)\n");
   CHECK(world.directorc({"why", "s.yaml", "Photograph", "--time", "500 ms"}) == 0);

@@ -212,7 +212,7 @@ groups:
 )";
   CHECK(
       cell(lost, "Walk", "Wait") ==
-      R"(never: Wait does not run, nor when Walk is done. Wait waits (root>Wait): until Pose == still, which only the outside can make true.
+      R"(never: Wait does not run, nor when Walk is done. Wait waits (root>Wait): until Pose == still, which no enabled provider promises.
 scenario: from Walk to Wait
 behaviour: test.yaml
 script:

@@ -121,7 +121,7 @@ TEST_CASE("the rover of the pages says why it takes no picture, also to another 
 
   char buffer[200];
   const std::string words = rover::names::why(behaviour.why<rover::Photograph>(), buffer);
-  CHECK(words == "Photograph waits (root>Photograph): until Motion == still, which only the outside can make true");
+  CHECK(words == "Photograph waits (root>Photograph): until Motion == still, which no enabled provider promises");
 
   bool rolling = false;
   rover::Behaviour::Snapshot snapshot;

@@ -65,7 +65,7 @@ TEST_CASE("why is answered with what the state is worth that is missing, and who
   };
   CHECK(
       why("Open") ==
-      R"({"group":"Open","kind":"condition","text":"Open waits (Deliver>Open): until Door == open, which only the outside can make true","notes":["Door is shut","Open.unlocking could cause it, and is disabled"]})");
+      R"({"group":"Open","kind":"condition","text":"Open waits (Deliver>Open): until Door == open, which no enabled provider promises","notes":["Door is shut","Open.unlocking could cause it, and is disabled"]})");
   CHECK(
       why("Walk") ==
       R"({"group":"Walk","kind":"running","text":"Walk runs (Rest>Walk) in default","notes":["it runs for Rest, priority 0, that for the program, priority 1"]})");

@@ -91,7 +91,7 @@ TEST_CASE("what is lost is lost to somebody, somewhere, by a rule") {
   CHECK(why(machine, "Walk", 20) == "Walk waits (Play>Wa");
 }
 
-TEST_CASE("a false condition names who could make it true, or that only the outside can") {
+TEST_CASE("a false condition names who could make it true, or that nobody who is enabled promises it") {
   Machine machine(robot);
   machine.body("Walk.halting", [](Run& run) { return run.keep(); });
   machine.body("Play", [&](Run& run) {
@@ -103,11 +103,11 @@ TEST_CASE("a false condition names who could make it true, or that only the outs
   machine.step();
   CHECK(why(machine, "Kick") == "Kick waits (Play>Kick): until Stability == standing, which Walk.halting could cause");
   CHECK(why(machine, "Whistle") ==
-        "Whistle waits (Play>Whistle): until Ball == near, which only the outside can make true");
+        "Whistle waits (Play>Whistle): until Ball == near, which no enabled provider promises");
   machine.enable("Walk.halting", false);
   machine.step();
   CHECK(why(machine, "Kick") ==
-        "Kick waits (Play>Kick): until Stability == standing, which only the outside can make true");
+        "Kick waits (Play>Kick): until Stability == standing, which no enabled provider promises");
 }
 
 TEST_CASE("equals do not take from each other, and a member of a unit tells what it waits for") {
@@ -193,6 +193,48 @@ groups:
   CHECK(why(machine, "Sort") ==
         "Sort waits (Pack>Sort): Grip, which it needs, is held by Pack>Grip, and Pack>Grip (granted together with "
         "Pack>Lift, priority 50) goes before Pack>Sort (priority 20)");
+}
+
+TEST_CASE("of several requests that were made at once the sibling that is declared first decides which is told of") {
+  Machine machine(R"(
+behaviour: twice
+language: 1
+roots: {Boss: {priority: 1}, Guard: {priority: 5}}
+groups:
+  Boss: {tasks: {Late: {apart: true}, Early: {apart: true}}}
+  Early: {tasks: {Legs: {}}}
+  Late: {tasks: {Legs: {}}}
+  Guard: {needs: [Legs]}
+  Legs: {}
+)");
+  machine.request("Guard");
+  machine.request("Boss");
+  machine.step();
+  CHECK(why(machine, "Legs") ==
+        "Legs waits (Late>Legs): Legs is held by Guard>Legs, and root>Guard (priority 5) goes before root>Boss "
+        "(priority 1)");
+}
+
+TEST_CASE("a request does not stand with the unit above it, whoever holds its group as a need") {
+  Machine machine(R"(
+behaviour: packing
+language: 1
+roots: {Boss: {priority: 1}, Guard: {priority: 5}}
+groups:
+  Boss: {tasks: {Lift: {priority: 50}, Sort: {priority: 20, apart: true}, Grip: {priority: 0}}}
+  Lift: {}
+  Grip: {tasks: {Finger: {}}}
+  Sort: {tasks: {Finger: {}}}
+  Guard: {needs: [Finger]}
+  Finger: {}
+)");
+  machine.body("Guard", [](Run& run) { return run.keep(); });
+  machine.request("Guard");
+  machine.request("Boss");
+  machine.step();
+  CHECK(why(machine, "Finger") ==
+        "Finger waits (Sort>Finger): Finger is held by Guard>Finger, and root>Guard (priority 5) goes before root>Boss "
+        "(priority 1)");
 }
 
 TEST_CASE("between micro-steps it says who is about to decide, and what is kept for an heir") {

@@ -1,0 +1,149 @@
+// Header: compiler/analysis/conflicts/contests.hpp. Test: compiler/checks/equal_priority.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/conflicts/contests.hpp"
+
+#include "compiler/analysis/conflicts/certainties.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::analysis {
+
+namespace {
+
+/// So many steps down are gone to look closely, for all pairs together. A behaviour of 10,000 groups, as people write
+/// them, takes a hundredth.
+constexpr std::size_t most_effort = 10'000'000;
+
+bool match(const Meeting& meeting, const Claim* a, Reach how_a, const Claim* b, Reach how_b) {
+  if (a == nullptr || b == nullptr) return false;
+  const bool first_optional = meeting.first_level.optional || how_a == Reach::optional;
+  const bool second_optional = meeting.second_level.optional || how_b == Reach::optional;
+  // What a unit holds from the beginning is not decided by rank: nothing below it is tried before.
+  const bool granted_before = meeting.one_unit() && (how_a == Reach::own || how_b == Reach::own);
+  return first_optional == second_optional && !granted_before && compatible(a->region, b->region);
+}
+
+} // namespace
+
+std::optional<Rivalling> Contests::look_at(const Together& together, const Task& first, const Task& second) {
+  for (const Task::NamedLevel& a : first.levels) {
+    for (const Task::NamedLevel& b : second.levels) {
+      const Meeting meeting{&together, &first, &second, model_.edges[first.edge].levels[a.level],
+                            model_.edges[second.edge].levels[b.level]};
+      const std::vector<Contest> candidates = find_candidates(meeting);
+      const auto contest = find(meeting, candidates);
+      if (!contest) continue;
+      Rivalling out{meeting, *contest, find_mutual_wait(meeting, candidates, *contest), {}};
+      for (const Contest& one : candidates) out.stakes.emplace_back(one.group, meeting.first_level.priority);
+      return out;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Where two levels of two entries are equal: what both may want, those with the shortest chains first.
+std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
+  std::vector<Contest> out;
+  if (meeting.first_level.priority != meeting.second_level.priority) return out;
+  const Claims& first = shared_.claims(meeting.first->target);
+  const Claims& second = shared_.claims(meeting.second->target);
+  for (const GroupId group : in_common(first.groups(), second.groups())) {
+    for (const Reach a : all_reaches) {
+      for (const Reach b : all_reaches) {
+        const Claim* x = first.find(group, a);
+        const Claim* y = second.find(group, b);
+        if (match(meeting, x, a, y, b)) out.push_back({group, a, b, x->steps + y->steps, {}, {}});
+      }
+    }
+  }
+  std::stable_sort(out.begin(), out.end(), [](const Contest& x, const Contest& y) { return x.steps < y.steps; });
+  return out;
+}
+
+/// The first one with chains that do not meet before the end. All are looked at: of two that lead to each other the
+/// nearest hundreds may be none.
+std::optional<Contest> Contests::find(const Meeting& meeting, const std::vector<Contest>& candidates) {
+  Lookups lookups;
+  for (const Contest& candidate : candidates) {
+    if (effort_ > most_effort) {
+      leave_open(meeting);
+      return std::nullopt;
+    }
+    Contest contest = candidate;
+    if (find_paths(meeting, contest, lookups)) return contest;
+  }
+  return std::nullopt;
+}
+
+/// For a contest that was found.
+std::optional<MutualWait> Contests::find_mutual_wait(const Meeting& meeting, const std::vector<Contest>& candidates,
+                                                     const Contest& contest) {
+  const std::set<GroupId> held = held_before(contest.first_path);
+  if (held.empty()) return std::nullopt;
+  Lookups lookups;
+  for (Contest other : candidates) {
+    if (effort_ > most_effort) return std::nullopt;
+    // A group has one holder: nobody waits for what both hold.
+    if (other.group == contest.group || held.count(other.group) == 0 || !find_paths(meeting, other, lookups)) continue;
+    if (held_before(other.second_path).count(contest.group) != 0)
+      return MutualWait{other.group, std::move(other.first_path), std::move(other.second_path)};
+  }
+  return std::nullopt;
+}
+
+/// What is held for certain when the last request of a chain is made: what comes by needs comes all at once.
+std::set<GroupId> Contests::held_before(const std::vector<ChainStep>& chain) const {
+  const auto last = std::find_if(chain.rbegin(), chain.rend(), [](const ChainStep& step) { return !step.by_need; });
+  std::set<GroupId> out;
+  for (auto step = last; step != chain.rend(); ++step) {
+    const auto& parts = shared_.indispensable().of(step->from);
+    if (parts) out.insert(parts->begin(), parts->end());
+  }
+  return out;
+}
+
+/// Once for all pairs from there on.
+void Contests::leave_open(const Meeting& meeting) {
+  if (std::exchange(is_open_, true)) return;
+  shared_.budget().leave_open(meeting.second->span,
+                              fmt::format("whether two tasks with equal rank compete, from {} and {} on",
+                                          name_of(model_, meeting.first->target),
+                                          name_of(model_, meeting.second->target)));
+}
+
+/// Two chains that have no group in common above the contested one: a group is held once, so else they would meet
+/// there.
+bool Contests::find_paths(const Meeting& meeting, Contest& contest, Lookups& lookups) {
+  const Claims& first = shared_.claims(meeting.first->target);
+  const Claim* ours = first.find(contest.group, contest.first);
+  Above& known = lookups[{ours->steps > 0, ours->from, ours->reach_from}];
+  ++effort_;
+  if (known.leads_through) return false;
+  const auto serves = [&](GroupId group, Reach reach, const Claim& claim) {
+    return group == contest.group && reach == contest.second &&
+           match(meeting, ours, contest.first, &claim, contest.second);
+  };
+  const auto find_second = [&](const Claims& second) {
+    const Claim* theirs = second.find(contest.group, contest.second);
+    if (!match(meeting, ours, contest.first, theirs, contest.second)) return false;
+    contest.first_path = first.path(contest.group, contest.first);
+    contest.second_path = second.path(contest.group, contest.second);
+    return true;
+  };
+  if (known.without) return find_second(*known.without);
+  std::vector<GroupId> above;
+  for (const ChainStep& step : first.path(contest.group, contest.first)) above.push_back(step.from);
+  effort_ += above.size();
+  known.leads_through = std::find(above.begin(), above.end(), meeting.second->target) != above.end();
+  if (known.leads_through) return false;
+  Claims second(shared_.branches(), meeting.second->target, above, serves);
+  effort_ += second.effort();
+  if (find_second(second)) return true;
+  known.without = std::move(second); // the search went to the end
+  return false;
+}
+
+} // namespace director::analysis

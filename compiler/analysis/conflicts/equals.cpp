@@ -1,0 +1,130 @@
+// Header: compiler/analysis/conflicts/equals.hpp. Test: compiler/checks/equal_priority.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/conflicts/equals.hpp"
+
+#include "compiler/analysis/chains/overlaps.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/needs/units.hpp"
+#include "compiler/analysis/words/told.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace director::analysis {
+
+namespace {
+
+/// For each entry those before it that have a priority in common with it and may come to hold the same group, in order.
+/// Of many entries only few meet, so they are not all compared with each other, and what an entry may come to hold is
+/// asked only of one that overlaps with another one of its priority: in a chain of groups all that is below would be
+/// kept for each of them.
+class Claimants {
+public:
+  Claimants(const Input& input, Overlaps& overlaps, const std::vector<Task>& tasks) : stakes_(tasks.size()) {
+    if (tasks.size() < 2) return;
+    const std::vector<std::vector<std::int32_t>> priorities = overlaps.priorities(tasks);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      if (priorities[i].empty()) continue;
+      for (const GroupId group : input.shared.claims(tasks[i].target).groups()) {
+        for (const std::int32_t priority : priorities[i]) {
+          std::vector<std::size_t>& all = claimed_by_[{group, priority}];
+          all.push_back(i);
+          stakes_[i].push_back(&all);
+        }
+      }
+    }
+  }
+
+  std::vector<std::size_t> before(std::size_t entry) const {
+    std::vector<std::size_t> out;
+    for (const std::vector<std::size_t>* all : stakes_[entry])
+      out.insert(out.end(), all->begin(), std::lower_bound(all->begin(), all->end(), entry));
+    if (stakes_[entry].size() > 1) {
+      std::sort(out.begin(), out.end());
+      out.erase(std::unique(out.begin(), out.end()), out.end());
+    }
+    return out;
+  }
+
+private:
+  std::map<Stake, std::vector<std::size_t>> claimed_by_;
+  std::vector<std::vector<const std::vector<std::size_t>*>> stakes_; ///< of each entry
+};
+
+/// Pairs of which another check tells.
+class Lost {
+public:
+  explicit Lost(const Input& input) : units_(input.shared.units()), model_(input.model) {
+    for (const PackConflict& conflict : input.conflicts.pack_conflicts()) {
+      if (conflict.verdict != UnitVerdict::impossible) continue;
+      for (const Task* first : conflict.members) {
+        for (const Task* second : conflict.members) pairs_.insert({first, second});
+      }
+    }
+    for (const StarvingTask& starving : input.conflicts.starving_tasks()) {
+      for (const Refused& place : starving.places) {
+        const Taker& taker = place.refusals.front().taker;
+        pairs_.insert({taker.by, taker.over});
+        pairs_.insert({taker.over, taker.by});
+      }
+    }
+    for (const Loser& loser : input.conflicts.losers()) {
+      if (loser.taker.kind == Taker::Kind::above && loser.refused.task == loser.entry) kept_off_.insert(loser.entry);
+    }
+  }
+
+  /// One side always loses, or both.
+  bool contains(const Task& first, const Task& second) const {
+    return pairs_.count({&first, &second}) != 0 || kept_off_.count(&first) + kept_off_.count(&second) != 0;
+  }
+
+  /// Two members of a long unit that exclude each other: each of them is told of with another one.
+  bool excludes(const Together& together, const Task& first, const Task& second) const {
+    return together.provider && together.tasks->size() > told_in_pairs && is_member(first) && is_member(second) &&
+           units_.verdict({first.target, second.target}) == UnitVerdict::impossible;
+  }
+
+private:
+  bool is_member(const Task& task) const {
+    return std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
+      return model_.edges[task.edge].levels[named.level].shares_unit();
+    });
+  }
+
+  Units& units_;
+  const Model& model_;
+  std::set<std::pair<const Task*, const Task*>> pairs_;
+  std::set<const Task*> kept_off_; ///< by what the requester keeps for itself
+};
+
+} // namespace
+
+std::vector<EqualList> find_equals(const Input& input) {
+  Contests contests(input.model, input.shared);
+  Overlaps overlaps(input.model, input.shared.branches());
+  const Lost lost(input);
+  std::vector<EqualList> out;
+  for (const Together& together : input.shared.chains().together()) {
+    const std::vector<Task>& tasks = *together.tasks;
+    const Claimants claimants(input, overlaps, tasks);
+    Told<Stake> told(tasks.size()), told_by_others(tasks.size());
+    EqualList list{&together, {}};
+    for (std::size_t j = 1; j < tasks.size(); ++j) {
+      for (const std::size_t i : claimants.before(j)) {
+        if (told.covers(i, j) || told_by_others.covers(i, j) || lost.contains(tasks[i], tasks[j])) continue;
+        // Asked at once, the edge that is declared first wins.
+        const bool swapped = tasks[j].edge < tasks[i].edge;
+        auto found = contests.look_at(together, tasks[swapped ? j : i], tasks[swapped ? i : j]);
+        if (!found) continue;
+        const bool excluded = lost.excludes(together, tasks[i], tasks[j]);
+        for (const Stake& stake : found->stakes) (excluded ? told_by_others : told).tell(i, j, stake);
+        if (!excluded) list.pairs.push_back({std::move(*found), i, j});
+      }
+    }
+    if (!list.pairs.empty()) out.push_back(std::move(list));
+  }
+  return out;
+}
+
+} // namespace director::analysis
