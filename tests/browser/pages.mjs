@@ -230,6 +230,27 @@ for (const colorScheme of ['light', 'dark']) {
   });
 }
 
+await situation('a picture of sixty groups side by side begins in its middle, with names that can be read, and grows as large as any', 'wide', {}, async (page) => {
+  const seen = () => page.evaluate(() => {
+    const frame = document.querySelector('.picture').getBoundingClientRect();
+    const names = [...document.querySelectorAll('.picture g.node text')].map((text) => text.getBoundingClientRect());
+    return { height: Math.max(...names.map(({ height }) => height)), inside: names.filter(({ left, right }) => left >= frame.left && right <= frame.right).length };
+  });
+  const first = await seen();
+  assert.ok(first.height >= 5 && first.inside > 3, JSON.stringify(first));
+  await shot(page, 'wide');
+  for (let i = 0; i < 12; ++i) await page.getByRole('button', { name: 'Larger' }).click();
+  const largest = await seen();
+  assert.ok(largest.height >= 30, JSON.stringify(largest));
+  await page.getByRole('button', { name: 'Whole' }).click();
+  assert.deepEqual(await beyond(page), []);
+});
+
+await situation('what signs mean stands in one column', 'soccer', {}, async (page) => {
+  const lefts = await page.locator('.legend > div').evaluateAll((all) => all.map((each) => Math.round(each.lastElementChild.getBoundingClientRect().left - each.getBoundingClientRect().left)));
+  assert.equal(new Set(lefts).size, 1, `${lefts}`);
+});
+
 await situation('seventy groups are one page of at most 1.5 MB', 'robocup', {}, async (page) => {
   assert.ok(statSync(join(folder, 'robocup.html')).size <= 1.5e6);
   await page.fill('#search', 'walk');
