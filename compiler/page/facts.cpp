@@ -37,7 +37,17 @@ std::string_view decided_by(const Edge& taker, const Edge& loser) {
   return higher ? "priority" : "optional";
 }
 
-Json take_json(const TakeOver& take, const Model& model, const Graph& graph) {
+/// Without what these lead to; round a circle all of it.
+std::vector<GroupId> topmost(const Model& model, const std::vector<bool>& groups) {
+  std::vector<GroupId> out = contested(model, groups, groups);
+  if (!out.empty()) return out;
+  for (const GroupId id : model.groups.ids()) {
+    if (groups[id.value]) out.push_back(id);
+  }
+  return out;
+}
+
+Json take_json(const PossibleTake& take, const Model& model) {
   const Edge &taker = model.edges[take.taker], &loser = model.edges[take.loser];
   Json out = Json::object({});
   if (taker.requester) out.add("requester", Json::text(model.groups[*taker.requester].name.value));
@@ -47,8 +57,7 @@ Json take_json(const TakeOver& take, const Model& model, const Graph& graph) {
   out.add("winner_priorities", priorities(taker));
   out.add("loser_priorities", priorities(loser));
   Json over = Json::list({});
-  for (const GroupId id : contested(model, led_to(graph, taker.target), led_to(graph, loser.target)))
-    over.add(Json::text(model.groups[id].name.value));
+  for (const GroupId id : topmost(model, take.groups)) over.add(Json::text(model.groups[id].name.value));
   out.add("over", std::move(over));
   return out;
 }
@@ -57,10 +66,7 @@ Json take_json(const TakeOver& take, const Model& model, const Graph& graph) {
 
 std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
   std::vector<TakeOver> out;
-  for (const CoveragePoint& point : coverage_of(model, graph).points) {
-    if (point.key.kind == CoveragePoint::Kind::take_over)
-      out.push_back({EdgeId{point.key.first}, EdgeId{point.key.second}});
-  }
+  for (const PossibleTake& take : possible_takes(model, graph)) out.push_back({take.taker, take.loser});
   return out;
 }
 
@@ -93,7 +99,7 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
   }
   data.add("pushes", std::move(pushes));
   Json takes = Json::list({});
-  for (const TakeOver& take : take_overs_of(model, graph)) takes.add(take_json(take, model, graph));
+  for (const PossibleTake& take : possible_takes(model, graph)) takes.add(take_json(take, model));
   data.add("takes", std::move(takes));
   data.add("ranks", ranks_json(model));
   Json verdicts = Json::list({});

@@ -9,6 +9,7 @@
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/page/html_parts.hpp"
+#include "compiler/page/script_data.hpp"
 
 #include <fmt/format.h>
 
@@ -117,7 +118,7 @@ std::string html_page(const PageInput& input) {
       "<main id=\"main\">\n{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n"
       "</body>\n</html>\n",
       html_notice(input.file), check_sum(page_script()), check_sum(page_style()), name, page_style(), links, name,
-      doc_html(input.data), nav, body, in_script(input.data), page_script());
+      doc_html(input.data), nav, body, in_script(script_data(input.data)), page_script());
 }
 
 } // namespace director::compiler

@@ -24,6 +24,37 @@ std::string legend_html() {
   return out + "</dl>\n";
 }
 
+/// Columns that A4 has room for beside the names of the rows.
+constexpr std::size_t most_on_paper = 40;
+
+/// For paper, where nothing can be scrolled: the matrix once more, some columns at a time, each with all rows. Empty
+/// where it has room as it is.
+std::string bands_html(const Json& rows) {
+  const std::vector<Json>& all = rows.items();
+  if (all.size() <= most_on_paper) return {};
+  const std::size_t count = (all.size() + most_on_paper - 1) / most_on_paper;
+  std::string out = "<div class=\"bands\">\n";
+  for (std::size_t band = 0; band < count; ++band) { // as wide as each other
+    const std::size_t begin = all.size() * band / count, end = all.size() * (band + 1) / count;
+    out += fmt::format("<table>\n<caption>From the group of the row to that of the column; columns {} to {} of "
+                       "{}</caption>\n<thead><tr><td></td>",
+                       begin + 1, end, all.size());
+    for (std::size_t i = begin; i < end; ++i)
+      out += fmt::format("<th scope=\"col\"><span>{}</span>", html(all[i]["group"].as_text()));
+    out += "</thead>\n<tbody>\n";
+    for (const Json& row : all) {
+      out += fmt::format("<tr><th scope=\"row\">{}", html(row["group"].as_text()));
+      for (std::size_t i = begin; i < end; ++i) {
+        const CellKind& kind = cell_kind(row["cells"].items()[i]);
+        out += fmt::format("<td data-kind=\"{}\">{}", kind.kind, kind.sign);
+      }
+      out += '\n';
+    }
+    out += "</tbody>\n</table>\n";
+  }
+  return out + "</div>\n";
+}
+
 std::string matrix_html(const Json& rows) {
   std::string out = "<div class=\"matrix\" tabindex=\"0\" role=\"region\" aria-label=\"Transition matrix\">\n<table>\n"
                     "<caption>From the group of the row to that of the column</caption>\n<thead><tr><td></td>";
@@ -41,7 +72,7 @@ std::string matrix_html(const Json& rows) {
     }
     out += "</tr>\n";
   }
-  return out + "</tbody>\n</table>\n</div>\n<div id=\"cell\" hidden></div>\n";
+  return out + "</tbody>\n</table>\n</div>\n" + bands_html(rows) + "<div id=\"cell\" hidden></div>\n";
 }
 
 /// Folded.

@@ -26,7 +26,8 @@ struct Company {
   bool unit = false;                                ///< granted together, or not at all
   bool first_loose = false, second_loose = false;   ///< both are asked for by some pack, and it is neither of one unit
                                                     ///< with the other one nor a need
-  bool first_needed = false, second_needed = false; ///< by a provider that asks for the other one
+  bool first_needed = false, second_needed = false; ///< by a provider that asks for the other one, or needs it too
+  bool first_alone = false, second_alone = false;   ///< likewise, and does not need the other one
 };
 
 /// A decision between two edges to one group. Where one of them is the sibling itself, and the other one lies below the
@@ -38,6 +39,7 @@ struct Ruling {
   struct Side {
     Held held = Held::by_rank;
     bool needs = false;          ///< it is not about the task, but about what that needs
+    bool asks = false;           ///< nor, but about what that asks for
     std::vector<Leader> leaders; ///< by rank: with one of these it goes first
     auto operator<=>(const Side&) const = default;
   };
@@ -51,6 +53,7 @@ struct Ruling {
 /// How the chain of one side goes on below the sibling.
 struct Below {
   bool itself = false, needs = false, asks = false;
+  bool comes_along() const { return itself || needs; } ///< with the sibling's grant
 };
 
 class RankWriter {
@@ -125,73 +128,73 @@ private:
     return {false, edge(last).needed && passes, asks || (!edge(last).levels.empty() && passes)};
   }
 
-  /// By rank, unless a unit is tried earlier than its member stands. `below(first)`: of that side.
-  template <class BelowOf>
-  void add_ranked(const Decision& decision, BelowOf below, std::vector<Ruling>& out) {
+  /// By rank, unless a unit is tried earlier than its member stands.
+  void add_ranked(const Decision& decision, const Below& of_first, const Below& of_second, std::vector<Ruling>& out) {
     Ruling ranked{decision, {}, {}};
     std::optional<Ruling> led;
     bool may_be_ranked = true;
     for (const bool first : {true, false}) {
       const Leaders& leaders = leaders_.of(decision, first);
       if (leaders.all.empty()) continue;
-      const Below how = below(first);
+      const Below& how = first ? of_first : of_second;
       if (!how.itself && !how.needs) continue;
       Ruling::Side& side = first ? ranked.first : ranked.second;
       side.needs = !how.itself;
       if (!how.asks || order_of(decision) == 0) side.leaders = leaders.all;
       if (order_of(decision) == 0) continue;
       led = Ruling{decision, {}, {}};
-      (first ? led->first : led->second) = {Ruling::Held::by_leader, side.needs, leaders.all};
+      (first ? led->first : led->second) = {Ruling::Held::by_leader, side.needs, false, leaders.all};
       may_be_ranked = how.asks || !leaders.always;
     }
     if (may_be_ranked) out.push_back(std::move(ranked));
     if (led) out.push_back(std::move(*led));
   }
 
-  std::vector<Ruling> rulings(const Contention& contention) {
+  /// What goes with a unit goes before what another member asks for, and what goes with a need of the requester before
+  /// all else of the other one. `ranked`: ranks decide too, whatever holds the two sides.
+  void add_decided(const Decision& decision, const Below& first, const Below& second, bool ranked,
+                   std::vector<Ruling>& out) {
     using Held = Ruling::Held;
-    std::vector<Ruling> out;
-    for (const Decision& each : contention.decisions) {
-      const bool first = each.first_sibling == contention.first, second = each.second_sibling == contention.second;
-      const auto add_by_rank = [&] {
-        add_ranked(
-            each,
-            [&](bool of_first) {
-              return of_first ? below(each.first_sibling, contention.first)
-                              : below(each.second_sibling, contention.second);
-            },
-            out);
+    if (!decision.requester || (!first.comes_along() && !second.comes_along()))
+      return add_ranked(decision, first, second, out);
+    const Company both = company(decision);
+    // Where both ask, or both come along: what one has as a need it may have since before there was a unit.
+    ranked = ranked || (first.asks && second.asks) || (first.comes_along() && second.comes_along());
+    for (const bool of_first : {true, false}) {
+      const Below &ahead = of_first ? first : second, &behind = of_first ? second : first;
+      if (!ahead.comes_along()) continue;
+      const bool needed = of_first ? both.first_needed : both.second_needed;
+      const auto held = [&](Held how, Ruling::Side other) {
+        Ruling::Side side;
+        side.held = how;
+        side.needs = !ahead.itself;
+        out.push_back({decision, of_first ? side : other, of_first ? other : side});
       };
-      if (first == second || !each.requester) {
-        add_by_rank();
-        continue;
-      }
-      const Company both = company(each);
-      const bool needed = first ? both.first_needed : both.second_needed;
-      const auto held = [&](Held how) {
-        Ruling ruling{each, {}, {}};
-        (first ? ruling.first : ruling.second).held = how;
-        out.push_back(std::move(ruling));
-      };
-      if (both.unit) held(Held::in_unit);
-      if (needed) held(Held::as_need);
-      // What the other one has as a need it may have since before there was a unit.
-      const bool is_plan = edge(first ? contention.second : contention.first).needed;
-      if ((first ? both.first_loose : both.second_loose) || is_plan || (!both.unit && !needed)) add_by_rank();
+      Ruling::Side asks, needs, itself;
+      asks.asks = needs.needs = true;
+      if (behind.asks && both.unit) held(Held::in_unit, asks);
+      if (behind.asks && needed) held(Held::as_need, asks);
+      const bool alone = of_first ? both.first_alone : both.second_alone;
+      if (behind.needs && alone) held(Held::as_need, needs);
+      if (behind.itself && alone) held(Held::as_need, itself);
+      if (behind.asks) ranked = ranked || (of_first ? both.first_loose : both.second_loose) || (!both.unit && !needed);
     }
+    if (ranked) add_ranked(decision, first, second, out);
+  }
+
+  std::vector<Ruling> rulings(const Contention& contention) {
+    std::vector<Ruling> out;
+    for (const Decision& each : contention.decisions)
+      add_decided(each, below(each.first_sibling, contention.first), below(each.second_sibling, contention.second),
+                  false, out);
     return out;
   }
 
+  /// What the two ask for goes by rank in any case.
   std::vector<Ruling> rulings(GroupId first, GroupId second) {
     std::vector<Ruling> out;
-    for (const Decision& each : contentions_.between(first, second)) {
-      add_ranked(
-          each,
-          [&](bool of_first) {
-            return of_first ? below(each.first_sibling, first) : below(each.second_sibling, second);
-          },
-          out);
-    }
+    for (const Decision& each : contentions_.between(first, second))
+      add_decided(each, below(each.first_sibling, first), below(each.second_sibling, second), true, out);
     return out;
   }
 
@@ -273,15 +276,18 @@ private:
     if (order > 0) std::swap(first, second), std::swap(ahead, behind);
     const Ruling::Side &winner = order > 0 ? ruling.second : ruling.first,
                        &loser = order > 0 ? ruling.first : ruling.second;
+    const auto part = [](const std::string& task, const Ruling::Side& side) {
+      return side.needs ? "what " + task + " needs" : side.asks ? "what " + task + " asks for" : task;
+    };
+    const std::string held = part(first, winner), rest = part(second, loser);
     switch (winner.held) {
     case Ruling::Held::in_unit:
-      return fmt::format("{}: {} before what {} asks for, as both are granted together", requester, first, second);
+      return fmt::format("{}: {} before {}, as both are granted together", requester, held, rest);
     case Ruling::Held::as_need:
-      return fmt::format("{}: {} before what {} asks for, as {} runs only with it", requester, first, second,
-                         requester);
+      return fmt::format("{}: {} before {}, as {} runs only with it", requester, held, rest, requester);
     case Ruling::Held::by_leader:
-      return fmt::format("{}: {} before {}, as {} is {}", requester, winner.needs ? "what " + first + " needs" : first,
-                         second, name(edge(ahead).target), together(winner.leaders));
+      return fmt::format("{}: {} before {}, as {} is {}", requester, held, second, name(edge(ahead).target),
+                         together(winner.leaders));
     case Ruling::Held::by_rank: break;
     }
     const Company both = company(decision);
@@ -342,10 +348,12 @@ private:
           out.first_loose = out.first_loose || (loose && !first_needed);
           out.second_loose = out.second_loose || (loose && !second_needed);
         }
-        out.first_needed = out.first_needed || (first_needed && second != nullptr);
-        out.second_needed = out.second_needed || (second_needed && first != nullptr);
+        out.first_alone = out.first_alone || (first_needed && !second_needed && second != nullptr);
+        out.second_alone = out.second_alone || (second_needed && !first_needed && first != nullptr);
       }
     }
+    out.first_needed = out.first_needed || out.first_alone;
+    out.second_needed = out.second_needed || out.second_alone;
     return out;
   }
 

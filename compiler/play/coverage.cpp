@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
 namespace director::compiler {
 
@@ -43,6 +44,22 @@ public:
     plan_pushes();
     for (const analysis::Together& together : analysis::find_together(model_, counts_)) plan_take_overs(together);
     return std::move(out_);
+  }
+
+  std::vector<PossibleTake> takes() {
+    std::vector<PossibleTake> out;
+    std::map<std::pair<EdgeId, EdgeId>, std::size_t> places;
+    for (const analysis::Together& together : analysis::find_together(model_, counts_)) {
+      for_each_pair(together, [&](const Task& taker, const Task& loser) {
+        takes_some(together, taker, loser, [&](GroupId group) {
+          const auto [at, fresh] = places.try_emplace({taker.edge, loser.edge}, out.size());
+          if (fresh) out.push_back({taker.edge, loser.edge, std::vector<bool>(model_.groups.size())});
+          out[at->second].groups[group.value] = true;
+          return false;
+        });
+      });
+    }
+    return out;
   }
 
 private:
@@ -117,23 +134,38 @@ private:
   }
 
   void plan_take_overs(const analysis::Together& together) {
+    for_each_pair(together, [&](const Task& taker, const Task& loser) {
+      if (takes_some(together, taker, loser, [](GroupId) { return true; }))
+        add({Kind::take_over, taker.edge.value, loser.edge.value}, taker.span);
+    });
+  }
+
+  template <class Action>
+  static void for_each_pair(const analysis::Together& together, Action action) {
     for (const Task& taker : *together.tasks) {
       for (const Task& loser : *together.tasks) {
-        if (taker.edge != loser.edge && may_take(together, taker, loser))
-          add({Kind::take_over, taker.edge.value, loser.edge.value}, taker.span);
+        if (taker.edge != loser.edge) action(taker, loser);
       }
     }
   }
 
-  bool may_take(const analysis::Together& together, const Task& taker, const Task& loser) {
+  /// Some group that it may take was `enough`.
+  template <class Enough>
+  bool takes_some(const analysis::Together& together, const Task& taker, const Task& loser, Enough enough) {
     const analysis::Claims &of_taker = claims(taker.target), &of_loser = claims(loser.target);
-    for (const GroupId group : of_taker.groups()) {
-      for (const analysis::Reach takes : analysis::all_reaches) {
-        for (const analysis::Reach loses : analysis::all_reaches) {
-          const analysis::Claim *first = of_taker.find(group, takes), *second = of_loser.find(group, loses);
-          if (first == nullptr || second == nullptr || !analysis::compatible(first->region, second->region)) continue;
-          if (goes_before(together, taker, takes, loser, loses)) return true;
-        }
+    const std::vector<GroupId>& groups = of_taker.groups();
+    return std::any_of(groups.begin(), groups.end(), [&](GroupId group) {
+      return may_take(together, taker, of_taker, loser, of_loser, group) && enough(group);
+    });
+  }
+
+  bool may_take(const analysis::Together& together, const Task& taker, const analysis::Claims& of_taker,
+                const Task& loser, const analysis::Claims& of_loser, GroupId group) const {
+    for (const analysis::Reach takes : analysis::all_reaches) {
+      for (const analysis::Reach loses : analysis::all_reaches) {
+        const analysis::Claim *first = of_taker.find(group, takes), *second = of_loser.find(group, loses);
+        if (first == nullptr || second == nullptr || !analysis::compatible(first->region, second->region)) continue;
+        if (goes_before(together, taker, takes, loser, loses)) return true;
       }
     }
     return false;
@@ -206,5 +238,9 @@ void Coverage::merge(const Coverage& other) {
 }
 
 Coverage coverage_of(const Model& model, const Graph& graph) { return Planner(model, graph).plan(); }
+
+std::vector<PossibleTake> possible_takes(const Model& model, const Graph& graph) {
+  return Planner(model, graph).takes();
+}
 
 } // namespace director::compiler

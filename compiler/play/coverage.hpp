@@ -55,4 +55,11 @@ struct Coverage {
 /// Every point of a deployment, none covered.
 Coverage coverage_of(const Model& model, const Graph& graph);
 
+/// A take-over that is a point of coverage, and what the first edge may take from the second.
+struct PossibleTake {
+  EdgeId taker{}, loser{};
+  std::vector<bool> groups; ///< by number
+};
+std::vector<PossibleTake> possible_takes(const Model& model, const Graph& graph);
+
 } // namespace director::compiler

@@ -4,7 +4,16 @@ include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 begin(${FROM} pages)
 file(GLOB scripts ${FROM}/*.mjs)
 file(COPY ${scripts} DESTINATION ${into})
-execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml -o ${into}/out
+set(wide "behaviour: wide\nlanguage: 1\nroots:\n")
+foreach(i RANGE 1 59)
+  string(APPEND wide "  HaveALookAtThing${i}: {priority: ${i}}\n")
+endforeach()
+string(APPEND wide "  Play: {}\ngroups:\n  Head: {}\n  Play: {needs: [Head]}\n")
+foreach(i RANGE 1 59)
+  string(APPEND wide "  HaveALookAtThing${i}: {needs: [Head]}\n")
+endforeach()
+file(WRITE ${into}/wide.yaml "${wide}")
+execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml ${into}/wide.yaml -o ${into}/out
                         "--link=https://git.example.org/{file}#L{line}"
                 WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} pages.mjs ${CHROMIUM} ${into}/out WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)

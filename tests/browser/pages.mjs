@@ -193,6 +193,64 @@ await situation('on paper nothing of seventy groups is cut off at the side', 'ro
   await shot(page, 'robocup_paper');
 });
 
+await situation('on paper a matrix of sixty columns stands in bands, each with the names of its rows, and none is cut off', 'wide', { viewport: { width: 718, height: 1047 } }, async (page) => {
+  assert.equal(await page.locator('.bands').isVisible(), false);
+  await page.emulateMedia({ media: 'print' });
+  assert.equal(await page.locator('.matrix').isVisible(), false);
+  const bands = await page.locator('.bands table').evaluateAll((all) =>
+    all.map((table) => ({ caption: table.caption.textContent, rows: table.tBodies[0].rows.length, width: Math.ceil(table.getBoundingClientRect().right), cut: [...table.querySelectorAll('th, td, span')].filter((each) => each.scrollWidth > each.clientWidth + 1 && each.clientWidth > 0).length })));
+  const caption = 'From the group of the row to that of the column; columns ';
+  assert.deepEqual(bands.map(({ caption, rows, cut }) => ({ caption, rows, cut })), [{ caption: `${caption}1 to 30 of 60`, rows: 60, cut: 0 }, { caption: `${caption}31 to 60 of 60`, rows: 60, cut: 0 }]);
+  for (const { width } of bands) assert.ok(width <= 718, `${width} points in 718`);
+  await page.locator('.bands').evaluate((bands) => bands.scrollIntoView());
+  await shot(page, 'wide_paper');
+  await page.pdf({ path: join(folder, 'wide.pdf'), format: 'A4' });
+});
+
+for (const colorScheme of ['light', 'dark']) {
+  await situation(`all that is written in a picture can be read, ${colorScheme}, and on paper it is light`, 'soccer', { colorScheme }, async (page) => {
+    const look = () => page.evaluate(() => {
+      const light = (color) => {
+        const [r, g, b] = color.match(/[\d.]+/g).slice(0, 3).map((each) => (each / 255 <= 0.03928 ? each / 255 / 12.92 : ((each / 255 + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      };
+      const contrast = (a, b) => (Math.max(light(a), light(b)) + 0.05) / (Math.min(light(a), light(b)) + 0.05);
+      const picture = document.querySelector('.picture');
+      const paper = getComputedStyle(picture).backgroundColor;
+      const band = getComputedStyle(picture.querySelector('.band')).fill;
+      const least = (elements, key) => Math.min(...[...elements].flatMap((each) => [paper, band].map((below) => contrast(getComputedStyle(each)[key], below))));
+      return { paper, text: least(picture.querySelectorAll('text'), 'fill'), line: least(picture.querySelectorAll('.edge path, .node path[fill="none"]'), 'stroke') };
+    });
+    const seen = await look();
+    assert.equal(seen.paper, colorScheme === 'dark' ? 'rgb(22, 25, 29)' : 'rgb(255, 255, 255)');
+    assert.ok(seen.text >= 4.5, `${seen.text}`);
+    assert.ok(seen.line >= 3, `${seen.line}`);
+    await page.emulateMedia({ media: 'print', colorScheme });
+    assert.equal((await look()).paper, 'rgb(255, 255, 255)');
+  });
+}
+
+await situation('a picture of sixty groups side by side begins in its middle, with names that can be read, and grows as large as any', 'wide', {}, async (page) => {
+  const seen = () => page.evaluate(() => {
+    const frame = document.querySelector('.picture').getBoundingClientRect();
+    const names = [...document.querySelectorAll('.picture g.node text')].map((text) => text.getBoundingClientRect());
+    return { height: Math.max(...names.map(({ height }) => height)), inside: names.filter(({ left, right }) => left >= frame.left && right <= frame.right).length };
+  });
+  const first = await seen();
+  assert.ok(first.height >= 5 && first.inside > 3, JSON.stringify(first));
+  await shot(page, 'wide');
+  for (let i = 0; i < 12; ++i) await page.getByRole('button', { name: 'Larger' }).click();
+  const largest = await seen();
+  assert.ok(largest.height >= 30, JSON.stringify(largest));
+  await page.getByRole('button', { name: 'Whole' }).click();
+  assert.deepEqual(await beyond(page), []);
+});
+
+await situation('what signs mean stands in one column', 'soccer', {}, async (page) => {
+  const lefts = await page.locator('.legend > div').evaluateAll((all) => all.map((each) => Math.round(each.lastElementChild.getBoundingClientRect().left - each.getBoundingClientRect().left)));
+  assert.equal(new Set(lefts).size, 1, `${lefts}`);
+});
+
 await situation('seventy groups are one page of at most 1.5 MB', 'robocup', {}, async (page) => {
   assert.ok(statSync(join(folder, 'robocup.html')).size <= 1.5e6);
   await page.fill('#search', 'walk');

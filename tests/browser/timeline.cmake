@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
-# Records a minute of soccer, the same with events missing, and the rover, as pages.
+# Records a minute of soccer, the same with events missing, the rover, and two tasks that are blocked, as pages.
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 begin(${FROM} timeline)
 file(GLOB scripts ${FROM}/*.mjs)
@@ -8,8 +8,23 @@ file(COPY ${scripts} DESTINATION ${into})
 execute_process(COMMAND ${SOCCER} --trace ${into}/minute.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${DIRECTORC} simulate tests/docs/rover/rover.scenario.yaml --trace ${into}/rover.jsonl
                 WORKING_DIRECTORY ${ROOT} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${into}/blocked.yaml "behaviour: blocked
+language: 1
+roots: {GetUp: {priority: 20}, Walk: {priority: 10}, Legs: {priority: 5}}
+groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}
+")
+file(WRITE ${into}/blocked.scenario.yaml "scenario: two wait for who gets up
+behaviour: blocked.yaml
+script:
+  GetUp: [{wait: 2 s}]
+steps:
+  - inputs: [{request: GetUp}, {request: Walk}, {request: Legs}]
+  - advance: 1 s
+")
+execute_process(COMMAND ${DIRECTORC} simulate ${into}/blocked.scenario.yaml --trace ${into}/blocked.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
-foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml)
+foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml
+             blocked:${into}/blocked.yaml)
   string(REPLACE ":" ";" page ${page})
   list(POP_FRONT page name)
   execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html "--link=https://git.example.org/{file}#L{line}"

@@ -209,6 +209,17 @@ await situation('a slice says under the pointer what it is', 'rover', {}, async 
   assert.equal(await page.locator('.tip').isVisible(), false);
 });
 
+await situation('a slice of who is blocked says by whom', 'blocked', {}, async (page) => {
+  const { x, y, width } = await box(page);
+  const tips = [];
+  for (const row of [0, 1, 2]) {
+    await page.mouse.move(x + width / 2, y + 34 + row * 20 + 10);
+    tips.push((await page.locator('.tip').textContent()).split('\n')[0]);
+  }
+  assert.deepEqual(tips, ['GetUp: running, for the program', 'Walk: queued: blocked, as Legs is held by GetUp', 'Legs: queued: blocked, as Legs is held by GetUp']);
+  await all.shot(page, 'blocked');
+});
+
 await situation('behind a gap nothing is known until it is told, and why not', 'gap', {}, async (page) => {
   await page.locator('.filter summary').click();
   for (const box of await page.locator('.filter fieldset:first-of-type input').all()) await box.uncheck();

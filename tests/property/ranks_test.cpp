@@ -125,7 +125,8 @@ private:
       if (words.find(ours) == std::string_view::npos || words.find(theirs) == std::string_view::npos) continue;
       const std::string& first = each["goes_first"].as_text();
       const std::string who = first == "equal" ? "equal" : (first == "first") == straight ? "ours" : "theirs";
-      if (words.find(" asks for, as ") != std::string_view::npos) {
+      if (words.find(", as both are granted together") != std::string_view::npos ||
+          words.ends_with(" runs only with it")) {
         out.insert(who + "!");
       } else if (const std::size_t as = words.find(led_by);
                  as != std::string_view::npos && words.rfind(", as ", as) != std::string_view::npos) {
@@ -237,7 +238,10 @@ private:
 
   /// Who goes first at a fork as things are. `ours_with`: our group comes with our sibling; `theirs_with`: likewise.
   std::string truth(const Fork& at, bool ours_with, bool theirs_with) {
-    const auto needed = [&](EdgeId edge) { return now_->groups[target(edge).value].needed; };
+    const auto needed = [&](EdgeId edge) {
+      const Snapshot::Group& it = now_->groups[target(edge).value];
+      return it.needed && it.holder == edge;
+    };
     const bool one_unit = units().is_member(at.ours) && units().is_member(at.theirs);
     if (ours_with && (one_unit || needed(at.ours))) return "ours!";
     if (theirs_with && (one_unit || needed(at.theirs))) return "theirs!";
@@ -291,7 +295,7 @@ private:
       Fork as_needs = *at; // which is mandatory, whatever is asked for besides
       as_needs.their_optional = at->their_optional && !is_led;
       if (told(rivalry(g, edge, *it.holder), as_needs).count(sure) == 0 &&
-          has_own_pack(model_.edges[at->ours].requester) && (is_led || !has_needs(theirs)))
+          has_own_pack(model_.edges[at->ours].requester))
         wrong(fmt::format("{}: of {} and {} is told: `{}`, and it is: {}", name(g), standing(at->ours),
                           standing(at->theirs), to_text(here), sure));
       if (sure.starts_with("ours") && is_simple(g) && units().mates(edge).empty() && !has_needs(theirs))

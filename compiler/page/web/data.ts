@@ -24,6 +24,7 @@ export interface Decision {
 export interface Answer {
   leads?: string;
   decisions: number[];
+  more?: number; // that the page does not have
 }
 
 export interface Data {

@@ -55,6 +55,7 @@ export class Pair {
     } else if (answer.decisions.some((code) => ranks.decisions[Math.floor(code / 2)].goes_first === 'equal')) {
       lines.push('Of equals, who has it keeps it; of two that ask, the older request goes first.');
     }
+    if (answer.more) lines.push(`And ${answer.more} more, which are too many for a page: directorc graph --format=json --page has them all, and a deployment with fewer roots has fewer.`);
     return [make('ul', {}, ...lines.map((line) => make('li', {}, line)))];
   }
 }

@@ -10,6 +10,9 @@ const inFront = 'near';
 /** Pixels a point: at this scale its text is as large as Graphviz means it. */
 const onPaper = 4 / 3;
 
+/** Smaller than that nobody recognizes a name: a picture that is wider begins in its middle. */
+const least = 0.4;
+
 /** What Graphviz calls an arrow: `Walk.halting → Wheels`, each end with its row behind a dot. */
 function endsOf(title: string): [string, string] | undefined {
   const ends = title.split(' → ');
@@ -105,12 +108,13 @@ export class Picture {
     select(this.svg).call(this.motion.transform, zoomIdentity);
   }
 
-  /** As large as on paper where that fits, else as wide as the frame; from the top. */
+  /** As large as on paper where that fits, else as wide as the frame where that can be read; from the top. */
   show(): void {
     const unit = this.svg.getScreenCTM()?.a ?? 0;
     const view = this.svg.viewBox.baseVal;
     if (unit === 0) return;
-    const scale = Math.max(1, Math.min(onPaper, this.frame.clientWidth / view.width) / unit);
+    const scale = Math.max(1, Math.min(onPaper, Math.max(least, this.frame.clientWidth / view.width)) / unit);
+    this.motion.scaleExtent([0.2, Math.max(12, (3 * onPaper) / unit)]);
     select(this.svg).call(this.motion.transform, zoomIdentity.translate(((1 - scale) * view.width) / 2, 0).scale(scale));
   }
 

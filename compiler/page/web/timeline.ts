@@ -56,7 +56,7 @@ export class Timeline {
     const order = orderOf(source, data);
     this.cursor = new Cursor(recording);
     this.view = new View(recording);
-    this.tracks = new Tracks(recording, this.view);
+    this.tracks = new Tracks(recording, this.view, (group, event) => this.why(group, event));
     this.filter = new Filter(recording, order, () => this.change());
     this.player = new Player(recording, this.cursor);
     this.moment = new Moment(source, this.cursor, order);
@@ -174,6 +174,12 @@ export class Timeline {
     acts[event.key]();
   }
 
+  /** Where it is known without asking anybody who answers later. */
+  private why(group: number, event: number): string | undefined {
+    const known = this.source.why(group, event);
+    return typeof known === 'string' ? known : undefined;
+  }
+
   private hover(event: PointerEvent): void {
     const box = this.area.getBoundingClientRect();
     const [x, y] = [event.clientX - box.left, event.clientY - box.top];
@@ -184,7 +190,7 @@ export class Timeline {
     const time = `${seconds(hit.from)} to ${seconds(hit.to)}`;
     if (hit.row.group !== undefined) {
       const standing = recording.standingAt(hit.row.group, hit.event);
-      const text = words(recording.names, hit.row.group, standing);
+      const text = words(recording.names, hit.row.group, standing, standing.mark === 'queued' ? this.why(hit.row.group, hit.event) : undefined);
       this.tip.textContent = `${recording.names.header.groups[hit.row.group].name}: ${text === '' ? standing.mark : text.startsWith(standing.mark) ? text : `${standing.mark}, ${text}`}\n${time}`;
     } else if (hit.row.state !== undefined) {
       const value = recording.valueAt(hit.row.state, hit.event);

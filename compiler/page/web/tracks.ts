@@ -30,7 +30,8 @@ export class Tracks {
   rows: Row[] = [];
   private readonly shares: Shares[];
 
-  constructor(private readonly recording: Recording, private readonly view: View) {
+  /** `why`: a group waits after an event, where that is known. */
+  constructor(private readonly recording: Recording, private readonly view: View, private readonly why: (group: number, event: number) => string | undefined) {
     this.shares = recording.groups.map((track) => new Shares(recording, track));
   }
 
@@ -82,7 +83,8 @@ export class Tracks {
       if (standing.mark === 'inactive') return;
       drawSlice(to, look, standing.mark, x, y, length, height);
       const solid = standing.mark === 'running' || standing.mark === 'pushed';
-      drawText(to, words(this.recording.names, group, standing), solid ? look.onFill : look.ink, x, y + height / 2 + 1, length);
+      const why = standing.mark === 'queued' ? this.why(group, events[Math.min(events.length - 1, Math.max(0, Math.ceil(x)))]) : undefined;
+      drawText(to, words(this.recording.names, group, standing, why), solid ? look.onFill : look.ink, x, y + height / 2 + 1, length);
     });
   }
 

@@ -97,6 +97,19 @@ groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {ne
 )");
 }
 
+TEST_CASE("a task takes nothing that is granted together with it, only what that leads to") {
+  CHECK(
+      to_line(facts(R"(roots: [Play]
+groups:
+  Play: {tasks: {Walk: {priority: 9}, Legs: {priority: 2}}}
+  Walk: {tasks: [Legs]}
+  Legs: {needs: [Knee], tasks: [Foot]}
+  Knee: {}
+  Foot: {}
+)")["takes"]) ==
+      R"([{"requester":"Play","winner":"Walk","loser":"Legs","by":"priority","winner_priorities":[9],"loser_priorities":[2],"over":["Foot"]}])");
+}
+
 TEST_CASE("what is optional gives way at its requester, whatever its priority") {
   CHECK(
       to_line(facts(R"(roots: [Play]

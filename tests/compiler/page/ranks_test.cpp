@@ -140,6 +140,28 @@ TEST_CASE("what is granted together, or needed, goes before what others of the s
         "second, Play: Walk (priority 9) before Legs (priority 2), never both at once\n");
 }
 
+TEST_CASE("what a member of a unit needs, or a need of the requester needs, goes before what others of it ask for") {
+  const auto legs = [](const std::string& play, const char* first = "Legs", const char* second = "Legs") {
+    return told_of("roots: [Play]\ngroups:\n  Play: " + play +
+                       "\n  Walk: {tasks: [Step]}\n  Step: {tasks: [Legs]}\n  Stand: {needs: [Hips]}\n"
+                       "  Hips: {needs: [Legs]}\n  Legs: {}\n",
+                   first, second);
+  };
+  CHECK(legs("{tasks: {Walk: {priority: 9}, Stand: {priority: 2}}}") ==
+        "second, Play: what Stand (priority 2) needs before what Walk (priority 9) asks for, as both are granted "
+        "together\n");
+  CHECK(legs("{tasks: {Walk: {priority: 9}, Stand: {priority: 2}}}", "Hips", "Step") ==
+        "first, Play: what Stand (priority 2) needs before what Walk (priority 9) asks for, as both are granted "
+        "together\nsecond, Play: Walk (priority 9) before Stand (priority 2), together or not at all\n");
+  CHECK(legs("{needs: [Stand], tasks: {Walk: {priority: 9}}}") ==
+        "second, Play: what Stand (needed) needs before what Walk (priority 9) asks for, as Play runs only with it\n");
+  CHECK(legs("{needs: [Stand], tasks: {Legs: {priority: 9}}}") ==
+        "first, Play: Legs (priority 9) before Stand (needed)\n"
+        "second, Play: what Stand (needed) needs before Legs (priority 9), as Play runs only with it\n");
+  CHECK(legs("{tasks: {Walk: {priority: 9}, Stand: {priority: 2, apart: true}}}") ==
+        "first, Play: Walk (priority 9) before Stand (priority 2)\n");
+}
+
 TEST_CASE("a member of a unit goes first of what stands behind another member, where that one is asked for") {
   const auto pack = [](const std::string& tasks, const char* first, const char* second) {
     return told_of("roots: [Pack]\ngroups:\n  Pack: {" + tasks +
