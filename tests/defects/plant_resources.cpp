@@ -89,11 +89,7 @@ void excluding_conditions(Robot& robot, bool defect) {
                              {sense.name, sense.values[1], one});
   const std::string b = make(robot, "{when: [$0 == $1], needs: [$2], allow: [uncovered_state], because: it waits}",
                              {sense.name, sense.values[defect ? 2 : 1], two});
-  make_root(robot,
-            defect ? "{packs: {both: {$0: {priority: 20}, @$1: {priority: 10}}}}"
-                   : "{allow: [waiting_company], because: both or none, "
-                     "packs: {both: {$0: {priority: 20}, @$1: {priority: 10}}}}",
-            {a, b});
+  make_root(robot, "{packs: {both: {$0: {priority: 20}, @$1: {priority: 10}}}}", {a, b});
 }
 void three_members_for_two(Robot& robot, bool defect) {
   const std::string left = robot.add_part(), right = robot.add_part(), third = robot.add_part();
