@@ -184,7 +184,10 @@ private:
     const bool equal = claim.rivalry.won_by == Precedence::equal;
     // As a unit it may be equal, and behind by its own rank.
     const bool behind = equal && claim.rivalry.our_first != claim.rivalry.ours && first.count("theirs") != 0;
-    const char* const expected = equal && !behind ? "equal" : "theirs";
+    // And the other way round: that their unit goes first where both ask is told of equals.
+    const bool beside = !equal && claim.rivalry.their_first != claim.rivalry.theirs &&
+                        level(at->ours).priority == level(at->theirs).priority && first.count("theirs") == 0;
+    const char* const expected = (equal && !behind) || beside ? "equal" : "theirs";
     const bool no_rank =
         std::any_of(first.begin(), first.end(), [](const auto& each) { return each.starts_with("theirs!"); });
     if (first.count(expected) == 0 && !no_rank)
