@@ -115,6 +115,18 @@ bool has_to_be_looked_at(const Context& x, Index group) {
   return is_outdated(x, group) || any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
 }
 
+/// Those of edges that the walk may have visited, and of groups that it may have passed.
+void clear_marks(Context& x) {
+  const auto clear_edge = [&](Index e) {
+    x.s.edge_marks[e] = 0;
+    x.s.group_trail[x.t.edges[e].target].remove(trail::passed);
+  };
+  for (Index e = x.s.first_root[x.component]; e != x.rest; e = x.s.next_root[e]) clear_edge(e);
+  for (const Index g : opened(x)) {
+    for (const Index e : x.t.groups[g].edges.rows()) clear_edge(e);
+  }
+}
+
 } // namespace
 
 /// Opens what changed since the last pass, and finds the units that this reaches.

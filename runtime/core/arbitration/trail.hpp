@@ -99,16 +99,4 @@ inline void end_decision(Context& x, Index count) {
   if (is_followed(x)) compare_with_last(x, count);
 }
 
-/// Those of edges that the walk may have visited, and of groups that it may have passed.
-inline void clear_marks(Context& x) {
-  const auto clear_edge = [&](Index e) {
-    x.s.edge_marks[e] = 0;
-    x.s.group_trail[x.t.edges[e].target].remove(trail::passed);
-  };
-  for (Index e = x.s.first_root[x.component]; e != x.rest; e = x.s.next_root[e]) clear_edge(e);
-  for (const Index g : opened(x)) {
-    for (const Index e : x.t.groups[g].edges.rows()) clear_edge(e);
-  }
-}
-
 } // namespace director::arbitration
