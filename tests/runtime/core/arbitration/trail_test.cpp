@@ -234,7 +234,7 @@ groups:
 }
 
 TEST_CASE("what was an optional task, and is only needed since its requester stopped, has its place by the need") {
-  for (const Index most_decided_whole : {0, 1'000}) {
+  for (const Index most_decided_whole : {0U, 1'000U}) {
     Machine machine(R"(
 behaviour: need
 language: 1
@@ -259,7 +259,7 @@ groups:
 }
 
 TEST_CASE("who is an equal of whoever holds a group, since a pass from nothing moved that one, is denied it") {
-  for (const Index most_decided_whole : {0, 1'000}) {
+  for (const Index most_decided_whole : {0U, 1'000U}) {
     Machine machine(R"(
 behaviour: moved
 language: 1
