@@ -72,8 +72,10 @@ std::vector<Loser> find_losers(const Input& input, Takers& takers, Packmates& pa
           if (refused.requester != group) loser.chain = grants.chain_to(*refused.requester);
           loser.chain.push_back({*refused.requester, refused.task->target, false, refused.task->span});
           const GroupId first = loser.chain.front().to;
-          loser.entry = &*std::find_if(pack.tasks.begin(), pack.tasks.end(),
-                                       [&](const Task& task) { return task.target == first; });
+          const auto entry = std::find_if(pack.tasks.begin(), pack.tasks.end(),
+                                          [&](const Task& task) { return task.target == first; });
+          if (entry == pack.tasks.end()) continue; // the chain begins with what another pack asks for
+          loser.entry = &*entry;
           out.push_back(std::move(loser));
           break;
         }
