@@ -74,7 +74,7 @@ std::vector<Loser> find_losers(const Input& input, Takers& takers, Packmates& pa
           const GroupId first = loser.chain.front().to;
           const auto entry = std::find_if(pack.tasks.begin(), pack.tasks.end(),
                                           [&](const Task& task) { return task.target == first; });
-          if (entry == pack.tasks.end()) continue; // the chain begins with what another pack asks for
+          if (entry == pack.tasks.end()) continue; // it is reached again, by way of another pack of it
           loser.entry = &*entry;
           out.push_back(std::move(loser));
           break;

@@ -274,4 +274,24 @@ TEST_CASE("of a chain of three thousand groups the two entries at its end that w
   CHECK(count(text) == Counts{{"equal_priority", {1, 1}}, {"unbounded_choice", {1, 1}}});
 }
 
+/// The way down begins again at the group, and there with what its other provider asks for.
+TEST_CASE("of a group that leads to itself no place is told of which the provider in question has none") {
+  CHECK(count(R"(
+states: {Pose: {values: [standing]}}
+roots: {Play: {}}
+groups:
+  Play: {needs: [Walk, Look], tasks: {Walk: {}, Look: {apart: true}}}
+  Walk: {packs: {full: {Legs: {}, Help: {optional: true}}, none: {}}}
+  Help:
+    providers:
+      - {name: alone, needs: [Legs], tasks: {Arm: {}, Legs: {}, Walk: {}, Look: {}}}
+      - {name: together, tasks: {Turn: {}}}
+  Turn: {causing: [Pose == standing], packs: {whole: {Arm: {priority: 10}, Play: {priority: 0}, Lean: {}}}}
+  Lean: {needs: [Legs]}
+  Look: {}
+  Arm: {}
+  Legs: {}
+)")["self_conflict"] == std::pair<std::size_t, std::size_t>{2, 2});
+}
+
 } // namespace
