@@ -81,17 +81,11 @@ public:
 
   /// Two members of a long unit that exclude each other: each of them is told of with another one.
   bool excludes(const Together& together, const Task& first, const Task& second) const {
-    return together.provider && together.tasks->size() > told_in_pairs && is_member(first) && is_member(second) &&
-           units_.verdict({first.target, second.target}) == UnitVerdict::impossible;
+    return together.provider && together.tasks->size() > told_in_pairs && shares_unit(model_, first) &&
+           shares_unit(model_, second) && units_.verdict({first.target, second.target}) == UnitVerdict::impossible;
   }
 
 private:
-  bool is_member(const Task& task) const {
-    return std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-      return model_.edges[task.edge].levels[named.level].shares_unit();
-    });
-  }
-
   Units& units_;
   const Model& model_;
   std::set<std::pair<const Task*, const Task*>> pairs_;

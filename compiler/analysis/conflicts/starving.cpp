@@ -5,6 +5,7 @@
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -52,13 +53,6 @@ void add_taker(const Input& input, const Refused& refused, const Taker& taker, s
 
 namespace {
 
-/// At each of its levels.
-bool is_member(const Model& model, const Task& task) {
-  return std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& use) {
-    return model.edges[task.edge].levels[use.level].shares_unit();
-  });
-}
-
 /// What helps a mandatory task. Who ranks lower in one unit takes all the same what it needs before anything below is
 /// tried.
 std::string propose(const Input& input, const Refused& refused, const Taker& taker) {
@@ -68,7 +62,7 @@ std::string propose(const Input& input, const Refused& refused, const Taker& tak
   const GroupId task = refused.task->target, by = taker.by->target;
   const std::string elsewhere = fmt::format("ask for it where {} is not asked for", name_of(model, by));
   if (taker.kind == Taker::Kind::unit) return elsewhere;
-  const bool one_unit = is_member(model, *taker.by) && is_member(model, *taker.over);
+  const bool one_unit = shares_unit(model, *taker.by) && shares_unit(model, *taker.over);
   if (taker.over != refused.task)
     return one_unit ? elsewhere
                     : fmt::format("give {} a higher priority than {}, or {}", name_of(model, taker.over->target),

@@ -3,6 +3,7 @@
 #include "compiler/analysis/conflicts/takers.hpp"
 
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
 
@@ -288,9 +289,7 @@ bool Takers::is_optional(const Task& task) const {
   return at_all_levels(input_.model, task, [](const Level& level) { return level.optional; });
 }
 
-bool Takers::is_member(const Task& task) const {
-  return at_all_levels(input_.model, task, [](const Level& level) { return level.shares_unit(); });
-}
+bool Takers::is_member(const Task& task) const { return shares_unit(input_.model, task); }
 
 bool Takers::is_apart(const Task& task) const {
   return at_all_levels(input_.model, task, [](const Level& level) { return level.apart; });

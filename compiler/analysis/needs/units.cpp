@@ -56,13 +56,16 @@ private:
 
 } // namespace
 
+bool shares_unit(const Model& model, const Task& task) {
+  const std::vector<Level>& levels = model.edges[task.edge].levels;
+  return std::all_of(task.levels.begin(), task.levels.end(),
+                     [&](const Task::NamedLevel& named) { return levels[named.level].shares_unit(); });
+}
+
 std::vector<const Task*> unit_members(const Model& model, const Pack& pack) {
   std::vector<const Task*> out;
   for (const Task& task : pack.tasks) {
-    const std::vector<Level>& levels = model.edges[task.edge].levels;
-    if (std::all_of(task.levels.begin(), task.levels.end(),
-                    [&](const Task::NamedLevel& named) { return levels[named.level].shares_unit(); }))
-      out.push_back(&task);
+    if (shares_unit(model, task)) out.push_back(&task);
   }
   return out;
 }

@@ -13,7 +13,10 @@
 
 namespace director::analysis {
 
-/// The tasks that are granted together in this pack: mandatory and not `apart` at each of their levels.
+/// It is mandatory and not `apart` at each of its levels.
+bool shares_unit(const Model& model, const Task& task);
+
+/// The tasks that are granted together in this pack: those that share its unit.
 std::vector<const Task*> unit_members(const Model& model, const Pack& pack);
 
 /// A choice for every member and for all that these need.
