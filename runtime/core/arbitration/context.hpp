@@ -43,10 +43,10 @@ struct Context {
   bool had_limbo = false; ///< in the last assignment something was in limbo; only known where the pass is followed
   bool walking = false;   ///< the pass is on its way along the order
   bool disturbed = false; ///< something differs from the last pass, or may
-  /// The result may be another one when it is the last assignment itself, or when other groups are stale.
-  mutable bool depends_on_last = false, depends_on_stale = false;
-  bool depends_on_all_stale = false;      ///< also on groups that RunQueueEntry::counts does not name
-  bool on_last = false, on_stale = false; ///< the same, of the units before the one in hand
+  mutable bool depends_on_last = false; ///< the result may be another one when it is the last assignment itself
+  bool on_last = false;                 ///< the same, of the units before the one in hand
+  bool depends_on_stale = false;        ///< the unit in hand may be decided otherwise when other groups are stale
+  bool depends_on_all_stale = false;    ///< the result too, also by groups that RunQueueEntry::counts does not name
 
   // Pushes.
   bool had_pushes = false; ///< there were pushes in the last assignment

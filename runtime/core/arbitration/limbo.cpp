@@ -21,7 +21,7 @@ void keep_in_limbo(Context& x, Index group) {
   for (Index i = 0; i < end; ++i) {
     if (x.s.now[x.s.entry[i].group].holder != nil) return;
   }
-  x.depends_on_last = x.depends_on_stale = true;
+  x.depends_on_last = true;
   claim(x, group, static_cast<Index>(x.t.edges.size() + group));
   x.s.now[group].active = x.s.last[group].active;
   claim_plan(x, group, x.s.last[group].planned, 0, end);

@@ -56,7 +56,7 @@ void finish(Context& x) {
   if (is_followed(x)) leave_to(x, nil);
   for (const Index g : opened(x)) {
     if (x.s.now[g].holder == nil || x.s.now[g].active != nil || x.s.last[g].active == nil) continue;
-    x.depends_on_last = x.depends_on_stale = true;
+    x.depends_on_last = true;
     if (note_if_stale(x, g) || injected(Fault::unwanted_needs_live_on)) x.s.now[g].active = x.s.last[g].active;
   }
   x.s.next_count[x.component] = x.placed;
@@ -75,7 +75,7 @@ void begin(Context& x) {
   x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = x.placed = 0;
   x.whole ? open_all(x) : begin_trail(x);
   x.had_pushes = x.pushed_count != 0;
-  x.depends_on_stale = x.depends_on_all_stale = false;
+  x.depends_on_all_stale = false;
   x.depends_on_last = x.had_pushes || x.s.on_last[x.component] != 0;
 }
 

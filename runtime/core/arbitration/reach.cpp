@@ -14,25 +14,18 @@ namespace director::arbitration {
 
 namespace {
 
-void compare_member(Context& x, Index edge) {
+/// Where the member claims another group than in the last pass, or one no longer, this reaches others. With which
+/// provider it has what it claims is of no concern to them.
+void compare_claims(Context& x, Index edge) {
   const Index group = target(x, edge);
-  const GroupAssignment &now = x.s.now[group], &last = x.s.last[group];
+  const GroupAssignment& now = x.s.now[group];
   const bool runs = is_opened(x, group) && now.holder == edge && now.granted(), ran = runs_for_now(x, edge);
   if (!runs && !ran) return;
-  // Its requester is stale: had it run, it would have been tried as what runs already.
-  if (!runs) note_dependence(x, edge, static_cast<std::uint8_t>((x.s.edge_trail[edge] & trail::kept) | trail::on_last));
   compare_claim(x, group);
-  const bool other =
-      runs != ran || now.active != last.active || now.planned != last.planned ||
-      any(x.t.groups[group].slots.rows(), [&](Index slot) { return x.s.now.plan[slot] != x.s.last.plan[slot]; });
-  if (other) reach(x, group);
   if (x.t.groups[group].simple) return;
   const auto compare_plan = [&](const Assignment& of) {
     const Index end = entries_of(x, group, of);
-    for (Index i = 0; i < end; ++i) {
-      compare_claim(x, x.s.entry[i].group);
-      if (other) reach(x, x.s.entry[i].group); // it may be needed otherwise
-    }
+    for (Index i = 0; i < end; ++i) compare_claim(x, x.s.entry[i].group);
   };
   if (ran) compare_plan(x.s.last);
   if (runs) compare_plan(x.s.now);
@@ -111,7 +104,7 @@ void note_dependence(Context& x, Index edge, std::uint8_t bits) {
 
 /// Opens what the unit held, as it may lose it, and forgets what its last decision depended on.
 void begin_followed(Context& x, Index count) {
-  x.on_last = x.depends_on_last, x.on_stale = x.depends_on_stale;
+  x.on_last = x.depends_on_last;
   x.depends_on_last = x.depends_on_stale = false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.unit[at], group = target(x, edge);
@@ -132,13 +125,12 @@ void compare_with_last(Context& x, Index count) {
       static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0) |
                                 (below_stale ? trail::below_stale : 0));
   x.depends_on_last = x.depends_on_last || x.on_last;
-  x.depends_on_stale = x.depends_on_stale || x.on_stale;
   bool pushing = false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.unit[at];
     note_dependence(x, edge, static_cast<std::uint8_t>(bits | (x.s.edge_trail[edge] & trail::waits)));
     pushing = pushing || x.s.edge_marks[edge].has(mark::pushes);
-    compare_member(x, edge);
+    compare_claims(x, edge);
   }
   if (!pushing && !x.pushing) return;
   const std::span<const Index> unit{x.s.unit, count};

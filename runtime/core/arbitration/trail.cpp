@@ -169,7 +169,6 @@ void begin_trail(Context& x) {
   });
   Index from = nil;
   take_rerequested(x, [&](Index e) {
-    x.s.edge_trail[e].remove(trail::changed);
     reach_by_request(x, e, x.t.edges[e].requester != from);
     from = x.t.edges[e].requester;
   });
@@ -287,7 +286,7 @@ bool waits_on(const Context& x, Index edge) {
 /// Neither this edge of root nor one behind it has anything below it that was opened or reached: all of it stands, and
 /// is put into the new order at once.
 bool rest_stands(Context& x, Index root) {
-  if (x.had_pushes || x.pushing || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
+  if (x.had_pushes || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
     x.undecided =
         static_cast<Index>(x.t.edges.size()); // no edge: it is not asked again, which costs more than it helps
     return false;
@@ -334,7 +333,6 @@ void repeat(Context& x, Index edge) {
   } else {
     x.s.edge_marks[edge] |= mark::refused;
   }
-  if (!x.s.edge_marks[edge].has(mark::pushes)) return;
   x.s.member[0].edge = edge;
   keep_pushes(x, 1);
 }

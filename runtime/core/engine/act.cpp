@@ -26,7 +26,7 @@ void Engine::arbitrate() {
     const bool other = changed(component, stops);
     arbitration::end(x_);
     std::uint8_t left = x_.depends_on_all_stale ? work::stale_counts : 0;
-    if (other && (x_.depends_on_last || x_.depends_on_stale)) left |= work::unsettled;
+    if (other && x_.depends_on_last) left |= work::unsettled;
     if (x_.pushed_count != 0) left |= work::pushes;
     x_.s.component[component] = left | work::listed | work::passed;
   }
