@@ -156,7 +156,8 @@ void reach_edge(Context& x, Index edge) {
   if (from != nil) open(x, from);
 }
 
-/// The edge is requested at another level than before, or not any more; and with it its unit has another member.
+/// The edge is requested at another level than before, or not any more; and with it its unit has another member. Others
+/// are reached once it claims something else, but for searches for pushes, which look at requests.
 void reach_by_request(Context& x, Index edge, bool with_siblings) {
   const Index group = target(x, edge), from = x.t.edges[edge].requester;
   reach_edge(x, edge);
@@ -164,7 +165,7 @@ void reach_by_request(Context& x, Index edge, bool with_siblings) {
     for (const Index e : x.t.groups[from].edges.rows()) reach_edge(x, e);
     reach_unit(x, from);
   }
-  reach(x, group);
+  disturb(x);
   reach_pushes_of(x, edge);
   if (x.s.last[group].holder == edge) reach_all_below(x, group);
 }

@@ -38,8 +38,10 @@ inline void reach(Context& x, Index group) {
   if (!x.whole) reach_users(x, group);
 }
 
+/// What is needed is claimed with the unit whose plan it is in, and what is only requested when its turn comes.
 inline void compare_claim(Context& x, Index group) {
-  if (!x.whole && x.s.now[group].holder != x.s.last[group].holder) reach_all_below(x, group);
+  const GroupAssignment &now = x.s.now[group], &last = x.s.last[group];
+  if (!x.whole && (now.holder != last.holder || now.needed() != last.needed())) reach_all_below(x, group);
 }
 
 /// What is decided about the group in this pass: nothing yet.
