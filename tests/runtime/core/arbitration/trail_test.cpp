@@ -258,6 +258,37 @@ groups:
   }
 }
 
+TEST_CASE(
+    "who waits for a condition is blocked once what it needs is claimed earlier, as a need, by who holds it already") {
+  for (const Index most_decided_whole : {0U, 1'000U}) {
+    Machine machine(R"(
+behaviour: earlier
+language: 1
+states:
+  Grip: {values: [loose, firm], initial: loose, external: true}
+  Door: {values: [shut, open], initial: shut, external: true}
+roots: {Carry: {}}
+groups:
+  Carry: {needs: [Lift], tasks: {Wave: {priority: 20, apart: true}, Lift: {priority: 10, apart: true}}}
+  Wave: {when: [Door == open], needs: [Arm]}
+  Lift:
+    providers:
+      - {name: firmly, when: [Grip == firm], needs: [Arm]}
+      - {name: loosely, tasks: [Arm]}
+  Arm: {}
+)");
+    machine.engine().set_most_decided_whole(most_decided_whole);
+    machine.request("Carry");
+    machine.step();
+    CHECK(machine.engine().holder(machine.group("Arm")) == machine.edge("Lift>Arm"));
+    CHECK(machine.engine().queued(machine.edge("Carry>Wave")).why == Why::waiting);
+    machine.set("Grip", "firm");
+    machine.step();
+    CHECK(machine.engine().holder(machine.group("Arm")) == machine.edge("Lift>Arm"));
+    CHECK(machine.engine().queued(machine.edge("Carry>Wave")).why == Why::blocked);
+  }
+}
+
 TEST_CASE("who is an equal of whoever holds a group, since a pass from nothing moved that one, is denied it") {
   for (const Index most_decided_whole : {0U, 1'000U}) {
     Machine machine(R"(
