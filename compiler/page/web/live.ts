@@ -8,7 +8,7 @@ import { byId, make } from './elements';
 import { LiveBar } from './live_bar';
 import type { Header } from './names';
 import type { Picture } from './picture';
-import { Recording, type Source } from './recording';
+import { linesOf, Recording, type Source } from './recording';
 import { Timeline } from './timeline';
 
 const most = 400_000; // events that are kept
@@ -45,6 +45,7 @@ export class Live implements Source {
       this.heard = performance.now();
       this.waiting.push(message.data);
     });
+    events.addEventListener('standing', (message: MessageEvent<string>) => this.waiting.push(linesOf(message.data)));
     events.addEventListener('alive', (message: MessageEvent<string>) => {
       this.heard = performance.now();
       this.time = Number(message.data);
