@@ -142,7 +142,13 @@ void append_why(const View& view, Index group, const Names& names, std::string& 
   std::array<char, 2000> text{};
   json::Members answer(out);
   answer.text("group", names.group(names.self, group)).text("kind", name_of(because.kind));
-  answer.text("text", to_text(because, names, text)).key("notes");
+  answer.text("text", to_text(because, names, text));
+  if (is_blocked(because)) {
+    answer.key("held");
+    json::Members held(out);
+    held.text("group", names.group(names.self, because.group)).text("by", names.edge(names.self, because.holder)).end();
+  }
+  answer.key("notes");
   char between = '[';
   for (const WhyNote& note : why_notes(view, because, names)) {
     out += between;

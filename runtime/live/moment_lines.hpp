@@ -20,7 +20,8 @@ void append_moment(const View& view, const Names& names, std::string& out);
 /// of that, and not all (compiler/trace/waits.hpp).
 void append_standing(const View& view, const Names& names, std::string& out);
 
-/// Why a group does not run, or for whom it does, as JSON: `group`, `kind`, `text` and `notes`, each a text more: what
+/// Why a group does not run, or for whom it does, as JSON: `group`, `kind`, `text`, where something is held that it
+/// would have to get `held`, with that `group` and the edge `by` which it is held, and `notes`, each a text more: what
 /// the state is worth that is missing, and what becomes of each who could cause it.
 void append_why(const View& view, Index group, const Names& names, std::string& out);
 

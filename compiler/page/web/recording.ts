@@ -16,12 +16,23 @@ import { type Header, Names } from './names';
 import { type EventLine, isTold, Shape } from './shape';
 import { type Standing, Standings } from './standing';
 
+/** Why something waits. */
+export interface Because {
+  text: string; // one line or several
+  held?: Held;
+}
+/** What is in the way, and the edge by which it is held. */
+export interface Held {
+  group: string;
+  by: string;
+}
+
 export interface Source {
   readonly recording: Recording;
   /** More may come: the timeline follows the end. */
   readonly grows: boolean;
-  /** Why a group waits after this event, one line or several; undefined: that is not known. */
-  why(group: number, event: number): string | undefined | Promise<string | undefined>;
+  /** Why a group waits after this event; undefined: that is not known. */
+  why(group: number, event: number): Because | undefined | Promise<Because | undefined>;
   /** Why `why` knows nothing of this event; undefined: it does. */
   whyUnknown(event: number): string | undefined;
 }

@@ -74,6 +74,18 @@ TEST_CASE("where groups stand that do not just run is told without events") {
   CHECK(nothing == "[]");
 }
 
+TEST_CASE("what is held that a group would have to get stands beside the words of why") {
+  Shut carrying;
+  carrying.plans.deliver = [](courier::Deliver::Default& run) { return run.carry(courier::Walk{{}}); };
+  (void)carrying.behaviour.fire<courier::Bell>();
+  carrying.behaviour.step(3ms);
+  Index row = 0;
+  while (courier::names::group(row) != std::string_view("Sing")) ++row;
+  CHECK(
+      carrying.why(row) ==
+      R"json({"group":"Sing","kind":"lost","text":"Sing waits (Rest>Sing): it comes with Rest>Walk, and Walk is held by Deliver>Walk, and root>Deliver (priority 10) goes before root>Rest (priority 1)","held":{"group":"Walk","by":"Deliver>Walk"},"notes":["it is held for Deliver, priority 1, that for the program, priority 10"]})json");
+}
+
 TEST_CASE("why is answered with what the state is worth that is missing, and who could cause it") {
   const Shut waiting;
   const auto why = [&](std::string_view group) {
