@@ -17,7 +17,8 @@ std::optional<RangeSpec> read_range(Reader& reader, const YamlNode* node) {
   constexpr const char* help = "for example `[0, 100]`";
   if (!reader.is_list(node, "range", expected, help)) return std::nullopt;
   if (node->items.size() != 2) {
-    reader.unexpected(*node, "range", expected, help);
+    reader.error("wrong_node_kind", node->span,
+                 fmt::format("`range`: expected {}, found a list of {}", expected, node->items.size()), help);
     return std::nullopt;
   }
   const auto low = reader.number(&node->items[0], "range"), high = reader.number(&node->items[1], "range");

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/tree_builder.hpp"
 
-#include "dsl/yaml_scan.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,6 +59,12 @@ std::optional<std::size_t> TreeBuilder::open_bracket() const {
 
 void TreeBuilder::forget_last_key() {
   if (last_key_report_ && *last_key_report_ + 1 == diagnostics_.size()) diagnostics_.pop_back();
+}
+
+void TreeBuilder::refuse_long_key(const yaml_scan::BareKey& key) {
+  report("input_limit", key.begin, key.end, fmt::format("a key of more than {} characters", yaml_scan::longest_key),
+         "choose a shorter name: YAML has no longer keys");
+  refused_long_key_ = true;
 }
 
 void TreeBuilder::null(std::size_t at) {
@@ -197,6 +201,7 @@ void TreeBuilder::begin_pair(Frame& frame, YamlNode key) {
            fmt::format("a key is a word, found a {}", key.kind == YamlNode::Kind::list ? "list" : "mapping"),
            "put a word before the `:`");
   } else if (key.kind == YamlNode::Kind::null) {
+    if (const auto longer = yaml_scan::too_long_key(text_, place.begin, place.begin)) return refuse_long_key(*longer);
     report("wrong_node_kind", place.begin, place.end, "a key is a word, found nothing", "put a word before the `:`");
   } else if (key.kind == YamlNode::Kind::scalar) {
     if (!key.quoted() && frame.pair->key.value == "<<") {

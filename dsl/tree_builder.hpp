@@ -5,6 +5,7 @@
 
 #include "dsl/diagnostic.hpp"
 #include "dsl/yaml_node.hpp"
+#include "dsl/yaml_scan.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -43,6 +44,9 @@ public:
   std::optional<std::size_t> open_bracket() const;
   /// A parser that met the end inside brackets makes the last word a key: what was said about that one is taken back.
   void forget_last_key();
+  void refuse_long_key(const yaml_scan::BareKey& key);
+  /// The parser gives up behind it.
+  bool refused_long_key() const { return refused_long_key_; }
 
   void report(std::string id, std::size_t begin, std::size_t end, std::string message, std::string help = "",
               std::vector<Note> notes = {});
@@ -73,6 +77,7 @@ private:
   std::size_t cursor_ = 0;
   std::size_t values_ = 0;
   std::optional<std::size_t> last_key_report_; ///< index into diagnostics_
+  bool refused_long_key_ = false;
 };
 
 } // namespace director::dsl

@@ -139,6 +139,19 @@ std::optional<BareKey> bare_key_before(std::string_view text, std::size_t at) {
   return BareKey{begin, end, false};
 }
 
+std::optional<BareKey> too_long_key(std::string_view text, std::size_t from, std::size_t at) {
+  std::size_t begin = std::min(from, text.size());
+  if (at < text.size() && text[at] == ':') { // behind a key in a line of its own
+    begin = text.find_last_of('\n', at) + 1;
+    begin = std::min(text.find_first_not_of(" -", begin), at);
+  } else if (begin < text.size() && text[begin] == ',') { // which ended the pair before
+    begin = skip_blanks(text, begin + 1);
+  }
+  const std::size_t end = std::min(text.find_first_of(":,[]{}#\n", begin), text.size());
+  if (end == text.size() || text[end] != ':' || end - begin <= longest_key) return std::nullopt;
+  return BareKey{begin, end};
+}
+
 bool begins_line_before(std::string_view text, std::size_t first, std::size_t second) {
   const auto column = [&](std::size_t at) { return at - line_begin(text, at); };
   const auto is_first = [&](std::size_t at) {

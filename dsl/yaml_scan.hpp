@@ -43,6 +43,12 @@ std::optional<BareKey> bare_key_above(std::string_view text, std::size_t at);
 /// The one before a bracket, in a mapping between brackets: `{needs [Legs]}`. `at`: the second bracket.
 std::optional<BareKey> bare_key_before(std::string_view text, std::size_t at);
 
+/// As YAML has it, for what has its colon in the same line.
+constexpr std::size_t longest_key = 1024;
+/// The first text of a line, or what begins at `from` between brackets, where it has its colon in the same line and is
+/// longer than YAML lets a key be. `at`: where the parser gave up.
+std::optional<BareKey> too_long_key(std::string_view text, std::size_t from, std::size_t at);
+
 /// Both are the first in their lines, and the first one is not indented deeper.
 bool begins_line_before(std::string_view text, std::size_t first, std::size_t second);
 

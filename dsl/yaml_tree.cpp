@@ -157,6 +157,9 @@ void report_exception(TreeBuilder& builder, std::string_view text, const YAML::E
     if (const auto quote = yaml_scan::unclosed_quote(text, builder.cursor()))
       return builder.report("yaml_syntax", *quote, *quote + 1, "this quote is never closed",
                             fmt::format("close it with `{}`", text[*quote]));
+  if (builder.refused_long_key()) return;
+  if (const auto key = yaml_scan::too_long_key(text, yaml_scan::skip_blanks(text, builder.cursor()), at))
+    return builder.refuse_long_key(*key);
   // A comment behind the word without a colon ends its text; the next key then stands where none may.
   const bool next_key = exception.msg == "end of map not found";
   if (exception.msg == "illegal map value" || next_key) {

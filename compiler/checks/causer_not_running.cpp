@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -104,11 +105,23 @@ private:
             {task.span, fmt::format("{} would request {}, but is granted only together with {}",
                                     name_of(model_, task.target), group, name_of(model_, request.task->target))});
     }
-    finding.help = !held_back.empty() ? fmt::format("make {} `apart`, or request {} where it does not wait with it",
-                                                    name_of(model_, request.task->target), group)
-                   : request.pack->name.empty()
-                       ? fmt::format("say with `packs` that {} is requested too: a push never starts a group", group)
-                       : fmt::format("request {} too, `apart` here, or above: a push never starts a group", group);
+    finding.help =
+        !held_back.empty() ? fmt::format("make {} `apart`, or request {} where it does not wait with it",
+                                         name_of(model_, request.task->target), group)
+        : request.pack->name.empty()
+            ? fmt::format("say with `packs` that {} is requested too{}: a push never starts a group", group,
+                          must_be_apart(request, causers) ? ", `apart` and with a lower priority" : "")
+            : fmt::format(
+                  "request {} too, `apart` and with a lower priority here, or above: a push never starts a group",
+                  group);
+  }
+
+  /// In a pack it would be granted only together with what waits, as no entry of it stands alone yet.
+  bool must_be_apart(const Request& request, const std::vector<ProviderId>& causers) const {
+    const std::vector<Task>& tasks = request.pack->tasks;
+    return shares_unit(model_, *request.task) && std::none_of(tasks.begin(), tasks.end(), [&](const Task& entry) {
+             return entry.target == model_.providers[causers.front()].group && !shares_unit(model_, entry);
+           });
   }
 
   const Model& model_;

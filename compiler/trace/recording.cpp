@@ -102,9 +102,16 @@ void Recording::add_changes() {
 std::string Recording::bytes(const Json& header) const {
   Json shapes = Json::list({});
   for (const std::string& shape : shapes_) shapes.add(parse_json(shape).value_or(Json{}));
+  Json held = Json::list({});
+  for (const Waits::Blocker& blocker : waits_.blockers) {
+    held.add(blocker.group == nil ? Json{}
+                                  : Json::object({{"group", Json::text(names_.group(names_.self, blocker.group))},
+                                                  {"by", Json::text(names_.edge(names_.self, blocker.edge))}}));
+  }
   Json head = Json::object({{"header", header},
                             {"shapes", std::move(shapes)},
                             {"texts", Json::texts(waits_.texts)},
+                            {"held", std::move(held)},
                             {"begins", Json::number(begins_)},
                             {"events", Json::count(events_)},
                             {"changes", Json::count(changes_)},

@@ -4,8 +4,10 @@
 
 #include "compiler/lower/row_names.hpp"
 #include "compiler/play/why.hpp"
+#include "runtime/hosted/why_notes.hpp"
 
-#include <unordered_map>
+#include <map>
+#include <utility>
 
 namespace director::compiler {
 
@@ -115,12 +117,15 @@ private:
     const Because because = why(view, group);
     if (standing.text != 0 && !anew_ && because == standing.because) return;
     standing.because = because;
-    change(standing, group, text_of(to_text(reason_why(view, because, model_, lowered_, rows_.names()), sources_)));
+    change(standing, group,
+           text_of(to_text(reason_why(view, because, model_, lowered_, rows_.names()), sources_),
+                   is_blocked(because) ? Waits::Blocker{because.group, because.holder} : Waits::Blocker{}));
   }
 
-  std::uint32_t text_of(std::string text) {
-    const auto [at, is_new] = texts_.try_emplace(std::move(text), static_cast<std::uint32_t>(out_.texts.size() + 1));
-    if (is_new) out_.texts.push_back(at->first);
+  std::uint32_t text_of(std::string text, const Waits::Blocker& blocker) {
+    const auto [at, is_new] =
+        texts_.try_emplace({std::move(text), blocker}, static_cast<std::uint32_t>(out_.texts.size() + 1));
+    if (is_new) out_.texts.push_back(at->first.first), out_.blockers.push_back(blocker);
     return at->second;
   }
 
@@ -136,7 +141,7 @@ private:
   const dsl::Sources& sources_;
   const RowNames rows_;
   std::vector<Standing> groups_;
-  std::unordered_map<std::string, std::uint32_t> texts_;
+  std::map<std::pair<std::string, Waits::Blocker>, std::uint32_t> texts_;
   std::size_t last_line_ = 0, decision_line_ = 0; ///< of the micro-step its first decision; 0: none yet
   bool anew_ = false;
   Waits out_;

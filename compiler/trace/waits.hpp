@@ -9,6 +9,7 @@
 #include "compiler/trace/replay.hpp"
 #include "dsl/source_file.hpp"
 
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,14 @@ struct Waits {
   /// A group whose request was queued or withdrawn, and that goes on as what its requester needs: it keeps what it asks
   /// for until that one has run. Behind the event in this line. The engine does not tell it either.
   using Stays = Held;
+  /// What is in the way of who waits.
+  struct Blocker {
+    Index group = nil; ///< that is held; nil: nothing is
+    Index edge = nil;  ///< by which
+    auto operator<=>(const Blocker&) const = default;
+  };
   std::vector<std::string> texts; ///< as `directorc why` prints them
+  std::vector<Blocker> blockers;  ///< of each text
   std::vector<Change> changes;    ///< by line
   std::vector<Held> held;         ///< by line
   std::vector<Stays> stays;       ///< likewise

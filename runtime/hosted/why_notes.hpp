@@ -23,6 +23,11 @@ struct WhyNote {
 /// `because`: what `why` answered about this view.
 std::vector<WhyNote> why_notes(const View& view, const Because& because, const Names& names);
 
+/// What is in the way is held: `because.group`, by the edge `because.holder`.
+inline bool is_blocked(const Because& because) {
+  return because.kind == Because::Kind::lost || because.kind == Because::Kind::need_held;
+}
+
 /// As it is written: `lost`, `need_held`.
 std::string_view name_of(Because::Kind kind);
 

@@ -33,6 +33,27 @@ void append_data(std::string_view lines, std::string& out) {
   }
 }
 
+/// Behind it a reader of the events may take a group to run that does not, or the other way round: those by which
+/// compiler/trace/waits.cpp asks.
+bool may_stop(const Event& event) {
+  switch (event.kind) {
+  case Event::Kind::grant:
+  case Event::Kind::lose:
+  case Event::Kind::stop:
+  case Event::Kind::queue:
+  case Event::Kind::withdraw: return true;
+  default: return event.kind == Event::Kind::input && event.input == Event::Input::cancel;
+  }
+}
+
+constexpr std::string_view nothing = "[]";
+
+void append_standing_message(std::string_view standing, std::string& out) {
+  out += "event: standing\ndata: ";
+  out += standing;
+  out += "\n\n";
+}
+
 } // namespace
 
 Feed::Feed(EventQueue& queue, Moments& moments, const Names& names, std::size_t memory)
@@ -51,6 +72,7 @@ void Feed::take() {
   const std::uint64_t cut = moment_->told;
   queue_.take([&](const EventQueue::Entry& entry) {
     const std::uint64_t number = taken_ + entry.dropped;
+    if (number == cut) see_standing();
     if (number != begin_ && text_.empty()) begin_ = number; // some were dropped
     if (!text_.empty() && (number == cut || text_.size() >= most_of_block || number != last_ + 1)) {
       finish_block(last_ + 1);
@@ -60,9 +82,30 @@ void Feed::take() {
     append_event(entry.event, names_, text_);
     text_ += '\n';
     last_ = number;
+    may_stop_ = may_stop_ || may_stop(entry.event);
     ++taken_;
   });
+  see_standing();
   if (!text_.empty()) finish_block(last_ + 1);
+}
+
+/// Only where the events are those before the moment: behind later ones it would be untrue. The same again is told
+/// where a reader may have come to think otherwise.
+void Feed::see_standing() {
+  const std::uint64_t at = text_.empty() ? begin_ : last_ + 1;
+  if (moment_->view.tables == nullptr || moment_->told != at || moment_->view.micro_step == seen_) return;
+  seen_ = moment_->view.micro_step;
+  const bool again = std::exchange(may_stop_, false);
+  std::string standing;
+  append_standing(moment_->view, names_, standing);
+  if (standing == standing_ && !again) return;
+  standing_ = std::move(standing);
+  if (standing_ == nothing) return;
+  std::string message;
+  append_standing_message(standing_, message);
+  standing_message_ = std::make_shared<const std::string>(std::move(message));
+  ++standings_;
+  standing_before_ = at;
 }
 
 void Feed::finish_block(std::uint64_t end) {
@@ -74,6 +117,8 @@ void Feed::finish_block(std::uint64_t end) {
 
 Feed::Text Feed::next(Place& place) {
   if (place.begun) {
+    if (place.next == standing_before_ && std::exchange(place.standing, standings_) != standings_)
+      return standing_message_;
     if (const Block* const block = backlog_.at(place.next)) {
       place.next = block->end;
       return block->text;
@@ -103,7 +148,11 @@ Feed::Text Feed::begin_anew(Place& place) {
   std::string out = place.begun ? "" : header_;
   append_data(lines, out);
   append_end(from, out);
-  place = {from, true};
+  if (std::string standing; shown) {
+    append_standing(moment_->view, names_, standing);
+    if (standing != nothing) append_standing_message(standing, out);
+  }
+  place = {from, true, standings_};
   return std::make_shared<const std::string>(std::move(out));
 }
 

@@ -4,8 +4,9 @@
 // and of moments, and says for each viewer what comes next.
 //
 // A viewer begins with the header of a trace, a line that says how many events it missed, and what holds now. One that
-// is too slow gets those lines again, without the header. The `id` of a message is the number of the event behind it:
-// a browser that comes back sends the last one, and goes on there.
+// is too slow gets those lines again, without the header. What holds and no event tells comes behind the events of its
+// moment, in a message of its own, `event: standing`: without those messages the stream is a trace. The `id` of a
+// message is the number of the event behind it: a browser that comes back sends the last one, and goes on there.
 
 #include "runtime/core/inspect/why.hpp"
 #include "runtime/hosted/trace/event_queue.hpp"
@@ -20,8 +21,9 @@ namespace director::live {
 
 /// How far one viewer is.
 struct Place {
-  std::uint64_t next = 0; ///< the first event that it did not get
-  bool begun = false;     ///< it has the header
+  std::uint64_t next = 0;     ///< the first event that it did not get
+  bool begun = false;         ///< it has the header
+  std::uint64_t standing = 0; ///< the last message of this kind that it got, or that it needs no more
 };
 
 class Feed {
@@ -44,6 +46,7 @@ public:
 
 private:
   void finish_block(std::uint64_t end);
+  void see_standing();
   Text begin_anew(Place& place);
 
   EventQueue& queue_;
@@ -56,6 +59,13 @@ private:
   std::uint64_t begin_ = 0; ///< its first event
   std::uint64_t last_ = 0;  ///< its last one
   std::uint64_t taken_ = 0; ///< from the queue, so far
+
+  std::string standing_ = "[]";            ///< as append_standing writes it, of the last moment
+  Text standing_message_;                  ///< the last one
+  std::uint64_t standings_ = 0;            ///< how many there were so far
+  std::uint64_t standing_before_ = 0;      ///< the event before which the last one is sent
+  std::uint64_t seen_ = ~std::uint64_t{0}; ///< the micro-step of the last moment that was looked at for it
+  bool may_stop_ = false;                  ///< since then came an event of the kind
 };
 
 } // namespace director::live

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/live/moment_lines.hpp"
 
+#include "runtime/core/api/event_names.hpp"
 #include "runtime/core/inspect/why.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/hosted/trace/json_text.hpp"
@@ -92,16 +93,62 @@ private:
   std::string& out_;
 };
 
+/// The edges by which a group asks now, as a JSON array.
+void append_requests(const View& view, Index group, const Names& names, std::string& out) {
+  const Range edges = view.tables->groups[group].edges;
+  out += '[';
+  for (Index edge = edges.begin; edge < edges.end; ++edge) {
+    if (!view.requested(edge)) continue;
+    if (out.back() != '[') out += ',';
+    json::append_text(names.edge(names.self, edge), out);
+  }
+  out += ']';
+}
+
 } // namespace
 
 void append_moment(const View& view, const Names& names, std::string& out) { MomentLines(view, names, out).write(); }
+
+void append_standing(const View& view, const Names& names, std::string& out) {
+  const Tables& tables = *view.tables;
+  char between = '[';
+  const auto begin = [&] {
+    out += between;
+    between = ',';
+    return json::Members(out);
+  };
+  for (Index group = 0; group < tables.groups.size(); ++group) {
+    if (view.holder(group) == nil || view.granted(group)) continue;
+    const bool stays = view.assignment[group].active != nil;
+    json::Members line = begin();
+    line.text("event", stays ? "stays" : "held").text("group", names.group(names.self, group));
+    if (stays) line.key("asks"), append_requests(view, group, names, out);
+    line.end();
+  }
+  for (Index edge = 0; edge < tables.edges.size(); ++edge) {
+    const Queued queued = view.queued(edge);
+    if (view.state(edge) != RunState::queued || queued.why == Why::none) continue;
+    json::Members line = begin();
+    line.text("event", "waits").text("edge", names.edge(names.self, edge)).text("why", name_of(queued.why));
+    if (queued.condition != nil) line.text("condition", names.condition(names.self, queued.condition));
+    line.end();
+  }
+  if (between == '[') out += between;
+  out += ']';
+}
 
 void append_why(const View& view, Index group, const Names& names, std::string& out) {
   const Because because = why(view, group);
   std::array<char, 2000> text{};
   json::Members answer(out);
   answer.text("group", names.group(names.self, group)).text("kind", name_of(because.kind));
-  answer.text("text", to_text(because, names, text)).key("notes");
+  answer.text("text", to_text(because, names, text));
+  if (is_blocked(because)) {
+    answer.key("held");
+    json::Members held(out);
+    held.text("group", names.group(names.self, because.group)).text("by", names.edge(names.self, because.holder)).end();
+  }
+  answer.key("notes");
   char between = '[';
   for (const WhyNote& note : why_notes(view, because, names)) {
     out += between;

@@ -14,7 +14,14 @@ namespace director::live {
 /// Behind a line that says that events are missing, a reader of traces then knows as much as from the beginning.
 void append_moment(const View& view, const Names& names, std::string& out);
 
-/// Why a group does not run, or for whom it does, as JSON: `group`, `kind`, `text` and `notes`, each a text more: what
+/// Appends where groups stand that do not just run, as a JSON array: `{"event":"held","group":…}` for each that is only
+/// held for a need, `{"event":"stays","group":…,"asks":[…]}` for each that goes on though its request waits, with the
+/// edges by which it asks, and `{"event":"waits","edge":…,"why":…}` for each request that waits. The events tell most
+/// of that, and not all (compiler/trace/waits.hpp).
+void append_standing(const View& view, const Names& names, std::string& out);
+
+/// Why a group does not run, or for whom it does, as JSON: `group`, `kind`, `text`, where something is held that it
+/// would have to get `held`, with that `group` and the edge `by` which it is held, and `notes`, each a text more: what
 /// the state is worth that is missing, and what becomes of each who could cause it.
 void append_why(const View& view, Index group, const Names& names, std::string& out);
 

@@ -22,7 +22,7 @@ struct Moment {
 
 class Moments {
 public:
-  explicit Moments(const Tables& tables) {
+  explicit Moments(const Tables& tables) : tables_(tables) {
     for (Buffer& buffer : buffers_) buffer.bytes.resize(View::bytes(Shape::of(tables)) / sizeof(std::uint64_t));
   }
   Moments(const Moments&) = delete;
@@ -35,6 +35,7 @@ public:
     shown_ = view.micro_step;
     Buffer& buffer = buffers_[written_];
     buffer.moment = {view.copy(reinterpret_cast<std::byte*>(buffer.bytes.data())), told};
+    buffer.moment.view.tables = &tables_; // the engine's own end with the behaviour, which the view outlives
     written_ = between_.exchange(static_cast<std::uint8_t>(written_ | fresh), std::memory_order_acq_rel) & place;
   }
 
@@ -55,6 +56,7 @@ private:
   };
   static constexpr std::uint8_t place = 3, fresh = 4;
 
+  const Tables& tables_;
   std::array<Buffer, 3> buffers_;
   std::uint64_t shown_ =
       ~std::uint64_t{0}; ///< the micro-step of the last moment; of the thread that steps, as is the next

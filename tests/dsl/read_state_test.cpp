@@ -81,7 +81,7 @@ TEST_CASE("What stands wrong in a state is said where it stands") {
                 "`3` (for example `[0, 100]`)\n"},
            Case{"{range: [1, 2, 3]}",
                 "4:14 `[1, 2, 3]` wrong_node_kind: `range`: expected a list of the lowest and the "
-                "highest number, found a list (for example `[0, 100]`)\n"},
+                "highest number, found a list of 3 (for example `[0, 100]`)\n"},
            Case{"{range: [a, 1.5]}", "4:15 `a` wrong_node_kind: `range`: expected a whole number, found `a`\n"
                                      "4:18 `1.5` wrong_node_kind: `range`: expected a whole number, found `1.5`\n"},
            Case{"{range: [5, 4]}", "4:14 `[5, 4]` wrong_node_kind: `range`: expected the lower number first, found 5 "

@@ -137,7 +137,7 @@ TEST_CASE("what is no list is told as one, whatever stands between its parts") {
                "3:21 `" + range +
                    "` wrong_node_kind: `range`: expected a list of the lowest and the highest number, found " +
                    (range[0] == '{'   ? "a mapping"
-                    : range[0] == '[' ? "a list"
+                    : range[0] == '[' ? "a list of 3"
                                       : "`" + range + "`") +
                    " (for example `[0, 100]`)\n");
 }

@@ -204,6 +204,21 @@ TEST_CASE("Where the text is no YAML the place and the likely reason are said") 
   }
 }
 
+TEST_CASE("A key that is longer than YAML lets it be is named, in a line of its own and between brackets") {
+  const std::string longest(1024, 'a'), longer = longest + "a";
+  const auto said = [](const std::string& place, const std::string& key) {
+    return place + " `" + key +
+           "` input_limit: a key of more than 1024 characters (choose a shorter name: YAML has no longer keys)\n";
+  };
+  CHECK(Tree(longest + ": b\n").findings() == "");
+  CHECK(Tree("{" + longest + ": b}\n").findings() == "");
+  CHECK(Tree(longer + ": b\n").findings() == said("1:1", longer));
+  CHECK(Tree("a:\n  b: c\n  " + longer + ":\n    d: e\n").findings() == said("3:3", longer));
+  CHECK(Tree("{" + longer + ": b}\n").findings() == said("1:2", longer));
+  CHECK(Tree("{\"" + longer + "\": b}\n").findings() == said("1:2", '"' + longer + '"'));
+  CHECK(Tree("a: {b: c, " + longer + ": d}\n").findings() == said("1:11", longer));
+}
+
 TEST_CASE("64 levels are read, and one more is refused") {
   const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
   CHECK(Tree(nested(deepest_nesting)).findings() == "");

@@ -3,13 +3,14 @@
 
 import { counts, type Column } from './columns';
 import type { Header } from './names';
-import { Recording, type Source, type Value } from './recording';
+import { type Because, type Held, Recording, type Source, type Value } from './recording';
 import type { EventLine } from './shape';
 
 interface Head {
   header: Header;
   shapes: EventLine[];
   texts: string[];
+  held: (Held | null)[]; // of each text
   begins: number; // microseconds
   events: number;
   changes: number;
@@ -55,10 +56,10 @@ class Embedded implements Source {
     this.answers[group].push(answer);
   }
 
-  why(group: number, event: number): string | undefined {
+  why(group: number, event: number): Because | undefined {
     const place = this.events[group].upTo(event) - 1;
     const answer = place < 0 || this.whyUnknown(event) !== undefined ? 0 : this.answers[group].at[place];
-    return answer === 0 ? undefined : this.head.texts[answer - 1];
+    return answer === 0 ? undefined : { text: this.head.texts[answer - 1], held: this.head.held[answer - 1] ?? undefined };
   }
 
   whyUnknown(event: number): string | undefined {

@@ -8,7 +8,7 @@ import { byId, make } from './elements';
 import { LiveBar } from './live_bar';
 import type { Header } from './names';
 import type { Picture } from './picture';
-import { Recording, type Source } from './recording';
+import { type Because, type Held, linesOf, Recording, type Source } from './recording';
 import { Timeline } from './timeline';
 
 const most = 400_000; // events that are kept
@@ -19,6 +19,7 @@ const silence = 5000; // milliseconds without a sign of life, which comes each s
 interface Reason {
   group: string;
   text: string;
+  held?: Held;
   notes: string[];
 }
 
@@ -30,7 +31,7 @@ export class Live implements Source {
   private time: number | undefined;
   private held = false; // a button of the mouse is down: what is under it stays
   private heard = performance.now();
-  private readonly answers = new Map<string, { text: string; asked: number }>(); // by group and since when it waits
+  private readonly answers = new Map<string, Because & { asked: number }>(); // by group and since when it waits
   private asking = false;
   private asked = 0;
   readonly bar: LiveBar;
@@ -45,6 +46,7 @@ export class Live implements Source {
       this.heard = performance.now();
       this.waiting.push(message.data);
     });
+    events.addEventListener('standing', (message: MessageEvent<string>) => this.waiting.push(linesOf(message.data)));
     events.addEventListener('alive', (message: MessageEvent<string>) => {
       this.heard = performance.now();
       this.time = Number(message.data);
@@ -110,12 +112,12 @@ export class Live implements Source {
   // Why.
 
   /** Of the present it is asked, and asked again while it lasts; of the past it is known where somebody asked then. */
-  why(group: number, event: number): string | undefined {
+  why(group: number, event: number): Because | undefined {
     const key = this.keyOf(group, event);
     const known = this.answers.get(key);
     const isNow = event === this.recording.end - 1;
     if (isNow && (!known || performance.now() - known.asked > askAgain)) void this.askAll();
-    return known?.text;
+    return known;
   }
 
   whyUnknown(event: number): string | undefined {
@@ -135,7 +137,7 @@ export class Live implements Source {
     try {
       for (const reason of await this.ask('why')) {
         const group = recording.names.group(reason.group);
-        this.answers.set(this.keyOf(group, Math.max(event, recording.first)), { text: [reason.text, ...reason.notes].join('\n'), asked: performance.now() });
+        this.answers.set(this.keyOf(group, Math.max(event, recording.first)), { text: [reason.text, ...reason.notes].join('\n'), held: reason.held, asked: performance.now() });
       }
       if (this.answers.size > 2000) this.answers.clear();
       recording.pass(recording.ends);

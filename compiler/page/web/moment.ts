@@ -3,7 +3,7 @@
 
 import { type Cursor, seconds } from './cursor';
 import { make, withPlace } from './elements';
-import type { Source } from './recording';
+import type { Because, Source } from './recording';
 import type { Standing } from './standing';
 import { words } from './standing_words';
 
@@ -69,7 +69,7 @@ export class Moment {
     const known = this.source.why(group, event);
     if (known instanceof Promise) {
       out.append(` ${words(this.source.recording.names, group, standing)}`);
-      void known.then((text) => asked === this.asked && out.replaceChildren(link('group', this.name(group)), ...this.answer(group, standing, event, text)));
+      void known.then((because) => asked === this.asked && out.replaceChildren(link('group', this.name(group)), ...this.answer(group, standing, event, because)));
     } else {
       out.append(...this.answer(group, standing, event, known));
     }
@@ -77,13 +77,13 @@ export class Moment {
   }
 
   /** What `directorc why` prints: the answer, and a line for each thing that it comes from. */
-  private answer(group: number, standing: Standing, event: number, text: string | undefined): Node[] {
+  private answer(group: number, standing: Standing, event: number, because: Because | undefined): Node[] {
     const { names } = this.source.recording;
-    if (text === undefined) {
+    if (because === undefined) {
       const reason = this.source.whyUnknown(event);
       return [make('span', {}, ` ${words(names, group, standing)}`), ...(reason === undefined ? [] : [make('p', { class: 'hint' }, `Not more is known: ${reason}.`)])];
     }
-    const [first, ...notes] = text.split('\n').filter((line) => line !== '');
+    const [first, ...notes] = because.text.split('\n').filter((line) => line !== '');
     const short = first.startsWith(`${this.name(group)} `) ? first.slice(this.name(group).length) : ` ${first}`;
     return [make('span', {}, short), make('ul', { class: 'notes' }, ...notes.map((note) => make('li', {}, ...withPlace(note.trim()))))];
   }

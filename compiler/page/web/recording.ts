@@ -16,12 +16,23 @@ import { type Header, Names } from './names';
 import { type EventLine, isTold, Shape } from './shape';
 import { type Standing, Standings } from './standing';
 
+/** Why something waits. */
+export interface Because {
+  text: string; // one line or several
+  held?: Held;
+}
+/** What is in the way, and the edge by which it is held. */
+export interface Held {
+  group: string;
+  by: string;
+}
+
 export interface Source {
   readonly recording: Recording;
   /** More may come: the timeline follows the end. */
   readonly grows: boolean;
-  /** Why a group waits after this event, one line or several; undefined: that is not known. */
-  why(group: number, event: number): string | undefined | Promise<string | undefined>;
+  /** Why a group waits after this event; undefined: that is not known. */
+  why(group: number, event: number): Because | undefined | Promise<Because | undefined>;
   /** Why `why` knows nothing of this event; undefined: it does. */
   whyUnknown(event: number): string | undefined;
 }
@@ -35,6 +46,9 @@ export interface Track {
 export type Value = string | null | undefined; // null: it has none; undefined: not known
 
 const newTrack = (): Track => ({ event: counts(), value: counts() });
+
+/** What holds and no event tells: a JSON array of lines of a recording (runtime/live/moment_lines.hpp). */
+export const linesOf = (standing: string): string => (JSON.parse(standing) as unknown[]).map((line) => JSON.stringify(line)).join('\n');
 
 export class Recording {
   readonly names: Names;
@@ -106,7 +120,7 @@ export class Recording {
     return begins.at[Math.max(0, begins.upTo(event) - 1)];
   }
 
-  /** Whole lines of a trace, behind its header. Throws at what is none; what stands before it is taken. */
+  /** Whole lines of a trace, behind its header. Throws at what is none; what stands before it is taken. Of what no event tells, what is known is left out. */
   append(text: string): void {
     try {
       for (const each of text.split('\n')) if (each !== '') this.takeLine(JSON.parse(each) as EventLine & { t?: number });
@@ -153,7 +167,9 @@ export class Recording {
     if (!isTold(line)) return;
     const { t, ...rest } = line;
     for (const key of ['until', 'n', 'due']) delete (rest as Record<string, unknown>)[key];
-    this.add(t ?? this.ends, this.addShape(rest));
+    const shape = this.addShape(rest);
+    const isUntold = ['held', 'stays', 'waits'].includes(line.event);
+    if (!isUntold || !this.now.knows(this.shapes[shape])) this.add(t ?? this.ends, shape);
   }
 
   private at(track: Track, event: number): number {

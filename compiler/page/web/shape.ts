@@ -19,6 +19,7 @@ export interface EventLine {
   trigger?: string;
   level?: string | number;
   count?: number;
+  asks?: string[];
 }
 
 /** What people filter by. */
@@ -40,7 +41,7 @@ function sortOf(line: EventLine): Sort {
     case 'grant': return line.from === undefined || line.from === 'limbo' || line.edge === 'limbo' ? 'control' : 'take-over';
     case 'lose': case 'withdraw': case 'held': case 'stays': return 'control';
     case 'push': case 'release': return 'push';
-    case 'queue': return 'queue';
+    case 'queue': case 'waits': return 'queue';
     case 'set': return 'state';
     case 'start': case 'stop': return 'handler';
     case 'done': case 'failed': return 'result';
@@ -76,7 +77,7 @@ export class Shape {
     this.isGap = line.event === 'dropped';
     this.setsState = line.event === 'set' || line.event === 'given' || line.input === 'set';
     this.isFlow = line.event === 'push' || this.sort === 'take-over';
-    this.decides = ['run', 'stop', 'held', 'stays', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.event === 'input';
+    this.decides = ['run', 'stop', 'held', 'stays', 'waits', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.event === 'input';
     this.text = textOf(this, names);
     this.groups = [this.group, names.requesters[this.edge] ?? nobody, names.requesters[this.from] ?? nobody].filter((group) => group !== nobody);
   }
@@ -92,7 +93,7 @@ function textOf(shape: Shape, names: Names): string {
   switch (line.event) {
     case 'input': return inputText(shape, names, groupName, full);
     case 'run': return `run ${names.providerText(group, shape.provider)} ${(line.reasons ?? []).join('+')}`.trimEnd();
-    case 'queue': return `queue ${line.edge}: ${line.why}${line.why === 'waiting' && line.condition ? ` for ${line.condition}` : ''}`;
+    case 'queue': case 'waits': return `${line.event} ${line.edge}: ${line.why}${line.why === 'waiting' && line.condition ? ` for ${line.condition}` : ''}`;
     case 'push': return `push ${full} for ${line.edge}`;
     case 'set': return line.value === null ? `unset ${line.state}` : `set ${line.state} ${valueText(line)}`;
     case 'refused': return `refused ${line.state} ${valueText(line)}`;

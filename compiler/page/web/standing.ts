@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where each group stands, kept up event by event: what the engine's own view says at rest (compiler/play/moment.cpp), found from what it told. What
 // it does not tell is when a group stops that nobody asks for any more, which was kept for who might, and is still held for a need. A source that can
-// look at the engine adds {"event":"held","group":…} there (compiler/trace/waits.cpp); without it the next thing that happens to the group tells. Nor
+// look at the engine adds {"event":"held","group":…} there (compiler/trace/waits.cpp, runtime/live/feed.cpp); without it the next thing that happens to the group tells. Nor
 // does it tell that a group whose request is queued or withdrawn goes on as a need of who is about to run, and still asks: {"event":"stays","group":…};
 // without it that is known where one of its own requests is queued along with it.
 
@@ -72,8 +72,9 @@ export class Standings {
       case 'grant': return at ? this.grant(at, shape) : this.touched;
       case 'lose': return at ? this.lose(at, group, shape.from) : this.touched;
       case 'stop': case 'held': if (at && (this.isAlive(group) || this.lapsing.delete(group))) this.end(group); break;
-      case 'stays': if (at) this.stay(group); break;
+      case 'stays': if (at) this.goesOn(group, line.asks ?? []); break;
       case 'queue': return this.queue(shape);
+      case 'waits': this.waitsFor(shape); break;
       case 'withdraw': return this.forget(edge);
       case 'input':
         if (line.input === 'request') this.asked[edge] = true;
@@ -84,6 +85,15 @@ export class Standings {
       default: return this.touched;
     }
     return this.touched.add(group);
+  }
+
+  /** What this line says, `held`, `stays` or `waits`, holds already. */
+  knows({ line, group, edge }: Shape): boolean {
+    if (line.event === 'waits') return this.waits[edge] !== undefined;
+    const at = this.groups[group];
+    if (!at || this.lapsing.has(group)) return false;
+    if (line.event === 'held') return !this.isAlive(group);
+    return !at.granted && at.stays && (line.asks ?? []).every((edge) => this.asked[this.names.edge(edge)]);
   }
 
   of(group: number): Standing {
@@ -161,15 +171,27 @@ export class Standings {
     return this.touched.add(group);
   }
 
-  private queue(shape: Shape): Set<number> {
-    const { edge, line, group } = shape;
-    if (edge < 0) return this.touched;
+  private waitsFor({ edge, line }: Shape): void {
+    if (edge < 0) return;
     this.asked[edge] = true;
     this.waits[edge] = this.told[edge] = { edge, why: line.why ?? '', condition: line.condition };
+  }
+
+  private queue(shape: Shape): Set<number> {
+    const { edge, group } = shape;
+    if (edge < 0) return this.touched;
+    this.waitsFor(shape);
     if (this.groups[group].holder === edge) this.stopUnlessHandedOn(group);
     const asker = this.names.requesters[edge];
     if (this.lapsing.has(asker)) this.stay(asker); // what does not go on asks for nothing
     return this.touched.add(group);
+  }
+
+  /** `asks`: the edges by which it asks, where this may be known late, when what it asked for was forgotten already. */
+  private goesOn(group: number, asks: string[]): void {
+    this.groups[group].granted = false;
+    this.stay(group);
+    for (const edge of asks) this.ask(this.names.edge(edge));
   }
 
   private stay(group: number): void {

@@ -2,25 +2,18 @@
 // Where a group stands, in a few words: in a slice of its track, and below its box.
 
 import { limbo, type Names, nobody } from './names';
+import type { Because } from './recording';
 import type { Standing, Wait } from './standing';
 
-/** `Stability == standing` is waited for, or in one word what keeps the request. */
-export function waitWords(wait: Wait, names: Names, why?: string): string {
+/** `Stability == standing` is waited for, or in one word what keeps the request; of one that is blocked by whom, where the answer to `why` says so. */
+export function waitWords(wait: Wait, names: Names, why?: Because): string {
   if (wait.why === 'waiting' && wait.condition !== undefined) return `until ${wait.condition}`;
-  if (wait.why === 'blocked') return blockedWords(names, why);
+  if (wait.why === 'blocked' && why?.held !== undefined) return `blocked, as ${why.held.group} is held by ${names.askerText(names.edge(why.held.by))}`;
   return wait.why;
 }
 
-/** `blocked, as Legs is held by Walk`, where the answer to `why` says so (runtime/core/inspect/why_text.cpp). */
-function blockedWords(names: Names, why: string | undefined): string {
-  const held = /(?:^|[ :])([^\s:,]+)(?:, which it needs,)? is held by ([^\s,]+)/.exec(why ?? '');
-  if (!held) return 'blocked';
-  const [, what, edge] = held;
-  return `blocked, as ${what} is held by ${names.askerText(names.edge(edge))}`;
-}
-
-/** `walking, for WalkTo`. `why`: what is known of why it waits, as `directorc why` prints it. */
-export function words(names: Names, group: number, standing: Standing, why?: string): string {
+/** `walking, for WalkTo`. `why`: what is known of why it waits. */
+export function words(names: Names, group: number, standing: Standing, why?: Because): string {
   const own = names.header.groups[group].providers[standing.provider];
   const provider = own === undefined || own === 'default' ? '' : own;
   switch (standing.mark) {

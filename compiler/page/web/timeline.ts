@@ -13,7 +13,7 @@ import { Overview } from './overview';
 import type { Picture } from './picture';
 import { PictureMarks } from './picture_marks';
 import { Player } from './player';
-import type { Source } from './recording';
+import type { Because, Source } from './recording';
 import { words } from './standing_words';
 import { rulerHeight, Tracks } from './tracks';
 import { View } from './view';
@@ -175,9 +175,9 @@ export class Timeline {
   }
 
   /** Where it is known without asking anybody who answers later. */
-  private why(group: number, event: number): string | undefined {
+  private why(group: number, event: number): Because | undefined {
     const known = this.source.why(group, event);
-    return typeof known === 'string' ? known : undefined;
+    return known instanceof Promise ? undefined : known;
   }
 
   private hover(event: PointerEvent): void {

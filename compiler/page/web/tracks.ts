@@ -3,7 +3,7 @@
 // take-overs. Where slices are thinner than a point, their shares of each point's time are drawn instead, so the cost is that of the points.
 
 import { drawSlice, drawText, hatch, type Look } from './look';
-import type { Recording, Track } from './recording';
+import type { Because, Recording, Track } from './recording';
 import { Shares, summed } from './shares';
 import { words } from './standing_words';
 import type { View } from './view';
@@ -31,7 +31,7 @@ export class Tracks {
   private readonly shares: Shares[];
 
   /** `why`: a group waits after an event, where that is known. */
-  constructor(private readonly recording: Recording, private readonly view: View, private readonly why: (group: number, event: number) => string | undefined) {
+  constructor(private readonly recording: Recording, private readonly view: View, private readonly why: (group: number, event: number) => Because | undefined) {
     this.shares = recording.groups.map((track) => new Shares(recording, track));
   }
 

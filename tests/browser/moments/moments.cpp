@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // moments FIRST COUNT [NUMBER...]: random scenarios as traces, each with its header, and behind the events of each
-// micro-step a line {"moment": …} with what the engine's own view says then. tests/browser/moments.mjs compares what
-// the page's script finds from the events alone. Each number is that of a random behaviour, and of one with a unit that
+// micro-step a line {"moment": …} with what the engine's own view says then. Before time goes on, where a program shows
+// its moment, stand a line {"live": …} with what a viewer of the live view was sent since then, and {"late": …} with
+// what one is sent who comes then. tests/browser/moments.mjs compares what the page's script finds from each of them.
+// Each number is that of a random behaviour, and of one with a unit that
 // moves.
 #include "compiler/base/json.hpp"
 #include "compiler/lower/row_names.hpp"
@@ -9,6 +11,7 @@
 #include "compiler/play/play.hpp"
 #include "compiler/trace/waits.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
+#include "runtime/live/feed.hpp"
 #include "tests/property/compiled.hpp"
 #include "tests/property/generate.hpp"
 
@@ -45,14 +48,55 @@ std::string record(const Compiled& compiled, const RowNames& rows) {
   return tape.text;
 }
 
+/// A live view without its server: what viewers are sent, when the program has shown a moment.
+class Shown {
+public:
+  explicit Shown(const director::Names& names)
+      : tables_(names.tables),
+        moments_(*names.tables),
+        feed_(queue_, moments_, names, 1 << 20) {}
+
+  void event(const director::Event& event) {
+    if (event.time > time_) tell();
+    time_ = event.time;
+    if (!queue_.put(event)) queue_.drop();
+  }
+  void stepped(director::View view) {
+    view.tables = tables_; // the engine's own end with the replay
+    moments_.show(view, queue_.told());
+  }
+  void tell() {
+    feed_.take();
+    tell("live", place_);
+    director::live::Place late;
+    tell("late", late);
+  }
+
+private:
+  void tell(const char* viewer, director::live::Place& place) {
+    std::string text;
+    while (const auto message = feed_.next(place)) text += *message;
+    std::cout << to_line(Json::object({{viewer, Json::text(text)}})) << '\n';
+  }
+
+  const director::Tables* const tables_;
+  director::EventQueue queue_{1 << 16};
+  director::live::Moments moments_;
+  director::live::Feed feed_;
+  director::live::Place place_;
+  director::Time time_ = -1;
+};
+
 class Telling final : public ReplayWatch {
 public:
   Telling(const Compiled& compiled, const RowNames& rows, const Waits& waits)
       : of_(compiled),
         names_(rows.names()),
-        waits_(waits) {}
+        waits_(waits),
+        shown_(names_) {}
 
   void event(const director::Event& event, std::size_t number) override {
+    shown_.event(event);
     std::string line;
     director::append_event(event, names_, line);
     std::cout << line << '\n';
@@ -60,7 +104,10 @@ public:
     untold("stays", waits_.stays, stays_, number);
   }
 
+  void end() { shown_.tell(); }
+
   void stepped(const director::View& view) override {
+    shown_.stepped(view);
     const Moment moment = moment_of(view, of_.model, of_.lowered);
     Json groups = Json::list({}), edges = Json::list({}), pushes = Json::list({});
     for (const Moment::Standing& standing : moment.groups)
@@ -88,6 +135,7 @@ private:
   const Compiled& of_;
   const director::Names names_;
   const Waits& waits_;
+  Shown shown_;
   std::size_t held_ = 0, stays_ = 0;
 };
 
@@ -112,6 +160,7 @@ bool tell(const director::property::Documents& documents, std::uint64_t seed, co
   const Waits waits = find_waits(asked, result.compiled->model, result.compiled->lowered, sources);
   Telling telling(*result.compiled, rows, waits);
   replay(lines, rows.names(), &telling);
+  telling.end();
   return true;
 }
 

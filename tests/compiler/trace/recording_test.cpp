@@ -118,6 +118,7 @@ TEST_CASE("what bodies answer and which timer was due is left out; what is missi
 TEST_CASE("answers hold from the event in their line on, or from the one before it, as far as they are known") {
   Waits waits;
   waits.texts = {"B waits", "B waits otherwise"};
+  waits.blockers = {{}, {1, 1}};
   waits.changes = {{2, 1, 1}, {4, 1, 2}, {5, 1, 0}};
   waits.held = {{4, 0}};
   waits.stays = {{4, 1}};
@@ -132,6 +133,7 @@ TEST_CASE("answers hold from the event in their line on, or from the one before 
   CHECK(out.events[3] == std::pair<std::int64_t, std::string>{3, R"({"event":"held","group":"A"})"});
   CHECK(out.events[4] == std::pair<std::int64_t, std::string>{3, R"({"event":"stays","group":"B"})"});
   CHECK(out.head["texts"].as_texts() == waits.texts);
+  CHECK(to_line(out.head["held"]) == R"([null,{"group":"B","by":"A>B"}])");
   CHECK(out.changes == std::vector<std::vector<std::uint64_t>>{{0, 1, 1}, {4, 1, 2}, {4, 1, 0}});
   CHECK(out.head["why_until"].as_number() == 5);
   CHECK(out.head["why_ends"].as_text() == "something is missing");

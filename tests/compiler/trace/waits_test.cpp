@@ -2,6 +2,7 @@
 // Tests compiler/trace/waits.cpp. That an answer is the one of `directorc why` follows from where it comes from; when
 // it becomes another is told here.
 #include "compiler/lower/lower.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "compiler/trace/waits.hpp"
 #include "tests/compiler/cli/world.hpp"
 
@@ -91,6 +92,12 @@ steps:
              "Walk waits (root>Walk): Legs, which it needs, is held by Kick>Legs, and root>Kick (priority 20) goes "
              "before root>Walk (priority 10)\n  it is held for Kick, priority 0, that for the program, priority 20 "
              "(kicker.yaml:9)\n"}});
+  const RowNames rows(checked.model, lowered);
+  const director::Names names = rows.names();
+  REQUIRE(waits.blockers.size() == 2);
+  CHECK(waits.blockers[0] == Waits::Blocker{});
+  CHECK(std::string(names.group(names.self, waits.blockers[1].group)) == "Legs");
+  CHECK(std::string(names.edge(names.self, waits.blockers[1].edge)) == "Kick>Legs");
   CHECK_FALSE(waits.replayed.difference);
   CHECK(waits.held.empty());
   CHECK(waits.last_line == static_cast<std::size_t>(std::count(trace.begin(), trace.end(), '\n')));

@@ -83,6 +83,52 @@ TEST_CASE("who is too slow misses what is gone, is told how much, and what holds
   CHECK(slow.follower.missed() == 500); // nothing was kept that it could have got
 }
 
+TEST_CASE("where groups stand that do not just run comes behind the events of its moment, and again when that may be "
+          "in doubt") {
+  CourierMoments source{1024};
+  source.plans.deliver = [](courier::Deliver::Default& run) { return run.enter(courier::Open{}, courier::Walk{{}}); };
+  (void)source.behaviour.enable<courier::Open::Unlocking>(false);
+  Feed feed(source.queue, source.moments, source.names, 1 << 20);
+  const auto look = [&](Place& place) {
+    feed.take();
+    std::string text, out;
+    while (const Feed::Text message = feed.next(place)) text += *message;
+    for (const Message& message : take_messages(text))
+      out += message.event.empty() ? "to " + message.id + "\n" : message.event + " " + message.data.at(0) + "\n";
+    return out;
+  };
+  const std::string waits =
+      R"(standing [{"event":"waits","edge":"Deliver>Walk","why":"waiting","condition":"Door == open"},{"event":"waits","edge":"Deliver>Open","why":"waiting","condition":"Door == open"}])"
+      "\n";
+  Place place, late;
+  CHECK(look(place) == "to 0\n");
+  source.tell(3);
+  source.behaviour.request(courier::Deliver{{}});
+  source.show();
+  source.tell(2); // of the next moment
+  CHECK(look(place) == "to 3\n" + waits + "to 5\n");
+  source.show();
+  CHECK(look(place).empty()); // it is the same, and nothing says otherwise
+  Event lose;
+  lose.kind = Event::Kind::lose;
+  lose.group = 0;
+  lose.other = 0;
+  REQUIRE(source.queue.put(lose));
+  CHECK(look(place) == "to 6\n");
+  source.show();
+  CHECK(look(place) == waits);
+  CHECK(look(place).empty());
+  CHECK(look(late) == "to 6\n" + waits);
+  late = *feed.resume("6");
+  CHECK(look(late) == waits);
+  source.tell(1);
+  late = *feed.resume("6");
+  CHECK(look(late) == waits + "to 7\n");
+  source.behaviour.cancel_all();
+  source.show();
+  CHECK(look(late).empty());
+}
+
 TEST_CASE("what the queue had no place for is a gap for everybody") {
   CourierMoments source{16};
   Feed feed(source.queue, source.moments, source.names, 1 << 20);

@@ -28,6 +28,11 @@ struct Shut {
     live::append_moment(behaviour.seen().view(), courier::names::all(), out);
     return out;
   }
+  std::string standing() const {
+    std::string out;
+    live::append_standing(behaviour.seen().view(), courier::names::all(), out);
+    return out;
+  }
   std::string why(Index group) const {
     std::string out;
     live::append_why(behaviour.seen().view(), group, courier::names::all(), out);
@@ -54,6 +59,31 @@ TEST_CASE("a moment is the events that would bring it about") {
 {"t":2000,"n":8,"event":"queue","edge":"Deliver>Walk","why":"waiting","condition":"Door == open"}
 {"t":2000,"n":8,"event":"queue","edge":"Deliver>Open","why":"waiting","condition":"Door == open"}
 )");
+}
+
+TEST_CASE("where groups stand that do not just run is told without events") {
+  const Shut waiting;
+  CHECK(
+      waiting.standing() ==
+      R"([{"event":"waits","edge":"Deliver>Walk","why":"waiting","condition":"Door == open"},{"event":"waits","edge":"Deliver>Open","why":"waiting","condition":"Door == open"}])");
+  Plans plans;
+  Skills skills;
+  const courier::Behaviour idle{plans, skills};
+  std::string nothing;
+  live::append_standing(idle.seen().view(), courier::names::all(), nothing);
+  CHECK(nothing == "[]");
+}
+
+TEST_CASE("what is held that a group would have to get stands beside the words of why") {
+  Shut carrying;
+  carrying.plans.deliver = [](courier::Deliver::Default& run) { return run.carry(courier::Walk{{}}); };
+  (void)carrying.behaviour.fire<courier::Bell>();
+  carrying.behaviour.step(3ms);
+  Index row = 0;
+  while (courier::names::group(row) != std::string_view("Sing")) ++row;
+  CHECK(
+      carrying.why(row) ==
+      R"json({"group":"Sing","kind":"lost","text":"Sing waits (Rest>Sing): it comes with Rest>Walk, and Walk is held by Deliver>Walk, and root>Deliver (priority 10) goes before root>Rest (priority 1)","held":{"group":"Walk","by":"Deliver>Walk"},"notes":["it is held for Deliver, priority 1, that for the program, priority 10"]})json");
 }
 
 TEST_CASE("why is answered with what the state is worth that is missing, and who could cause it") {
