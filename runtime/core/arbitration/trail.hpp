@@ -41,8 +41,7 @@ inline void reach(Context& x, Index group) {
 /// What is needed is claimed together with what needs it, and what is only requested when its turn comes.
 inline void compare_claim(Context& x, Index group) {
   const GroupAssignment &now = x.s.now[group], &last = x.s.last[group];
-  const bool other_turn = now.needed() != last.needed() && !injected(Fault::what_is_needed_by_now_is_overlooked);
-  if (!x.whole && (now.holder != last.holder || other_turn)) reach_all_below(x, group);
+  if (!x.whole && (now.holder != last.holder || now.needed() != last.needed())) reach_all_below(x, group);
 }
 
 /// What is decided about the group in this pass: nothing yet.

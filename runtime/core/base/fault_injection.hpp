@@ -57,7 +57,6 @@ enum class Fault : unsigned char {
   outdated_orders_are_overlooked,
   the_last_result_is_overlooked,
   lost_needs_are_overlooked,
-  what_is_needed_by_now_is_overlooked,
   what_is_always_decided_is_overlooked,
   // and of what follows from a decision (act.cpp)
   handlers_are_overlooked,
