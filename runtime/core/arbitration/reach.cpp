@@ -1,8 +1,8 @@
 // docs/semantics.md, section 4.4: which units a change reaches, so that they are decided again.
 // SPDX-License-Identifier: MIT
 //
-// A change is an input, or a group whose claim, plan, push or place in the order differs from the last pass. What it
-// reaches is found along the tables: each group knows in whose plans it may stand (Group::users).
+// A change is an input, or a group whose claim, push or place in the order differs from the last pass. What it reaches
+// is found along the tables: each group knows in whose plans it may stand (Group::users).
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"

@@ -209,6 +209,13 @@ TEST_CASE("a sign of life has the engine's time") {
   CHECK(*feed.alive() == "event: alive\ndata: 1500000\n\n");
 }
 
+TEST_CASE("a moment names tables that outlive the behaviour, as the view may do") {
+  CourierMoments source{16};
+  source.show();
+  CHECK(source.moments.look().view.tables == source.names.tables);
+  CHECK(source.behaviour.seen().view().tables != source.names.tables);
+}
+
 TEST_CASE("moments go from thread to thread whole, and none is refused") {
   CourierMoments source{16};
   std::atomic<bool> over{false};
