@@ -8,10 +8,11 @@
 //     header        the first line of the trace
 //     shapes        each event that differs in more than its time, once, as a line of the trace without its times
 //     texts         answers to why
-//     held          of each answer what is in the way: {"group":…,"by":…}, the edge by which it is held; null: nothing
-//     is begins        the time of the first event, in microseconds events, changes   how many there are why_until from
-//     this event on, counted from 0, it is not known why something waits ... why_ends      ... and what the reason is;
-//     absent: it is known everywhere
+//     held          of each answer {"group":…,"by":…}: what is in the way, and the edge by which it is held; or null
+//     begins        the time of the first event, in microseconds
+//     events, changes   how many there are
+//     why_until     from this event on, counted from 0, it is not known why something waits ...
+//     why_ends      ... and what the reason is; absent: it is known everywhere
 //   times         of each event, since the one before
 //   shapes        of each event, its place among them
 //   events        of each change, since the one before: from which event on

@@ -51,20 +51,14 @@ std::string record(const Compiled& compiled, const RowNames& rows) {
 /// A live view without its server: what viewers are sent, when the program has shown a moment.
 class Shown {
 public:
-  explicit Shown(const director::Names& names)
-      : tables_(names.tables),
-        moments_(*names.tables),
-        feed_(queue_, moments_, names, 1 << 20) {}
+  explicit Shown(const director::Names& names) : moments_(*names.tables), feed_(queue_, moments_, names, 1 << 20) {}
 
   void event(const director::Event& event) {
     if (event.time > time_) tell();
     time_ = event.time;
     if (!queue_.put(event)) queue_.drop();
   }
-  void stepped(director::View view) {
-    view.tables = tables_; // the engine's own end with the replay
-    moments_.show(view, queue_.told());
-  }
+  void stepped(const director::View& view) { moments_.show(view, queue_.told()); }
   void tell() {
     feed_.take();
     tell("live", place_);
@@ -79,7 +73,6 @@ private:
     std::cout << to_line(Json::object({{viewer, Json::text(text)}})) << '\n';
   }
 
-  const director::Tables* const tables_;
   director::EventQueue queue_{1 << 16};
   director::live::Moments moments_;
   director::live::Feed feed_;
