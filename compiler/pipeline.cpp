@@ -136,7 +136,7 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   }
 
   // What of all that is reported.
-  out.findings = checks::apply_allowances(out.model, std::move(out.findings), checkable);
+  out.findings = checks::apply_allowances(out.model, std::move(out.findings), checkable && !options.selection.only_errors);
   out.findings = checks::apply_selection(options.selection, std::move(out.findings));
   return out;
 }

@@ -27,6 +27,13 @@ struct CheckOptions {
   TypeReader* types = nullptr; ///< what C++ is read with; nothing: it cannot be read here
 };
 
+/// Of who tells no warnings: they are not looked for, which takes most of the time of a check.
+inline CheckOptions only_errors() {
+  CheckOptions out;
+  out.selection.only_errors = true;
+  return out;
+}
+
 struct Checked {
   dsl::Spec spec;                        ///< no file: the path itself cannot be read
   Model model;                           ///< good only if `resolved`

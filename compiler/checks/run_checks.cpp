@@ -87,6 +87,7 @@ Diagnostic not_decided(const Budget& budget) {
 
 /// Whether anybody would hear of what it finds.
 bool is_wanted(const Registered& check, const Selection& selection, const Model& model) {
+  if (selection.only_errors) return level_of(check) == dsl::Level::error;
   return level_of(check) != dsl::Level::lint || selection.every_lint || selection.lints.contains(check.id) ||
          std::any_of(model.allowances.begin(), model.allowances.end(),
                      [&](const Allowance& allowance) { return allowance.id.value == check.id; });
@@ -112,8 +113,10 @@ std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const
     check.run(conflicts.input(), findings);
     for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));
   }
-  for (Diagnostic& finding : tell_decisions(conflicts.input(), all)) all.push_back(std::move(finding));
-  if (!shared.budget().open().empty()) all.push_back(not_decided(shared.budget()));
+  if (!selection.only_errors) {
+    for (Diagnostic& finding : tell_decisions(conflicts.input(), all)) all.push_back(std::move(finding));
+    if (!shared.budget().open().empty()) all.push_back(not_decided(shared.budget()));
+  }
   dsl::sort_by_place(all);
   return all;
 }
@@ -155,7 +158,8 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
 
 std::vector<Diagnostic> apply_selection(const Selection& selection, std::vector<Diagnostic> findings) {
   const auto is_unwanted = [&](const Diagnostic& finding) {
-    if (finding.level != dsl::Level::error && selection.allowed.count(finding.id) != 0) return true;
+    if (finding.level == dsl::Level::error) return false;
+    if (selection.only_errors || selection.allowed.count(finding.id) != 0) return true;
     return finding.level == dsl::Level::lint && !selection.every_lint && selection.lints.count(finding.id) == 0;
   };
   findings.erase(std::remove_if(findings.begin(), findings.end(), is_unwanted), findings.end());

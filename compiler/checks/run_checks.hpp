@@ -10,6 +10,7 @@ namespace director::checks {
 
 /// What the user wants to be told.
 struct Selection {
+  bool only_errors = false;                              ///< others are not looked for
   bool every_lint = false;                               ///< `--lint`
   std::set<std::string, std::less<>> lints;              ///< `--lint=<id>`
   bool every_warning_is_error = false;                   ///< `--werror`
@@ -18,7 +19,7 @@ struct Selection {
 };
 
 /// Everything that the checks find, sorted by place; nothing suppressed. Of the lints only those that are asked for, or
-/// that an `allow` names.
+/// that an `allow` names; only the errors, if that is asked for.
 std::vector<dsl::Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts,
                                         const Selection& selection);
 

@@ -12,12 +12,12 @@ namespace director::compiler::cli {
 
 int run(const Dump& request, Console& console) {
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(request.file, {}, sources, console);
+  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console);
   if (!checked) return misused;
   const bool spec = request.stage == "spec", tables = request.stage == "tables";
   // The spec is there whatever was wrong in it; what comes later only when it can be made.
   const bool possible = spec || (tables ? checked->lowerable : checked->resolved);
-  const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
+  const std::vector<dsl::Diagnostic>& errors = checked->findings;
   if (spec || !possible) print_findings(errors, sources, console.err, console.err_colours, console.err_width);
   if (spec) {
     console.out << dsl::print_spec(checked->spec, sources);

@@ -47,10 +47,10 @@ bool any(const Exploration& exploration, Verdict::Kind kind) {
 
 int run(const Explore& request, Console& console) {
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(request.file, {}, sources, console);
+  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console);
   if (!checked) return misused;
   if (!checked->lowerable) {
-    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours, console.err_width);
+    print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
     if (dsl::has_errors(checked->findings)) return found;
     say(console, fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can "
                              "be explored in it alone\n",

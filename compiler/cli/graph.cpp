@@ -173,7 +173,9 @@ int draw_moments(const DrawGraph& request, Console& console) {
 int run(const DrawGraph& request, Console& console) {
   if (request.step != 0 || request.time || request.frames) return draw_moments(request, console);
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(request.file, {}, sources, console);
+  const bool wants_all = request.findings || request.page;
+  const std::optional<Checked> checked =
+      load(request.file, wants_all ? CheckOptions{} : only_errors(), sources, console);
   if (!checked) return misused;
   const bool whole = checked->resolved;
   const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
@@ -182,8 +184,7 @@ int run(const DrawGraph& request, Console& console) {
   const Graph graph = whole ? Graph{} : make_graph(checked->model);
   const Graph& all = whole ? checked->graph : graph;
   const Graph drawable = checked->lowerable ? with_possible_pushes(checked->model, all) : all;
-  const Subject subject{checked->model, all, drawable, checked->lowerable,
-                        request.findings || request.page ? &checked->findings : nullptr};
+  const Subject subject{checked->model, all, drawable, checked->lowerable, wants_all ? &checked->findings : nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;
   if (!whole) options->flaws = find_missing(checked->spec, checked->model, sources, errors);

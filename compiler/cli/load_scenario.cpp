@@ -27,7 +27,7 @@ Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
     if (finding.help == dsl::relative_to_program) finding.help = dsl::relative_to_file;
     return {finding};
   }
-  Findings errors = errors_of(checked.findings);
+  Findings errors = checked.findings;
   if (errors.empty()) {
     errors.push_back(
         {"missing_key",
@@ -73,7 +73,7 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   }
   if (dsl::has_errors(read.diagnostics)) return stop(found, read.diagnostics), out;
 
-  Checked checked = check_file(read.scenario.behaviour_path, {}, sources, console);
+  Checked checked = check_file(read.scenario.behaviour_path, only_errors(), sources, console);
   if (const Findings why = obstacles(checked, read.scenario.behaviour); !why.empty()) return stop(found, why), out;
 
   out.file = read.scenario.file;

@@ -26,7 +26,7 @@ struct RecordedBehaviour {
 /// From the file `named`; empty: where the trace says, else a file of the behaviour's name; as seen from here, or
 /// beside the trace.
 RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::string& trace, const std::string& named,
-                                 dsl::Sources& sources, Console& console);
+                                 const CheckOptions& options, dsl::Sources& sources, Console& console);
 
 /// What ended the lines of the trace before its end, or that its last one was left out; on the error stream. False: it
 /// is no trace from that line on.

@@ -70,7 +70,8 @@ int run(const Replay& request, Console& console) {
   LoadedTrace trace = load_trace(request.trace, console);
   if (trace.status != clean) return trace.status;
   dsl::Sources sources;
-  const RecordedBehaviour of = load_behaviour(*trace.recorded, request.trace, request.behaviour, sources, console);
+  const RecordedBehaviour of =
+      load_behaviour(*trace.recorded, request.trace, request.behaviour, only_errors(), sources, console);
   if (of.status != clean) return of.status;
   const Lowered lowered = lower(of.checked.model);
   const RowNames rows(of.checked.model, lowered);

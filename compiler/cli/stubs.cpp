@@ -252,9 +252,9 @@ private:
 
 int run(const Stubs& request, Console& console) {
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(request.file, {}, sources, console);
+  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console);
   if (!checked) return misused;
-  print_findings(errors_of(checked->findings), sources, console.err, console.err_colours, console.err_width);
+  print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
   if (dsl::has_errors(checked->findings)) return found;
   if (!checked->model.deployment) {
     say(console, fmt::format("directorc: `{}` has no `roots`: what its modules are called is decided where they are "

@@ -42,12 +42,12 @@ void print(const Verify& request, const Verified& verified, const dsl::Sources& 
 
 int run(const Verify& request, Console& console) {
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(request.file, {}, sources, console, {request.build, {}});
+  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console, {request.build, {}});
   if (!checked) return misused;
   if (dsl::has_errors(checked->findings)) {
     // Of a behaviour that is wrong nothing can be said of its C++. Whoever wants a report gets one with these.
     Verified nothing;
-    nothing.findings = errors_of(checked->findings);
+    nothing.findings = checked->findings;
     if (request.format == Format::text) {
       print_findings(nothing.findings, sources, console.err, console.err_colours, console.err_width);
     } else {

@@ -59,6 +59,11 @@ bool tells_what_to_do(const dsl::Diagnostic& finding) {
   return !finding.help.empty() || finding.message.find("expected ") != std::string::npos;
 }
 
+std::vector<dsl::Diagnostic> without_warnings(std::vector<dsl::Diagnostic> findings) {
+  std::erase_if(findings, [](const dsl::Diagnostic& finding) { return finding.level != dsl::Level::error; });
+  return findings;
+}
+
 void try_out(const checks::Registered& check, const Specimen& specimen) {
   if (specimen.has_code) return; // where there is Clang, tests/compiler/clang does it
   dsl::MemoryFiles files;
@@ -69,6 +74,10 @@ void try_out(const checks::Registered& check, const Specimen& specimen) {
   options.selection.lints.insert(std::string(check.id));
   if (check.id == "never_runs") options.explore = 100'000;
   compiler::Checked checked = compiler::check(std::string(main_file), files, sources, options);
+  options.selection.only_errors = true;
+  const compiler::Checked in_short = compiler::check(std::string(main_file), files, sources, options);
+  CHECK(dsl::render(in_short.findings, sources) == dsl::render(without_warnings(checked.findings), sources));
+  CHECK(in_short.lowerable == checked.lowerable);
   for (const auto& [path, text] : specimen.files) {
     if (!path.ends_with(".scenario.yaml")) continue;
     REQUIRE(checked.lowerable);
