@@ -17,4 +17,13 @@ Number from_environment(const char* name, Number otherwise) {
 /// `./test --long`: random series are played whole.
 inline bool is_long() { return std::getenv("DIRECTOR_LONG") != nullptr; }
 
+/// Whether the address sanitizer is in this build: what works until a bound is reached takes five times as long there.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool is_sanitized = __has_feature(address_sanitizer);
+#else
+inline constexpr bool is_sanitized = false;
+#endif
+
 } // namespace director::tests

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/compiler/cli/world.hpp"
+#include "tests/support/environment.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -86,16 +87,8 @@ TEST_CASE("an error is told, whatever --allow says") {
   CHECK(world.directorc({"check", "lamp.yaml", "--allow=unknown_key"}) == 1);
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool slow = true;
-#elif defined(__has_feature)
-constexpr bool slow = __has_feature(address_sanitizer);
-#else
-constexpr bool slow = false;
-#endif
-
 TEST_CASE("what is not decided within the bound is told, and nothing is generated") {
-  if (slow) return; // to give up takes as long as to try everything up to the bound
+  if (director::tests::is_sanitized) return; // to give up takes as long as to try everything up to the bound
   std::string states = "states:\n", roots = "roots: {Boss: {priority: 99}", groups;
   for (int i = 0; i < 16; ++i) {
     const std::string n = std::to_string(i);

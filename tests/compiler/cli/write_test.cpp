@@ -2,6 +2,7 @@
 // Tests compiler/cli/change.hpp on the disk, and what the program makes of it.
 #include "compiler/cli/change.hpp"
 #include "compiler/emit/artefact/notice.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/own_folder.hpp"
 
@@ -328,16 +329,8 @@ TEST_CASE("where the working directory is gone nothing can be written there, and
                             "; out " + read_file(folder.at("out")) + "; ");
 }
 
-// The address sanitizer takes more than any limit for itself.
-#if defined(__SANITIZE_ADDRESS__)
-#define DIRECTOR_TEST_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define DIRECTOR_TEST_SANITIZED 1
-#endif
-#endif
-#ifndef DIRECTOR_TEST_SANITIZED
 TEST_CASE("where the memory does not suffice, it is said, with status 2") {
+  if (director::tests::is_sanitized) return; // it takes more than any limit for itself
   const Folder folder;
   constexpr std::size_t many = 14'000'000;
   std::string text = bot;
@@ -347,7 +340,6 @@ TEST_CASE("where the memory does not suffice, it is said, with status 2") {
   CHECK(directorc(folder, "--version >out; ulimit -v 100000; '" + program + "' check bot.yaml 2>err") == 2);
   CHECK(read_file(folder.at("err")) == "directorc: the memory is used up\n");
 }
-#endif
 
 TEST_CASE("a file may have the longest name that the file system takes") {
   const Folder folder;
