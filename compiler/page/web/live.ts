@@ -8,7 +8,7 @@ import { byId, make } from './elements';
 import { LiveBar } from './live_bar';
 import type { Header } from './names';
 import type { Picture } from './picture';
-import { type Because, type Held, linesOf, Recording, type Source } from './recording';
+import { type Because, type Held, lineOf, Recording, type Source } from './recording';
 import { Timeline } from './timeline';
 
 const most = 400_000; // events that are kept
@@ -46,7 +46,7 @@ export class Live implements Source {
       this.heard = performance.now();
       this.waiting.push(message.data);
     });
-    events.addEventListener('standing', (message: MessageEvent<string>) => this.waiting.push(linesOf(message.data)));
+    events.addEventListener('standing', (message: MessageEvent<string>) => this.waiting.push(lineOf(message.data)));
     events.addEventListener('alive', (message: MessageEvent<string>) => {
       this.heard = performance.now();
       this.time = Number(message.data);
