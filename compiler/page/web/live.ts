@@ -106,7 +106,7 @@ export class Live implements Source {
     const section = make('section', { id: 'timeline', 'aria-labelledby': 'timeline-title' }, make('h2', { id: 'timeline-title' }, 'Now, and what led to it'));
     byId('picture')?.after(section);
     new Timeline(this, this.pictures, this.data);
-    if (scrollY === 0 && location.hash === '') byId('live')?.scrollIntoView({ block: 'start' });
+    if (scrollY === 0 && location.hash === '') scrollTo({ top: byId('live')?.getBoundingClientRect().top }); // not scrollIntoView: it leaves the place that this box takes itself
   }
 
   // Why.
