@@ -223,6 +223,9 @@ await situation('a slice of who is blocked says by whom', 'blocked', {}, async (
   }
   assert.deepEqual(tips, ['GetUp: running, for the program', 'Walk: queued: blocked, as Legs is held by GetUp', 'Legs: queued: blocked, as Legs is held by GetUp']);
   await all.shot(page, 'blocked');
+  // All of it is at one time: what runs then is drawn nevertheless.
+  const drawn = await page.locator('canvas.slices').evaluate((canvas) => [...canvas.getContext('2d').getImageData(canvas.width / 2, (34 + 4) * devicePixelRatio, 1, 1).data]);
+  assert.deepEqual(drawn, [0, 98, 155, 255]);
 });
 
 await situation('behind a gap nothing is known until it is told, and why not', 'gap', {}, async (page) => {
