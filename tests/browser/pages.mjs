@@ -259,8 +259,10 @@ await situation('a picture of one group is as large as on paper, in a frame that
 for (const width of [390, 1280]) {
   await situation(`names that are longer than a line are broken, none is cut off (${width})`, 'long_names', { viewport: { width, height: 844 } }, async (page) => {
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
-    const cut = await page.locator('h1, h3, h4, dt, dd').evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent));
+    const cut = await page.locator('h1, h3, h4, p, li, dt, dd').evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent));
     assert.deepEqual(cut, []);
+    const [head, first] = await page.locator('.matrix tbody tr:first-child > *').evaluateAll((all) => all.map((each) => each.getBoundingClientRect().right));
+    assert.ok(head < width / 2 && first < width, `${head} ${first}`);
     await shot(page, `long_names_${width}`);
   });
 }
