@@ -4,6 +4,7 @@
 
 #include "compiler/lower/row_names.hpp"
 #include "compiler/play/why.hpp"
+#include "runtime/hosted/trace/run_ends.hpp"
 #include "runtime/hosted/why_notes.hpp"
 
 #include <map>
@@ -29,10 +30,12 @@ public:
     const bool decides = is_decision(event.kind);
     if (decides && decision_line_ == 0) decision_line_ = line;
     anew_ = anew_ || decides || may_change_notes(event);
+    if (event.kind == Kind::run) ran_ = event.group;
     if (event.group == nil) return;
     Standing& standing = groups_[event.group];
-    if (ends_run(event, standing.holder)) standing.is_told = true;
-    if (ends_request(event)) standing.is_doubtful = event.edge == standing.holder || standing.is_doubtful;
+    const bool ends_its_request = ends_request(event) && event.edge == standing.holder;
+    if (ends_hold(event) || ends_its_request) standing.is_told = true;
+    if (ends_its_request) standing.is_doubtful = true;
     if (event.kind == Kind::grant) standing.is_doubtful = false;
   }
 
@@ -43,6 +46,7 @@ public:
     }
     anew_ = false;
     decision_line_ = 0;
+    ran_ = nil;
   }
 
   Waits found(const Replayed& replayed) {
@@ -80,27 +84,20 @@ private:
     }
   }
 
-  static bool ends_run(const Event& event, Index holder) {
-    switch (event.kind) {
-    case Kind::grant:
-    case Kind::lose:
-    case Kind::stop: return true;
-    default: return ends_request(event) && event.edge == holder;
-    }
-  }
-  static bool ends_request(const Event& event) {
-    return event.kind == Kind::queue || event.kind == Kind::withdraw || event.input == Event::Input::cancel;
-  }
-
   void note_held(const View& view, Index group) {
     Standing& standing = groups_[group];
     const bool is_live = view.assignment[group].active != nil;
     if (standing.is_live && !is_live && !standing.is_told) out_.held.push_back({last_line_, group});
-    if (standing.is_live && is_live && standing.is_doubtful && !view.granted(group))
-      out_.stays.push_back({last_line_, group});
+    const bool is_doubtful = standing.is_doubtful || is_requested_by(view, view.holder(group), ran_);
+    if (standing.is_live && is_live && is_doubtful && !view.granted(group)) out_.stays.push_back({last_line_, group});
     standing.is_live = is_live;
     standing.holder = view.holder(group);
     standing.is_told = standing.is_doubtful = false;
+  }
+
+  /// That group may ask by this edge, and has just had the chance.
+  static bool is_requested_by(const View& view, Index edge, Index group) {
+    return group != nil && edge < view.tables->edges.size() && view.tables->edges[edge].requester == group;
   }
 
   static bool waits(const View& view, Index group) {
@@ -143,6 +140,7 @@ private:
   std::vector<Standing> groups_;
   std::map<std::pair<std::string, Waits::Blocker>, std::uint32_t> texts_;
   std::size_t last_line_ = 0, decision_line_ = 0; ///< of the micro-step its first decision; 0: none yet
+  Index ran_ = nil;                               ///< in this micro-step
   bool anew_ = false;
   Waits out_;
 };

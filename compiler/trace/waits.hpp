@@ -30,8 +30,8 @@ struct Waits {
     Index group = nil;
     bool operator==(const Held&) const = default;
   };
-  /// A group whose request was queued or withdrawn, and that goes on as what its requester needs: it keeps what it asks
-  /// for until that one has run. Behind the event in this line. The engine does not tell it either.
+  /// A group that nobody asks for, as its request was queued, withdrawn or made no more, and that goes on as what its
+  /// requester needs: it keeps what it asks for. Behind the event in this line. The engine does not tell it either.
   using Stays = Held;
   /// What is in the way of who waits.
   struct Blocker {

@@ -4,6 +4,7 @@
 
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/hosted/trace/json_text.hpp"
+#include "runtime/hosted/trace/run_ends.hpp"
 #include "runtime/live/moment_lines.hpp"
 
 #include <charconv>
@@ -33,25 +34,11 @@ void append_data(std::string_view lines, std::string& out) {
   }
 }
 
-/// Behind it a reader of the events may take a group to run that does not, or the other way round: those by which
-/// compiler/trace/waits.cpp asks.
-bool may_stop(const Event& event) {
-  switch (event.kind) {
-  case Event::Kind::grant:
-  case Event::Kind::lose:
-  case Event::Kind::stop:
-  case Event::Kind::queue:
-  case Event::Kind::withdraw: return true;
-  default: return event.kind == Event::Kind::input && event.input == Event::Input::cancel;
-  }
-}
-
-constexpr std::string_view nothing = "[]";
-
-void append_standing_message(std::string_view standing, std::string& out) {
-  out += "event: standing\ndata: ";
+Feed::Text standing_message(std::string_view standing) {
+  std::string out = "event: standing\ndata: ";
   out += standing;
   out += "\n\n";
+  return std::make_shared<const std::string>(std::move(out));
 }
 
 } // namespace
@@ -61,7 +48,8 @@ Feed::Feed(EventQueue& queue, Moments& moments, const Names& names, std::size_t 
       moments_(moments),
       names_(names),
       backlog_(memory),
-      moment_(&moments.look()) {
+      moment_(&moments.look()),
+      told_(standing_message("[]")) {
   header_ = "data: ";
   append_header(names, "", header_);
   header_ += '\n';
@@ -69,6 +57,7 @@ Feed::Feed(EventQueue& queue, Moments& moments, const Names& names, std::size_t 
 
 void Feed::take() {
   moment_ = &moments_.look(); // before the events, so that all that were told before it are among them
+  if (moment_->view.micro_step != standing_of_) standing_ = nullptr;
   const std::uint64_t cut = moment_->told;
   queue_.take([&](const EventQueue::Entry& entry) {
     const std::uint64_t number = taken_ + entry.dropped;
@@ -82,30 +71,30 @@ void Feed::take() {
     append_event(entry.event, names_, text_);
     text_ += '\n';
     last_ = number;
-    may_stop_ = may_stop_ || may_stop(entry.event);
+    may_mislead_ = may_mislead_ || ends_hold(entry.event) || ends_request(entry.event);
     ++taken_;
   });
   see_standing();
   if (!text_.empty()) finish_block(last_ + 1);
 }
 
+const Feed::Text& Feed::standing() {
+  if (standing_ != nullptr) return standing_;
+  std::string text;
+  append_standing(moment_->view, names_, text);
+  standing_of_ = moment_->view.micro_step;
+  return standing_ = standing_message(text);
+}
+
 /// Only where the events are those before the moment: behind later ones it would be untrue. The same again is told
 /// where a reader may have come to think otherwise.
 void Feed::see_standing() {
   const std::uint64_t at = text_.empty() ? begin_ : last_ + 1;
-  if (moment_->view.tables == nullptr || moment_->told != at || moment_->view.micro_step == seen_) return;
-  seen_ = moment_->view.micro_step;
-  const bool again = std::exchange(may_stop_, false);
-  std::string standing;
-  append_standing(moment_->view, names_, standing);
-  if (standing == standing_ && !again) return;
-  standing_ = std::move(standing);
-  if (standing_ == nothing) return;
-  std::string message;
-  append_standing_message(standing_, message);
-  standing_message_ = std::make_shared<const std::string>(std::move(message));
-  ++standings_;
-  standing_before_ = at;
+  if (moment_->view.tables == nullptr || moment_->told != at) return;
+  if (!std::exchange(may_mislead_, false) && *standing() == *told_) return;
+  told_ = standing();
+  told_before_ = at;
+  ++told_count_;
 }
 
 void Feed::finish_block(std::uint64_t end) {
@@ -117,8 +106,7 @@ void Feed::finish_block(std::uint64_t end) {
 
 Feed::Text Feed::next(Place& place) {
   if (place.begun) {
-    if (place.next == standing_before_ && std::exchange(place.standing, standings_) != standings_)
-      return standing_message_;
+    if (place.next == told_before_ && std::exchange(place.standing, told_count_) != told_count_) return told_;
     if (const Block* const block = backlog_.at(place.next)) {
       place.next = block->end;
       return block->text;
@@ -148,11 +136,8 @@ Feed::Text Feed::begin_anew(Place& place) {
   std::string out = place.begun ? "" : header_;
   append_data(lines, out);
   append_end(from, out);
-  if (std::string standing; shown) {
-    append_standing(moment_->view, names_, standing);
-    if (standing != nothing) append_standing_message(standing, out);
-  }
-  place = {from, true, standings_};
+  if (shown) out += *standing();
+  place = {from, true, told_count_};
   return std::make_shared<const std::string>(std::move(out));
 }
 

@@ -46,6 +46,7 @@ public:
 
 private:
   void finish_block(std::uint64_t end);
+  const Text& standing();
   void see_standing();
   Text begin_anew(Place& place);
 
@@ -60,12 +61,13 @@ private:
   std::uint64_t last_ = 0;  ///< its last one
   std::uint64_t taken_ = 0; ///< from the queue, so far
 
-  std::string standing_ = "[]";            ///< as append_standing writes it, of the last moment
-  Text standing_message_;                  ///< the last one
-  std::uint64_t standings_ = 0;            ///< how many there were so far
-  std::uint64_t standing_before_ = 0;      ///< the event before which the last one is sent
-  std::uint64_t seen_ = ~std::uint64_t{0}; ///< the micro-step of the last moment that was looked at for it
-  bool may_stop_ = false;                  ///< since then came an event of the kind
+  // Messages of where groups stand.
+  Text standing_;                 ///< of the newest moment; null: nobody needed it yet
+  std::uint64_t standing_of_ = 0; ///< the micro-step of the moment that it is of
+  Text told_;                     ///< the last one that viewers get
+  std::uint64_t told_before_ = 0; ///< ... before this event
+  std::uint64_t told_count_ = 0;  ///< how many there were so far
+  bool may_mislead_ = false;      ///< since then came an event by which a reader may take a group to run that does not
 };
 
 } // namespace director::live

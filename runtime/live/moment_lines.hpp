@@ -16,8 +16,9 @@ void append_moment(const View& view, const Names& names, std::string& out);
 
 /// Appends where groups stand that do not just run, as a JSON array: `{"event":"held","group":…}` for each that is only
 /// held for a need, `{"event":"stays","group":…,"asks":[…]}` for each that goes on though its request waits, with the
-/// edges by which it asks, and `{"event":"waits","edge":…,"why":…}` for each request that waits. The events tell most
-/// of that, and not all (compiler/trace/waits.hpp).
+/// edges by which it asks, and `{"event":"waits","edge":…,"why":…}` for each request that waits. That is all of them:
+/// what else is held runs, and no other request waits. The events tell most of that, and not all
+/// (compiler/trace/waits.hpp).
 void append_standing(const View& view, const Names& names, std::string& out);
 
 /// Why a group does not run, or for whom it does, as JSON: `group`, `kind`, `text`, where something is held that it

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/live/server.hpp"
 
-#include "runtime/hosted/interval.hpp"
+#include "runtime/hosted/within_a_day.hpp"
 
 #include <poll.h>
 #include <pthread.h>

@@ -32,7 +32,7 @@ std::optional<std::string> parameter(const Request& request, const char* name) {
 }
 
 template <class Rows>
-std::string quoted_list(std::size_t count, Rows name) {
+std::string list_of(std::size_t count, Rows name) {
   std::string out;
   for (Index row = 0; row < count; ++row) out += (out.empty() ? "" : ", ") + std::string(name(row));
   return out;
@@ -146,7 +146,7 @@ std::optional<Index> Site::root_edge(const Request& request, Reply& problem) con
   }
   problem = say(task ? 404 : 400,
                 (task ? "\"" + *task + "\" is not a root task" : std::string("The task is missing: task=NAME")) +
-                    "; there are: " + quoted_list(t.root_edges, name) + ".");
+                    "; there are: " + list_of(t.root_edges, name) + ".");
   return std::nullopt;
 }
 

@@ -64,6 +64,7 @@ const game = [soccer, '--live', '0', '--speed', '4'];
 
 await situation('a game is followed: the picture, the tracks and the words show what runs now', game, {}, async ({ page }) => {
   await sees(page, '#moment', /Runs\n.*FallRecovery/s);
+  assert.ok(Math.abs(await page.locator('#live').evaluate((live) => live.getBoundingClientRect().top)) < 1); // so that all below it is seen
   const first = await time(page);
   await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 3, first);
   assert.match(await node(page, 'FallRecovery').getAttribute('class'), /is-running/);

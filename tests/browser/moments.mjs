@@ -7,7 +7,7 @@ import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
 
 await build({ entryPoints: ['recording.ts'], bundle: true, format: 'esm', outfile: 'recording.mjs' });
-const { linesOf, Recording } = await import('./recording.mjs');
+const { lineOf, Recording } = await import('./recording.mjs');
 
 const [program, ...numbers] = process.argv.slice(2);
 const child = spawn(program, numbers, { stdio: ['ignore', 'pipe', 'inherit'] });
@@ -20,7 +20,7 @@ function hear(text, known) {
   let into = known;
   for (const message of text.split('\n\n').filter((each) => each !== '')) {
     const data = message.split('\n').filter((line) => line.startsWith('data: ')).map((line) => line.slice(6));
-    if (message.startsWith('event: standing\n')) data.splice(0, Infinity, linesOf(data.join('\n')));
+    if (message.startsWith('event: standing\n')) data.splice(0, Infinity, lineOf(data.join('\n')));
     if (!into) into = new Recording(JSON.parse(data.shift()), new Map(Object.entries(about.initial)));
     into.append(data.join('\n'));
   }

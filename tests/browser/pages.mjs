@@ -246,6 +246,27 @@ await situation('a picture of sixty groups side by side begins in its middle, wi
   assert.deepEqual(await beyond(page), []);
 });
 
+await situation('a picture of one group is as large as on paper, in a frame that is no higher than it needs', 'alone', {}, async (page) => {
+  const { text, frame } = await page.evaluate(() => ({
+    text: Math.max(...[...document.querySelectorAll('.picture g.node text')].map((each) => each.getBoundingClientRect().height)),
+    frame: document.querySelector('.picture').getBoundingClientRect().height,
+  }));
+  assert.ok(text >= 10 && text <= 25, `${text}`);
+  assert.ok(frame <= 260, `${frame}`);
+  await shot(page, 'alone');
+});
+
+for (const width of [390, 1280]) {
+  await situation(`names that are longer than a line are broken, none is cut off (${width})`, 'long_names', { viewport: { width, height: 844 } }, async (page) => {
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+    const cut = await page.locator('h1, h3, h4, p, li, dt, dd').evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent));
+    assert.deepEqual(cut, []);
+    const [head, first] = await page.locator('.matrix tbody tr:first-child > *').evaluateAll((all) => all.map((each) => each.getBoundingClientRect().right));
+    assert.ok(head < width / 2 && first < width, `${head} ${first}`);
+    await shot(page, `long_names_${width}`);
+  });
+}
+
 await situation('what signs mean stands in one column', 'soccer', {}, async (page) => {
   const lefts = await page.locator('.legend > div').evaluateAll((all) => all.map((each) => Math.round(each.lastElementChild.getBoundingClientRect().left - each.getBoundingClientRect().left)));
   assert.equal(new Set(lefts).size, 1, `${lefts}`);

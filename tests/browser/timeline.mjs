@@ -88,6 +88,11 @@ await situation('a push is shown: who waits and why, who is pushed for it, in wo
   assert.deepEqual([await marked(page, 'running'), await marked(page, 'pushed'), await marked(page, 'queued'), await marked(page, 'inactive')], [['Explore', 'Wheels'], ['Drive'], ['Photograph'], ['Camera']]);
   assert.deepEqual(await page.locator('.holder:not([hidden]) g.edge.is-pushed > title').allTextContents(), ['Photograph → Drive.braking']);
   assert.deepEqual((await page.locator('.holder:not([hidden]) .note').allTextContents()).sort(), ['pushed to braking for Photograph', 'queued: until Motion == still']);
+  assert.deepEqual(await page.locator('.holder:not([hidden]) .note').evaluateAll((all) => all.map((note) => {
+    const [paper, frame] = [note.querySelector('rect'), note.closest('.picture')].map((each) => each.getBoundingClientRect());
+    const isWithin = (inner, outer) => inner.left >= outer.left - 1 && inner.right <= outer.right + 1;
+    return isWithin(paper, frame) && [...note.querySelectorAll('text')].every((line) => isWithin(line.getBoundingClientRect(), paper));
+  })), [true, true]);
   assert.equal(await page.locator('.holder:not([hidden]) text', { hasText: '▶ braking' }).count(), 1);
   assert.deepEqual(await beyondFrames(page), []);
   await all.shot(page, 'rover_push');
@@ -218,6 +223,9 @@ await situation('a slice of who is blocked says by whom', 'blocked', {}, async (
   }
   assert.deepEqual(tips, ['GetUp: running, for the program', 'Walk: queued: blocked, as Legs is held by GetUp', 'Legs: queued: blocked, as Legs is held by GetUp']);
   await all.shot(page, 'blocked');
+  // All of it is at one time: what runs then is drawn nevertheless.
+  const drawn = await page.locator('canvas.slices').evaluate((canvas) => [...canvas.getContext('2d').getImageData(canvas.width / 2, (34 + 4) * devicePixelRatio, 1, 1).data]);
+  assert.deepEqual(drawn, [0, 98, 155, 255]);
 });
 
 await situation('behind a gap nothing is known until it is told, and why not', 'gap', {}, async (page) => {

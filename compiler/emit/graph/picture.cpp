@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/picture.hpp"
 
-#include "compiler/base/counted.hpp"
 #include "compiler/emit/graph/asks.hpp"
+#include "compiler/emit/graph/boxes.hpp"
 #include "compiler/emit/graph/focus.hpp"
+#include "compiler/emit/graph/layers.hpp"
 #include "compiler/emit/graph/words.hpp"
 
 #include <fmt/format.h>
@@ -42,6 +43,7 @@ public:
         graph_(graph),
         options_(options),
         words_(model, sources),
+        maker_(model, options, words_),
         box_of_(model.groups.size()) {}
 
   Picture paint() {
@@ -59,7 +61,7 @@ public:
     if (picture_.boxes.size() > most_boxes_in_detail) leave_out_packs();
     add_arrows();
     add_flaws();
-    add_layers();
+    arrange_in_layers(model_, graph_, options_.fold != Fold::layers, picture_);
     if (picture_.boxes.empty()) picture_.nothing = why_empty();
     return std::move(picture_);
   }
@@ -138,9 +140,9 @@ private:
     drawn_ = chosen;
     for (const std::vector<GroupId>& set : sets) {
       for (const GroupId id : set) box_of_[id] = picture_.boxes.size();
-      picture_.boxes.push_back(options_.fold != Fold::nothing ? folded_box(set)
-                               : set.size() > 1               ? alike_box(set)
-                                                              : group_box(set.front()));
+      picture_.boxes.push_back(options_.fold != Fold::nothing ? maker_.folded(set)
+                               : set.size() > 1               ? maker_.alike(set)
+                                                              : maker_.group(set.front()));
       mark(picture_.boxes.back());
     }
   }
@@ -154,7 +156,7 @@ private:
     if (group.providers.empty() || flawed_.contains(id)) return alone;
     const PictureRow row = words_.row(group.providers.front());
     const bool plain = group.providers.size() == 1 && row.name.empty() && row.lines.empty() && row.packs.empty() &&
-                       words_.handler_lines(group).empty() && !is_root(id) && !is_focused(id);
+                       words_.handler_lines(group).empty() && !maker_.is_root(id) && !maker_.is_focused(id);
     if (!plain) return alone;
     const auto is_queued = [&](const Moment* moment) { return standing(id, *moment).mark == Moment::Mark::queued; };
     if (std::any_of(moments_.begin(), moments_.end(), is_queued)) return alone;
@@ -217,73 +219,6 @@ private:
       if (rank(standing(id, moment).mark) > rank(out.mark)) out = standing(id, moment);
     }
     return out;
-  }
-
-  bool is_focused(GroupId id) const {
-    return std::find(options_.focus.begin(), options_.focus.end(), id) != options_.focus.end();
-  }
-  const Task* root_of(GroupId id) const {
-    for (const Task& root : model_.roots) {
-      if (root.target == id) return &root;
-    }
-    return nullptr;
-  }
-  bool is_root(GroupId id) const { return root_of(id) != nullptr; }
-
-  PictureBox group_box(GroupId id) const {
-    const Group& group = model_.groups[id];
-    PictureBox box;
-    box.name = group.name.value;
-    box.groups = {id};
-    box.data = group.data;
-    if (const Task* root = root_of(id))
-      box.asked = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
-    box.lines = words_.handler_lines(group);
-    for (const ProviderId provider : group.providers) box.rows.push_back(words_.row(provider));
-    box.in_focus = is_focused(id);
-    box.about = words_.group(id);
-    return box;
-  }
-
-  std::vector<PictureMember> members(const std::vector<GroupId>& set) const {
-    std::vector<PictureMember> out;
-    for (const GroupId id : set) out.push_back({model_.groups[id].name.value, words_.group(id)});
-    return out;
-  }
-
-  PictureBox alike_box(const std::vector<GroupId>& set) const {
-    PictureBox box;
-    box.kind = PictureBox::Kind::alike;
-    for (const GroupId id : set) box.name += (box.name.empty() ? "" : ", ") + model_.groups[id].name.value;
-    box.groups = set;
-    box.members = members(set);
-    box.about = words_.group(set.front());
-    box.about.words = fmt::format("{}: asked for alike", box.name);
-    return box;
-  }
-
-  PictureBox folded_box(const std::vector<GroupId>& set) const {
-    PictureBox box;
-    box.kind = PictureBox::Kind::folded;
-    const Group& first = model_.groups[set.front()];
-    const bool modules = options_.fold == Fold::modules;
-    box.name = modules       ? fmt::format("module {}", model_.modules[first.module].name)
-               : first.layer ? fmt::format("layer {}", model_.layers[first.layer->id].name.value)
-                             : std::string("no layer");
-    box.groups = set;
-    box.members = members(set);
-    for (const GroupId id : set) {
-      const Task* root = root_of(id);
-      if (root == nullptr) continue;
-      if (!box.asked) box.asked.emplace();
-      const std::string how = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
-      *box.asked += fmt::format("{}{}{}", box.asked->empty() ? "" : ", ", model_.groups[id].name.value,
-                                how.empty() ? "" : " " + how);
-    }
-    box.in_focus = std::any_of(set.begin(), set.end(), [&](GroupId id) { return is_focused(id); });
-    box.about = words_.group(set.front());
-    box.about.words = fmt::format("{}: {}", box.name, counted(set.size(), "group"));
-    return box;
   }
 
   void add_arrows() {
@@ -369,51 +304,11 @@ private:
     picture_.wrong = options_.flaws.elsewhere;
   }
 
-  std::size_t layer_of(std::size_t box) const {
-    if (picture_.boxes[box].groups.empty() || picture_.boxes[box].kind == PictureBox::Kind::missing)
-      return model_.layers.size();
-    const Group& group = model_.groups[picture_.boxes[box].groups.front()];
-    return group.layer ? group.layer->id.value : model_.layers.size();
-  }
-
-  /// Bands, and which arrows go down. Boxes that nothing else of their band leads to are its first ones; where boxes
-  /// lead to each other in a circle, the order of the graph says where it begins.
-  void add_layers() {
-    std::vector<std::size_t> rank(model_.groups.size());
-    for (std::size_t i = 0; i < graph_.order.size(); ++i) rank[graph_.order[i]] = i;
-    const auto rank_of = [&](std::size_t box) {
-      const PictureBox& told = picture_.boxes[box];
-      return told.kind == PictureBox::Kind::missing ? rank.size() : rank[told.groups.front().value];
-    };
-    const std::size_t boxes = picture_.boxes.size();
-    const bool bands = options_.fold != Fold::layers;
-    std::vector<bool> led_to(boxes, false), leads(boxes, false);
-    for (PictureArrow& arrow : picture_.arrows) {
-      const std::size_t from = layer_of(arrow.from.box), to = layer_of(arrow.to.box);
-      const bool named = from < model_.layers.size() && to < model_.layers.size();
-      arrow.ranks = arrow.kind != ArrowKind::push && (!bands || !named || from <= to) &&
-                    (from != to || rank_of(arrow.from.box) < rank_of(arrow.to.box));
-      if (from != to || !arrow.ranks) continue;
-      led_to[arrow.to.box] = true;
-      leads[arrow.from.box] = true;
-    }
-    std::vector<PictureLayer> layers(model_.layers.size() + 1);
-    for (std::size_t i = 0; i < model_.layers.size(); ++i)
-      layers[i].name = model_.layers[LayerId{static_cast<std::uint32_t>(i)}].name.value;
-    for (std::size_t box = 0; box < boxes; ++box) {
-      PictureLayer& layer = layers[bands ? layer_of(box) : model_.layers.size()];
-      layer.boxes.push_back(box);
-      if (!led_to[box]) layer.first.push_back(box);
-      if (!leads[box]) layer.last.push_back(box);
-    }
-    std::erase_if(layers, [](const PictureLayer& layer) { return layer.boxes.empty(); });
-    picture_.layers = std::move(layers);
-  }
-
   const Model& model_;
   const Graph& graph_;
   const PictureOptions& options_;
   const PictureWords words_;
+  const BoxMaker maker_;
   IdTable<GroupId, std::size_t> box_of_;
   std::vector<GroupArrow> arrows_;
   std::vector<const Moment*> moments_;                   ///< of all frames, or the one that is shown

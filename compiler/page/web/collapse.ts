@@ -27,7 +27,7 @@ export function choosePicture(section: HTMLElement): Picture[] {
       const radio = make('input', { type: 'radio', name: 'view', id: `view-${i}` });
       radio.checked = i === 0;
       radio.addEventListener('change', () => show(i));
-      choice.append(radio, make('label', { for: `view-${i}` }, picture.name));
+      choice.append(make('span', {}, radio, make('label', { for: `view-${i}` }, picture.name)));
     });
     holders[0].before(choice);
   }

@@ -8,7 +8,7 @@ import { byId, make } from './elements';
 import { LiveBar } from './live_bar';
 import type { Header } from './names';
 import type { Picture } from './picture';
-import { type Because, type Held, linesOf, Recording, type Source } from './recording';
+import { type Because, type Held, lineOf, Recording, type Source } from './recording';
 import { Timeline } from './timeline';
 
 const most = 400_000; // events that are kept
@@ -46,7 +46,7 @@ export class Live implements Source {
       this.heard = performance.now();
       this.waiting.push(message.data);
     });
-    events.addEventListener('standing', (message: MessageEvent<string>) => this.waiting.push(linesOf(message.data)));
+    events.addEventListener('standing', (message: MessageEvent<string>) => this.waiting.push(lineOf(message.data)));
     events.addEventListener('alive', (message: MessageEvent<string>) => {
       this.heard = performance.now();
       this.time = Number(message.data);
@@ -106,7 +106,7 @@ export class Live implements Source {
     const section = make('section', { id: 'timeline', 'aria-labelledby': 'timeline-title' }, make('h2', { id: 'timeline-title' }, 'Now, and what led to it'));
     byId('picture')?.after(section);
     new Timeline(this, this.pictures, this.data);
-    if (scrollY === 0 && location.hash === '') byId('live')?.scrollIntoView({ block: 'start' });
+    if (scrollY === 0 && location.hash === '') scrollTo({ top: byId('live')?.getBoundingClientRect().top }); // not scrollIntoView: it leaves the place that this box takes itself
   }
 
   // Why.

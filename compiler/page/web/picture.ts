@@ -10,8 +10,9 @@ const inFront = 'near';
 /** Pixels a point: at this scale its text is as large as Graphviz means it. */
 const onPaper = 4 / 3;
 
-/** Smaller than that nobody recognizes a name: a picture that is wider begins in its middle. */
+/** Smaller than that nobody recognizes a name: a picture that is wider begins in its middle, and a flat one larger, as the frame has place. */
 const least = 0.4;
+const flat = { scale: 0.8, height: 256 }; // at most; as page.css has it
 
 /** What Graphviz calls an arrow: `Walk.halting → Wheels`, each end with its row behind a dot. */
 function endsOf(title: string): [string, string] | undefined {
@@ -108,12 +109,15 @@ export class Picture {
     select(this.svg).call(this.motion.transform, zoomIdentity);
   }
 
-  /** As large as on paper where that fits, else as wide as the frame where that can be read; from the top. */
+  /** As large as on paper where that fits, else as wide as the frame where that can be read; from the top, in a frame that is no higher than needed. */
   show(): void {
-    const unit = this.svg.getScreenCTM()?.a ?? 0;
     const view = this.svg.viewBox.baseVal;
+    const fits = this.frame.clientWidth / view.width;
+    const wanted = fits < least ? Math.max(least, Math.min(flat.scale, flat.height / view.height)) : Math.min(onPaper, fits);
+    this.frame.style.setProperty('--needed', `${Math.ceil(wanted * view.height) + 2}px`);
+    const unit = this.svg.getScreenCTM()?.a ?? 0;
     if (unit === 0) return;
-    const scale = Math.max(1, Math.min(onPaper, Math.max(least, this.frame.clientWidth / view.width)) / unit);
+    const scale = unit > onPaper ? onPaper / unit : Math.max(1, wanted / unit);
     this.motion.scaleExtent([0.2, Math.max(12, (3 * onPaper) / unit)]);
     select(this.svg).call(this.motion.transform, zoomIdentity.translate(((1 - scale) * view.width) / 2, 0).scale(scale));
   }

@@ -37,6 +37,7 @@ export class PictureMarks {
   private readonly boxes: Box[] = [];
   private readonly arrows: Arrow[] = [];
   private readonly names: Names;
+  private readonly letters = new Map<string, number>(); // of each note, as letterOf has it
 
   constructor(private readonly picture: Picture, private readonly recording: Recording, data: Data) {
     this.names = recording.names;
@@ -122,22 +123,26 @@ export class PictureMarks {
     text.setAttribute('lengthAdjust', 'spacingAndGlyphs');
   }
 
-  /** In lines as wide as the box, or somewhat wider; large enough to be read also where the picture is small. */
+  /** In lines as wide as the box, or somewhat wider; large enough to be read also where the picture is small; within the picture. */
   private note(node: SVGGElement, text: string, mark: string): SVGGElement {
+    const out = document.createElementNS(space, 'g');
+    out.setAttribute('class', `note is-${mark}`);
+    node.parentNode?.append(out);
     const frame = node.getBBox();
     const size = Math.min(16, Math.max(9, readable / (this.picture.svg.getScreenCTM()?.a ?? 1)));
-    const letter = size * 0.56;
-    const width = Math.max(frame.width, letter * 26);
+    const letter = size * this.letterOf(text, out);
+    const longest = Math.max(...text.split(' ').map((word) => word.length));
+    const width = Math.max(frame.width, letter * 26, letter * longest + 8);
     const lines: string[] = [];
     for (const word of text.split(' ')) {
       const last = lines.length - 1;
-      if (last >= 0 && (lines[last].length + word.length + 1) * letter < width - 6) lines[last] += ` ${word}`;
+      if (last >= 0 && (lines[last].length + word.length + 1) * letter < width - 8) lines[last] += ` ${word}`;
       else lines.push(word);
     }
-    const out = document.createElementNS(space, 'g');
-    out.setAttribute('class', `note is-${mark}`);
     const paper = document.createElementNS(space, 'rect');
-    const [x, y] = [frame.x + frame.width / 2 - width / 2, frame.y + frame.height + 1];
+    const whole = node.parentNode?.querySelector<SVGGraphicsElement>(':scope > polygon')?.getBBox();
+    const right = whole ? whole.x + whole.width - width : Infinity;
+    const x = Math.max(whole?.x ?? -Infinity, Math.min(right, frame.x + frame.width / 2 - width / 2)), y = frame.y + frame.height + 1;
     for (const [name, value] of Object.entries({ x, y, width, height: lines.length * size * 1.2 + 5, rx: 3 })) paper.setAttribute(name, String(value));
     out.append(paper);
     lines.forEach((line, i) => {
@@ -148,8 +153,22 @@ export class PictureMarks {
       each.textContent = i + 1 < lines.length ? `${line} ` : line;
       out.append(each);
     });
-    node.parentNode?.append(out);
     return out;
+  }
+
+  /** How wide its letters are, as a part of their size: rather more than on average, so that a line of wide ones has room. */
+  private letterOf(text: string, note: SVGGElement): number {
+    const known = this.letters.get(text);
+    if (known !== undefined) return known;
+    const size = 10;
+    const probe = document.createElementNS(space, 'text');
+    probe.setAttribute('font-size', String(size));
+    probe.textContent = text;
+    note.append(probe);
+    const letter = (1.06 * probe.getComputedTextLength()) / (size * text.length);
+    probe.remove();
+    if (letter > 0) this.letters.set(text, letter);
+    return letter > 0 ? letter : 0.7;
   }
 
   private showArrow(arrow: Arrow, event: number | undefined): void {

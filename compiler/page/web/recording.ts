@@ -47,8 +47,8 @@ export type Value = string | null | undefined; // null: it has none; undefined: 
 
 const newTrack = (): Track => ({ event: counts(), value: counts() });
 
-/** What holds and no event tells: a JSON array of lines of a recording (runtime/live/moment_lines.hpp). */
-export const linesOf = (standing: string): string => (JSON.parse(standing) as unknown[]).map((line) => JSON.stringify(line)).join('\n');
+/** A message of what holds and no event tells, a JSON array (runtime/live/moment_lines.hpp), as a line to append. */
+export const lineOf = (standing: string): string => `{"event":"standing","told":${standing}}`;
 
 export class Recording {
   readonly names: Names;
@@ -120,7 +120,7 @@ export class Recording {
     return begins.at[Math.max(0, begins.upTo(event) - 1)];
   }
 
-  /** Whole lines of a trace, behind its header. Throws at what is none; what stands before it is taken. Of what no event tells, what is known is left out. */
+  /** Whole lines of a trace, behind its header. Throws at what is none; what stands before it is taken. */
   append(text: string): void {
     try {
       for (const each of text.split('\n')) if (each !== '') this.takeLine(JSON.parse(each) as EventLine & { t?: number });
@@ -163,13 +163,24 @@ export class Recording {
     if (shape.isGap) this.gaps.push(event);
   }
 
-  private takeLine(line: EventLine & { t?: number }): void {
+  private takeLine(line: EventLine & { t?: number; told?: EventLine[] }): void {
+    if (line.told) return this.settle(line.told);
     if (!isTold(line)) return;
     const { t, ...rest } = line;
     for (const key of ['until', 'n', 'due']) delete (rest as Record<string, unknown>)[key];
-    const shape = this.addShape(rest);
-    const isUntold = ['held', 'stays', 'waits'].includes(line.event);
-    if (!isUntold || !this.now.knows(this.shapes[shape])) this.add(t ?? this.ends, shape);
+    this.add(t ?? this.ends, this.addShape(rest));
+  }
+
+  /** What is known already is no event. What is held and not among these runs, and no other request waits. */
+  private settle(told: EventLine[]): void {
+    const look = (line: EventLine) => {
+      const shape = this.addShape(line);
+      if (!this.now.knows(this.shapes[shape])) this.add(this.ends, shape);
+    };
+    told.forEach(look);
+    const groups = new Set(told.map((line) => line.group)), edges = new Set(told.map((line) => line.edge));
+    for (const { name: group } of this.names.header.groups) if (!groups.has(group)) look({ event: 'runs', group });
+    for (const { name: edge } of this.names.header.edges) if (!edges.has(edge)) look({ event: 'dequeue', edge });
   }
 
   private at(track: Track, event: number): number {

@@ -39,9 +39,9 @@ function sortOf(line: EventLine): Sort {
     case 'run': return 'run';
     case 'ask': case 'keep': return 'ask';
     case 'grant': return line.from === undefined || line.from === 'limbo' || line.edge === 'limbo' ? 'control' : 'take-over';
-    case 'lose': case 'withdraw': case 'held': case 'stays': return 'control';
+    case 'lose': case 'withdraw': case 'held': case 'stays': case 'runs': return 'control';
     case 'push': case 'release': return 'push';
-    case 'queue': case 'waits': return 'queue';
+    case 'queue': case 'waits': case 'dequeue': return 'queue';
     case 'set': return 'state';
     case 'start': case 'stop': return 'handler';
     case 'done': case 'failed': return 'result';
@@ -77,7 +77,7 @@ export class Shape {
     this.isGap = line.event === 'dropped';
     this.setsState = line.event === 'set' || line.event === 'given' || line.input === 'set';
     this.isFlow = line.event === 'push' || this.sort === 'take-over';
-    this.decides = ['run', 'stop', 'held', 'stays', 'waits', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.event === 'input';
+    this.decides = ['run', 'stop', 'held', 'stays', 'runs', 'waits', 'dequeue', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.event === 'input';
     this.text = textOf(this, names);
     this.groups = [this.group, names.requesters[this.edge] ?? nobody, names.requesters[this.from] ?? nobody].filter((group) => group !== nobody);
   }
@@ -108,6 +108,7 @@ function textOf(shape: Shape, names: Names): string {
       return shape.from === nobody || shape.from === limbo ? `grant ${line.edge}` : `take over ${groupName}: ${line.edge} from ${line.from}`;
     case 'lose': return `lose ${groupName}`;
     case 'withdraw': case 'ask': case 'keep': return `${line.event} ${line.edge}${line.level === undefined ? '' : `, level ${line.level}`}`;
+    case 'dequeue': return `dequeue ${line.edge}`;
     case 'begin': return 'begin';
     default: return `${line.event} ${groupName}`;
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Where each group stands, kept up event by event: what the engine's own view says at rest (compiler/play/moment.cpp), found from what it told. What
-// it does not tell is when a group stops that nobody asks for any more, which was kept for who might, and is still held for a need. A source that can
-// look at the engine adds {"event":"held","group":…} there (compiler/trace/waits.cpp, runtime/live/feed.cpp); without it the next thing that happens to the group tells. Nor
-// does it tell that a group whose request is queued or withdrawn goes on as a need of who is about to run, and still asks: {"event":"stays","group":…};
-// without it that is known where one of its own requests is queued along with it.
+// it does not tell is when a group stops that nobody asks for any more, which was kept for who might, and is still held for a need; and that a group
+// whose request is queued or withdrawn goes on as a need of who is about to run, and still asks. A source that can look at the engine says so:
+// - of a recording what was missed, where it happened: {"event":"held","group":…}, {"event":"stays","group":…} (compiler/trace/waits.cpp);
+// - of a running program all of it, now and then (runtime/live/feed.cpp): what is held and not among these runs, {"event":"runs","group":…}, and no
+//   other request waits, {"event":"dequeue","edge":…} (recording.ts).
+// Without it the next thing that happens to the group tells.
 
 import { type Names, nobody } from './names';
 import type { Shape } from './shape';
@@ -75,6 +77,8 @@ export class Standings {
       case 'stays': if (at) this.goesOn(group, line.asks ?? []); break;
       case 'queue': return this.queue(shape);
       case 'waits': this.waitsFor(shape); break;
+      case 'runs': if (at) this.runsAgain(at, group); break;
+      case 'dequeue': this.waits[edge] = undefined; this.asked[edge] = false; break;
       case 'withdraw': return this.forget(edge);
       case 'input':
         if (line.input === 'request') this.asked[edge] = true;
@@ -87,10 +91,12 @@ export class Standings {
     return this.touched.add(group);
   }
 
-  /** What this line says, `held`, `stays` or `waits`, holds already. */
+  /** What this line says, `held`, `stays`, `runs`, `waits` or `dequeue`, holds already. */
   knows({ line, group, edge }: Shape): boolean {
     if (line.event === 'waits') return this.waits[edge] !== undefined;
+    if (line.event === 'dequeue') return !this.isWaiting(edge);
     const at = this.groups[group];
+    if (line.event === 'runs') return at.granted || at.holder === nobody;
     if (!at || this.lapsing.has(group)) return false;
     if (line.event === 'held') return !this.isAlive(group);
     return !at.granted && at.stays && (line.asks ?? []).every((edge) => this.asked[this.names.edge(edge)]);
@@ -98,10 +104,15 @@ export class Standings {
 
   of(group: number): Standing {
     const at = this.groups[group];
-    const waits = this.names.askers[group].map((edge) => this.waits[edge]).filter((wait): wait is Wait => wait !== undefined && this.isAlive(this.names.requesters[wait.edge]));
+    const waits = this.names.askers[group].filter((edge) => this.isWaiting(edge)).map((edge) => this.waits[edge] as Wait);
     const pushed = at.push !== undefined && at.push.provider === at.provider;
     const mark = at.granted ? (pushed ? 'pushed' : 'running') : waits.length > 0 ? 'queued' : !at.known ? 'unknown' : at.holder !== nobody ? 'held' : 'inactive';
     return { mark, provider: at.granted ? at.provider : nobody, holder: at.holder, push: at.push, waits };
+  }
+
+  /** What does not run asks for nothing. */
+  private isWaiting(edge: number): boolean {
+    return this.waits[edge] !== undefined && this.isAlive(this.names.requesters[edge]);
   }
 
   /** The program always is. */
@@ -126,6 +137,7 @@ export class Standings {
     at.granted = at.known = true;
     at.provider = shape.provider;
     this.runsFor(at.holder);
+    this.touchAsked(shape.group);
     return this.touched.add(shape.group);
   }
 
@@ -194,6 +206,16 @@ export class Standings {
     for (const edge of asks) this.ask(this.names.edge(edge));
   }
 
+  /** It was taken to have ended. */
+  private runsAgain(at: Group, group: number): void {
+    at.granted = at.known = true;
+    at.stays = false;
+    this.lapsing.delete(group);
+    if (at.holder >= 0) this.asked[at.holder] = true;
+    this.runsFor(at.holder);
+    this.touchAsked(group);
+  }
+
   private stay(group: number): void {
     this.lapsing.delete(group);
     this.groups[group].stays = !this.groups[group].granted;
@@ -229,10 +251,8 @@ export class Standings {
     return this.touched.add(group);
   }
 
-  /** What does not run asks for nothing. */
   private end(group: number): void {
     this.groups[group].granted = this.groups[group].stays = false;
-    this.groups[group].provider = nobody;
     for (const edge of this.names.requests[group]) {
       this.asked[edge] = false;
       if (this.waits[edge] === undefined) continue;

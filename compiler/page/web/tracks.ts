@@ -60,7 +60,7 @@ export class Tracks {
     const track = row.group === undefined ? this.recording.states[row.state ?? 0] : this.recording.groups[row.group];
     const event = Math.max(this.recording.first, this.recording.eventAt(this.view.timeAt(x, width)));
     const place = Math.max(0, track.event.upTo(event) - 1);
-    return { row, from: this.begin(track, place), to: this.begin(track, place + 1), event };
+    return { row, from: this.begin(track, place), to: Math.min(this.recording.ends, this.begin(track, place + 1)), event };
   }
 
   private eventsAtPoints(width: number): number[] {
@@ -68,7 +68,7 @@ export class Tracks {
   }
 
   private begin(track: Track, place: number): number {
-    if (place >= track.event.length) return this.recording.ends;
+    if (place >= track.event.length) return this.view.last; // what is all at one time has a width too
     const event = track.event.at[place];
     return place === 0 || event < this.recording.first ? this.recording.begins : this.recording.timeOf(event);
   }

@@ -63,8 +63,8 @@ export class View {
     this.to = this.from + length;
   }
 
-  /** Never none at all. */
-  private get last(): number {
+  /** Where it ends what can be seen: of a recording that has no length a little later. */
+  get last(): number {
     return Math.max(this.recording.ends, this.recording.begins + 1000);
   }
 }

@@ -95,9 +95,7 @@ public:
     case Event::Kind::grant: grant(e, out); break;
     case Event::Kind::lose:
       take_charge(e.group, nil, out);
-      for (Index edge = 0; edge < t_.edges.size(); ++edge) {
-        if (t_.edges[edge].requester == e.group) forget(edge, out);
-      }
+      stop_asking(e.group, out);
       break;
     case Event::Kind::queue:
       instant(first_group + e.group, line(e), {}, out);
@@ -105,8 +103,8 @@ public:
       break;
     case Event::Kind::withdraw: forget(e.edge, out); break;
     case Event::Kind::push: push(e, out); break;
+    case Event::Kind::stop: stop_asking(e.group, out); [[fallthrough]];
     case Event::Kind::start:
-    case Event::Kind::stop:
     case Event::Kind::done:
     case Event::Kind::failed:
     case Event::Kind::broken:
@@ -131,9 +129,10 @@ public:
     }
   }
 
-  /// Nobody knows who is in charge, and what states are worth, from here on, until it is told again.
+  /// Nobody knows who is in charge, what is queued and what states are worth, from here on, until it is told again.
   void dropped(std::uint64_t count, std::string& out) override {
     end(out);
+    for (Index edge = 0; edge < t_.edges.size(); ++edge) forget(edge, out);
     instant(outside, std::to_string(count) + " events are missing", {}, out);
   }
 
@@ -229,6 +228,7 @@ private:
 
   void grant(const Event& e, std::string& out) {
     take_charge(e.group, e.provider, out);
+    if (e.provider == nil) stop_asking(e.group, out);
     if (e.edge < t_.edges.size() && queued_at_[e.edge] != e.micro_step) forget(e.edge, out);
     if (e.edge >= t_.edges.size() || e.other >= t_.edges.size()) return; // from nobody, or from nobody's hands
     const std::string group = n_.group(n_.self, e.group);
@@ -244,6 +244,13 @@ private:
   void queued(const Event& e, std::string& out) {
     if (queued_at_[e.edge] == 0) count(queued_tasks, ++queued_, out);
     queued_at_[e.edge] = e.micro_step;
+  }
+
+  /// What does not run asks for nothing.
+  void stop_asking(Index group, std::string& out) {
+    for (Index edge = 0; edge < t_.edges.size(); ++edge) {
+      if (t_.edges[edge].requester == group) forget(edge, out);
+    }
   }
 
   void forget(Index edge, std::string& out) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/hosted/trace/recorder.hpp"
 
-#include "runtime/hosted/interval.hpp"
+#include "runtime/hosted/within_a_day.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -55,7 +55,8 @@ TEST_CASE("a viewer who comes late gets a header, how much it missed, what holds
   Place place;
   std::string text = *feed.next(place);
   const std::vector<Message> first = take_messages(text);
-  REQUIRE(first.size() == 1);
+  REQUIRE(first.size() == 2);
+  CHECK(first[1].event + " " + first[1].data.at(0) == "standing []");
   CHECK(first[0].id == "100");
   CHECK(first[0].data.at(1) == R"({"event":"dropped","count":100})");
   CHECK(first[0].data.at(2) == R"({"t":0,"n":1,"event":"given","state":"Mood","value":"calm"})");
@@ -126,6 +127,7 @@ TEST_CASE("where groups stand that do not just run comes behind the events of it
   CHECK(look(late) == waits + "to 7\n");
   source.behaviour.cancel_all();
   source.show();
+  CHECK(look(late) == "standing []\n"); // none waits any more, whatever a viewer thinks
   CHECK(look(late).empty());
 }
 

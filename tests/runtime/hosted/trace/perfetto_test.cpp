@@ -107,6 +107,36 @@ TEST_CASE("a counter in a trace for Perfetto says how many inputs were lost so f
   CHECK(seen == "3000000: 3\n3000000: 4\n7000000: 11\n"); // time does not go back
 }
 
+TEST_CASE("a counter in a trace for Perfetto says how many tasks are queued: none of who does not run, nor behind "
+          "missing events") {
+  const Lamp lamp;
+  const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
+  std::string bytes;
+  format->begin(bytes);
+  using Kind = director::Event::Kind;
+  const director::Index root_shine = 0, root_signal = 1, shine_bulb = 2, signal_bulb = 3;
+  const auto tell = [&](Kind kind, std::uint32_t time, director::Index edge) {
+    director::Event event = lamp.event(kind, time, time);
+    event.edge = kind == Kind::stop ? director::nil : edge;
+    event.group = kind == Kind::stop ? edge : lamp.lowered.edges[edge].target;
+    format->event(event, bytes);
+  };
+  tell(Kind::queue, 1, shine_bulb);
+  tell(Kind::queue, 2, root_shine);
+  tell(Kind::grant, 3, root_shine); // only held, by nobody in charge
+  tell(Kind::queue, 4, signal_bulb);
+  tell(Kind::stop, 5, lamp.lowered.edges[root_signal].target);
+  tell(Kind::queue, 6, root_signal);
+  format->dropped(1, bytes);
+  std::string track, seen;
+  for (const Packet& packet : packets_in(bytes)) {
+    if (packet["name"] == "\"queued tasks\"") track = packet["uuid"];
+    if (packet["type"] == "TYPE_COUNTER" && packet["track_uuid"] == track)
+      seen += packet["timestamp"] + ": " + packet["counter_value"] + "\n";
+  }
+  CHECK(seen == "1000: 1\n2000: 2\n3000: 1\n3000: 0\n4000: 1\n5000: 0\n6000: 1\n6000: 0\n");
+}
+
 TEST_CASE(
     "in a trace for Perfetto the tracks stand as they are declared, and those of states have a parent of their own") {
   const Lamp lamp;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests runtime/hosted/trace/recorder.hpp and the queue in it.
-#include "runtime/hosted/interval.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/hosted/trace/recorder.hpp"
+#include "runtime/hosted/within_a_day.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
