@@ -111,6 +111,7 @@ private:
           if (any_runs(entry.edge)) grant_goal_ |= bit(entry.edge);
         }
       }
+      if (!facts.pushed.contains(provider.id)) continue; // no task may push it
       for (const Component::ProviderRow& waiter : part_.providers) {
         if (waiter.group == provider.group || !facts.requested.contains(model.providers[waiter.id].group)) continue;
         for (const Row condition : waiter.when) {
