@@ -70,7 +70,8 @@ private:
              "import it from a file nearer to the main one");
       return std::nullopt;
     }
-    auto text = files_.read(path, largest_file);
+    // Only the main file may be a pipe: who imports one would wait for each of its writers in turn.
+    auto text = files_.read(path, largest_file, Kinds::ordinary);
     if (!text) {
       result_.diagnostics.push_back(unreadable(path, text.error(), import.span));
       if (text.error().kind == FileError::Kind::not_found && is_there(path + ".yaml"))
@@ -83,7 +84,7 @@ private:
   }
 
   bool is_there(const std::string& path) {
-    const auto text = files_.read(path, 0);
+    const auto text = files_.read(path, 0, Kinds::ordinary);
     return text || text.error().kind == FileError::Kind::too_large;
   }
 

@@ -44,6 +44,23 @@ std::string habit_help(std::string_view token) {
   return "";
 }
 
+/// What it says with its sides exchanged.
+Op turned(Op op) {
+  switch (op) {
+  case Op::less: return Op::greater;
+  case Op::less_equal: return Op::greater_equal;
+  case Op::greater: return Op::less;
+  case Op::greater_equal: return Op::less_equal;
+  default: return op;
+  }
+}
+
+/// No state is called like that.
+bool is_in_digits(std::string_view word) {
+  if (!word.empty() && word.front() == '-') word.remove_prefix(1);
+  return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
+}
+
 /// Also letters of other alphabets: no name has them, but they are no operators.
 bool is_in_word(char c) { return is_word(c) || static_cast<unsigned char>(c) >= 0x80; }
 
@@ -82,6 +99,10 @@ public:
       out.within = within(rest);
     else if (!at_end())
       fail(rest, fmt::format("expected the end of the condition, found {}", found(rest)), habit_help(text(rest)));
+    if (!fault_ && is_in_digits(out.state.value) && !is_in_digits(out.values.front().value))
+      fault_ = Fault{out.state.span, fmt::format("expected the name of a state, found `{}`", out.state.value),
+                     fmt::format("the state comes first: `{} {} {}`", out.values.front().value,
+                                 to_text(turned(out.op.value)), out.state.value)};
     return out;
   }
   const std::optional<Fault>& fault() const { return fault_; }

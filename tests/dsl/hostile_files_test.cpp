@@ -105,7 +105,23 @@ TEST_CASE("A file that may not be read is refused") {
 TEST_CASE("A pipe to which nobody writes is not waited for") {
   const HostileFolder folder;
   REQUIRE(mkfifo("pipe.yaml", 0600) == 0);
-  check_refused("pipe.yaml", "import_not_found: cannot read `pipe.yaml`: nobody writes to this pipe");
+  const std::string shown =
+      "1:1 `` import_not_found: cannot read `pipe.yaml`: nobody writes to this pipe (name a file that can be read)\n";
+  CHECK(behaviour_findings("pipe.yaml") == shown);
+  CHECK(scenario_findings("pipe.yaml") == shown);
+}
+
+TEST_CASE("An import that is a pipe is refused at once, also where only `.yaml` is missing") {
+  const HostileFolder folder;
+  REQUIRE(mkfifo("pipe.yaml", 0600) == 0);
+  write("importer.yaml", "behaviour: importer\nlanguage: 1\nimports: [pipe.yaml, pipe]\n");
+  DiskFiles files(std::chrono::hours(1));
+  Sources sources;
+  CHECK(findings_text(read_behaviour("importer.yaml", files, sources).diagnostics, sources) ==
+        "3:11 `pipe.yaml` import_not_found: cannot read `pipe.yaml`: it is a pipe, and no ordinary file (name a file "
+        "that can be read)\n"
+        "3:22 `pipe` import_not_found: cannot read `pipe`: No such file or directory (a path is relative to the file "
+        "that it stands in)\n");
 }
 
 TEST_CASE("Who reads a pipe to which nobody writes is told soon what is waited for, and once") {

@@ -102,6 +102,13 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
            Case{"['Phase = ready']",
                 "5:19 `=` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found "
                 "`=` (write `==`)\n"},
+           Case{"[3 < Charge]",
+                "5:12 `3` bad_condition: expected the name of a state, found `3` (the state comes first: "
+                "`Charge > 3`)\n"},
+           Case{"[-3 >= Charge]", "5:12 `-3` bad_condition: expected the name of a state, found `-3` (the state comes "
+                                  "first: `Charge <= -3`)\n"},
+           Case{"[3 != Charge]", "5:12 `3` bad_condition: expected the name of a state, found `3` (the state comes "
+                                 "first: `Charge != 3`)\n"},
            Case{"[Charge - 3]",
                 "5:19 `-` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Charge`, found `-`\n"},
            Case{"[Größe == 3, Phase ==\n      rüh!]",

@@ -5,6 +5,7 @@
 #include "compiler/analysis/decisions/pass.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace director::analysis {
 
@@ -15,33 +16,39 @@ bool Pass::holds(Row condition) const {
 
 /// The push that stands on a group so far, if the picks say that one does.
 const PossiblePush* Pass::standing(Row group) {
-  int count = 0;
-  std::array<int, 64> possible{};
-  for (std::size_t i = 0; i < gathered_.pushes.size() && count < 64; ++i) {
-    const PossiblePush& push = gathered_.pushes[i];
-    if (part_.providers[push.to].group == group && (keeping_ & bit(push.by)) != 0)
-      possible[static_cast<std::size_t>(count++)] = static_cast<int>(i);
-  }
+  const std::vector<PossiblePush>& pushes = gathered_.pushes;
   int& at = standing_[group];
-  if (at < 0 && count > asked_[group]) {
-    asked_[group] = count;
-    const auto picked = static_cast<int>(picks_.pick(static_cast<std::size_t>(count) + 1)) - 1;
-    at = picked < 0 ? -1 : possible[static_cast<std::size_t>(picked)];
+  if (at < 0) {
+    const auto is_possible = [&](const PossiblePush& push) {
+      return part_.providers[push.to].group == group && (keeping_ & bit(push.by)) != 0;
+    };
+    const auto count = std::count_if(pushes.begin(), pushes.end(), is_possible);
+    if (count > asked_[group]) {
+      asked_[group] = static_cast<int>(count);
+      auto picked = picks_.pick(static_cast<std::size_t>(count) + 1);
+      for (std::size_t i = 0; picked > 0; ++i) {
+        if (is_possible(pushes[i]) && --picked == 0) at = static_cast<int>(i);
+      }
+    }
   }
-  return at < 0 ? nullptr : &gathered_.pushes[static_cast<std::size_t>(at)];
+  return at < 0 ? nullptr : &pushes[static_cast<std::size_t>(at)];
 }
 
-std::vector<Row> Pass::preference(Row group, const Chain& edge) {
-  std::vector<Row> out = part_.groups[group].providers;
+Pass::Providers Pass::preference(Row group, const Chain& edge) {
+  const std::vector<Row>& providers = part_.groups[group].providers;
+  Providers out;
   const PossiblePush* push = standing(group);
-  if (push == nullptr || !applies(push->by, edge)) return out;
-  std::stable_partition(out.begin(), out.end(), [&](Row provider) { return provider == push->to; });
+  if (push != nullptr && applies(push->by, edge)) out.push_back(push->to);
+  const Row first = out.empty() ? nothing : push->to;
+  for (const Row provider : providers) {
+    if (provider != first) out.push_back(provider);
+  }
   return out;
 }
 
-std::vector<Pass::Chain> Pass::chains_of(const Choice& choice) const {
+Pass::Chains Pass::chains_of(const Choice& choice) const {
   const Component::Plan& plan = part_.providers[choice.provider].plans[choice.plan];
-  std::vector<Chain> out;
+  Chains out;
   for (const Component::Planned& entry : plan) {
     const Chain* above = &choice.chain;
     for (std::size_t i = 0; entry.needer != choice.group && i < out.size(); ++i) {
@@ -52,58 +59,56 @@ std::vector<Pass::Chain> Pass::chains_of(const Choice& choice) const {
   return out;
 }
 
-std::vector<Row> Pass::plans_in_order(const Choice& choice) {
+Pass::Plans Pass::plans_in_order(const Choice& choice) {
   const std::vector<Component::Plan>& plans = part_.providers[choice.provider].plans;
-  std::vector<Row> out;
+  Plans out;
   for (Row i = 0; i < plans.size(); ++i) out.push_back(i);
   if (gathered_.pushes.empty() || plans.size() < 2) return out;
-  std::vector<std::pair<std::vector<std::ptrdiff_t>, Row>> keyed;
+  std::array<Groups, Component::most_plans> places; // of the providers of each plan among all of their groups
   for (const Row i : out) {
     Choice with = choice;
     with.plan = i;
-    const std::vector<Chain> chains = chains_of(with);
-    std::vector<std::ptrdiff_t> places;
+    const Chains chains = chains_of(with);
     for (std::size_t at = 0; at < chains.size(); ++at) {
-      const std::vector<Row> order = preference(plans[i][at].group, chains[at]);
-      places.push_back(std::find(order.begin(), order.end(), plans[i][at].provider) - order.begin());
+      const Providers order = preference(plans[i][at].group, chains[at]);
+      places[i].push_back(
+          static_cast<Row>(std::find(order.begin(), order.end(), plans[i][at].provider) - order.begin()));
     }
-    keyed.emplace_back(std::move(places), i);
   }
-  std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = keyed[i].second;
+  std::sort(out.begin(), out.end(), [&](Row a, Row b) { return std::tie(places[a], a) < std::tie(places[b], b); });
   return out;
 }
 
-/// Nothing is waived.
-void Pass::add_lacking(Row provider, std::vector<Row>& out) {
+/// The conditions of a provider that do not hold, if nothing is waived.
+Rows Pass::lacking(Row provider) {
   const Component::ProviderRow& row = part_.providers[provider];
   const bool active = last_.has(row.group, Moment::granted) && last_.active[row.group] == provider;
   const auto hold = [&](Row condition) { return holds(condition); };
-  if (active && !row.stay.empty() && std::all_of(row.stay.begin(), row.stay.end(), hold)) return;
+  if (active && !row.stay.empty() && std::all_of(row.stay.begin(), row.stay.end(), hold)) return 0;
   if (row.unsure) {
-    signed char& sure = unsure_[provider];
-    if (sure < 0) sure = picks_.any() ? 1 : 0;
-    if (sure == 1) return;
-    out.insert(out.end(), row.when.begin(), row.when.end());
-    return;
+    if ((asked_whether_ & bit(provider)) == 0 && picks_.any()) taken_to_hold_ |= bit(provider);
+    asked_whether_ |= bit(provider);
+    if ((taken_to_hold_ & bit(provider)) != 0) return 0;
   }
+  Rows out = 0;
   for (const Row condition : row.when) {
-    if (!holds(condition)) out.push_back(condition);
+    if (row.unsure || !holds(condition)) out |= bit(condition);
   }
+  return out;
 }
 
-void Pass::add_lacking(Row provider, const Chain& edge, std::vector<Row>& out) {
-  const std::size_t begin = out.size();
-  add_lacking(provider, out);
+Rows Pass::lacking(Row provider, const Chain& edge) {
+  const Rows all = lacking(provider);
   const Component::ProviderRow& row = part_.providers[provider];
-  if (out.size() == begin || row.causes_states == 0) return;
-  if (!last_.has(row.group, Moment::in_force) || last_.active[row.group] != provider) return;
+  if (all == 0 || row.causes_states == 0) return all;
+  if (!last_.has(row.group, Moment::in_force) || last_.active[row.group] != provider) return all;
   const PossiblePush* push = standing(row.group);
-  if (push == nullptr || push->to != provider || !applies(push->by, edge)) return;
-  out.erase(
-      std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
-                     [&](Row condition) { return (row.causes_states & bit(part_.conditions[condition].state)) != 0; }),
-      out.end());
+  if (push == nullptr || push->to != provider || !applies(push->by, edge)) return all;
+  Rows out = 0;
+  for (const Row condition : each(all)) {
+    if ((row.causes_states & bit(part_.conditions[condition].state)) == 0) out |= bit(condition);
+  }
+  return out;
 }
 
 void Pass::note_taken(Row group, Reasons& reasons) const {
@@ -112,26 +117,21 @@ void Pass::note_taken(Row group, Reasons& reasons) const {
   if (holder != nothing && !is_limbo(holder)) reasons.holders |= bit(holder);
 }
 
-std::vector<Pass::Choice> Pass::choices(Row edge, bool with_conditions) {
-  std::vector<Choice> out;
-  Choice choice;
+void Pass::add_choices(Row edge, bool with_conditions) {
+  Choice choice{};
   choice.chain = claimed(edge);
   choice.group = part_.edges[edge].target;
-  if (!available(choice.group, choice.chain)) {
-    note_taken(choice.group, blame_);
-    return out;
-  }
+  if (!available(choice.group, choice.chain)) return note_taken(choice.group, blame_);
   const Row from = requester(edge);
   const bool as_it_is = from != nothing && stale(from);
   for (const Row provider : preference(choice.group, choice.chain)) {
     choice.provider = provider;
     ++gathered_.steps;
     if (as_it_is && last_.active[choice.group] != provider) continue;
-    std::vector<Row> own;
-    add_lacking(provider, choice.chain, own);
+    const Rows own = lacking(provider, choice.chain);
     Reasons why;
-    if (with_conditions && !own.empty()) {
-      for (const Row condition : own) why.lacking |= bit(condition);
+    if (with_conditions && own != 0) {
+      why.lacking = own;
       note(provider, why);
       continue;
     }
@@ -142,7 +142,7 @@ std::vector<Pass::Choice> Pass::choices(Row edge, bool with_conditions) {
       if (as_it_is && last_.plan[choice.group] != plan) continue;
       choice.claims = bit(choice.group);
       choice.lacking = own;
-      const std::vector<Chain> chains = chains_of(choice);
+      const Chains chains = chains_of(choice);
       bool fits = true;
       for (std::size_t i = 0; i < entries.size() && fits; ++i) {
         fits = available(entries[i].group, chains[i]);
@@ -150,13 +150,12 @@ std::vector<Pass::Choice> Pass::choices(Row edge, bool with_conditions) {
         choice.claims |= bit(entries[i].group);
       }
       for (std::size_t i = 0; i < entries.size() && fits; ++i)
-        add_lacking(entries[i].provider, chains[i], choice.lacking);
-      for (const Row condition : choice.lacking) why.lacking |= bit(condition);
-      if (fits && (!with_conditions || choice.lacking.empty())) out.push_back(choice);
+        choice.lacking |= lacking(entries[i].provider, chains[i]);
+      why.lacking |= choice.lacking;
+      if (fits && (!with_conditions || choice.lacking == 0)) choices_.push_back(choice);
     }
     if (with_conditions) note(provider, why);
   }
-  return out;
 }
 
 void Pass::note(Row provider, const Reasons& why) {
@@ -164,7 +163,7 @@ void Pass::note(Row provider, const Reasons& why) {
   blame_.add(why);
 }
 
-std::optional<Pass::Combination> Pass::first_combination(const std::vector<Row>& members, bool with_conditions) {
+std::optional<Pass::Combination> Pass::first_combination(const Unit& members, bool with_conditions) {
   blame_ = {};
   const auto fail = [&](Rows together) {
     blame_.together = together;
@@ -176,39 +175,41 @@ std::optional<Pass::Combination> Pass::first_combination(const std::vector<Row>&
     }
     return std::nullopt;
   };
-  std::vector<std::vector<Choice>> of_each;
+  choices_.clear();
+  Few<std::size_t, Component::most_groups + 1> begins{0}; // of the choices of each member, and where the last ones end
   for (const Row member : members) {
     blame_ = {};
-    of_each.push_back(choices(member, with_conditions));
-    if (of_each.back().empty()) return fail(bit(member));
+    add_choices(member, with_conditions);
+    if (choices_.size() == begins.back()) return fail(bit(member));
+    begins.push_back(choices_.size());
   }
-  std::vector<std::size_t> at(members.size(), 0);
-  std::vector<Rows> claimed_so_far(members.size() + 1, 0);
+  auto at = begins;
+  std::array<Rows, Component::most_groups + 1> claimed_so_far{};
   std::size_t depth = 0;
   while (depth < members.size()) {
-    const std::vector<Choice>& all = of_each[depth];
-    for (; at[depth] < all.size(); ++at[depth]) {
+    std::size_t& here = at[depth];
+    for (; here < begins[depth + 1]; ++here) {
       ++gathered_.steps;
-      const Rows both = all[at[depth]].claims & claimed_so_far[depth];
+      const Rows both = choices_[here].claims & claimed_so_far[depth];
       if (both == 0) break;
-      gathered_.passed_over[all[at[depth]].provider].taken |= both;
+      gathered_.passed_over[choices_[here].provider].taken |= both;
       blame_.taken |= both;
     }
-    if (at[depth] == all.size()) {
+    if (here == begins[depth + 1]) {
       if (depth == 0) {
         Rows unit = 0;
         for (const Row member : members) unit |= bit(member);
         return fail(unit);
       }
-      at[depth] = 0;
+      here = begins[depth];
       ++at[--depth];
       continue;
     }
-    claimed_so_far[depth + 1] = claimed_so_far[depth] | all[at[depth]].claims;
+    claimed_so_far[depth + 1] = claimed_so_far[depth] | choices_[here].claims;
     ++depth;
   }
   Combination out;
-  for (std::size_t i = 0; i < members.size(); ++i) out.push_back(std::move(of_each[i][at[i]]));
+  for (std::size_t i = 0; i < members.size(); ++i) out.push_back(choices_[at[i]]);
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/model/model.hpp"
 
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -18,6 +19,24 @@ using Row = std::uint8_t;
 using Rows = std::uint64_t; ///< a set of rows of one table
 inline constexpr Row nothing = 255;
 constexpr Rows bit(Row row) { return Rows{1} << row; }
+
+class RowRange {
+public:
+  explicit constexpr RowRange(Rows rows) : rows_(rows) {}
+  constexpr RowRange begin() const { return *this; }
+  constexpr RowRange end() const { return RowRange(0); }
+  constexpr Row operator*() const { return static_cast<Row>(std::countr_zero(rows_)); }
+  constexpr RowRange& operator++() {
+    rows_ &= rows_ - 1;
+    return *this;
+  }
+  constexpr bool operator==(const RowRange&) const = default;
+
+private:
+  Rows rows_;
+};
+/// The rows of a set, in order: for (const Row edge : each(edges)).
+constexpr RowRange each(Rows rows) { return RowRange(rows); }
 
 struct Component {
   // What has more is not looked at: a moment has a fixed size, and there would be too many of them anyway.

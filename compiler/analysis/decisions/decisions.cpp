@@ -5,7 +5,6 @@
 #include "compiler/analysis/decisions/moves.hpp"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace director::analysis {
 
@@ -74,7 +73,7 @@ private:
   }
 
   void look(const Moment& moment) {
-    if (!seen_.insert(moment).second) return;
+    if (!seen_.add(moment)) return;
     open_.push_back(moment);
     const auto runs = [&](Row edge) {
       const Row target = part_.edges[edge].target;
@@ -112,6 +111,7 @@ private:
           if (any_runs(entry.edge)) grant_goal_ |= bit(entry.edge);
         }
       }
+      if (!facts.pushed.contains(provider.id)) continue; // no task may push it
       for (const Component::ProviderRow& waiter : part_.providers) {
         if (waiter.group == provider.group || !facts.requested.contains(model.providers[waiter.id].group)) continue;
         for (const Row condition : waiter.when) {
@@ -154,7 +154,7 @@ private:
   Decisions& out_;
   std::int64_t& left_;
   Gathered gathered_;
-  std::unordered_set<Moment> seen_;
+  Seen<Moment> seen_;
   std::vector<Moment> open_;
   Rows ran_ = 0, requested_ = 0, granted_ = 0, run_goal_ = 0, grant_goal_ = 0;
   std::set<PackOf> whole_, whole_goal_;

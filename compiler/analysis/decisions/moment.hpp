@@ -6,10 +6,7 @@
 #include "compiler/analysis/decisions/component.hpp"
 
 #include <array>
-#include <cstring>
-#include <functional>
-#include <string_view>
-#include <type_traits>
+#include <cstdint>
 
 namespace director::analysis {
 
@@ -22,7 +19,7 @@ struct Moment {
   std::array<Row, Component::most_groups> by{}, active{}, plan{}, flags{}; ///< by: an edge, limbo, or nothing
   std::array<Row, Component::most_edges> level{};                          ///< nothing: not requested
   std::array<Row, Component::most_states> value{}, given{}; ///< given: set by handlers, and taken before all else
-  Row open = 0;                                             ///< further inputs may come before a run
+  std::uint32_t open = 0; ///< further inputs may come before a run; a word, so that there is no padding
 
   bool has(std::size_t group, Row flag) const { return (flags[group] & flag) != 0; }
   bool is_given() const {
@@ -31,16 +28,7 @@ struct Moment {
     }
     return false;
   }
-  std::string_view bytes() const { return {reinterpret_cast<const char*>(this), sizeof *this}; }
-  bool operator==(const Moment& other) const { return bytes() == other.bytes(); }
+  bool operator==(const Moment&) const = default;
 };
-static_assert(std::has_unique_object_representations_v<Moment>, "it is hashed as the bytes that it is");
 
 } // namespace director::analysis
-
-template <>
-struct std::hash<director::analysis::Moment> {
-  std::size_t operator()(const director::analysis::Moment& moment) const noexcept {
-    return std::hash<std::string_view>{}(moment.bytes());
-  }
-};

@@ -81,7 +81,7 @@ bool Moves::is_at_rest(const Moment& moment) {
     found = found || next == same;
     (*told_)(next);
   };
-  pass(same, 0, look);
+  decide(same, 0, look);
   for (Row group = 0; group < part_.groups.size(); ++group)
     found = found && !(moment.has(group, Moment::granted) && moment.has(group, Moment::outdated));
   return found;
@@ -92,13 +92,13 @@ void Moves::change_in_all_ways(const std::function<bool(Change&)>& make) {
     Change change;
     if (make(change)) decide(change);
   } while (left_ >= 0 && ways_.again());
-  ways_ = {};
+  ways_.clear();
 }
 
 /// All that may come of it, once.
 void Moves::decide(Change change) {
   change.anew &= that_matter(change);
-  if (decided_.insert(change).second) pass(change.moment, change.anew, *told_);
+  if (decided_.add(change)) decide(change.moment, change.anew, *told_);
 }
 
 /// A request that is made anew is news for a group that runs for it and has no other.
@@ -111,19 +111,21 @@ Rows Moves::that_matter(const Change& change) const {
   return out;
 }
 
-void Moves::pass(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told) {
+void Moves::decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told) {
+  outcomes_.clear();
+  pass_.begin(from, anew);
   do {
     if (left_ < 0) break;
     const std::int64_t before = gathered_.steps;
-    std::optional<Moment> next = Pass(part_, from, anew, picks_, gathered_).run();
+    std::optional<Moment> next = pass_.run();
     ++gathered_.passes;
     left_ -= gathered_.steps - before + of_any_pass;
     if (!next) continue;
-    if (picks_.has_picked() && picks_.is_known("moment " + std::string(next->bytes()))) continue;
+    if (picks_.has_picked() && !outcomes_.add(*next)) continue;
     act(from, *next);
     told(*next);
   } while (picks_.again());
-  picks_ = {};
+  picks_.clear();
 }
 
 /// Section 5.

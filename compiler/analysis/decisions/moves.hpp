@@ -3,9 +3,9 @@
 // What may happen next (semantics.md, sections 3, 5 and 6): all moments that may follow one.
 
 #include "compiler/analysis/decisions/pass.hpp"
+#include "compiler/analysis/decisions/seen.hpp"
 
 #include <functional>
-#include <unordered_set>
 
 namespace director::analysis {
 
@@ -14,7 +14,8 @@ public:
   Moves(const Component& part, Gathered& gathered, std::int64_t& steps_left)
       : part_(part),
         gathered_(gathered),
-        left_(steps_left) {}
+        left_(steps_left),
+        pass_(part, picks_, gathered) {}
 
   Moment first() const;
   /// All moments that may follow, but for those that another one has led to in the same way. `run`: providers that
@@ -26,16 +27,10 @@ private:
   struct Change {
     Moment moment; ///< of which nothing is decided yet
     Rows anew = 0; ///< edges that were requested anew
-    bool operator==(const Change&) const = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Change& change) const noexcept {
-      return std::hash<Moment>{}(change.moment) * 31 + std::hash<Rows>{}(change.anew);
-    }
   };
 
   void decide(Change change);
-  void pass(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told);
+  void decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told);
   Rows that_matter(const Change& change) const;
   void act(const Moment& before, Moment& now);
   void set_some(const std::vector<Component::Setting>& settings, Moment& next);
@@ -49,7 +44,9 @@ private:
   Gathered& gathered_;
   std::int64_t& left_;
   Picks picks_, ways_;
-  std::unordered_set<Change, Hash> decided_;
+  Pass pass_;
+  Seen<Change> decided_;
+  Seen<Moment> outcomes_; ///< of the decision in hand
   const std::function<void(const Moment&)>* told_ = nullptr;
 };
 

@@ -6,17 +6,18 @@
 
 namespace director::analysis {
 
-Pass::Pass(const Component& part, const Moment& last, Rows anew, Picks& picks, Gathered& gathered)
-    : part_(part),
-      last_(last),
-      anew_(anew),
-      picks_(picks),
-      gathered_(gathered),
-      unsure_(part.providers.size(), -1) {}
+void Pass::begin(const Moment& last, Rows anew) {
+  last_ = last;
+  anew_ = anew;
+  known_.clear();
+  for (Row group = 0; group < part_.groups.size(); ++group) last_holders_[group] = last_holder(group);
+}
 
 std::optional<Moment> Pass::run() {
+  stage_ = Stage::taking;
+  forgotten_ = open_ = asked_whether_ = taken_to_hold_ = 0;
   for (;;) {
-    begin();
+    begin_way();
     if (!take_candidates()) return std::nullopt;
     if (!denied_in_vain()) break;
   }
@@ -27,31 +28,27 @@ std::optional<Moment> Pass::run() {
   return finish();
 }
 
-/// Whether this way through the pass may end here.
+/// Whether another way through the pass has come to where this one is, which has picked: then it may end here.
 bool Pass::is_known() {
   if (!picks_.has_picked()) return false;
-  here_.clear();
-  const auto add = [&](const auto& value) { here_.append(reinterpret_cast<const char*>(&value), sizeof value); };
-  add(stage_);
-  add(open_);
-  for (const auto* rows : {&now_.by, &now_.active, &now_.plan, &now_.flags}) add(*rows);
-  for (const Rows rows : {candidates_, tried_, refused_, forgotten_, keeping_}) add(rows);
-  add(standing_);
-  add(asked_);
-  here_.append(unsure_.begin(), unsure_.end());
-  here_.append(denied_.begin(), denied_.end());
-  return picks_.is_known(here_);
+  Way way{candidates_,    tried_,         refused_,  forgotten_, keeping_, open_,
+          asked_whether_, taken_to_hold_, standing_, asked_,     now_.by,  now_.active,
+          now_.plan,      now_.flags,     {},        0,          stage_};
+  way.denied.fill(nothing);
+  std::copy(denied_.begin(), denied_.end(), way.denied.begin());
+  return !known_.add(way);
 }
 
-void Pass::begin() {
+void Pass::begin_way() {
   now_ = last_;
   now_.by.fill(nothing);
   now_.active.fill(nothing);
   now_.plan.fill(nothing);
   now_.flags.fill(0);
+  holders_.fill({});
   candidates_ = tried_ = refused_ = keeping_ = 0;
   denied_.clear();
-  standing_.fill(-2);
+  standing_.fill(-1);
   asked_.fill(0);
   for (Row edge = 0; edge < part_.roots; ++edge) {
     if (last_.level[edge] != nothing) candidates_ |= bit(edge);
@@ -61,8 +58,8 @@ void Pass::begin() {
 // 4.1: order between two edges.
 
 bool Pass::Chain::below(Row ancestor) const {
-  return std::find(edges.begin() + 1, edges.begin() + static_cast<std::ptrdiff_t>(size), ancestor) !=
-         edges.begin() + static_cast<std::ptrdiff_t>(size);
+  const auto* const self = edges.begin() + (size - 1);
+  return std::find(edges.begin(), self, ancestor) != self;
 }
 
 const Level& Pass::level(Row edge) const {
@@ -72,38 +69,40 @@ const Level& Pass::level(Row edge) const {
   return last_.level[edge] == nothing ? row.as_need : row.levels[last_.level[edge]];
 }
 
-Pass::Chain Pass::chain_of(const By& by, Row edge) const {
-  Chain out;
-  out.edges[out.size++] = edge;
-  for (Row from = requester(edge); from != nothing; from = requester(edge)) {
-    edge = by[from];
-    if (edge == nothing) return out;
-    out.edges[out.size++] = edge;
-    if (out.size > part_.groups.size() + 1) return out;
-  }
+Pass::Chain Pass::below(const Chain& holder, Row edge) {
+  Chain out = holder;
+  if (out.size < out.edges.size()) out.edges[out.size++] = edge;
+  return out;
+}
+
+Pass::Chain Pass::chain_of(const ChainBy& holders, Row edge) const {
+  const Row from = requester(edge);
+  if (from != nothing) return below(holders[from], edge);
+  Chain out = below({}, edge);
   out.complete = !is_limbo(edge);
   return out;
 }
 
-Pass::Chain Pass::below(const Chain& holder, Row edge) {
-  Chain out;
-  out.complete = holder.complete;
-  out.edges[out.size++] = edge;
-  for (std::size_t i = 0; i < holder.size && out.size < out.edges.size(); ++i) out.edges[out.size++] = holder.edges[i];
-  return out;
+Pass::Chain Pass::last_holder(Row group) const {
+  const Row edge = last_.by[group];
+  if (edge == nothing) return {};
+  const Row from = requester(edge);
+  return from == nothing ? chain_of(last_holders_, edge) : below(last_holder(from), edge);
 }
 
 /// Rules 1 to 4: below 0 if a goes first, 0 if equal.
 int Pass::compare(const Chain& a, const Chain& b) const {
   ++gathered_.steps;
-  std::size_t i = a.size, j = b.size;
-  while (i > 0 && j > 0 && a.edges[i - 1] == b.edges[j - 1]) --i, --j;
-  if (i == 0 || j == 0) return static_cast<int>(a.size) - static_cast<int>(b.size);
-  const Row at_a = a.edges[i - 1], at_b = b.edges[j - 1];
+  std::size_t i = 0;
+  while (i < a.size && i < b.size && a.edges[i] == b.edges[i]) ++i;
+  if (i == a.size || i == b.size) return a.size < b.size ? -1 : a.size > b.size ? 1 : 0;
+  const Row at_a = a.edges[i], at_b = b.edges[i];
   if (is_limbo(at_a) != is_limbo(at_b)) return is_limbo(at_a) ? 1 : -1;
-  bool optional_a = false, optional_b = false;
-  while (i > 0) optional_a |= level(a.edges[--i]).optional;
-  while (j > 0) optional_b |= level(b.edges[--j]).optional;
+  const auto is_optional = [&](const Chain& chain) {
+    return std::any_of(chain.edges.begin() + i, chain.edges.begin() + chain.size,
+                       [&](Row edge) { return level(edge).optional; });
+  };
+  const bool optional_a = is_optional(a), optional_b = is_optional(b);
   if (optional_a != optional_b) return optional_a ? 1 : -1;
   const std::int32_t of_a = level(at_a).priority, of_b = level(at_b).priority;
   return of_a > of_b ? -1 : of_a < of_b ? 1 : 0;
@@ -116,7 +115,7 @@ bool Pass::available(Row group, const Chain& to) {
   const Row holder = last_.by[group];
   if (holder == nothing || holder == to.edge() || is_limbo(holder) || !alive(holder)) return true;
   if ((refused_ & bit(holder)) != 0 || (forgotten_ & bit(holder)) != 0) return true;
-  if (compare(before_now(holder), to) != 0) return true;
+  if (compare(last_holders_[group], to) != 0) return true;
   if (std::find(denied_.begin(), denied_.end(), group) == denied_.end()) denied_.push_back(group);
   return false;
 }
@@ -171,25 +170,23 @@ bool Pass::granted_before(Row edge) const {
 /// Of those that nobody goes before one is picked: in what order they were requested is not known. Where what they may
 /// come to claim has nothing in common it does not matter.
 Row Pass::first_candidate() {
-  std::vector<std::pair<Row, Chain>> all;
-  for (Row edge = 0; edge < part_.edges.size(); ++edge) {
-    if ((candidates_ & bit(edge)) != 0) all.emplace_back(edge, claimed(edge));
-  }
-  std::vector<Row> first;
-  for (const auto& [edge, chain] : all) {
-    const bool is_first = std::none_of(all.begin(), all.end(), [&, e = edge, c = &chain](const auto& other) {
-      return other.first != e && before(other.second, *c);
-    });
+  Few<Chain, Component::most_edges> all;
+  for (const Row edge : each(candidates_)) all.push_back(claimed(edge));
+  Edges first;
+  for (const Chain& chain : all) {
+    const Row edge = chain.edge();
+    const bool is_first = std::none_of(
+        all.begin(), all.end(), [&](const Chain& other) { return other.edge() != edge && before(other, chain); });
     if (!is_first) continue;
-    const bool same_unit = !alone(edge) && std::any_of(first.begin(), first.end(), [&, e = edge](Row other) {
-      return !alone(other) && requester(other) == requester(e);
+    const bool same_unit = !alone(edge) && std::any_of(first.begin(), first.end(), [&](Row other) {
+      return !alone(other) && requester(other) == requester(edge);
     });
     if (!same_unit) first.push_back(edge);
   }
-  if (first.empty()) return all.front().first; // "equal" is not transitive; it cannot be
-  const auto below = [&](Row edge) {           // with its unit
+  if (first.empty()) return all.front().edge(); // "equal" is not transitive; it cannot be
+  const auto below = [&](Row edge) {            // with its unit
     Rows out = 0;
-    for (const auto& [other, chain] : all) {
+    for (const Row other : each(candidates_)) {
       if (other == edge || (!alone(edge) && !alone(other) && requester(edge) == requester(other)))
         out |= part_.groups[part_.edges[other].target].below;
     }
@@ -203,30 +200,30 @@ Row Pass::first_candidate() {
   return first[picks_.pick(first.size())];
 }
 
-std::vector<Row> Pass::unit_of(Row first) {
+Pass::Unit Pass::unit_of(Row first) {
   if (alone(first)) return {first};
-  std::vector<Row> unit, open;
-  for (Row edge = 0; edge < part_.edges.size(); ++edge) {
-    if ((candidates_ & bit(edge)) != 0 && !alone(edge) && requester(edge) == requester(first)) open.push_back(edge);
+  Unit unit, open;
+  for (const Row edge : each(candidates_)) {
+    if (!alone(edge) && requester(edge) == requester(first)) open.push_back(edge);
   }
   // Siblings: by priority, and among equals in any order.
   while (!open.empty()) {
-    std::vector<std::size_t> best;
-    for (std::size_t i = 0; i < open.size(); ++i) {
+    Groups best; // of those that are open
+    for (Row i = 0; i < open.size(); ++i) {
       if (!best.empty() && level(open[i]).priority < level(open[best.front()]).priority) continue;
       if (!best.empty() && level(open[i]).priority > level(open[best.front()]).priority) best.clear();
       best.push_back(i);
     }
-    const auto below = [&](std::size_t i) { return part_.groups[part_.edges[open[i]].target].below; };
+    const auto below = [&](Row i) { return part_.groups[part_.edges[open[i]].target].below; };
     std::size_t at = best.size();
     for (std::size_t i = 0; i < best.size() && at == best.size(); ++i) {
       if (std::all_of(best.begin(), best.end(),
-                      [&](std::size_t other) { return other == best[i] || (below(other) & below(best[i])) == 0; }))
+                      [&](Row other) { return other == best[i] || (below(other) & below(best[i])) == 0; }))
         at = i;
     }
     if (at == best.size()) at = picks_.pick(best.size());
     unit.push_back(open[best[at]]);
-    open.erase(open.begin() + static_cast<std::ptrdiff_t>(best[at]));
+    open.erase(open.begin() + best[at]);
   }
   return unit;
 }
@@ -234,13 +231,13 @@ std::vector<Row> Pass::unit_of(Row first) {
 /// False: it may end here.
 bool Pass::take_candidates() {
   for (;;) {
-    for (Row edge = 0; edge < part_.edges.size(); ++edge) {
-      if ((candidates_ & bit(edge)) != 0 && !may_ask(requester(edge))) candidates_ &= ~bit(edge);
+    for (const Row edge : each(candidates_)) {
+      if (!may_ask(requester(edge))) candidates_ &= ~bit(edge);
     }
     if (candidates_ == 0) return true;
     if (is_known()) return false;
     const Row first = first_candidate();
-    const std::vector<Row> unit = unit_of(first);
+    const Unit unit = unit_of(first);
     for (const Row member : unit) candidates_ &= ~bit(member), tried_ |= bit(member);
     const Row from = requester(first);
     if (from != nothing && stale(from)) {
@@ -262,7 +259,7 @@ void Pass::take_below_stale(Row member) {
   if (first_combination({member}, false)) keeping_ |= bit(member);
 }
 
-void Pass::take(const std::vector<Row>& unit) {
+void Pass::take(const Unit& unit) {
   const std::optional<Combination> combination = first_combination(unit, true);
   if (!combination) {
     refuse(unit);
@@ -294,19 +291,24 @@ void Pass::grant(const Combination& combination) {
 }
 
 void Pass::claim(Row edge, Row group, Row provider, Row plan, bool granted) {
-  now_.by[group] = edge;
+  hold(group, edge);
   now_.flags[group] = static_cast<Row>((now_.flags[group] & Moment::needed) | (granted ? Moment::granted : 0));
   now_.active[group] = provider;
   now_.plan[group] = plan;
   follow(group);
   const Component::Plan& entries = part_.providers[provider].plans[plan];
   for (const Component::Planned& entry : entries) {
-    if (now_.by[entry.group] == nothing) now_.by[entry.group] = entry.edge;
+    if (now_.by[entry.group] == nothing) hold(entry.group, entry.edge);
     now_.flags[entry.group] |= Moment::needed;
   }
   for (const Component::Planned& entry : entries) {
     if (last_.active[entry.group] != nothing && stale(entry.group)) follow(entry.group);
   }
+}
+
+void Pass::hold(Row group, Row edge) {
+  now_.by[group] = edge;
+  holders_[group] = claimed(edge);
 }
 
 void Pass::follow(Row group) {
@@ -321,7 +323,7 @@ bool Pass::deferred(const Combination& combination) const {
     for (Row other = 0; other < part_.groups.size(); ++other) {
       if (!now_.has(other, Moment::granted) || (part_.groups[other].may_ask_for & choice.claims) == 0 || !stale(other))
         continue;
-      const Chain holder = claimed(now_.by[other]);
+      const Chain& holder = holders_[other];
       if (before(holder, choice.chain) && !choice.chain.below(holder.edge())) return true;
     }
   }
@@ -335,13 +337,11 @@ bool Pass::hand_over() {
   }
   while (open_ != 0) {
     // In the old order, of which among equals nothing is known.
-    std::vector<Row> first;
-    for (Row group = 0; group < part_.groups.size(); ++group) {
-      if ((open_ & bit(group)) == 0) continue;
-      const Chain chain = before_now(last_.by[group]);
+    Groups first;
+    for (const Row group : each(open_)) {
       bool is_first = true;
-      for (Row other = 0; other < part_.groups.size() && is_first; ++other)
-        is_first = other == group || (open_ & bit(other)) == 0 || !before(before_now(last_.by[other]), chain);
+      for (const Row other : each(open_))
+        is_first = is_first && (other == group || !before(last_holders_[other], last_holders_[group]));
       if (is_first) first.push_back(group);
     }
     if (first.empty()) return true;
@@ -384,7 +384,7 @@ Moment Pass::finish() {
     bool news = false;
     if (active != nothing && holder != nothing && (is_granted || was_in_force)) {
       const PossiblePush* push = standing(group);
-      if (push != nullptr && push->to == active && applies(push->by, claimed(holder))) {
+      if (push != nullptr && push->to == active && applies(push->by, holders_[group])) {
         now_.flags[group] |= Moment::in_force;
         if (!holds(push->unmet)) news = !was_in_force || picks_.any();
       }

@@ -4,11 +4,12 @@
 // pass rule by rule where that is known, and picks where it is not: among equals, whether a push stands, what plan
 // a group had that is held only as a need. So what the engine decides is among what comes out.
 
+#include "compiler/analysis/decisions/few.hpp"
 #include "compiler/analysis/decisions/moment.hpp"
 #include "compiler/analysis/decisions/picks.hpp"
+#include "compiler/analysis/decisions/seen.hpp"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace director::analysis {
@@ -43,35 +44,57 @@ struct Gathered {
 
 class Pass {
 public:
-  Pass(const Component& part, const Moment& last, Rows anew, Picks& picks, Gathered& gathered);
-  /// Who holds what, runs what, and for what; news is in outdated. Nothing: other picks have led to the same.
+  Pass(const Component& part, Picks& picks, Gathered& gathered) : part_(part), picks_(picks), gathered_(gathered) {}
+  /// What the next passes are about.
+  void begin(const Moment& last, Rows anew);
+  /// Who holds what, runs what, and for what; news is in outdated. Nothing: since begin() other picks have led to the
+  /// same.
   std::optional<Moment> run();
 
 private:
   struct Chain {
-    std::array<Row, Component::most_groups + 2> edges{}; ///< the edge, who holds its requester, ...
-    std::size_t size = 0;
-    bool complete = false; ///< it ends at root
-    Row edge() const { return edges[0]; }
+    std::array<Row, Component::most_groups + 2> edges; ///< root's, ..., who holds the edge's requester, the edge
+    std::uint32_t size;
+    bool complete; ///< it begins at root
+    Row edge() const { return edges[size - 1]; }
     bool below(Row ancestor) const;
   };
   struct Choice {
     Chain chain;
-    Row group = 0, provider = 0, plan = 0;
-    Rows claims = 0;          ///< groups
-    std::vector<Row> lacking; ///< conditions
+    Row group, provider, plan;
+    Rows claims;  ///< groups
+    Rows lacking; ///< conditions
   };
-  using Combination = std::vector<Choice>;
   using By = std::array<Row, Component::most_groups>;
+  using ChainBy = std::array<Chain, Component::most_groups>; ///< of who holds each group; empty: nobody
+  template <class T>
+  using ByCondition = std::array<T, Component::most_conditions>;
+  using Edges = Few<Row, Component::most_edges>;
+  using Groups = Few<Row, Component::most_groups>;
+  using Providers = Few<Row, Component::most_providers>;
+  using Plans = Few<Row, Component::most_plans>;
+  using Chains = Few<Chain, Component::most_groups>;
+  using Unit = Groups; ///< edges of one requester, each to another group
+  using Combination = Few<Choice, Component::most_groups>;
+  enum class Stage : std::uint32_t { taking, handing_over, finishing };
+  /// All that the rest of a pass depends on.
+  struct Way {
+    Rows candidates, tried, refused, forgotten, keeping, open, asked_whether, taken_to_hold;
+    std::array<int, Component::most_groups> standing, asked;
+    By by, active, plan, flags, denied;
+    std::uint16_t unused;
+    Stage stage;
+  };
 
   // Section 4.1
   static bool is_limbo(Row edge) { return edge >= Moment::limbo && edge != nothing; }
   Row requester(Row edge) const { return edge >= Moment::limbo ? nothing : part_.edges[edge].requester; }
   const Level& level(Row edge) const;
-  Chain chain_of(const By& by, Row edge) const;
-  Chain claimed(Row edge) const { return chain_of(now_.by, edge); }
-  Chain before_now(Row edge) const { return chain_of(last_.by, edge); }
   static Chain below(const Chain& holder, Row edge);
+  Chain chain_of(const ChainBy& holders, Row edge) const;
+  Chain claimed(Row edge) const { return chain_of(holders_, edge); }
+  Chain before_now(Row edge) const { return chain_of(last_holders_, edge); }
+  Chain last_holder(Row group) const;
   int compare(const Chain& a, const Chain& b) const;
   bool before(const Chain& a, const Chain& b) const { return compare(a, b) < 0; }
 
@@ -83,32 +106,33 @@ private:
   bool holds(Row condition) const;
   bool applies(Row by, const Chain& edge) const { return before(claimed(by), edge) && !edge.below(by); }
   const PossiblePush* standing(Row group);
-  std::vector<Row> preference(Row group, const Chain& edge);
-  std::vector<Row> plans_in_order(const Choice& choice);
-  std::vector<Chain> chains_of(const Choice& choice) const;
-  void add_lacking(Row provider, std::vector<Row>& out);
-  void add_lacking(Row provider, const Chain& edge, std::vector<Row>& out);
-  std::vector<Choice> choices(Row edge, bool with_conditions);
-  std::optional<Combination> first_combination(const std::vector<Row>& members, bool with_conditions);
+  Providers preference(Row group, const Chain& edge);
+  Plans plans_in_order(const Choice& choice);
+  Chains chains_of(const Choice& choice) const;
+  Rows lacking(Row provider);
+  Rows lacking(Row provider, const Chain& edge);
+  void add_choices(Row edge, bool with_conditions);
+  std::optional<Combination> first_combination(const Unit& members, bool with_conditions);
   Row holder_of(Row group) const { return now_.by[group] != nothing ? now_.by[group] : last_.by[group]; }
   void note_taken(Row group, Reasons& reasons) const;
   void note(Row provider, const Reasons& why);
 
   // Section 4.4
-  void begin();
+  void begin_way();
   bool is_known();
   bool take_candidates();
   Row first_candidate();
-  std::vector<Row> unit_of(Row first);
+  Unit unit_of(Row first);
   bool alone(Row edge) const;
   bool stale(Row group) const;
   bool may_ask(Row requester) const;
   bool granted_before(Row edge) const;
-  void take(const std::vector<Row>& unit);
+  void take(const Unit& unit);
   void take_below_stale(Row member);
   bool grant_alone(Row member);
   void grant(const Combination& combination);
   void claim(Row edge, Row group, Row provider, Row plan, bool granted);
+  void hold(Row group, Row edge);
   void follow(Row group);
   bool deferred(const Combination& combination) const;
   bool denied_in_vain();
@@ -116,32 +140,33 @@ private:
   Moment finish();
 
   // Refuse: refusal.cpp
-  using Lengths = std::vector<int>; ///< by condition; 0: no way is known
-  void refuse(const std::vector<Row>& unit);
-  bool can_be_pushed(Row provider, const Chain& member, const std::vector<Row>& unit, bool surely) const;
-  int way(Row provider, const Chain& member, const std::vector<Row>& unit, bool surely, const Lengths& known,
+  using Lengths = ByCondition<int>; ///< 0: no way is known
+  void refuse(const Unit& unit);
+  std::vector<Row> lacking_in_order(const Choice& choice) const;
+  bool can_be_pushed(Row provider, const Chain& member, const Unit& unit, bool surely) const;
+  int way(Row provider, const Chain& member, const Unit& unit, bool surely, const Lengths& known,
           std::vector<Row>* first_lacking);
-  Lengths search(const Chain& member, const std::vector<Row>& unit, bool surely);
-  bool may_be_kept_for(Row condition, const std::vector<Row>& unit) const;
-  void add_pushes(const Chain& member, Row unmet, const std::vector<Row>& unit, std::vector<PossiblePush>& out);
+  Lengths search(const Chain& member, const Unit& unit, bool surely);
+  bool may_be_kept_for(Row condition, const Unit& unit) const;
+  void add_pushes(const Chain& member, Row unmet, const Unit& unit, std::vector<PossiblePush>& out);
 
   const Component& part_;
-  const Moment& last_;
-  Rows anew_;
   Picks& picks_;
   Gathered& gathered_;
-  Moment now_;
+  Moment last_, now_;
+  ChainBy last_holders_{}, holders_{};
+  Rows anew_ = 0;
   Rows candidates_ = 0, tried_ = 0, refused_ = 0, forgotten_ = 0;
   Rows keeping_ = 0; ///< edges whose pushes may stand
-  std::vector<Row> denied_;
-  std::array<int, Component::most_groups> standing_{}; ///< -2: not asked; -1: none; else a push
+  Groups denied_;
+  std::array<int, Component::most_groups> standing_{}; ///< a push, or none: -1
   std::array<int, Component::most_groups> asked_{};    ///< of how many that was picked
   Reasons blame_;                                      ///< of the unit in hand
-  std::vector<signed char> unsure_;                    ///< provider: whether its conditions hold
-  enum class Stage : Row { taking, handing_over, finishing };
+  Rows asked_whether_ = 0, taken_to_hold_ = 0;         ///< providers of whose conditions it is not known
   Stage stage_ = Stage::taking;
-  Rows open_ = 0;    ///< groups that have not been handed over
-  std::string here_; ///< bytes of what is_known() looks at
+  Rows open_ = 0;               ///< groups that have not been handed over
+  std::vector<Choice> choices_; ///< of the unit in hand, member by member
+  Seen<Way> known_;             ///< since begin()
 };
 
 } // namespace director::analysis

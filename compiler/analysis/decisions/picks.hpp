@@ -1,13 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// All ways through something that picks now and then: it is done again and again, each time with other picks. Ways that
-// come together need to be followed only once from there.
+// All ways through something that picks now and then: it is done again and again, each time with other picks.
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <string_view>
-#include <unordered_set>
 #include <vector>
 
 namespace director::analysis {
@@ -24,9 +20,6 @@ public:
 
   /// This way is not on the part that it has in common with the one before.
   bool has_picked() const { return !picked_.empty() && at_ == picked_.size(); }
-  /// Whether another way has led to what is in these bytes, all that what follows depends on: this way, which has
-  /// picked, may end here.
-  bool is_known(std::string_view here) { return !seen_.emplace(here).second; }
 
   /// From the beginning, with other picks. False: there are none left.
   bool again() {
@@ -37,12 +30,16 @@ public:
     return true;
   }
 
+  void clear() {
+    picked_.clear();
+    at_ = 0;
+  }
+
 private:
   struct Pick {
     std::uint32_t now, count;
   };
   std::vector<Pick> picked_;
-  std::unordered_set<std::string> seen_;
   std::size_t at_ = 0;
 };
 

@@ -11,11 +11,14 @@ namespace director::analysis {
 
 namespace {
 
-bool contains(const std::vector<Row>& rows, Row row) { return std::find(rows.begin(), rows.end(), row) != rows.end(); }
+template <class List>
+bool contains(const List& rows, Row row) {
+  return std::find(rows.begin(), rows.end(), row) != rows.end();
+}
 
 } // namespace
 
-void Pass::refuse(const std::vector<Row>& unit) {
+void Pass::refuse(const Unit& unit) {
   for (const Row member : unit) refused_ |= bit(member);
   const std::optional<Combination> combination = first_combination(unit, false);
   if (!combination) return; // blocked: it loses its pushes
@@ -26,14 +29,12 @@ void Pass::refuse(const std::vector<Row>& unit) {
   Rows causable = 0;
   for (const Component::ProviderRow& provider : part_.providers) causable |= provider.causes;
   for (const Choice& choice : *combination) {
-    for (const Row condition : choice.lacking) {
-      if ((causable & bit(condition)) == 0) return; // it waits for the outside
-    }
+    if ((choice.lacking & ~causable) != 0) return; // it waits for the outside
   }
   keep();
   std::vector<PossiblePush> made;
   for (const Choice& choice : *combination) {
-    for (const Row condition : choice.lacking) {
+    for (const Row condition : lacking_in_order(choice)) {
       const std::size_t before = made.size();
       add_pushes(choice.chain, condition, unit, made);
       if (made.size() == before && !may_be_kept_for(condition, unit)) return; // not served: no new push is made
@@ -45,13 +46,25 @@ void Pass::refuse(const std::vector<Row>& unit) {
   }
 }
 
-bool Pass::may_be_kept_for(Row condition, const std::vector<Row>& unit) const {
+std::vector<Row> Pass::lacking_in_order(const Choice& choice) const {
+  std::vector<Row> out;
+  const auto add = [&](Row provider) {
+    for (const Row condition : part_.providers[provider].when) {
+      if ((choice.lacking & bit(condition)) != 0) out.push_back(condition);
+    }
+  };
+  add(choice.provider);
+  for (const Component::Planned& entry : part_.providers[choice.provider].plans[choice.plan]) add(entry.provider);
+  return out;
+}
+
+bool Pass::may_be_kept_for(Row condition, const Unit& unit) const {
   return std::any_of(gathered_.pushes.begin(), gathered_.pushes.end(), [&](const PossiblePush& push) {
     return contains(unit, push.by) && (part_.providers[push.to].causes & bit(condition)) != 0;
   });
 }
 
-bool Pass::can_be_pushed(Row provider, const Chain& member, const std::vector<Row>& unit, bool surely) const {
+bool Pass::can_be_pushed(Row provider, const Chain& member, const Unit& unit, bool surely) const {
   const Row group = part_.providers[provider].group;
   if (now_.by[group] != nothing) return false;
   if (surely && std::any_of(gathered_.pushes.begin(), gathered_.pushes.end(), [&](const PossiblePush& push) {
@@ -66,34 +79,39 @@ bool Pass::can_be_pushed(Row provider, const Chain& member, const std::vector<Ro
 }
 
 /// How long the way by this provider is; 0: there is none.
-int Pass::way(Row provider, const Chain& member, const std::vector<Row>& unit, bool surely, const Lengths& known,
+int Pass::way(Row provider, const Chain& member, const Unit& unit, bool surely, const Lengths& known,
               std::vector<Row>* first_lacking) {
   gathered_.steps += static_cast<std::int64_t>(part_.providers[provider].plans.size());
   if (!can_be_pushed(provider, member, unit, surely)) return 0;
   int best = 0;
   for (const Component::Plan& plan : part_.providers[provider].plans) {
-    std::vector<Row> missing;
-    add_lacking(provider, missing);
-    bool is_free = true;
-    for (const Component::Planned& entry : plan) {
-      is_free = is_free && now_.by[entry.group] == nothing;
-      add_lacking(entry.provider, missing);
-    }
     int length = 1;
-    for (const Row condition : missing) {
-      is_free = is_free && known[condition] != 0;
-      length += known[condition];
+    bool is_way = true;
+    Row first = nothing;
+    const auto add = [&](Row one) {
+      const Rows missing = lacking(one);
+      for (const Row condition : part_.providers[one].when) {
+        if ((missing & bit(condition)) == 0) continue;
+        is_way = is_way && known[condition] != 0;
+        length += known[condition];
+        if (first == nothing) first = condition;
+      }
+    };
+    add(provider);
+    for (const Component::Planned& entry : plan) {
+      is_way = is_way && now_.by[entry.group] == nothing;
+      add(entry.provider);
     }
-    if (!is_free) continue;
-    if (first_lacking != nullptr) first_lacking->push_back(missing.empty() ? nothing : missing.front());
+    if (!is_way) continue;
+    if (first_lacking != nullptr) first_lacking->push_back(first);
     if (best == 0 || length < best) best = length;
   }
   return best;
 }
 
 /// A least fixed point: lengths only ever shrink.
-Pass::Lengths Pass::search(const Chain& member, const std::vector<Row>& unit, bool surely) {
-  Lengths known(part_.conditions.size(), 0);
+Pass::Lengths Pass::search(const Chain& member, const Unit& unit, bool surely) {
+  Lengths known{};
   for (bool more = true; more;) {
     more = false;
     for (Row provider = 0; provider < part_.providers.size(); ++provider) {
@@ -102,8 +120,8 @@ Pass::Lengths Pass::search(const Chain& member, const std::vector<Row>& unit, bo
       if (causes == 0) continue;
       const int length = way(provider, member, unit, surely, known, nullptr);
       if (length == 0) continue;
-      for (Row condition = 0; condition < known.size(); ++condition) {
-        if ((causes & bit(condition)) == 0 || (known[condition] != 0 && known[condition] <= length)) continue;
+      for (const Row condition : each(causes)) {
+        if (known[condition] != 0 && known[condition] <= length) continue;
         known[condition] = length;
         more = true;
       }
@@ -113,7 +131,7 @@ Pass::Lengths Pass::search(const Chain& member, const std::vector<Row>& unit, bo
 }
 
 /// Of the ways that may be the shortest, with the last provider of each.
-void Pass::add_pushes(const Chain& member, Row unmet, const std::vector<Row>& unit, std::vector<PossiblePush>& out) {
+void Pass::add_pushes(const Chain& member, Row unmet, const Unit& unit, std::vector<PossiblePush>& out) {
   const Lengths maybe = search(member, unit, false), sure = search(member, unit, true);
   if (maybe[unmet] == 0) return;
   Rows seen = bit(unmet);
