@@ -42,7 +42,8 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"algorithm",
               "all_of any_of none_of binary_search clamp copy copy_if copy_n count count_if equal equal_range fill "
               "find find_if "
-              "for_each includes is_sorted lower_bound max max_element merge min min_element mismatch partition_point "
+              "for_each includes is_sorted lexicographical_compare lower_bound max max_element merge min min_element "
+              "mismatch partition_point "
               "remove_if replace reverse rotate set_difference set_intersection set_union sort stable_partition "
               "stable_sort transform unique upper_bound"},
              {"array", "array"},
@@ -62,7 +63,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"cstdint", "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t"},
              {"cstdio", "snprintf fprintf FILE"},
              {"cstdlib", "getenv"},
-             {"cstring", "memcpy memset strcmp strchr strerror"},
+             {"cstring", "memcmp memcpy memset strcmp strchr strerror"},
              {"cctype", "isalnum isdigit tolower"},
              {"ctime", "time time_t tm"},
              {"cwchar", "mbstate_t mbrtowc"},
