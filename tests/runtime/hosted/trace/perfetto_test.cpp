@@ -88,6 +88,17 @@ std::string whole_packets(const std::string& bytes) {
 
 } // namespace
 
+/// What the counter of this name says, with the times.
+std::string counts_on(const std::string& counter, const std::string& bytes) {
+  std::string track, seen;
+  for (const Packet& packet : packets_in(bytes)) {
+    if (packet["name"] == '"' + counter + '"') track = packet["uuid"];
+    if (packet["type"] == "TYPE_COUNTER" && packet["track_uuid"] == track)
+      seen += packet["timestamp"] + ": " + packet["counter_value"] + "\n";
+  }
+  return seen;
+}
+
 TEST_CASE("a counter in a trace for Perfetto says how many inputs were lost so far") {
   const Lamp lamp;
   const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
@@ -98,13 +109,7 @@ TEST_CASE("a counter in a trace for Perfetto says how many inputs were lost so f
     event.count = lost;
     format->event(event, bytes);
   }
-  std::string track, seen;
-  for (const Packet& packet : packets_in(bytes)) {
-    if (packet["name"] == "\"lost inputs\"") track = packet["uuid"];
-    if (packet["type"] == "TYPE_COUNTER" && packet["track_uuid"] == track)
-      seen += packet["timestamp"] + ": " + packet["counter_value"] + "\n";
-  }
-  CHECK(seen == "3000000: 3\n3000000: 4\n7000000: 11\n"); // time does not go back
+  CHECK(counts_on("lost inputs", bytes) == "3000000: 3\n3000000: 4\n7000000: 11\n"); // time does not go back
 }
 
 TEST_CASE("a counter in a trace for Perfetto says how many tasks are queued: none of who does not run, nor behind "
@@ -128,13 +133,7 @@ TEST_CASE("a counter in a trace for Perfetto says how many tasks are queued: non
   tell(Kind::stop, 5, lamp.lowered.edges[root_signal].target);
   tell(Kind::queue, 6, root_signal);
   format->dropped(1, bytes);
-  std::string track, seen;
-  for (const Packet& packet : packets_in(bytes)) {
-    if (packet["name"] == "\"queued tasks\"") track = packet["uuid"];
-    if (packet["type"] == "TYPE_COUNTER" && packet["track_uuid"] == track)
-      seen += packet["timestamp"] + ": " + packet["counter_value"] + "\n";
-  }
-  CHECK(seen == "1000: 1\n2000: 2\n3000: 1\n3000: 0\n4000: 1\n5000: 0\n6000: 1\n6000: 0\n");
+  CHECK(counts_on("queued tasks", bytes) == "1000: 1\n2000: 2\n3000: 1\n3000: 0\n4000: 1\n5000: 0\n6000: 1\n6000: 0\n");
 }
 
 TEST_CASE(
