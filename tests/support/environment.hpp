@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Random cases: how many, from which on, and whether all of them, the environment may say.
+// How much a test does: of random cases the environment may say how many, from which on, and whether all of them; and
+// what a sanitizer makes slow.
 
 #include <cstdlib>
 #include <string>
