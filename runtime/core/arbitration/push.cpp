@@ -38,8 +38,8 @@ bool satisfies_any(const Context& x, Index provider, Range conditions) {
   return any(x.t.list(conditions), [&](Index condition) { return satisfies(x, provider, condition); });
 }
 
+/// Of a group that is listed.
 void set_push(Context& x, Index group, const Push& push) {
-  list_push(x, group);
   x.s.now[group].push = push;
   x.pushing = true;
 }
