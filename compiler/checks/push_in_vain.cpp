@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 namespace director::checks {
 
 namespace {
@@ -17,14 +20,24 @@ std::string loss_of(const Model& model, const Clash& clash) {
     return fmt::format("the request for {}", name_of(model, model.providers[clash.second_causer].group));
   case Clash::Loss::group: return fmt::format("a group that {} cannot do without", causer);
   case Clash::Loss::provider: return fmt::format("a state that {} cannot run without", causer);
-  case Clash::Loss::held: break;
+  case Clash::Loss::held:
+  case Clash::Loss::for_good: break;
   }
   return {};
+}
+
+/// The first one is what is waited for.
+std::string lost_with(const Model& model, const std::vector<ConditionId>& lost) {
+  if (lost.size() == 1) return "it is lost: what could bring it back runs only while it holds";
+  std::vector<std::string> names{"that"};
+  for (std::size_t i = 1; i < lost.size(); ++i) names.push_back(name_of(model, lost[i]));
+  return fmt::format("{} are lost: what could bring them back runs only while one of them holds", list_of(names));
 }
 
 std::string message_of(const Model& model, const Clash& clash) {
   const std::string waits =
       fmt::format("{} waits for {} in vain", name_of(model, clash.second_waiter), name_of(model, clash.second.id));
+  if (clash.loss == Clash::Loss::for_good) return fmt::format("{} once {}", waits, lost_with(model, clash.lost));
   if (clash.loss == Clash::Loss::held)
     return fmt::format("{}: what {} needs is kept above it", waits, name_of(model, clash.second_causer));
   return fmt::format("{}: its push of {} for {} takes away {}", waits, name_of(model, clash.first_causer),
@@ -41,6 +54,11 @@ std::string help_of(const Model& model, const Clash& clash) {
     return fmt::format("let {} leave that state as it is, or {} run without it", first, second);
   case Clash::Loss::held:
     return fmt::format("request {} above that, or let {} do without it", name_of(model, clash.task), second);
+  case Clash::Loss::for_good:
+    if (clash.unrequested)
+      return fmt::format("let something that runs without {} request {}", name_of(model, clash.second.id), group);
+    return fmt::format("let {} run without {}", second,
+                       clash.lacking ? name_of(model, *clash.lacking) : "what is lost then");
   }
   return {};
 }

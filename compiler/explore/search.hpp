@@ -24,7 +24,8 @@ struct SearchOptions {
   bool only_assertions = false; ///< ends as soon as there is nothing left to see of them
   bool foresees = true; ///< takes no micro-step of which it knows that it ends as one that was taken. Changes nothing
   std::function<void(const SearchProgress& so_far)> progress; ///< now and then
-  std::function<void(const Machine& machine)> look; ///< after each micro-step that is taken, on the core that takes it
+  std::function<void(const Machine& machine)> leave; ///< before those that lead on from one state, on the same core
+  std::function<void(const Machine& machine)> look;  ///< after each micro-step that is taken, on the core that takes it
 };
 
 /// A way from the start: from each state the so-manieth of all that can happen in it.

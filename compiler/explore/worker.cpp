@@ -40,6 +40,7 @@ void Worker::expand(const Waiting& from, const Known& known, const PlayedTable& 
   out.packed.clear();
   out.seen.clear();
   machine.unpack(from.state);
+  if (leave_) leave_(machine);
   watched_ = from.watch;
   watch.before(machine, watched_);
   machine.list(happens_);

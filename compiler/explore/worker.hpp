@@ -48,6 +48,7 @@ public:
       : machine(ground, options.breadth),
         watch(ground, options.assertions),
         foresees_(options.foresees),
+        leave_(options.leave),
         look_(options.look) {}
 
   void begin_slice() { mine_.clear(); }
@@ -65,7 +66,7 @@ private:
   void foresee(const PlayedTable& played);
 
   bool foresees_;
-  std::function<void(const Machine& machine)> look_;
+  std::function<void(const Machine&machine)> leave_, look_;
   std::vector<Happens> happens_;
   std::vector<std::uint64_t> foreseen_; ///< numbers of micro-steps, in their order: of an input, or of what a body does
   std::vector<std::size_t> seen_;

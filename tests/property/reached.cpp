@@ -11,6 +11,16 @@ using compiler::EdgeId;
 using compiler::GroupId;
 using compiler::ProviderId;
 
+namespace {
+
+std::vector<std::int32_t> values_of(const Engine& engine) {
+  std::vector<std::int32_t> out;
+  for (Index v = 0; v < engine.tables().states.size(); ++v) out.push_back(engine.value(v));
+  return out;
+}
+
+} // namespace
+
 std::vector<WholePack> whole_packs(const compiler::Model& model) {
   std::vector<WholePack> out;
   for (const ProviderId id : model.providers.ids()) {
@@ -60,11 +70,8 @@ void Reached::look(const compiler::Machine& machine) {
   for (const std::uint32_t word : now_) key = (key ^ word) * 1'099'511'628'211U, key ^= key >> 29;
   if (!seen_.insert(key).second) return;
 
-  std::vector<std::int32_t> all;
-  for (Index v = 0; v < t.states.size(); ++v) {
-    all.push_back(engine.value(v));
-    values[v].insert(all.back());
-  }
+  const std::vector<std::int32_t> all = values_of(engine);
+  for (Index v = 0; v < t.states.size(); ++v) values[v].insert(all[v]);
   for (Index g = 0; g < t.groups.size(); ++g) {
     const Push& push = s.last[g].push;
     if (push.edge != nil) {
@@ -84,6 +91,18 @@ void Reached::look(const compiler::Machine& machine) {
                            [&](EdgeId edge) { return engine.state(edge.value) == RunState::running; });
   }
   look_below(engine);
+}
+
+/// Of a micro-step that is foreseen nobody knows from where it comes.
+bool Reached::find_changes(std::size_t bound) {
+  std::vector<std::int32_t> before;
+  compiler::SearchOptions how;
+  how.bound = bound;
+  how.threads = 1;
+  how.foresees = false;
+  how.leave = [&](const compiler::Machine& machine) { before = values_of(machine.engine()); };
+  how.look = [&](const compiler::Machine& machine) { changes.emplace(before, values_of(machine.engine())); };
+  return compiler::search(ground_, how).complete;
 }
 
 void Reached::look_below(const Engine& engine) {

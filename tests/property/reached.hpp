@@ -34,6 +34,8 @@ public:
   explicit Reached(const compiler::Ground& ground);
   /// After a micro-step.
   void look(const compiler::Machine& machine);
+  /// By a search of its own, with at most so many states; false: it did not see everything.
+  bool find_changes(std::size_t bound);
   /// What the search has noted itself; false: it did not see everything.
   bool take(const compiler::Searched& searched);
 
@@ -46,6 +48,8 @@ public:
   std::set<GrantedBelow> granted_below;
   /// A group that is granted and not held by a push, and the values of all states then.
   std::set<std::pair<compiler::GroupId, std::vector<std::int32_t>>> granted_in;
+  /// After find_changes(): the values of all states, and those after the next micro-step.
+  std::set<std::pair<std::vector<std::int32_t>, std::vector<std::int32_t>>> changes;
 
 private:
   void look_below(const director::Engine& engine);

@@ -257,6 +257,14 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
           out.push_back(NeverPushed{*causer, condition, true});
       }
     }
+  } else if (id == "push_in_vain" && says(finding, " in vain once ")) {
+    NeverBack claim;
+    for (const std::string& name : quoted_in(finding.message)) {
+      for (const compiler::ConditionId condition : model.conditions.ids()) {
+        if (model.conditions[condition].text == name) claim.conditions.push_back(condition);
+      }
+    }
+    out.push_back(claim);
   } else if (id == "imprecise_causing") {
     const auto causer = places.with_causing(finding.span);
     const auto waiter = finding.notes.empty() ? std::nullopt : places.with_when(finding.notes.front().span);
@@ -330,6 +338,14 @@ std::vector<compiler::StateId> lacking_of(const dsl::Diagnostic& finding, const 
   return out;
 }
 
+bool are_lost(const NeverBack& claim, const Model& model, const std::vector<std::int32_t>& values) {
+  return std::none_of(claim.conditions.begin(), claim.conditions.end(), [&](compiler::ConditionId id) {
+    const compiler::Condition& condition = model.conditions[id];
+    const std::int32_t value = values[condition.state.value];
+    return value != unset && condition.accepts.contains(value);
+  });
+}
+
 bool is_contradicted(const Claim& claim, const Model& model, const Reached& reached) {
   struct {
     const Model& model;
@@ -347,6 +363,11 @@ bool is_contradicted(const Claim& claim, const Model& model, const Reached& reac
                  const std::int32_t value = seen.second[part.state.value];
                  return value == unset ? part.unset : part.values.contains(value);
                });
+      });
+    }
+    bool operator()(const NeverBack& c) const {
+      return std::any_of(reached.changes.begin(), reached.changes.end(), [&](const auto& change) {
+        return are_lost(c, model, change.first) && !are_lost(c, model, change.second);
       });
     }
   } look{model, reached};
@@ -373,6 +394,11 @@ std::string in_words(const Claim& claim, const Model& model) {
     std::string operator()(const NeverWhile& c) const {
       std::string out = model.groups[c.group].name.value + " never runs in values of";
       for (const NeverWhile::Part& part : c.parts) out += " " + model.states[part.state].name.value;
+      return out;
+    }
+    std::string operator()(const NeverBack& c) const {
+      std::string out = "once lost, these never come back:";
+      for (const compiler::ConditionId id : c.conditions) out += " " + model.conditions[id].text;
       return out;
     }
   } words{model};

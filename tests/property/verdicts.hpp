@@ -49,7 +49,12 @@ struct NeverWhile {
   std::vector<Part> parts;
 };
 
-using Claim = std::variant<NeverRuns, NeverGranted, NeverPushed, NeverWhole, NeverBelow, NeverWhile>;
+/// Once none of these holds, none ever holds again.
+struct NeverBack {
+  std::vector<compiler::ConditionId> conditions;
+};
+
+using Claim = std::variant<NeverRuns, NeverGranted, NeverPushed, NeverWhole, NeverBelow, NeverWhile, NeverBack>;
 
 /// Each for itself; nothing where the finding claims nothing that could be reached.
 std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const compiler::Model& model);
@@ -62,6 +67,9 @@ std::vector<compiler::EdgeId> losers_of(const dsl::Diagnostic& finding, const co
 
 /// States of which it says that they never have some of their values.
 std::vector<compiler::StateId> lacking_of(const dsl::Diagnostic& finding, const compiler::Model& model);
+
+/// None of them holds.
+bool are_lost(const NeverBack& claim, const compiler::Model& model, const std::vector<std::int32_t>& values);
 
 bool is_contradicted(const Claim& claim, const compiler::Model& model, const Reached& reached);
 std::string in_words(const Claim& claim, const compiler::Model& model);

@@ -123,6 +123,7 @@ std::optional<Judged> judge(const std::string& text) {
   for (const dsl::Diagnostic& finding : checked.findings) {
     const std::vector<Claim> claims = claims_of(finding, model);
     if (claims.empty()) continue;
+    if (std::holds_alternative<NeverBack>(claims.front()) && reached.changes.empty()) reached.find_changes(bound);
     Judged::Finding& row = out.claiming.emplace_back(Judged::Finding{finding.id, finding.message, ""});
     for (const Claim& claim : claims) {
       if (is_contradicted(claim, model, reached)) row.wrong = in_words(claim, model);

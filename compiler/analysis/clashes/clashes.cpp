@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/clashes/exclusions.hpp"
 #include "compiler/analysis/clashes/losses.hpp"
+#include "compiler/analysis/clashes/lost_for_good.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -24,6 +25,7 @@ class ClashSearch {
 public:
   ClashSearch(const Model& model, const Graph& graph, const Facts& facts, const Shared& shared)
       : model_(model),
+        facts_(facts),
         shared_(shared),
         losses_(model, graph, facts, shared) {}
 
@@ -35,6 +37,7 @@ public:
           look_at(wanting, wanting.wants[first], wanting.wants[second]);
       }
     }
+    take_lost();
     return std::move(out_);
   }
 
@@ -74,6 +77,27 @@ private:
     clash.task = task;
     clash.because = std::move(because);
     out_.push_back(std::move(clash));
+  }
+
+  /// Where a clash is told of the condition, that is reason enough.
+  void take_lost() {
+    for (LostForGood& each : find_lost_for_good(model_, facts_, shared_)) {
+      const bool is_told = std::any_of(seen_.begin(), seen_.end(), [&](const auto& pair) {
+        return pair.first == each.condition.span || pair.second == each.condition.span;
+      });
+      if (is_told) continue;
+      Clash& clash = out_.emplace_back();
+      clash.kind = Clash::Kind::vain;
+      clash.loss = Clash::Loss::for_good;
+      clash.task = each.task;
+      clash.first_waiter = clash.second_waiter = each.waiter;
+      clash.first = clash.second = each.condition;
+      clash.first_causer = clash.second_causer = each.causer;
+      clash.lost = std::move(each.lost);
+      clash.lacking = each.lacking;
+      clash.unrequested = each.unrequested;
+      clash.because = std::move(each.because);
+    }
   }
 
   static Clash make(Clash::Kind kind, const Want& first, const Want& second) {
@@ -146,13 +170,12 @@ private:
   std::optional<Clash> find_vain(const Want& first, const Want& second) const {
     if (losses_.comes_otherwise(second)) return std::nullopt;
     Clash out = make(Clash::Kind::vain, first, second);
-    using Find = Losses::Because (Losses::*)(ProviderId, ProviderId) const;
-    const std::pair<Clash::Loss, Find> losses[] = {{Clash::Loss::request, &Losses::lost_request},
-                                                   {Clash::Loss::group, &Losses::lost_group},
-                                                   {Clash::Loss::provider, &Losses::lost_provider}};
-    for (const auto& [loss, find] : losses) {
-      const auto because =
-          for_each_pair(first, second, [&, how = find](ProviderId a, ProviderId b) { return (losses_.*how)(a, b); });
+    for (const Clash::Loss loss : {Clash::Loss::request, Clash::Loss::group, Clash::Loss::provider}) {
+      const auto because = for_each_pair(first, second, [&](ProviderId a, ProviderId b) {
+        return loss == Clash::Loss::request ? losses_.lost_request(a, b)
+               : loss == Clash::Loss::group ? losses_.lost_group(a, b)
+                                            : losses_.lost_provider(a, b, second);
+      });
       if (!because) continue;
       out.loss = loss;
       out.because = *because;
@@ -162,6 +185,7 @@ private:
   }
 
   const Model& model_;
+  const Facts& facts_;
   const Shared& shared_;
   Losses losses_;
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
@@ -185,7 +209,8 @@ void add_parties(const Model& model, const Clash& clash, dsl::Diagnostic& findin
   finding.rules_out = {clash.first.span, clash.second.span};
   for (const auto& [causer, condition] : promises) {
     finding.notes.push_back(causes(model, causer, condition.id));
-    if (clash.kind == Clash::Kind::vain) finding.rules_out.push_back(finding.notes.back().span);
+    const bool is_in_vain = clash.kind == Clash::Kind::vain && clash.loss != Clash::Loss::for_good;
+    if (is_in_vain) finding.rules_out.push_back(finding.notes.back().span);
   }
   finding.notes.insert(finding.notes.end(), clash.because.begin(), clash.because.end());
 }

@@ -1,10 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Two conditions that one task waits for, where a push for the one spoils the other.
+// Conditions that a task waits for in vain: two of them, where a push for the one spoils the other, or one that never
+// comes back.
 
 #include "compiler/analysis/input.hpp"
 #include "dsl/diagnostic.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace director::analysis {
@@ -19,7 +21,8 @@ struct Clash {
     request,  ///< nothing else requests the group
     group,    ///< both want the same one
     provider, ///< it sets a state that the other one's conditions exclude
-    held      ///< what would be pushed needs what is kept above the task: `first` is `second`
+    held,     ///< what would be pushed needs what is kept above the task: `first` is `second`
+    for_good  ///< what causes it runs only while it holds, or what may be lost with it: `first` is `second`
   };
   Kind kind = Kind::cycle;
   Loss loss = Loss::request;
@@ -27,14 +30,17 @@ struct Clash {
   ProviderId first_waiter{}, second_waiter{};
   ConditionUse first{}, second{};
   ProviderId first_causer{}, second_causer{};
-  std::vector<dsl::Note> because; ///< the places that show it
+  std::vector<ConditionId> lost;      ///< `for_good`: these together, the first is `second`
+  std::optional<ConditionId> lacking; ///< `for_good`: of these, what the causer lacks then
+  bool unrequested = false;           ///< `for_good`: nothing requests the causer then
+  std::vector<dsl::Note> because;     ///< the places that show it
 };
 
 /// The first that applies, for each two conditions; each pair once, at the first task that waits for it.
 std::vector<Clash> find_clashes(const Model& model, const Graph& graph, const Facts& facts, const Shared& shared);
 
-/// Adds where both conditions stand and who causes them, and what shows the clash. The two never come true for the task;
-/// nor does a push in vain come to anything.
+/// Adds where both conditions stand and who causes them, and what shows the clash. The two never come true for the
+/// task; nor does a push in vain come to anything.
 void add_parties(const Model& model, const Clash& clash, dsl::Diagnostic& finding);
 
 } // namespace director::analysis

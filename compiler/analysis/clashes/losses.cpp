@@ -3,6 +3,7 @@
 #include "compiler/analysis/clashes/losses.hpp"
 
 #include "compiler/analysis/clashes/holdings.hpp"
+#include "compiler/analysis/clashes/stopping.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -51,10 +52,10 @@ Losses::Because Losses::lost_group(ProviderId a, ProviderId b) const {
   return std::nullopt;
 }
 
-Losses::Because Losses::lost_provider(ProviderId a, ProviderId b) const {
+Losses::Because Losses::lost_provider(ProviderId a, ProviderId b, const Want& wanted) const {
   for (const auto& [state, accepted] : region_of(model_, row(b).when).states) {
     const ValueSet set = values_set_by(model_, row(a), state);
-    if (set.empty() || !set.intersected(accepted).empty() || comes_from_others(state, accepted, a)) continue;
+    if (set.empty() || !set.intersected(accepted).empty() || comes_from_others(state, accepted, a, wanted)) continue;
     std::vector<Note> out;
     for (const std::vector<ConditionUse>* uses : {&row(a).causing, &row(a).sets}) {
       for (const ConditionUse& use : *uses) {
@@ -89,7 +90,7 @@ bool Losses::comes_otherwise(const Want& want) const {
     if (source.kind == Source::Kind::initial || source.values.intersected(wanted.accepts).empty()) return false;
     if (!source.provider) return true;
     const bool is_causer = std::find(want.causers.begin(), want.causers.end(), *source.provider) != want.causers.end();
-    return !is_causer && facts_.active.contains(*source.provider);
+    return !is_causer && facts_.active.contains(*source.provider) && !waits_too(*source.provider, want);
   });
 }
 
@@ -106,10 +107,17 @@ std::optional<Note> Losses::always_keeps(GroupId group, GroupId task, GroupId ke
   return out;
 }
 
-bool Losses::comes_from_others(StateId state, const ValueSet& values, ProviderId but) const {
+bool Losses::comes_from_others(StateId state, const ValueSet& values, ProviderId but, const Want& wanted) const {
   return std::any_of(sources_[state].begin(), sources_[state].end(), [&](const Source& source) {
-    return source.kind != Source::Kind::initial && source.provider != but && !source.values.intersected(values).empty();
+    return source.kind != Source::Kind::initial && source.provider != but &&
+           !source.values.intersected(values).empty() && !(source.provider && waits_too(*source.provider, wanted));
   });
+}
+
+bool Losses::waits_too(ProviderId id, const Want& wanted) const {
+  Stopping stopping(model_, facts_, sources_);
+  stopping.suppose_lost(wanted.condition.id);
+  return stopping.cannot_run(id, false);
 }
 
 } // namespace director::analysis

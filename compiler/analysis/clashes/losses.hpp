@@ -28,8 +28,9 @@ public:
   Because lost_request(ProviderId a, ProviderId b) const;
   /// The one holds what the other cannot do without, or both want the same.
   Because lost_group(ProviderId a, ProviderId b) const;
-  /// What the one sets makes a condition of the other one false, and nothing else makes it true again.
-  Because lost_provider(ProviderId a, ProviderId b) const;
+  /// What the one sets makes a condition of the other one false, and nothing else makes it true again while the task
+  /// waits for what the other one causes.
+  Because lost_provider(ProviderId a, ProviderId b, const Want& wanted) const;
   /// What `causer` needs is kept by a group above the task.
   Because held_above(GroupId task, ProviderId causer) const;
 
@@ -40,7 +41,9 @@ private:
   const Provider& row(ProviderId id) const { return model_.providers[id]; }
   /// Every provider of the group that leads to the task needs the other group.
   std::optional<dsl::Note> always_keeps(GroupId group, GroupId task, GroupId kept) const;
-  bool comes_from_others(StateId state, const ValueSet& values, ProviderId but) const;
+  bool comes_from_others(StateId state, const ValueSet& values, ProviderId but, const Want& wanted) const;
+  /// It, or what requests it, runs only while what is wanted holds, as the task itself does.
+  bool waits_too(ProviderId id, const Want& wanted) const;
 
   const Model& model_;
   const Graph& graph_;
