@@ -94,7 +94,17 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
                "[Phase == ready || Phase == set]",
                "5:27 `||` bad_condition: expected the end of the condition, found `||` (alternatives are values of one "
                "state: `Phase == ready|set`)\n"},
-           Case{"[Phase == a::b]", "5:22 `::` bad_condition: expected the end of the condition, found `::`\n"},
+           Case{"[Phase == a::b]", "5:22 `::` bad_condition: expected the end of the condition, found `::` (a value "
+                                   "stands by itself: `Phase == ready`)\n"},
+           Case{"[Charge > 1.5]", "5:22 `.` bad_condition: expected the end of the condition, found `.` (a number is a "
+                                  "whole one)\n"},
+           Case{"[Charge == 1..3]",
+                "5:23 `..` bad_condition: expected the end of the condition, found `..` (for numbers "
+                "from one to another write two conditions, with >= and <=)\n"},
+           Case{"[1 < Charge < 3]", "5:23 `<` bad_condition: expected the end of the condition, found `<` (each "
+                                    "condition is an entry of its own in the list; all must hold)\n"},
+           Case{"[\"Phase == 'ready'\"]", "5:22 `'` bad_condition: expected a value behind `==`, found `'` (write it "
+                                          "without quotes)\n"},
            Case{"[Charge < 3|4]", "5:21 `3|4` bad_condition: `<` compares with one value, found alternatives "
                                   "(alternatives go with == and !=)\n"},
            Case{"[Phase == ready within 2 s]", "5:27 `within 2 s` bad_condition: `within` belongs to a promise: it "
