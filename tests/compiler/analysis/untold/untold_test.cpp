@@ -96,6 +96,7 @@ const std::vector<std::pair<std::string, std::string>> rows_of_pages{
     {"self_defeating_handler", "Gripper == open"},
     {"sibling_starvation", "Kick"},
     {"starved_task", "Balance"},
+    {"undone_by_fallback", "Base == still"},
     {"undone_by_stop", "Stability == standing"},
     {"unpushable_causing", "Stability == standing Stability == standing"},
 };
