@@ -48,6 +48,8 @@ public:
     for (const Wanting& wanting : shared_.wants()) {
       for (const Want& want : wanting.wants) pushed_.insert({wanting.task, want.condition.id});
     }
+    for (const Outranked& one : input.conflicts.outranked())
+      pushed_.insert({one.request->target, one.condition.id});
   }
 
   void run() {

@@ -329,6 +329,20 @@ void a_root_of_its_own(Robot& robot, bool defect) {
   robot.add_root(kick, robot.above());
 }
 
+// causer_goes_first
+
+void the_wrong_way_round(Robot& robot, bool defect) {
+  const std::string feet = make_state(robot, "moving", "standing");
+  const std::string kick = make(robot, "{when: [$0 == standing]}", {feet});
+  const std::string walk = causer(robot, feet, "standing", "moving");
+  make_root(robot,
+            defect ? "{packs: {shoot: {$0: {priority: 20, apart: true}, $1: {priority: 10}}, "
+                     "pass: {@$0: {priority: 10, apart: true}, $1: {priority: 20}}}}"
+                   : "{packs: {shoot: {$0: {priority: 20, apart: true}, $1: {priority: 10}}, "
+                     "pass: {@$0: {priority: 20, apart: true}, $1: {priority: 10}}}}",
+            {kick, walk});
+}
+
 constexpr Planter of_pushes[]{
     {"unreachable_causing", "nobody asks", nobody_asks},
     {"unreachable_causing", "never its turn", never_its_turn},
@@ -356,6 +370,7 @@ constexpr Planter of_pushes[]{
     {"push_inversion", "somebody between", somebody_between},
     {"push_inversion", "something below", something_below_between},
     {"push_inversion", "a root of its own", a_root_of_its_own},
+    {"causer_goes_first", "in one of two packs", the_wrong_way_round},
 };
 
 } // namespace
