@@ -8,6 +8,7 @@
 #include "compiler/analysis/states/sources.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace director::analysis {
 
@@ -45,12 +46,15 @@ private:
     if (want.causers.empty() || comes_otherwise(want, groups)) return;
     for (const Request& request : shared_.requests().of(model_.providers[waiter].group)) {
       if (!request.requester) continue;
-      Company company(model_, facts_, shared_.requests(), groups);
-      const std::optional<Company::Rank> rank = company.find_outranking(request);
+      const std::optional<Company::Rank> rank = company_of(groups).find_outranking(request);
       if (!rank || others_push(want, *rank) || is_pushed_company(*rank) || !standstill_.may_wait(request, waiter, use))
         continue;
       out_.push_back({waiter, use, want.causers, request.task, rank->waits, rank->first});
     }
+  }
+
+  Company& company_of(const std::vector<GroupId>& groups) {
+    return companies_.try_emplace(groups, model_, facts_, shared_.requests(), groups).first->second;
   }
 
   /// By whatever but the causing providers, and the end of their groups: these are requested all the while.
@@ -101,6 +105,7 @@ private:
   const Shared& shared_;
   IdTable<StateId, std::vector<Source>> sources_;
   Standstill standstill_;
+  std::map<std::vector<GroupId>, Company> companies_; ///< of causing groups
   std::vector<Outranked> out_;
 };
 

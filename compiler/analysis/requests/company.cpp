@@ -23,7 +23,10 @@ std::vector<const Task*> Company::find_bare_chain(const Request& request, bool w
   return {};
 }
 
-std::optional<Company::Rank> Company::find_outranking(const Request& request) { return find_outranking(request, true); }
+std::optional<Company::Rank> Company::find_outranking(const Request& request) {
+  visited_.clear(); // ways up that were gone for another request
+  return find_outranking(request, true);
+}
 
 std::optional<Company::Rank> Company::find_outranking(const Request& request, bool waits) {
   if (!request.requester) return std::nullopt;
