@@ -140,6 +140,11 @@ private:
     if (!fault_) fault_ = Fault{span(place), std::move(message), std::move(help)};
   }
 
+  static std::string op_help(std::string_view found) {
+    if (found == "within") return "say which value it promises: `Phase == ready within 2 s`";
+    return found == "." ? "a condition compares a state with a value: `Phase == ready`" : habit_help(found);
+  }
+
   static std::string word_help(std::string_view found) {
     if (found == "!") return negated;
     return !found.empty() && (found.front() == '\'' || found.front() == '"') ? "write it without quotes" : "";
@@ -160,7 +165,7 @@ private:
     at_ = token.end;
     if (known != ops.end()) return {static_cast<Op>(known - ops.begin()), span(token)};
     fail(token, fmt::format("expected {} behind `{}`, found {}", known_ops, state, found(token)),
-         state == "not" ? std::string(negated) : habit_help(text(token)));
+         state == "not" ? std::string(negated) : op_help(text(token)));
     return {};
   }
 

@@ -119,11 +119,19 @@ const State* find_meant(const Resolver& r, std::string_view name) {
 
 /// What could be meant by a name that is no state; empty: nothing that is known.
 std::string help_for_state(const Resolver& r, const dsl::ConditionSpec& spec) {
+  if (spec.any) {
+    for (const State& state : r.model.states) {
+      if (!state.is_range && state.value_of(spec.state.value))
+        return fmt::format("write `{} == {}`", state.name.value, spec.state.value);
+    }
+  }
   if (spec.values.size() == 1) {
     if (const State* second = find_meant(r, spec.values.front().value))
       return fmt::format("the state comes first: `{} {} {}`", second->name.value,
                          dsl::to_text(dsl::turned(spec.op.value)), spec.state.value);
   }
+  if (r.groups.count(spec.state.value) != 0)
+    return "a condition looks at states; how a task fares its requester sees with `uses`";
   const State* meant = find_meant(r, spec.state.value);
   return meant == nullptr ? "" : fmt::format("that is the type of the state `{}`", meant->name.value);
 }

@@ -96,6 +96,9 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
                "state: `Phase == ready|set`)\n"},
            Case{"[Phase == a::b]", "5:22 `::` bad_condition: expected the end of the condition, found `::` (a value "
                                    "stands by itself: `Phase == ready`)\n"},
+           Case{"[Walk.halting]",
+                "5:16 `.` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Walk`, found `.` "
+                "(a condition compares a state with a value: `Phase == ready`)\n"},
            Case{"[Charge > 1.5]", "5:22 `.` bad_condition: expected the end of the condition, found `.` (a number is a "
                                   "whole one)\n"},
            Case{"[Charge == 1..3]",
@@ -131,7 +134,9 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
 
 TEST_CASE("A promise's time is a duration above 0") {
   for (const Case& c :
-       {Case{"[Phase == ready within]", "5:36 `` bad_condition: expected a duration such as 2 s behind `within`, found "
+       {Case{"[Phase within 2 s]", "5:21 `within` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, "
+                                   "found `within` (say which value it promises: `Phase == ready within 2 s`)\n"},
+        Case{"[Phase == ready within]", "5:36 `` bad_condition: expected a duration such as 2 s behind `within`, found "
                                         "nothing (a whole number above 0 and one of us, ms, s, min)\n"},
         Case{"[Phase == ready within 2]",
              "5:37 `2` bad_condition: expected a duration such as 2 s behind `within`, found "
