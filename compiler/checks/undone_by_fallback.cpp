@@ -55,7 +55,7 @@ private:
       const Region own = region_of(model_, model_.providers[id].when);
       if (!compatible(here, own)) continue;
       const std::optional<Fallback> found = find_undoing(want, id);
-      if (found || covers(own, here)) return found;
+      if (found || contains(own, here)) return found;
     }
     return std::nullopt;
   }
@@ -71,15 +71,6 @@ private:
       }
     }
     return std::nullopt;
-  }
-
-  /// Wherever `inner` holds, `outer` does.
-  static bool covers(const Region& outer, const Region& inner) {
-    for (const auto& [state, values] : outer.states) {
-      const auto at = inner.states.find(state);
-      if (at == inner.states.end() || !at->second.without(values).empty()) return false;
-    }
-    return true;
   }
 
   void report(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,

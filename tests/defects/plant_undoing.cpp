@@ -82,6 +82,18 @@ void unsettled_by_a_task(Robot& robot, bool defect) {
   ask_for_both(robot, play, walk);
 }
 
+void takes_over_what_it_pushed(Robot& robot, bool defect) {
+  const std::string at = make_state(robot, "folded", "ready");
+  const std::string move = make(
+      robot, "{providers: [{name: reaching, sets: [@$0 == folded]}, {name: readying, causing: [$0 == ready]}]}", {at});
+  const std::string hand_over =
+      make(robot,
+           defect ? "{when: [$0 == ready], packs: {give: {$1: {}}}}"
+                  : "{when: [$0 == ready], stay: [$0 == folded|ready], packs: {give: {$1: {}}}}",
+           {at, move});
+  ask_for_both(robot, hand_over, make(robot, "{packs: {go: {$0: {}}}}", {move}));
+}
+
 constexpr Planter of_undoing[]{
     {"self_defeating_handler", "start", start_shuts_itself_out},
     {"self_defeating_handler", "stop", stop_lets_itself_in},
@@ -90,6 +102,7 @@ constexpr Planter of_undoing[]{
     {"undone_by_fallback", "what it needs besides", falls_back_to_another},
     {"undone_by_itself", "the task", unsettles_itself},
     {"undone_by_itself", "a task below", unsettled_by_a_task},
+    {"undone_by_itself", "the group that it pushed", takes_over_what_it_pushed},
 };
 
 } // namespace
