@@ -16,6 +16,7 @@ namespace director::dsl {
 namespace {
 
 constexpr std::array<std::string_view, 6> ops{"==", "!=", "<", "<=", ">", ">="}; // in the order of Op
+constexpr std::string_view one_by_one = "each condition is an entry of its own in the list; all must hold";
 constexpr std::string_view known_ops = "one of ==, !=, <, <=, >, >=";
 
 /// What people write who know other languages.
@@ -30,8 +31,8 @@ constexpr std::array habits{
     Habit{"<>", "write `!=`"},
     Habit{"is", "write `==`"},
     Habit{"in", "alternatives are values of one state: `Phase == ready|set`"},
-    Habit{"&&", "each condition is an entry of its own in the list; all must hold"},
-    Habit{"and", "each condition is an entry of its own in the list; all must hold"},
+    Habit{"&&", one_by_one},
+    Habit{"and", one_by_one},
     Habit{"||", "alternatives are values of one state: `Phase == ready|set`"},
     Habit{"or", "alternatives are values of one state: `Phase == ready|set`"},
 };
@@ -42,17 +43,6 @@ std::string habit_help(std::string_view token) {
   for (const Habit& habit : habits)
     if (habit.written == token) return std::string(habit.help);
   return "";
-}
-
-/// What it says with its sides exchanged.
-Op turned(Op op) {
-  switch (op) {
-  case Op::less: return Op::greater;
-  case Op::less_equal: return Op::greater_equal;
-  case Op::greater: return Op::less;
-  case Op::greater_equal: return Op::less_equal;
-  default: return op;
-  }
 }
 
 /// No state is called like that.
@@ -98,7 +88,7 @@ public:
     if (text(rest) == "within")
       out.within = within(rest);
     else if (!at_end())
-      fail(rest, fmt::format("expected the end of the condition, found {}", found(rest)), habit_help(text(rest)));
+      fail(rest, fmt::format("expected the end of the condition, found {}", found(rest)), rest_help(out, text(rest)));
     if (!fault_ && is_in_digits(out.state.value) && !is_in_digits(out.values.front().value))
       fault_ = Fault{out.state.span, fmt::format("expected the name of a state, found `{}`", out.state.value),
                      fmt::format("the state comes first: `{} {} {}`", out.values.front().value,
@@ -135,16 +125,36 @@ private:
 
   bool at_end() const { return peek().begin == text_.size(); }
 
+  /// What stands behind a whole condition.
+  static std::string rest_help(const ConditionSpec& condition, std::string_view rest) {
+    if (std::find(ops.begin(), ops.end(), rest) != ops.end()) return std::string(one_by_one);
+    const bool number = !condition.values.empty() && is_in_digits(condition.values.back().value);
+    if (rest == "..") return "for numbers from one to another write two conditions, with >= and <=";
+    if (rest == "." && number) return "a number is a whole one";
+    if (rest == "." || rest == "::") return "a value stands by itself: `Phase == ready`";
+    return habit_help(rest);
+  }
+
   /// The first fault counts: what follows it is read for nothing.
   void fail(Token place, std::string message, std::string help = "") {
     if (!fault_) fault_ = Fault{span(place), std::move(message), std::move(help)};
+  }
+
+  static std::string op_help(std::string_view found) {
+    if (found == "within") return "say which value it promises: `Phase == ready within 2 s`";
+    return found == "." ? "a condition compares a state with a value: `Phase == ready`" : habit_help(found);
+  }
+
+  static std::string word_help(std::string_view found) {
+    if (found == "!") return negated;
+    return !found.empty() && (found.front() == '\'' || found.front() == '"') ? "write it without quotes" : "";
   }
 
   Word word(std::string_view expected) {
     const Token token = peek();
     const bool number = token.end > token.begin + 1 && text_[token.begin] == '-';
     if (token.begin == token.end || !(is_in_word(text_[token.begin]) || number))
-      fail(token, fmt::format("expected {}, found {}", expected, found(token)), text(token) == "!" ? negated : "");
+      fail(token, fmt::format("expected {}, found {}", expected, found(token)), word_help(text(token)));
     at_ = token.end;
     return {std::string(text(token)), span(token)};
   }
@@ -155,7 +165,7 @@ private:
     at_ = token.end;
     if (known != ops.end()) return {static_cast<Op>(known - ops.begin()), span(token)};
     fail(token, fmt::format("expected {} behind `{}`, found {}", known_ops, state, found(token)),
-         state == "not" ? std::string(negated) : habit_help(text(token)));
+         state == "not" ? std::string(negated) : op_help(text(token)));
     return {};
   }
 
@@ -229,6 +239,16 @@ std::vector<ConditionSpec> read_conditions(Reader& reader, const YamlNode* node,
   for (const YamlNode& item : node->items)
     if (auto condition = read_condition(reader, item, subject, use)) out.push_back(std::move(*condition));
   return out;
+}
+
+Op turned(Op op) {
+  switch (op) {
+  case Op::less: return Op::greater;
+  case Op::less_equal: return Op::greater_equal;
+  case Op::greater: return Op::less;
+  case Op::greater_equal: return Op::less_equal;
+  default: return op;
+  }
 }
 
 std::string_view to_text(Op op) { return ops[static_cast<std::size_t>(op)]; }

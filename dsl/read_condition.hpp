@@ -22,6 +22,8 @@ std::optional<ConditionSpec> read_condition(Reader& reader, const YamlNode& node
 std::vector<ConditionSpec> read_conditions(Reader& reader, const YamlNode* node, std::string_view subject,
                                            ConditionUse use);
 
+/// What the comparison is with its sides exchanged.
+Op turned(Op op);
 std::string_view to_text(Op op);
 /// The normal form: `Phase == ready|set`, `Pose == standing within 2 s`.
 std::string to_text(const ConditionSpec& condition);

@@ -3,7 +3,7 @@
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/requests/company.hpp"
-#include "compiler/analysis/requests/gaps.hpp"
+#include "compiler/analysis/requests/standstill.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -25,7 +25,7 @@ public:
         facts_(input.facts),
         shared_(input.shared),
         findings_(findings),
-        ways_(model_, facts_, false, [](ProviderId, const ConditionUse&) { return true; }) {
+        standstill_(model_, facts_, shared_.requests(), shared_.causers(), shared_.budget()) {
     for (const NeverKept& promise : shared_.promises().never_kept) explained_.insert(promise.causer);
     for (const Clash& clash : input.conflicts.clashes()) {
       if (clash.kind == Clash::Kind::vain) in_vain_.insert({clash.second_waiter, clash.second.id});
@@ -59,31 +59,11 @@ private:
     });
     if (is_root) return;
     for (const Request& request : shared_.requests().of(task)) {
-      if (!request.requester || !may_wait(request, use, groups)) continue;
+      if (!request.requester || !standstill_.may_wait(request, waiter, use, groups)) continue;
       Company company(model_, facts_, shared_.requests(), groups);
       const std::vector<const Task*> chain = company.find_bare_chain(request);
       if (!chain.empty()) report(waiter, use, causers, request, chain, company.held_back());
     }
-  }
-
-  /// While this request stands, there are states under which no provider can run, this condition being false.
-  bool may_wait(const Request& request, const ConditionUse& use, const std::vector<GroupId>& absent) {
-    const Condition& condition = model_.conditions[use.id];
-    for (const Region& region : shared_.requests().regions(request)) {
-      Box start = box_of(facts_, region);
-      const State& state = model_.states[condition.state];
-      Possible& here =
-          start.try_emplace(condition.state, Possible{facts_.values[condition.state], state.may_be_unset()})
-              .first->second;
-      // A state of a group that does not run has its initial value.
-      if (state.of && std::find(absent.begin(), absent.end(), state.of->id) != absent.end())
-        here = {here.values.intersected(ValueSet::single(*state.initial)), false};
-      here.values = here.values.without(condition.accepts);
-      if (find_covering(model_, facts_.values, start, ways_.of(request.task->target), shared_.budget()) ==
-          Covering::open)
-        return true;
-    }
-    return false;
   }
 
   void report(ProviderId waiter, const ConditionUse& use, const std::vector<ProviderId>& causers,
@@ -128,7 +108,7 @@ private:
   const Facts& facts_;
   const Shared& shared_;
   Findings& findings_;
-  Ways ways_;
+  Standstill standstill_;
   std::set<ProviderId> explained_;
   std::set<std::pair<ProviderId, ConditionId>> in_vain_;
 };

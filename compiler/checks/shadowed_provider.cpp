@@ -73,6 +73,36 @@ void note_members(const Input& input, ProviderId id, const std::vector<Rival>& r
   }
 }
 
+/// A condition of a preferred one that only looks as if it left something.
+void note_always_true(const Input& input, ProviderId rival, dsl::Diagnostic& finding) {
+  for (const ConditionUse& use : input.model.providers[rival].when) {
+    const StateId state = input.model.conditions[use.id].state;
+    const ValueSet& values = input.facts.values[state];
+    if (input.model.states[state].may_be_unset() || values.empty()) continue;
+    if (!values.subset_of(input.model.conditions[use.id].accepts)) continue;
+    finding.notes.push_back(
+        {use.span, fmt::format("{} always holds: {} is only ever {}", name_of(input.model, use.id),
+                               name_of(input.model, state), values_in_words(input.model.states[state], values))});
+  }
+}
+
+/// Whoever looks at what it promises and never waits for that: others of its group can run instead.
+void note_carefree(const Input& input, ProviderId id, dsl::Diagnostic& finding) {
+  const Model& model = input.model;
+  Waiting waiting(model, input.facts);
+  for (const ProviderId other : model.providers.ids()) {
+    const GroupId group = model.providers[other].group;
+    if (!input.facts.requested.contains(group) || group == model.providers[id].group || waiting.may_wait(group))
+      continue;
+    for (const ConditionUse& use : model.providers[other].when) {
+      if (!model.causes(id, use.id)) continue;
+      finding.notes.push_back({use.span, fmt::format("{} looks at this, but {} never waits for it: another provider of "
+                                                     "it can run",
+                                                     name_of(model, other), name_of(model, group))});
+    }
+  }
+}
+
 /// The rivals without which it would come first; all of them where each one is enough alone or none is.
 std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
                                       const IdTable<StateId, ValueSet>& values) {
@@ -189,8 +219,11 @@ void shadowed_provider(const Input& input, Findings& findings) {
             : fmt::format("{} never runs: {} come before it, and one of them can run whenever it can",
                           name_of(model, id), few_of(names)));
     finding.rules_out = {provider.span};
-    for (std::size_t i = 0; i < std::min(culprits.size(), most_culprits); ++i)
+    for (std::size_t i = 0; i < std::min(culprits.size(), most_culprits); ++i) {
       finding.notes.push_back({model.providers[culprits[i]].span, fmt::format("{} is preferred", names[i])});
+      note_always_true(input, culprits[i], finding);
+    }
+    note_carefree(input, id, finding);
     note_members(input, id, rivals.of(id), finding);
     finding.help = propose(input, id, culprits);
   }

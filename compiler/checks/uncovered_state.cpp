@@ -48,6 +48,7 @@ public:
     for (const Wanting& wanting : shared_.wants()) {
       for (const Want& want : wanting.wants) pushed_.insert({wanting.task, want.condition.id});
     }
+    for (const Outranked& one : input.conflicts.outranked()) pushed_.insert({one.request->target, one.condition.id});
   }
 
   void run() {
@@ -66,6 +67,30 @@ private:
     std::set<StateId> states;
     const Request* where = nullptr;
   };
+
+  struct Gap {
+    Box box;
+    std::string words;
+    const Request* where = nullptr;
+  };
+
+  /// Whatever is in the first box is in the second one too.
+  bool lies_within(const Box& inner, const Box& outer) const {
+    return std::all_of(outer.begin(), outer.end(), [&](const auto& entry) {
+      const auto at = inner.find(entry.first);
+      const Possible all{facts_.values[entry.first], model_.states[entry.first].may_be_unset()};
+      const Possible& own = at == inner.end() ? all : at->second;
+      return own.values.subset_of(entry.second.values) && (entry.second.unset || !own.unset);
+    });
+  }
+
+  /// Of one within another the larger one stays.
+  void add(Gap gap, std::vector<Gap>& gaps) const {
+    if (std::any_of(gaps.begin(), gaps.end(), [&](const Gap& each) { return lies_within(gap.box, each.box); })) return;
+    const auto is_inner = [&](const Gap& each) { return lies_within(each.box, gap.box); };
+    gaps.erase(std::remove_if(gaps.begin(), gaps.end(), is_inner), gaps.end());
+    gaps.push_back(std::move(gap));
+  }
 
   /// A condition that a task for this group has to wait for without being able to do anything.
   bool counts(GroupId group, ProviderId provider, const ConditionUse& use) const {
@@ -144,11 +169,9 @@ private:
     }
     if (open.empty() || std::any_of(open.begin(), open.end(), [](const Region& way) { return way.states.empty(); }))
       return;
-    std::vector<std::string> gaps;
+    std::vector<Gap> gaps;
     std::set<std::string> seen;
     bool all = true; // else there are more than could be listed
-    std::set<StateId> states;
-    const Request* where = nullptr;
     const auto look = [&](const Box& start, const Request& request) {
       const Gaps found = find_gaps(model_, facts_, start, open, shared_.budget());
       if (!found.decided)
@@ -156,11 +179,8 @@ private:
                                     fmt::format("whether some provider of {} can always run", name_of(model_, group)));
       all = all && found.all;
       for (const Box& box : found.boxes) {
-        const std::string words = gap_in_words(model_, facts_, box);
-        if (!seen.insert(words).second) continue;
-        gaps.push_back(words);
-        if (where == nullptr) where = &request;
-        for (const auto& [state, possible] : box) states.insert(state);
+        std::string words = gap_in_words(model_, facts_, box);
+        if (seen.insert(words).second) add({box, std::move(words), &request}, gaps);
       }
     };
     const std::vector<Request>& requests = shared_.requests().of(group);
@@ -173,7 +193,16 @@ private:
         if (all || gaps.empty()) look(box_of(facts_, region), request);
       }
     }
-    if (!gaps.empty()) found_.push_back({group, std::move(gaps), all, std::move(states), where});
+    if (!gaps.empty()) found_.push_back(told_of(group, gaps, all));
+  }
+
+  static Uncoveredness told_of(GroupId group, const std::vector<Gap>& gaps, bool all) {
+    Uncoveredness out{group, {}, all, {}, gaps.front().where};
+    for (const Gap& gap : gaps) {
+      out.gaps.push_back(gap.words);
+      for (const auto& [state, possible] : gap.box) out.states.insert(state);
+    }
+    return out;
   }
 
   /// Several that wait for the same are told together, but for those that may.

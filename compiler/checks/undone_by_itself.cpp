@@ -40,23 +40,27 @@ public:
 private:
   void look_below(const Want& want, GroupId group, const std::vector<ChainStep>& path) {
     Region here = region_of(model_, model_.providers[want.waiter].when);
+    bool comes_first = true; // none before it is always chosen
     for (const ProviderId id : model_.groups[group].providers) {
       const Provider& provider = model_.providers[id];
       if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
-      for (const ConditionUse& entry : provider.sets) look_at_entry(want, id, entry, false, path);
-      for (const ConditionUse& entry : provider.causing) look_at_entry(want, id, entry, true, path);
+      for (const ConditionUse& entry : provider.sets) look_at_entry(want, id, entry, false, path, comes_first);
+      for (const ConditionUse& entry : provider.causing) look_at_entry(want, id, entry, true, path, comes_first);
+      if (contains(region_of(model_, provider.when), here)) comes_first = false;
     }
   }
 
+  /// `unpushed`: also where its own group causes the condition, which nobody pushes any more once the task has it.
   void look_at_entry(const Want& want, ProviderId setter, const ConditionUse& entry, bool promised,
-                     const std::vector<ChainStep>& path) {
+                     const std::vector<ChainStep>& path, bool unpushed = false) {
     const Condition& set = model_.conditions[entry.id];
     if (set.state != model_.conditions[want.condition.id].state) return;
     const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
     if (values.empty()) return;
     const GroupId group = model_.providers[setter].group;
-    const auto causer = std::find_if(want.causers.begin(), want.causers.end(),
-                                     [&](ProviderId id) { return model_.providers[id].group != group; });
+    auto causer = std::find_if(want.causers.begin(), want.causers.end(),
+                               [&](ProviderId id) { return model_.providers[id].group != group; });
+    if (causer == want.causers.end() && unpushed) causer = want.causers.begin();
     if (causer == want.causers.end() || !seen_.insert({entry.span, want.condition.span}).second) return;
     const std::string waiter = name_of(model_, want.waiter), condition = name_of(model_, want.condition.id);
     dsl::Diagnostic& finding =

@@ -1,5 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_stop.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/takings.hpp"
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -8,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 namespace director::checks {
@@ -36,7 +36,7 @@ public:
       for (const StopValue& stop : stop_values(model_.providers[causer].group, state)) {
         const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
         if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
-        Stopped how = why_stopped(wanting.task, causer);
+        Taking how = why_stopped(wanting.task, causer);
         if (!how.notes.empty()) report(wanting, want, causer, stop, values, std::move(how));
       }
     }
@@ -62,74 +62,26 @@ private:
     return out;
   }
 
-  /// How it comes to that, and the requests below the task on the way: what they ask for goes with the task.
-  struct Stopped {
-    std::vector<dsl::Note> notes{};
-    std::vector<dsl::Span> requests{};
-  };
-
   /// How the task takes what each provider of the causing group needs; nothing: it goes on, or changes hands.
-  Stopped why_stopped(GroupId task, ProviderId causer) const {
-    const Claims& claims = shared_.claims(task);
-    const auto takes = [&](GroupId group) {
-      return std::binary_search(claims.groups().begin(), claims.groups().end(), group);
-    };
+  Taking why_stopped(GroupId task, ProviderId causer) const {
+    const Takings takings(model_, shared_.indispensable(), shared_.claims(task), task);
     const GroupId group = model_.providers[causer].group;
-    if (takes(group)) return {};
-    Stopped out;
+    if (takings.takes(group)) return {};
+    Taking out;
     for (const ProviderId id : model_.groups[group].providers) {
       if (id != causer && !facts_.active.contains(id)) continue;
-      const dsl::Span need = need_taken(id, takes);
-      if (need == dsl::Span{}) return {};
-      if (id == causer) out = notes_for(task, causer, claims, takes);
-    }
-    return out;
-  }
-
-  template <class Takes>
-  dsl::Span need_taken(ProviderId id, const Takes& takes) const {
-    for (const Use<GroupId>& need : model_.providers[id].needs) {
-      if (takes_part(need.id, takes)) return need.span;
-    }
-    return {};
-  }
-
-  template <class Takes>
-  std::optional<GroupId> takes_part(GroupId needed, const Takes& takes) const {
-    if (takes(needed)) return needed;
-    const auto& parts = shared_.indispensable().of(needed);
-    if (!parts) return std::nullopt;
-    const auto at = std::find_if(parts->begin(), parts->end(), takes);
-    if (at == parts->end()) return std::nullopt;
-    return *at;
-  }
-
-  template <class Takes>
-  Stopped notes_for(GroupId task, ProviderId causer, const Claims& claims, const Takes& takes) const {
-    Stopped out;
-    for (const Use<GroupId>& need : model_.providers[causer].needs) {
-      const std::optional<GroupId> taken = takes_part(need.id, takes);
-      if (!taken) continue;
-      out.notes.push_back({need.span, fmt::format("{} needs {}", name_of(model_, causer), name_of(model_, need.id))});
-      if (*taken == task) {
-        out.notes.push_back({model_.groups[task].name.span, fmt::format("{} is taken", name_of(model_, task))});
-        return out;
-      }
-      for (const Reach reach : all_reaches) {
-        if (claims.find(*taken, reach) == nullptr) continue;
-        const std::vector<ChainStep> path = claims.path(*taken, reach);
-        add_chain(model_, path, out.notes);
-        for (const ChainStep& step : path) {
-          if (!step.by_need) out.requests.push_back(step.span);
-        }
-        return out;
-      }
+      const Use<GroupId>* need = takings.need_taken(id);
+      if (need == nullptr) return {};
+      if (id != causer) continue;
+      out = takings.way_to(*need);
+      out.notes.insert(out.notes.begin(),
+                       {need->span, fmt::format("{} needs {}", name_of(model_, causer), name_of(model_, need->id))});
     }
     return out;
   }
 
   void report(const Wanting& wanting, const Want& want, ProviderId causer, const StopValue& stop,
-              const ValueSet& values, Stopped how) {
+              const ValueSet& values, Taking how) {
     seen_.insert({stop.span, want.condition.span});
     dsl::Diagnostic& finding = findings_.add(
         stop.span, fmt::format("{}, and it is stopped when {} is granted, which waits for {}: the two go "

@@ -104,7 +104,18 @@ mode_t mode_of_new_files() {
   return 0666 & ~mask;
 }
 
-Fault prepare(const Step& step, std::vector<Written>& all) {
+/// Creates what is missing of the folder, and adds it to `made`, the outermost first.
+std::error_code make_folder(const fs::path& folder, std::vector<fs::path>& made) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  for (fs::path each = folder; !each.empty() && !fs::exists(each, error); each = each.parent_path())
+    missing.push_back(each);
+  made.insert(made.end(), missing.rbegin(), missing.rend());
+  fs::create_directories(folder, error);
+  return error;
+}
+
+Fault prepare(const Step& step, std::vector<Written>& all, std::vector<fs::path>& made) {
   const Change& change = step.change;
   std::error_code error;
   fs::path target = change.path;
@@ -112,7 +123,7 @@ Fault prepare(const Step& step, std::vector<Written>& all) {
   if (error) return error.message();
   struct stat status {};
   if (Fault fault = refusal(step, target, status)) return fault;
-  if (!change.before && target.has_parent_path()) fs::create_directories(target.parent_path(), error);
+  if (!change.before && target.has_parent_path()) error = make_folder(target.parent_path(), made);
   if (error) return error.message();
   all.push_back({&step, target, {}, change.before ? status.st_mode & 07777U : mode_of_new_files(), false});
   Fault fault = write_beside(all.back(), change.after);
@@ -136,7 +147,8 @@ Fault place(Written& each) {
   return {};
 }
 
-void take_back(std::vector<Written>& all) {
+/// `made`: the folders that are new.
+void take_back(std::vector<Written>& all, const std::vector<fs::path>& made) {
   for (Written& each : all) {
     if (!each.placed) {
       if (!each.temporary.empty()) ::unlink(each.temporary.c_str());
@@ -146,6 +158,7 @@ void take_back(std::vector<Written>& all) {
       ::rename(each.temporary.c_str(), each.target.c_str());
     }
   }
+  for (auto each = made.rbegin(); each != made.rend(); ++each) ::rmdir(each->c_str()); // if nobody else uses it
 }
 
 /// While it lives, what asks the program to end waits.
@@ -168,12 +181,13 @@ private:
 Fault carry_out(const std::vector<Step>& steps, const Watch& watch) {
   const Undisturbed undisturbed;
   std::vector<Written> all;
+  std::vector<fs::path> made;
   all.reserve(steps.size());
   Fault fault;
   const Step* last = nullptr;
   for (const Step& step : steps) {
     last = &step;
-    if (fault = prepare(step, all); fault) break;
+    if (fault = prepare(step, all, made); fault) break;
     if (watch) watch();
   }
   for (std::size_t i = 0; !fault && i < all.size(); ++i) {
@@ -182,7 +196,7 @@ Fault carry_out(const std::vector<Step>& steps, const Watch& watch) {
     if (!fault && watch) watch();
   }
   if (!fault) return {};
-  take_back(all);
+  take_back(all, made);
   return at(last->change.path, *fault);
 }
 

@@ -16,10 +16,25 @@ namespace director::compiler::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Where the line ends that begins there: not within what is quoted, such as a path, which may have any characters.
+std::size_t end_of_line(std::string_view lines, std::size_t begin) {
+  bool quoted = false;
+  for (std::size_t at = begin; at < lines.size(); ++at) {
+    if (lines[at] == '`') quoted = !quoted;
+    if (lines[at] == '\n' && !quoted) return at;
+  }
+  // A quotation without an end is none.
+  return quoted ? std::min(lines.find('\n', begin), lines.size()) : lines.size();
+}
+
+} // namespace
+
 void say(Console& console, std::string_view lines) {
   std::string out;
   for (std::size_t begin = 0; begin < lines.size();) {
-    const std::size_t end = std::min(lines.find('\n', begin), lines.size());
+    const std::size_t end = end_of_line(lines, begin);
     out += dsl::harmless(dsl::shortened(lines.substr(begin, end - begin)));
     if (end < lines.size()) out += '\n';
     begin = end + 1;

@@ -1,5 +1,6 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/base/counted.hpp"
 #include "compiler/cli/draw_svg.hpp"
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/cli/named_groups.hpp"
@@ -140,7 +141,7 @@ int draw_moments(const DrawGraph& request, Console& console) {
   if (loaded.status != clean) return loaded.status;
   const auto steps = static_cast<std::uint32_t>(loaded.scenario.steps.size());
   if (request.step > steps) {
-    say(console, fmt::format("directorc: `{}` has {} steps\n", request.file, steps));
+    say(console, fmt::format("directorc: `{}` has {}\n", request.file, counted(steps, "step")));
     return misused;
   }
   const Graph graph = with_possible_pushes(loaded.model, loaded.graph);

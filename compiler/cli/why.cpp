@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
+#include "compiler/base/counted.hpp"
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/play/names.hpp"
 #include "compiler/play/play.hpp"
@@ -23,7 +24,8 @@ int run(const Why& request, Console& console) {
     return misused;
   }
   if (request.step > loaded.scenario.steps.size()) {
-    say(console, fmt::format("directorc: `{}` has {} steps\n", request.scenario, loaded.scenario.steps.size()));
+    say(console,
+        fmt::format("directorc: `{}` has {}\n", request.scenario, counted(loaded.scenario.steps.size(), "step")));
     return misused;
   }
   Reasoning reasoning;

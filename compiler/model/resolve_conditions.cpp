@@ -1,6 +1,7 @@
 // Header: compiler/model/resolver.hpp. Test: compiler/checks/value_outside_domain.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
+#include "dsl/read_condition.hpp"
 
 #include <fmt/format.h>
 
@@ -105,9 +106,51 @@ bool operands_are_ordered(Resolver& r, const State& state, const dsl::ConditionS
   return false;
 }
 
+/// The state of that name, or whose type in C++ is called so.
+const State* find_meant(const Resolver& r, std::string_view name) {
+  for (const State& state : r.model.states) {
+    const std::string_view type = state.type ? std::string_view(*state.type) : std::string_view();
+    const bool is_type = type == name || (type.size() > name.size() + 2 && type.ends_with(name) &&
+                                          type.substr(type.size() - name.size() - 2, 2) == "::");
+    if (state.name.value == name || is_type) return &state;
+  }
+  return nullptr;
+}
+
+/// What could be meant by a name that is no state; empty: nothing that is known.
+std::string help_for_state(const Resolver& r, const dsl::ConditionSpec& spec) {
+  if (spec.any) {
+    for (const State& state : r.model.states) {
+      if (!state.is_range && state.value_of(spec.state.value))
+        return fmt::format("write `{} == {}`", state.name.value, spec.state.value);
+    }
+  }
+  if (spec.values.size() == 1) {
+    if (const State* second = find_meant(r, spec.values.front().value))
+      return fmt::format("the state comes first: `{} {} {}`", second->name.value,
+                         dsl::to_text(dsl::turned(spec.op.value)), spec.state.value);
+  }
+  if (r.groups.count(spec.state.value) != 0)
+    return "a condition looks at states; how a task fares its requester sees with `uses`";
+  const State* meant = find_meant(r, spec.state.value);
+  return meant == nullptr ? "" : fmt::format("that is the type of the state `{}`", meant->name.value);
+}
+
+/// Of a value that the state does not have.
+std::string help_for_value(const Resolver& r, const Word& word) {
+  return r.states.count(word.value) == 0 ? "" : "a state is compared with one of its values, not with another state";
+}
+
 std::optional<Condition> resolve_condition(Resolver& r, const dsl::ConditionSpec& spec) {
+  const std::size_t findings = r.findings.size();
+  const auto explain = [&](std::string help) {
+    if (r.findings.size() > findings && !help.empty()) r.findings.back().help = std::move(help);
+  };
   const auto state_id = find_state(r, spec.state);
-  if (!state_id) return std::nullopt;
+  if (!state_id) {
+    explain(help_for_state(r, spec));
+    return std::nullopt;
+  }
   const State& state = r.model.states[*state_id];
   Condition condition;
   condition.state = *state_id;
@@ -117,6 +160,8 @@ std::optional<Condition> resolve_condition(Resolver& r, const dsl::ConditionSpec
     if (const auto value = find_value(r, *state_id, word)) {
       condition.operands.push_back(*value);
       words.push_back(state.value_text(*value));
+    } else {
+      explain(help_for_value(r, word));
     }
   }
   if (condition.operands.size() != spec.values.size()) return std::nullopt;

@@ -194,7 +194,10 @@ void report_undefined(Resolver& r, std::string_view kind, const Word& name, cons
   if (other != r.cpp_names.end() && other->second.name.value == name.value && other->second.kind != kind)
     finding.notes.push_back(
         {other->second.name.span, fmt::format("this `{}` is a {}", name.value, other->second.kind)});
-  if (const auto nearest = dsl::suggest(name.value, known)) {
+  const std::string group = name.value.substr(0, name.value.find('.'));
+  if (kind == "group" && group.size() < name.value.size() && r.groups.count(group) != 0) {
+    finding.help = fmt::format("name the group alone, `{}`: which provider runs is not for others to say", group);
+  } else if (const auto nearest = dsl::suggest(name.value, known)) {
     finding.help = fmt::format("did you mean `{}`?", *nearest);
   } else if (kind == "group") {
     finding.help = "declare it under `groups`, import a file that does, or list it under `extern`";

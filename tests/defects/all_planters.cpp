@@ -11,7 +11,7 @@ namespace director::defects {
 std::vector<Planter> all_planters() {
   std::vector<Planter> all;
   for (const auto& some : {reading_planters(), naming_planters(), resource_planters(), condition_planters(),
-                           push_planters(), priority_planters()}) {
+                           push_planters(), undoing_planters(), priority_planters()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   std::stable_sort(all.begin(), all.end(), [](const Planter& a, const Planter& b) { return std::string(a.id) < b.id; });

@@ -35,4 +35,9 @@ std::string make_state(Robot& robot, const std::string& first, const std::string
   return name;
 }
 
+std::string causer(Robot& robot, const std::string& state, const std::string& value, const std::string& before) {
+  return make(robot, "{providers: [{name: going, sets: [$0 == $2]}, {name: coming, causing: [$0 == $1]}]}",
+              {state, value, before});
+}
+
 } // namespace director::defects

@@ -19,4 +19,7 @@ void ask_for_both(Robot& robot, const std::string& first, const std::string& sec
 /// A new state with `first` and `second`, the first at the start.
 std::string make_state(Robot& robot, const std::string& first, const std::string& second);
 
+/// A group that goes on, and can be pushed to cause that the state has the value.
+std::string causer(Robot& robot, const std::string& state, const std::string& value, const std::string& before);
+
 } // namespace director::defects

@@ -9,12 +9,6 @@ namespace director::defects {
 
 namespace {
 
-/// A group that goes on, and can be pushed to cause that the state has the value.
-std::string causer(Robot& robot, const std::string& state, const std::string& value, const std::string& before) {
-  return make(robot, "{providers: [{name: going, sets: [$0 == $2]}, {name: coming, causing: [$0 == $1]}]}",
-              {state, value, before});
-}
-
 // unreachable_causing
 
 void nobody_asks(Robot& robot, bool defect) {
@@ -335,69 +329,18 @@ void a_root_of_its_own(Robot& robot, bool defect) {
   robot.add_root(kick, robot.above());
 }
 
-// self_defeating_handler, undone_by_stop, undone_by_itself
+// causer_goes_first
 
-void start_shuts_itself_out(Robot& robot, bool defect) {
-  const std::string grip = make_state(robot, "open", "closed");
-  make_root(robot,
-            defect ? "{when: [$0 == open], start: {sets: [@$0 == closed]}}"
-                   : "{when: [$0 == open], stay: [$0 == open|closed], start: {sets: [@$0 == closed]}}",
-            {grip});
-}
-void stop_lets_itself_in(Robot& robot, bool defect) {
-  const std::string balance = robot.name("Balance");
-  robot.add_state(balance, "{values: [fallen, standing], initial: standing, external: true}");
-  make_root(robot, "{when: [$0 == standing], stop: {sets: [@$0 == $1]}, allow: [uncovered_state], because: it waits}",
-            {balance, defect ? "standing" : "fallen"});
-}
-void stop_takes_it_back(Robot& robot, bool defect) {
-  const std::string feet = robot.name("Feet"), legs = robot.add_part();
-  robot.add_state(feet, "{values: [unknown, moving, standing], unordered: [unknown], initial: unknown}");
-  const std::string kick =
-      make(robot,
-           defect ? "{when: [$0 == standing], needs: [$1], tasks: [$1]}"
-                  : "{when: [$0 == standing], stay: [$0 == standing|unknown], needs: [$1], tasks: [$1]}",
-           {feet, legs});
-  const std::string walk = make(
-      robot,
-      "{stop: {sets: [@$0 == unknown]}, providers: [{name: going, needs: [$1], sets: [$0 == moving], tasks: [$1]}, "
-      "{name: halting, needs: [$1], causing: [$0 == standing], tasks: [$1]}]}",
-      {feet, legs});
-  ask_for_both(robot, kick, walk);
-}
-void it_belongs_to_the_group(Robot& robot, bool defect) {
-  const std::string feet = robot.name("Feet"), legs = robot.add_part(), walk = robot.verb();
-  robot.add_state(feet, "{values: [far, near], initial: far, @of: $0}", {walk});
-  robot.add_group(walk, "{needs: [$0], causing: [$1 == near]}", {legs, feet});
-  const std::string kick = make(robot, "{needs: [$0]}", {legs});
-  const std::string play = make(robot,
-                                defect ? "{when: [$0 == near], packs: {shoot: {$1: {}}}}"
-                                       : "{when: [$0 == near], stay: [$0 == near|far], packs: {shoot: {$1: {}}}}",
-                                {feet, kick});
-  ask_for_both(robot, play, walk);
-}
-void unsettles_itself(Robot& robot, bool defect) {
+void the_wrong_way_round(Robot& robot, bool defect) {
   const std::string feet = make_state(robot, "moving", "standing");
-  const std::string kick =
-      make(robot,
-           defect ? "{when: [$0 == standing], sets: [@$0 == moving]}"
-                  : "{when: [$0 == standing], stay: [$0 == moving|standing], sets: [@$0 == moving]}",
-           {feet});
-  const std::string walk =
-      make(robot, "{providers: [{name: going}, {name: halting, causing: [$0 == standing]}]}", {feet});
-  ask_for_both(robot, kick, walk);
-}
-void unsettled_by_a_task(Robot& robot, bool defect) {
-  const std::string feet = make_state(robot, "moving", "standing");
-  const std::string leg = make(robot, "{sets: [@$0 == moving]}", {feet});
-  const std::string kick = make(robot, "{packs: {swing: {$0: {}}}}", {leg});
-  const std::string play =
-      make(robot,
-           defect ? "{when: [$0 == standing], packs: {shoot: {$1: {}}}}"
-                  : "{when: [$0 == standing], stay: [$0 == moving|standing], packs: {shoot: {$1: {}}}}",
-           {feet, kick});
+  const std::string kick = make(robot, "{when: [$0 == standing]}", {feet});
   const std::string walk = causer(robot, feet, "standing", "moving");
-  ask_for_both(robot, play, walk);
+  make_root(robot,
+            defect ? "{packs: {shoot: {$0: {priority: 20, apart: true}, $1: {priority: 10}}, "
+                     "pass: {@$0: {priority: 10, apart: true}, $1: {priority: 20}}}}"
+                   : "{packs: {shoot: {$0: {priority: 20, apart: true}, $1: {priority: 10}}, "
+                     "pass: {@$0: {priority: 20, apart: true}, $1: {priority: 10}}}}",
+            {kick, walk});
 }
 
 constexpr Planter of_pushes[]{
@@ -427,12 +370,7 @@ constexpr Planter of_pushes[]{
     {"push_inversion", "somebody between", somebody_between},
     {"push_inversion", "something below", something_below_between},
     {"push_inversion", "a root of its own", a_root_of_its_own},
-    {"self_defeating_handler", "start", start_shuts_itself_out},
-    {"self_defeating_handler", "stop", stop_lets_itself_in},
-    {"undone_by_stop", "its handler", stop_takes_it_back},
-    {"undone_by_stop", "of the group", it_belongs_to_the_group},
-    {"undone_by_itself", "the task", unsettles_itself},
-    {"undone_by_itself", "a task below", unsettled_by_a_task},
+    {"causer_goes_first", "in one of two packs", the_wrong_way_round},
 };
 
 } // namespace

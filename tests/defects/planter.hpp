@@ -20,6 +20,7 @@ std::span<const Planter> naming_planters();
 std::span<const Planter> resource_planters();
 std::span<const Planter> condition_planters();
 std::span<const Planter> push_planters();
+std::span<const Planter> undoing_planters();
 std::span<const Planter> priority_planters();
 
 /// All of them, by id.

@@ -32,7 +32,8 @@ std::uint64_t mixed(std::string_view id, std::uint64_t seed) {
 /// What is like a defect and is none makes it harder to be right.
 void add_near_misses(Robot& robot, const Planter& planter) {
   std::vector<const Planter*> all;
-  for (const auto& some : {resource_planters(), condition_planters(), push_planters(), priority_planters()}) {
+  for (const auto& some :
+       {resource_planters(), condition_planters(), push_planters(), undoing_planters(), priority_planters()}) {
     for (const Planter& each : some) {
       const std::string_view id = each.id;
       if (id != planter.id && id != "assertion_failed" && id != "undeclared_state_write") all.push_back(&each);

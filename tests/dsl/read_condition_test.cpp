@@ -94,7 +94,20 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
                "[Phase == ready || Phase == set]",
                "5:27 `||` bad_condition: expected the end of the condition, found `||` (alternatives are values of one "
                "state: `Phase == ready|set`)\n"},
-           Case{"[Phase == a::b]", "5:22 `::` bad_condition: expected the end of the condition, found `::`\n"},
+           Case{"[Phase == a::b]", "5:22 `::` bad_condition: expected the end of the condition, found `::` (a value "
+                                   "stands by itself: `Phase == ready`)\n"},
+           Case{"[Walk.halting]",
+                "5:16 `.` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Walk`, found `.` "
+                "(a condition compares a state with a value: `Phase == ready`)\n"},
+           Case{"[Charge > 1.5]", "5:22 `.` bad_condition: expected the end of the condition, found `.` (a number is a "
+                                  "whole one)\n"},
+           Case{"[Charge == 1..3]",
+                "5:23 `..` bad_condition: expected the end of the condition, found `..` (for numbers "
+                "from one to another write two conditions, with >= and <=)\n"},
+           Case{"[1 < Charge < 3]", "5:23 `<` bad_condition: expected the end of the condition, found `<` (each "
+                                    "condition is an entry of its own in the list; all must hold)\n"},
+           Case{"[\"Phase == 'ready'\"]", "5:22 `'` bad_condition: expected a value behind `==`, found `'` (write it "
+                                          "without quotes)\n"},
            Case{"[Charge < 3|4]", "5:21 `3|4` bad_condition: `<` compares with one value, found alternatives "
                                   "(alternatives go with == and !=)\n"},
            Case{"[Phase == ready within 2 s]", "5:27 `within 2 s` bad_condition: `within` belongs to a promise: it "
@@ -121,7 +134,9 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
 
 TEST_CASE("A promise's time is a duration above 0") {
   for (const Case& c :
-       {Case{"[Phase == ready within]", "5:36 `` bad_condition: expected a duration such as 2 s behind `within`, found "
+       {Case{"[Phase within 2 s]", "5:21 `within` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, "
+                                   "found `within` (say which value it promises: `Phase == ready within 2 s`)\n"},
+        Case{"[Phase == ready within]", "5:36 `` bad_condition: expected a duration such as 2 s behind `within`, found "
                                         "nothing (a whole number above 0 and one of us, ms, s, min)\n"},
         Case{"[Phase == ready within 2]",
              "5:37 `2` bad_condition: expected a duration such as 2 s behind `within`, found "

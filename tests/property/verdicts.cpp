@@ -299,7 +299,7 @@ std::vector<EdgeId> losers_of(const dsl::Diagnostic& finding, const Model& model
 std::vector<ProviderId> hints_of(const dsl::Diagnostic& finding, const Model& model) {
   static const std::set<std::string> ids{"push_in_vain",      "push_cycle",         "incompatible_pushes",
                                          "imprecise_causing", "causer_not_running", "self_defeating_handler",
-                                         "undone_by_stop"};
+                                         "undone_by_stop",    "undone_by_fallback", "causer_goes_first"};
   std::vector<ProviderId> out;
   if (finding.id == "possible_pack_conflict" && !says(finding, "can never")) {
     // "can be granted together only by other providers": those that it names have no use there.

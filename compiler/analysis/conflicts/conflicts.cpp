@@ -50,6 +50,11 @@ const std::vector<Loser>& Conflicts::losers() const {
   return *losers_;
 }
 
+const std::vector<Outranked>& Conflicts::outranked() const {
+  if (!outranked_) outranked_ = find_outranked(input_);
+  return *outranked_;
+}
+
 const std::vector<StarvingTask>& Conflicts::starving_tasks() const {
   if (!starving_tasks_) starving_tasks_ = find_starving_tasks(input_);
   return *starving_tasks_;

@@ -7,6 +7,7 @@
 #include "compiler/analysis/conflicts/circles.hpp"
 #include "compiler/analysis/conflicts/grants.hpp"
 #include "compiler/analysis/conflicts/losers.hpp"
+#include "compiler/analysis/conflicts/outranked.hpp"
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
 #include "compiler/analysis/conflicts/starving.hpp"
 #include "compiler/analysis/input.hpp"
@@ -36,6 +37,7 @@ public:
   const Grants& grants() const;
   const std::vector<Loser>& losers() const;
   const std::vector<StarvingTask>& starving_tasks() const;
+  const std::vector<Outranked>& outranked() const;
 
 private:
   Input input_;
@@ -50,6 +52,7 @@ private:
   mutable std::optional<Grants> grants_;
   mutable std::optional<std::vector<Loser>> losers_;
   mutable std::optional<std::vector<StarvingTask>> starving_tasks_;
+  mutable std::optional<std::vector<Outranked>> outranked_;
 };
 
 } // namespace director::analysis

@@ -23,6 +23,40 @@ std::vector<const Task*> Company::find_bare_chain(const Request& request, bool w
   return {};
 }
 
+std::optional<Company::Rank> Company::find_outranking(const Request& request) {
+  visited_.clear(); // ways up that were gone for another request
+  return find_outranking(request, true);
+}
+
+std::optional<Company::Rank> Company::find_outranking(const Request& request, bool waits) {
+  if (!request.requester) return std::nullopt;
+  const std::vector<Task>& entries = request.pack->tasks;
+  const Task* first = nullptr;
+  for (const Task& entry : entries) {
+    if (request.pack->name.empty() || entry.target == request.task->target || !brings(entry)) continue;
+    const bool together = waits && is_member(*request.task) && is_member(entry);
+    if (together || !brings_firmly(entry) || !goes_first(model_, entry, *request.task)) return std::nullopt;
+    if (first == nullptr) first = &entry;
+  }
+  if (first != nullptr) return Rank{&entries, request.task, first};
+  const GroupId requester = model_.providers[*request.requester].group;
+  if (!visited_.insert(requester).second) return std::nullopt;
+  for (const Request& above : requests_.of(requester)) {
+    if (const std::optional<Rank> found = find_outranking(above, false)) return found;
+  }
+  return std::nullopt;
+}
+
+bool Company::goes_first(const Model& model, const Task& a, const Task& b) {
+  return std::all_of(a.levels.begin(), a.levels.end(), [&](const Task::NamedLevel& one) {
+    const Level& high = model.edges[a.edge].levels[one.level];
+    return std::all_of(b.levels.begin(), b.levels.end(), [&](const Task::NamedLevel& other) {
+      const Level& low = model.edges[b.edge].levels[other.level];
+      return high.optional == low.optional ? high.priority >= low.priority : low.optional;
+    });
+  });
+}
+
 void Company::find_leading() {
   std::vector<GroupId> open = wanted_;
   while (!open.empty()) {
@@ -65,6 +99,27 @@ bool Company::brings(const Task& entry) {
   if (!leading_.contains(entry.target)) return false;
   const bool mandatory = !model_.edges[entry.edge].levels[entry.levels.front().level].optional;
   return mandatory && always_requests(entry.target);
+}
+
+/// The same where nothing on some way is optional.
+bool Company::brings_firmly(const Task& entry) {
+  const auto is_optional = [&](const Task::NamedLevel& level) {
+    return model_.edges[entry.edge].levels[level.level].optional;
+  };
+  if (std::any_of(entry.levels.begin(), entry.levels.end(), is_optional)) return false;
+  if (is_wanted(entry.target)) return true;
+  const auto [at, is_new] = firm_.try_emplace(entry.target, false);
+  if (!is_new) return at->second;
+  bool out = true;
+  for (const ProviderId id : model_.groups[entry.target].providers) {
+    if (!facts_.active.contains(id)) continue;
+    const std::vector<Pack>& packs = model_.providers[id].packs;
+    const auto leads_firmly = [&](const Task& task) { return brings(task) && brings_firmly(task); };
+    out = out && !packs.empty() && std::all_of(packs.begin(), packs.end(), [&](const Pack& pack) {
+            return std::any_of(pack.tasks.begin(), pack.tasks.end(), leads_firmly);
+          });
+  }
+  return firm_[entry.target] = out;
 }
 
 bool Company::always_requests(GroupId group) {

@@ -6,6 +6,7 @@
 #include "compiler/analysis/requests/requests.hpp"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -27,6 +28,17 @@ public:
   /// one.
   std::vector<const Task*> find_bare_chain(const Request& request);
 
+  /// Two entries of one named pack.
+  struct Rank {
+    const std::vector<Task>* list = nullptr;
+    const Task* waits = nullptr; ///< leads to what waits
+    const Task* first = nullptr; ///< surely leads to a wanted group, and does not rank after it
+  };
+  /// Where the nearest company of this request is of that kind and no other, on some way up.
+  std::optional<Rank> find_outranking(const Request& request);
+  /// At no level does `a` rank after `b`, as far as their entries tell.
+  static bool goes_first(const Model& model, const Task& a, const Task& b);
+
   /// Entries that would lead to one, but are granted only together with what waits.
   const std::set<const Task*>& held_back() const { return held_back_; }
 
@@ -39,7 +51,9 @@ private:
   bool is_member(const Task& entry) const;
   std::vector<const Task*> find_bare_chain(const Request& request, bool waits);
   bool is_covered(const Request& request, bool waits);
+  std::optional<Rank> find_outranking(const Request& request, bool waits);
   bool brings(const Task& entry);
+  bool brings_firmly(const Task& entry);
   bool always_requests(GroupId group);
 
   const Model& model_;
@@ -48,7 +62,7 @@ private:
   std::vector<GroupId> wanted_;
   SparseSet<GroupId> leading_; ///< from which requests lead to a wanted group: of many roots only few
   std::set<GroupId> visited_;
-  std::map<GroupId, bool> always_;
+  std::map<GroupId, bool> always_, firm_;
   std::set<const std::vector<Task>*> found_in_;
   std::set<const Task*> held_back_;
 };

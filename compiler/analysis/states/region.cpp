@@ -39,6 +39,13 @@ Region active_region(const Model& model, const Provider& provider) {
   return provider.stay.empty() ? when : hull(when, region_of(model, provider.stay));
 }
 
+bool contains(const Region& outer, const Region& inner) {
+  return std::all_of(outer.states.begin(), outer.states.end(), [&](const auto& entry) {
+    const auto at = inner.states.find(entry.first);
+    return at != inner.states.end() && at->second.subset_of(entry.second);
+  });
+}
+
 bool compatible(const Region& a, const Region& b) {
   return std::all_of(a.states.begin(), a.states.end(), [&](const auto& entry) {
     const auto at = b.states.find(entry.first);

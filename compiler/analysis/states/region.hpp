@@ -28,6 +28,9 @@ Region hull(const Region& a, const Region& b);
 /// Where a provider can be active: by its `when` or by its `stay`.
 Region active_region(const Model& model, const Provider& provider);
 
+/// Wherever `inner` holds, `outer` does.
+bool contains(const Region& outer, const Region& inner);
+
 /// False: some state would have to have two values at once.
 bool compatible(const Region& a, const Region& b);
 

@@ -382,3 +382,20 @@ TEST_CASE("a part of a set that cannot be written leaves the set as it was") {
   CHECK(read_file(folder.at("out/bot.hpp")) == header);
   CHECK(read_file(folder.at("out/bot.cpp")) == source);
 }
+
+TEST_CASE("folders that were made for what cannot be written are gone again") {
+  const Folder folder;
+  const std::string deep = folder.at("new/deep");
+  // The first one cannot take its place, as the second one makes a folder of it.
+  CHECK(write_on_disk({{deep + "/a", "one"}, {deep + "/a/b", "two"}}) == "`" + deep + "/a`: Is a directory");
+  CHECK(!fs::exists(folder.at("new")));
+  fs::create_directories(deep);
+  CHECK(write_on_disk({{deep + "/c/a", "one"}, {deep + "/c/a/b", "two"}}).has_value());
+  CHECK(fs::is_empty(deep));
+}
+
+TEST_CASE("a line break in a path does not break the line in which it is told") {
+  const Folder folder;
+  CHECK(directorc(folder, "check \"$(printf 'a\\nb.yaml')\" 2> err") == 2);
+  CHECK(read_file(folder.at("err")) == "directorc: cannot read `a\\x0Ab.yaml`: No such file or directory\n");
+}

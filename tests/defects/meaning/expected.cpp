@@ -21,6 +21,7 @@ const Kinds refused_checks{"bad_condition",    "bad_header",           "bad_type
 /// What all shapes of a defect change.
 const std::map<std::string, Kinds> by_check{
     {"always_true_when", {"condition_loosened"}},
+    {"causer_goes_first", {"priority"}},
     {"causer_not_running", {"became_dead"}},
     {"contradictory_when", {"condition_tightened"}},
     {"foreign_set", {"sets", "handler", "promise"}},
@@ -40,6 +41,7 @@ const std::map<std::string, Kinds> by_check{
     {"uncovered_state", {"provider_removed"}},
     {"undeclared_need", {"needs_removed"}},
     {"undeclared_state_write", {}},
+    {"undone_by_fallback", {"needs_added"}},
     {"undone_by_itself", {"condition_tightened"}},
     {"undone_by_stop", {"condition_tightened"}},
     {"unpushable_causing", {"push_lost"}},

@@ -84,6 +84,7 @@ const std::vector<Row> rows{
 };
 /// What the first specimen of its page rules out.
 const std::vector<std::pair<std::string, std::string>> rows_of_pages{
+    {"causer_goes_first", "Stability == standing"},
     {"causer_not_running", "Stability == standing"},
     {"imprecise_causing", "Stability > moving Stability == standing"},
     {"incompatible_pushes", "Arm == stretched Head == high"},
@@ -96,6 +97,7 @@ const std::vector<std::pair<std::string, std::string>> rows_of_pages{
     {"self_defeating_handler", "Gripper == open"},
     {"sibling_starvation", "Kick"},
     {"starved_task", "Balance"},
+    {"undone_by_fallback", "Base == still"},
     {"undone_by_stop", "Stability == standing"},
     {"unpushable_causing", "Stability == standing Stability == standing"},
 };

@@ -1,0 +1,116 @@
+// Header: compiler/analysis/conflicts/outranked.hpp. Test: compiler/checks/causer_goes_first.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/conflicts/outranked.hpp"
+
+#include "compiler/analysis/requests/company.hpp"
+#include "compiler/analysis/requests/standstill.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/sources.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace director::analysis {
+
+namespace {
+
+class OutrankedSearch {
+public:
+  explicit OutrankedSearch(const Input& input)
+      : model_(input.model),
+        facts_(input.facts),
+        shared_(input.shared),
+        sources_(find_sources(input.model)),
+        standstill_(model_, facts_, shared_.requests(), shared_.causers(), shared_.budget()) {}
+
+  std::vector<Outranked> run() {
+    for (const ProviderId waiter : model_.providers.ids()) {
+      if (!facts_.requested.contains(model_.providers[waiter].group)) continue;
+      for (const ConditionUse& use : model_.providers[waiter].when) look_at(waiter, use);
+    }
+    return std::move(out_);
+  }
+
+private:
+  void look_at(ProviderId waiter, const ConditionUse& use) {
+    Want want{waiter, use, {}};
+    std::vector<GroupId> groups;
+    for (const ProviderId id : shared_.causers()[use.id]) {
+      const GroupId group = model_.providers[id].group;
+      if (group == model_.providers[waiter].group) continue;
+      // What runs without a push may cause it, and what never runs is reported with that.
+      if (!facts_.active.contains(id) || facts_.chosen.contains(id)) return;
+      want.causers.push_back(id);
+      groups.push_back(group);
+    }
+    if (want.causers.empty() || comes_otherwise(want, groups)) return;
+    for (const Request& request : shared_.requests().of(model_.providers[waiter].group)) {
+      if (!request.requester) continue;
+      const std::optional<Company::Rank> rank = company_of(groups).find_outranking(request);
+      if (!rank || others_push(want, *rank) || is_pushed_company(*rank) || !standstill_.may_wait(request, waiter, use))
+        continue;
+      out_.push_back({waiter, use, want.causers, request.task, rank->waits, rank->first});
+    }
+  }
+
+  Company& company_of(const std::vector<GroupId>& groups) {
+    return companies_.try_emplace(groups, model_, facts_, shared_.requests(), groups).first->second;
+  }
+
+  /// By whatever but the causing providers, and the end of their groups: these are requested all the while.
+  bool comes_otherwise(const Want& want, const std::vector<GroupId>& groups) const {
+    const Condition& condition = model_.conditions[want.condition.id];
+    const auto among = [](const auto& all, auto one) { return std::find(all.begin(), all.end(), one) != all.end(); };
+    const State& state = model_.states[condition.state];
+    if (state.of && condition.accepts.contains(*state.initial) && !among(groups, state.of->id)) return true;
+    return std::any_of(sources_[condition.state].begin(), sources_[condition.state].end(), [&](const Source& source) {
+      if (source.kind == Source::Kind::initial || source.values.intersected(condition.accepts).empty()) return false;
+      if (source.provider) return !among(want.causers, *source.provider) && facts_.active.contains(*source.provider);
+      return !source.group || !among(groups, *source.group);
+    });
+  }
+
+  /// Another task of the same list goes before the causing group, and may push it for its own sake.
+  bool others_push(const Want& want, const Company::Rank& rank) const {
+    const auto is_wanted = [&](ProviderId causer) {
+      return std::find(want.causers.begin(), want.causers.end(), causer) != want.causers.end();
+    };
+    return std::any_of(rank.list->begin(), rank.list->end(), [&](const Task& entry) {
+      return !Company::goes_first(model_, *rank.first, entry) && entry.target != rank.first->target &&
+             leads_to_pusher(entry.target, is_wanted);
+    });
+  }
+
+  /// What waits is there to be pushed by what goes first, not to run beside it.
+  bool is_pushed_company(const Company::Rank& rank) const {
+    const std::vector<GroupId>& below = shared_.claims(rank.waits->target).groups();
+    return leads_to_pusher(rank.first->target, [&](ProviderId causer) {
+      return std::binary_search(below.begin(), below.end(), model_.providers[causer].group);
+    });
+  }
+
+  template <class Pushed>
+  bool leads_to_pusher(GroupId from, const Pushed& pushed) const {
+    const std::vector<GroupId>& below = shared_.claims(from).groups();
+    return std::any_of(shared_.wants().begin(), shared_.wants().end(), [&](const Wanting& wanting) {
+      if (!std::binary_search(below.begin(), below.end(), wanting.task)) return false;
+      return std::any_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& each) {
+        return std::any_of(each.causers.begin(), each.causers.end(), pushed);
+      });
+    });
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  const Shared& shared_;
+  IdTable<StateId, std::vector<Source>> sources_;
+  Standstill standstill_;
+  std::map<std::vector<GroupId>, Company> companies_; ///< of causing groups
+  std::vector<Outranked> out_;
+};
+
+} // namespace
+
+std::vector<Outranked> find_outranked(const Input& input) { return OutrankedSearch(input).run(); }
+
+} // namespace director::analysis

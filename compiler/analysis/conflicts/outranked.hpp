@@ -1,0 +1,24 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Requests that may wait for a condition, and for which nobody is pushed: where they stand, the group that could cause
+// it does not rank after what waits.
+
+#include "compiler/analysis/input.hpp"
+
+#include <vector>
+
+namespace director::analysis {
+
+struct Outranked {
+  ProviderId waiter{};
+  ConditionUse condition{};
+  std::vector<ProviderId> causers; ///< never empty
+  const Task* request = nullptr;   ///< for the task that waits
+  const Task* waits = nullptr;     ///< the same entry, or one above it
+  const Task* first = nullptr;     ///< beside `waits`: leads to a causing group and does not rank after it
+};
+
+/// In order of waiter, condition and request. Nothing where the state may come true without that push.
+std::vector<Outranked> find_outranked(const Input& input);
+
+} // namespace director::analysis

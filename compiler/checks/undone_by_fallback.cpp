@@ -1,0 +1,110 @@
+// Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_fallback.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/takings.hpp"
+#include "compiler/analysis/causing/undoing.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <set>
+
+namespace director::checks {
+
+namespace {
+
+/// Another provider of the causing group, and what it sets.
+struct Fallback {
+  ProviderId provider{};
+  ConditionUse entry{};
+  bool promised = false;
+  ValueSet values; ///< of these, those under which the waiter cannot go on
+};
+
+class UndoneByFallback {
+public:
+  UndoneByFallback(const Input& input, Findings& findings)
+      : model_(input.model),
+        facts_(input.facts),
+        shared_(input.shared),
+        findings_(findings) {}
+
+  void look_at(const Wanting& wanting, const Want& want) {
+    const GroupId task = wanting.task;
+    const Takings takings(model_, shared_.indispensable(), shared_.claims(task), task);
+    for (const ProviderId causer : want.causers) {
+      if (takings.takes(model_.providers[causer].group)) continue;
+      const Use<GroupId>* need = takings.need_taken(causer);
+      if (need == nullptr || seen_.count({need->span, want.condition.span}) != 0) continue;
+      const std::optional<Fallback> fallback = find_fallback(wanting, want, causer, takings);
+      if (fallback) report(wanting, want, causer, *need, *fallback, takings.way_to(*need));
+    }
+  }
+
+private:
+  /// The first one that can go on without what is taken, where none before it always does.
+  std::optional<Fallback> find_fallback(const Wanting& wanting, const Want& want, ProviderId causer,
+                                        const Takings& takings) const {
+    Region here = region_of(model_, model_.providers[wanting.provider].when);
+    here.meet(region_of(model_, model_.providers[want.waiter].when));
+    for (const ProviderId id : model_.groups[model_.providers[causer].group].providers) {
+      if (id == causer || !facts_.active.contains(id) || takings.need_taken(id) != nullptr) continue;
+      const Region own = region_of(model_, model_.providers[id].when);
+      if (!compatible(here, own)) continue;
+      const std::optional<Fallback> found = find_undoing(want, id);
+      if (found || contains(own, here)) return found;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Fallback> find_undoing(const Want& want, ProviderId id) const {
+    const Provider& row = model_.providers[id];
+    for (const std::vector<ConditionUse>* entries : {&row.sets, &row.causing}) {
+      for (const ConditionUse& entry : *entries) {
+        const Condition& set = model_.conditions[entry.id];
+        if (set.state != model_.conditions[want.condition.id].state) continue;
+        ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
+        if (!values.empty()) return Fallback{id, entry, entries == &row.causing, std::move(values)};
+      }
+    }
+    return std::nullopt;
+  }
+
+  void report(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,
+              const Fallback& fallback, Taking how) {
+    seen_.insert({need.span, want.condition.span});
+    const std::string causing = name_of(model_, causer), lost = name_of(model_, need.id);
+    const std::string set = fmt::format("{} may {} {}", name_of(model_, fallback.provider),
+                                        fallback.promised ? "cause" : "set", name_of(model_, fallback.entry.id));
+    dsl::Diagnostic& finding = findings_.add(
+        need.span, fmt::format("{} loses {} when {} is granted, which waits for {}; instead of it {}: the two go round",
+                               causing, lost, name_of(model_, wanting.task), name_of(model_, want.condition.id), set));
+    finding.rules_out = std::move(how.requests);
+    finding.rules_out.push_back(want.condition.span);
+    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
+    finding.notes.push_back(causes(model_, causer, want.condition.id));
+    for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
+    finding.notes.push_back({fallback.entry.span, set});
+    finding.help = fmt::format("let {} do without {}, or {}", causing, lost, stay_help(model_, want, fallback.values));
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  const Shared& shared_;
+  Findings& findings_;
+  std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+};
+
+} // namespace
+
+void undone_by_fallback(const Input& input, Findings& findings) {
+  UndoneByFallback undone(input, findings);
+  for (const Wanting& wanting : input.shared.wants()) {
+    for (const Want& want : wanting.wants) undone.look_at(wanting, want);
+  }
+}
+
+} // namespace director::checks

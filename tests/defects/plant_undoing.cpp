@@ -1,0 +1,112 @@
+// Header: tests/defects/planter.hpp. Test: itself.
+// SPDX-License-Identifier: MIT
+//
+// What undoes a condition again.
+#include "tests/defects/gadgets.hpp"
+#include "tests/defects/planter.hpp"
+
+namespace director::defects {
+
+namespace {
+
+// self_defeating_handler, undone_by_stop, undone_by_fallback, undone_by_itself
+
+void start_shuts_itself_out(Robot& robot, bool defect) {
+  const std::string grip = make_state(robot, "open", "closed");
+  make_root(robot,
+            defect ? "{when: [$0 == open], start: {sets: [@$0 == closed]}}"
+                   : "{when: [$0 == open], stay: [$0 == open|closed], start: {sets: [@$0 == closed]}}",
+            {grip});
+}
+void stop_lets_itself_in(Robot& robot, bool defect) {
+  const std::string balance = robot.name("Balance");
+  robot.add_state(balance, "{values: [fallen, standing], initial: standing, external: true}");
+  make_root(robot, "{when: [$0 == standing], stop: {sets: [@$0 == $1]}, allow: [uncovered_state], because: it waits}",
+            {balance, defect ? "standing" : "fallen"});
+}
+void stop_takes_it_back(Robot& robot, bool defect) {
+  const std::string feet = robot.name("Feet"), legs = robot.add_part();
+  robot.add_state(feet, "{values: [unknown, moving, standing], unordered: [unknown], initial: unknown}");
+  const std::string kick =
+      make(robot,
+           defect ? "{when: [$0 == standing], needs: [$1], tasks: [$1]}"
+                  : "{when: [$0 == standing], stay: [$0 == standing|unknown], needs: [$1], tasks: [$1]}",
+           {feet, legs});
+  const std::string walk = make(
+      robot,
+      "{stop: {sets: [@$0 == unknown]}, providers: [{name: going, needs: [$1], sets: [$0 == moving], tasks: [$1]}, "
+      "{name: halting, needs: [$1], causing: [$0 == standing], tasks: [$1]}]}",
+      {feet, legs});
+  ask_for_both(robot, kick, walk);
+}
+void it_belongs_to_the_group(Robot& robot, bool defect) {
+  const std::string feet = robot.name("Feet"), legs = robot.add_part(), walk = robot.verb();
+  robot.add_state(feet, "{values: [far, near], initial: far, @of: $0}", {walk});
+  robot.add_group(walk, "{needs: [$0], causing: [$1 == near]}", {legs, feet});
+  const std::string kick = make(robot, "{needs: [$0]}", {legs});
+  const std::string play = make(robot,
+                                defect ? "{when: [$0 == near], packs: {shoot: {$1: {}}}}"
+                                       : "{when: [$0 == near], stay: [$0 == near|far], packs: {shoot: {$1: {}}}}",
+                                {feet, kick});
+  ask_for_both(robot, play, walk);
+}
+void falls_back_to_another(Robot& robot, bool defect) {
+  const std::string base = make_state(robot, "rolling", "still"), arm = robot.add_part(), wheels = robot.add_part();
+  const std::string pick = make(robot, "{when: [$0 == still], needs: [$1], tasks: [$1]}", {base, arm});
+  const std::string rolling = "{name: rolling, needs: [$0], sets: [$1 == rolling], tasks: [$0]}";
+  const std::string braking = defect ? "{name: braking, needs: [$0, @$2], causing: [$1 == still], tasks: [$0, $2]}"
+                                     : "{name: braking, needs: [$0], causing: [$1 == still], tasks: [$0]}";
+  ask_for_both(robot, pick, make(robot, "{providers: [" + rolling + ", " + braking + "]}", {wheels, base, arm}));
+}
+void unsettles_itself(Robot& robot, bool defect) {
+  const std::string feet = make_state(robot, "moving", "standing");
+  const std::string kick =
+      make(robot,
+           defect ? "{when: [$0 == standing], sets: [@$0 == moving]}"
+                  : "{when: [$0 == standing], stay: [$0 == moving|standing], sets: [@$0 == moving]}",
+           {feet});
+  const std::string walk =
+      make(robot, "{providers: [{name: going}, {name: halting, causing: [$0 == standing]}]}", {feet});
+  ask_for_both(robot, kick, walk);
+}
+void unsettled_by_a_task(Robot& robot, bool defect) {
+  const std::string feet = make_state(robot, "moving", "standing");
+  const std::string leg = make(robot, "{sets: [@$0 == moving]}", {feet});
+  const std::string kick = make(robot, "{packs: {swing: {$0: {}}}}", {leg});
+  const std::string play =
+      make(robot,
+           defect ? "{when: [$0 == standing], packs: {shoot: {$1: {}}}}"
+                  : "{when: [$0 == standing], stay: [$0 == moving|standing], packs: {shoot: {$1: {}}}}",
+           {feet, kick});
+  const std::string walk = causer(robot, feet, "standing", "moving");
+  ask_for_both(robot, play, walk);
+}
+
+void takes_over_what_it_pushed(Robot& robot, bool defect) {
+  const std::string at = make_state(robot, "folded", "ready");
+  const std::string move = make(
+      robot, "{providers: [{name: reaching, sets: [@$0 == folded]}, {name: readying, causing: [$0 == ready]}]}", {at});
+  const std::string hand_over =
+      make(robot,
+           defect ? "{when: [$0 == ready], packs: {give: {$1: {}}}}"
+                  : "{when: [$0 == ready], stay: [$0 == folded|ready], packs: {give: {$1: {}}}}",
+           {at, move});
+  ask_for_both(robot, hand_over, make(robot, "{packs: {go: {$0: {}}}}", {move}));
+}
+
+constexpr Planter of_undoing[]{
+    {"self_defeating_handler", "start", start_shuts_itself_out},
+    {"self_defeating_handler", "stop", stop_lets_itself_in},
+    {"undone_by_stop", "its handler", stop_takes_it_back},
+    {"undone_by_stop", "of the group", it_belongs_to_the_group},
+    {"undone_by_fallback", "what it needs besides", falls_back_to_another},
+    {"undone_by_itself", "the task", unsettles_itself},
+    {"undone_by_itself", "a task below", unsettled_by_a_task},
+    {"undone_by_itself", "the group that it pushed", takes_over_what_it_pushed},
+};
+
+} // namespace
+
+std::span<const Planter> undoing_planters() { return of_undoing; }
+
+} // namespace director::defects
