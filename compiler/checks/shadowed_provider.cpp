@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace director::checks {
 
@@ -86,21 +87,32 @@ void note_always_true(const Input& input, ProviderId rival, dsl::Diagnostic& fin
   }
 }
 
-/// Whoever looks at what it promises and never waits for that: others of its group can run instead.
-void note_carefree(const Input& input, ProviderId id, dsl::Diagnostic& finding) {
+/// Why whoever looks at what it promises does not push it: others of its group can run instead, so that it never waits;
+/// or it never goes first. The first one of these.
+std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Diagnostic& finding) {
   const Model& model = input.model;
+  const GroupId own = model.providers[id].group;
+  std::optional<GroupId> out;
   Waiting waiting(model, input.facts);
   for (const ProviderId other : model.providers.ids()) {
     const GroupId group = model.providers[other].group;
-    if (!input.facts.requested.contains(group) || group == model.providers[id].group || waiting.may_wait(group))
-      continue;
+    if (!input.facts.requested.contains(group) || group == own) continue;
+    const bool waits = waiting.may_wait(group);
+    if (waits && input.shared.chains().may_beat(group, own)) continue;
     for (const ConditionUse& use : model.providers[other].when) {
       if (!model.causes(id, use.id)) continue;
-      finding.notes.push_back({use.span, fmt::format("{} looks at this, but {} never waits for it: another provider of "
-                                                     "it can run",
-                                                     name_of(model, other), name_of(model, group))});
+      const std::string name = name_of(model, group);
+      finding.notes.push_back(
+          {use.span,
+           waits ? fmt::format(
+                       "{} waits for this, but cannot push {}: that does not rank after it, or is granted with it",
+                       name_of(model, other), name_of(model, own))
+                 : fmt::format("{} looks at this, but {} never waits for it: another provider of it can run",
+                               name_of(model, other), name)});
+      if (waits && !out) out = group;
     }
   }
+  return out;
 }
 
 /// The rivals without which it would come first; all of them where each one is enough alone or none is.
@@ -223,9 +235,12 @@ void shadowed_provider(const Input& input, Findings& findings) {
       finding.notes.push_back({model.providers[culprits[i]].span, fmt::format("{} is preferred", names[i])});
       note_always_true(input, culprits[i], finding);
     }
-    note_carefree(input, id, finding);
+    const std::optional<GroupId> outranked = note_unpushed(input, id, finding);
     note_members(input, id, rivals.of(id), finding);
-    finding.help = propose(input, id, culprits);
+    finding.help = outranked
+                       ? fmt::format("let {} go before {}, not in one unit with it, or leave {} out",
+                                     name_of(model, *outranked), name_of(model, provider.group), name_of(model, id))
+                       : propose(input, id, culprits);
   }
 }
 
