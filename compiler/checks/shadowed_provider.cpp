@@ -93,6 +93,7 @@ std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Dia
   const Model& model = input.model;
   const GroupId own = model.providers[id].group;
   std::optional<GroupId> out;
+  if (model.providers[id].causing.empty()) return out;
   Waiting waiting(model, input.facts);
   for (const ProviderId other : model.providers.ids()) {
     const GroupId group = model.providers[other].group;

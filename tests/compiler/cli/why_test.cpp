@@ -101,6 +101,9 @@ TEST_CASE("a question that cannot be answered is wrong usage") {
   CHECK(world.err == "directorc: there is no group called `Drvie`; did you mean `Drive`?\n");
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=7"}) == 2);
   CHECK(world.err == "directorc: `s.yaml` has 6 steps\n");
+  world.files.add("short.yaml", "behaviour: rover.yaml\nsteps: [{request: Explore}]\n");
+  CHECK(world.directorc({"why", "short.yaml", "Drive", "--step=2"}) == 2);
+  CHECK(world.err == "directorc: `short.yaml` has 1 step\n");
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--time=soon"}) == 2);
   CHECK(world.err == "directorc: `soon` is no time: a whole number and us, ms, s or min\n");
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--time=9999999999999 s"}) == 2);
