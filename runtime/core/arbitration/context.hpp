@@ -62,7 +62,7 @@ struct Context {
   Index first_moved = nil; ///< the first place in the order that another group has than before
   Index limbo_begin = 0;   ///< from this place on the groups of the order are in limbo, or below such a one
   Index denied_count = 0;  ///< rows of State::denied in use
-  Index stale_granted = 0; ///< groups that are granted, and whose orders are outdated
+  Index stale_granted = 0; ///< groups that are granted and marked as outdated
 
   // The trail.
   Index opened_count = 0;  ///< rows of State::opened in use

@@ -34,6 +34,7 @@ inline void now_granted(Context& x, Index edge, Index provider) {
   now.active = now.planned = provider;
   now.flags |= flag::granted;
   x.s.queued[edge] = Queued{};
+  if (x.t.groups[group].edges.empty()) return; // whether its orders are outdated matters to nobody
   if (!x.s.run_queue[group].pending.has(reason::outdating) && x.s.anew[edge] == 0 && edge == last.holder &&
       provider == last.active)
     return;

@@ -175,7 +175,8 @@ void begin_trail(Context& x) {
   // Whose orders may be outdated: who is to run, and who was asked just now.
   const Counters& c = *x.s.counters;
   const auto look = [&](Index g) {
-    if (x.s.run_queue[g].component == x.component && !is_outdated(x, g) && outdates(x, g)) open(x, g);
+    if (x.s.run_queue[g].component != x.component || x.t.groups[g].edges.empty()) return;
+    if (!is_outdated(x, g) && outdates(x, g)) open(x, g);
   };
   for (Index g = c.queue_first; g != nil; g = x.s.run_queue[g].runs_before) look(g);
   for (Index i = 0; i < c.touched_count; ++i) look(x.s.touched[i]);

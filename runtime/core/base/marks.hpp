@@ -20,7 +20,7 @@ inline constexpr std::uint8_t forgotten = 1; ///< its last holder no longer stan
 inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder
 inline constexpr std::uint8_t reached = 4;
 inline constexpr std::uint8_t busy = 8;      ///< its push serves a condition of the unit in hand
-inline constexpr std::uint8_t outdated = 16; ///< it is granted, and its orders are outdated
+inline constexpr std::uint8_t outdated = 16; ///< it is granted, may ask for others, and its orders are outdated
 inline constexpr std::uint8_t differs = 32;  ///< it stands elsewhere than after the last pass
 inline constexpr std::uint8_t listed = 64;   ///< it stands in State::pushed
 // On conditions.
