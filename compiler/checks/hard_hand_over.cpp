@@ -92,10 +92,7 @@ private:
     return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) { return task.target == target; });
   }
 
-  bool leads_to(GroupId from, GroupId to) const {
-    const std::vector<GroupId>& groups = input_.shared.claims(from).groups();
-    return std::binary_search(groups.begin(), groups.end(), to);
-  }
+  bool leads_to(GroupId from, GroupId to) const { return input_.shared.claims(from).contains(to); }
 
   bool leads_to(const Pack& pack, GroupId to) const {
     return std::any_of(pack.tasks.begin(), pack.tasks.end(),

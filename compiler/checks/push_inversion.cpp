@@ -74,10 +74,8 @@ private:
     if (!meeting.together->provider) return false;
     const GroupId group = model_.providers[*meeting.together->provider].group;
     return std::any_of(near_.begin(), near_.end(), [&](const std::vector<Task>* entries) {
-      return std::any_of(entries->begin(), entries->end(), [&](const Task& entry) {
-        const std::vector<GroupId>& below = shared_.claims(entry.target).groups();
-        return std::binary_search(below.begin(), below.end(), group);
-      });
+      return std::any_of(entries->begin(), entries->end(),
+                         [&](const Task& entry) { return shared_.claims(entry.target).contains(group); });
     });
   }
 
@@ -130,8 +128,7 @@ private:
   /// A chain of requests from the entry to the group passes neither the task that waits nor the one that is pushed.
   bool leads_to(const Task& entry, GroupId group, GroupId task, GroupId pushed) const {
     if (entry.target == task || entry.target == pushed) return false;
-    const Claims claims(shared_.branches(), entry.target, {task, pushed});
-    return std::binary_search(claims.groups().begin(), claims.groups().end(), group);
+    return Claims(shared_.branches(), entry.target, {task, pushed}).contains(group);
   }
 
   std::vector<Holder> holders_of(GroupId group) const {

@@ -20,10 +20,9 @@ bool is_wanted_below(const Input& input, const Provider& provider, GroupId task)
   const auto& parts = input.shared.indispensable().of(task);
   return parts && std::any_of(provider.packs.begin(), provider.packs.end(), [&](const Pack& pack) {
            return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& other) {
-             const std::vector<GroupId>& below = input.shared.claims(other.target).groups();
-             return other.target != task && std::any_of(parts->begin(), parts->end(), [&](GroupId part) {
-                      return std::binary_search(below.begin(), below.end(), part);
-                    });
+             const Claims& below = input.shared.claims(other.target);
+             return other.target != task &&
+                    std::any_of(parts->begin(), parts->end(), [&](GroupId part) { return below.contains(part); });
            });
          });
 }

@@ -3,7 +3,6 @@
 #include "compiler/analysis/causing/takings.hpp"
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/shared/shared.hpp"
-#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -87,11 +86,7 @@ private:
         stop.span, fmt::format("{}, and it is stopped when {} is granted, which waits for {}: the two go "
                                "round",
                                stop.what, name_of(model_, wanting.task), name_of(model_, want.condition.id)));
-    finding.rules_out = std::move(how.requests);
-    finding.rules_out.push_back(want.condition.span);
-    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
-    finding.notes.push_back(causes(model_, causer, want.condition.id));
-    for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
+    add_taking(model_, want, causer, std::move(how), finding);
     finding.help = stay_help(model_, want, values);
   }
 

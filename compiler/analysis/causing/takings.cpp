@@ -8,11 +8,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace director::analysis {
 
-bool Takings::takes(GroupId group) const {
-  return std::binary_search(claims_.groups().begin(), claims_.groups().end(), group);
+void add_taking(const Model& model, const Want& want, ProviderId causer, Taking how, dsl::Diagnostic& finding) {
+  finding.rules_out = std::move(how.requests);
+  finding.rules_out.push_back(want.condition.span);
+  finding.notes.push_back(runs_only_while(model, want.waiter, want.condition));
+  finding.notes.push_back(causes(model, causer, want.condition.id));
+  for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
 }
 
 const Use<GroupId>* Takings::need_taken(ProviderId id) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What a task takes from the providers of other groups when it is granted.
 
+#include "compiler/analysis/causing/wants.hpp"
 #include "compiler/analysis/chains/claims.hpp"
 #include "compiler/analysis/plans/plans.hpp"
 #include "dsl/diagnostic.hpp"
@@ -17,6 +18,9 @@ struct Taking {
   std::vector<dsl::Span> requests;
 };
 
+/// Of a finding that what a granted task takes makes its condition false again: where that is seen.
+void add_taking(const Model& model, const Want& want, ProviderId causer, Taking how, dsl::Diagnostic& finding);
+
 class Takings {
 public:
   /// `claims`: those of the task, which is there as long as this is.
@@ -27,7 +31,7 @@ public:
         task_(task) {}
 
   /// The task, or one below it, may hold the group itself.
-  bool takes(GroupId group) const;
+  bool takes(GroupId group) const { return claims_.contains(group); }
   /// The provider's first need that comes down to something taken in any case.
   const Use<GroupId>* need_taken(ProviderId id) const;
   /// How that need is lost.

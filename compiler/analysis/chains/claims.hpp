@@ -7,6 +7,7 @@
 #include "compiler/analysis/states/region.hpp"
 #include "compiler/model/model.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <unordered_map>
@@ -74,6 +75,7 @@ public:
   }
   /// All that there is a claim to, in order.
   const std::vector<GroupId>& groups() const { return groups_; }
+  bool contains(GroupId group) const { return std::binary_search(groups_.begin(), groups_.end(), group); }
   /// How many ways down were gone.
   std::size_t effort() const { return effort_; }
   /// A shortest way to the group; empty for the task's own.

@@ -56,8 +56,7 @@ const Task* entry_for(const Model& model, ProviderId provider, GroupId group) {
 bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group) {
   for (const Pack& pack : model.providers[provider].packs) {
     for (const Task& task : pack.tasks) {
-      const std::vector<GroupId>& below = shared.claims(task.target).groups();
-      if (task.target == group || std::binary_search(below.begin(), below.end(), group)) return true;
+      if (task.target == group || shared.claims(task.target).contains(group)) return true;
     }
   }
   return false;

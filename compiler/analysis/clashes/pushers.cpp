@@ -172,12 +172,12 @@ bool Pushers::is_free_for(ProviderId rival, ProviderId causer, ConditionId condi
   for (const ProviderId id : model.groups[group].providers) {
     if (id != rival && input_.facts.pushed.contains(id)) return false;
   }
-  const std::vector<GroupId>& below = input_.shared.claims(group).groups();
+  const Claims& below = input_.shared.claims(group);
   const std::vector<Waiter>& all = waiters(condition);
   return std::all_of(all.begin(), all.end(), [&](const Waiter& waiter) {
     if (!chains.may_beat(waiter.task, model.providers[causer].group) && !is_beside(waiter, causer, condition))
       return true;
-    if (std::binary_search(below.begin(), below.end(), waiter.task)) return false;
+    if (below.contains(waiter.task)) return false;
     bool always = true;
     chains.visit(waiter.task, {group}, [&](const Meeting& meeting, GroupId) {
       always = always && meeting.first_goes_before() && !meeting.one_unit();

@@ -83,17 +83,16 @@ private:
 
   /// What waits is there to be pushed by what goes first, not to run beside it.
   bool is_pushed_company(const Company::Rank& rank) const {
-    const std::vector<GroupId>& below = shared_.claims(rank.waits->target).groups();
-    return leads_to_pusher(rank.first->target, [&](ProviderId causer) {
-      return std::binary_search(below.begin(), below.end(), model_.providers[causer].group);
-    });
+    const Claims& below = shared_.claims(rank.waits->target);
+    return leads_to_pusher(rank.first->target,
+                           [&](ProviderId causer) { return below.contains(model_.providers[causer].group); });
   }
 
   template <class Pushed>
   bool leads_to_pusher(GroupId from, const Pushed& pushed) const {
-    const std::vector<GroupId>& below = shared_.claims(from).groups();
+    const Claims& below = shared_.claims(from);
     return std::any_of(shared_.wants().begin(), shared_.wants().end(), [&](const Wanting& wanting) {
-      if (!std::binary_search(below.begin(), below.end(), wanting.task)) return false;
+      if (!below.contains(wanting.task)) return false;
       return std::any_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& each) {
         return std::any_of(each.causers.begin(), each.causers.end(), pushed);
       });

@@ -77,7 +77,7 @@ const Claims& Shared::claims(GroupId task) const {
 const Claims& Shared::claims(GroupId task, GroupId requester) const {
   // Where nothing leads back to the requester, the two are the same.
   const Claims& all = claims(task);
-  if (!std::binary_search(all.groups().begin(), all.groups().end(), requester)) return all;
+  if (!all.contains(requester)) return all;
   const std::pair key{task, requester};
   const auto at = claims_without_.find(key);
   if (at != claims_without_.end()) return at->second;
