@@ -46,6 +46,7 @@ struct Context {
   mutable bool depends_on_last = false; ///< the result may be another one when it is the last assignment itself
   bool on_last = false;                 ///< the same, of the units before the one in hand
   bool depends_on_stale = false;        ///< the unit in hand may be decided otherwise when other groups are stale
+  bool depends_on_orders = false;       ///< or when its own requester is not stale any more
   bool depends_on_all_stale = false;    ///< the result too, also by groups that RunQueueEntry::counts does not name
 
   // Pushes.

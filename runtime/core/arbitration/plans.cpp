@@ -117,7 +117,9 @@ bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_condit
     first = false;
     ++x.work;
     Index keep = end;
-    if ((!as_it_is || plan_as_it_is(x, at)) && plan_fits(x, at, with_conditions, record, keep)) return true;
+    const bool other = as_it_is && !plan_as_it_is(x, at);
+    x.depends_on_orders = x.depends_on_orders || other;
+    if (!other && plan_fits(x, at, with_conditions, record, keep)) return true;
     drop_entries(x, keep, end);
     end = keep;
   }

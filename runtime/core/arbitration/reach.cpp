@@ -119,11 +119,9 @@ void begin_followed(Context& x, Index count) {
 
 /// Notes what the decision depends on; where it differs from that of the last pass, it reaches others.
 void compare_with_last(Context& x, Index count) {
-  const bool below_stale = x.s.edge_marks[x.s.unit[0]].has(mark::below_stale);
-  if (below_stale) note_if_stale(x, x.t.edges[x.s.unit[0]].requester);
   const auto bits =
       static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0) |
-                                (below_stale ? trail::below_stale : 0));
+                                (x.depends_on_orders ? trail::on_orders : 0));
   x.depends_on_last = x.depends_on_last || x.on_last;
   bool pushing = false;
   for (Index at = 0; at < count; ++at) {

@@ -84,7 +84,9 @@ void refuse(Context& x, Index count) {
   if (!combine(x, count, false)) return block(x, count);
   x.depends_on_last = true;
   const Index unmet = collect_unmet(x, count);
-  const bool early = stale_requester(x, x.s.member[0].edge) || premature(x, count);
+  const bool outdated = stale_requester(x, x.s.member[0].edge);
+  x.depends_on_orders = x.depends_on_orders || outdated;
+  const bool early = outdated || premature(x, count);
   x.depends_on_stale = x.depends_on_stale || early;
   leave_combination(x, count);
   explain(x, count, Why::waiting, x.s.unmet[0].condition);

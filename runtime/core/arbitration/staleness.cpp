@@ -34,6 +34,7 @@ bool any_not_running(const Context& x, Index count) {
 /// The members in hand, of a stale requester, are not tried. Why they were queued before stays, unless their target is
 /// held by them from now on, for a need.
 void wait_for_orders(Context& x, Index count) {
+  x.depends_on_orders = true;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.member[at].edge, group = target(x, edge);
     x.s.edge_marks[edge] |= mark::refused;

@@ -6,6 +6,7 @@
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/parts.hpp"
 
@@ -93,11 +94,13 @@ inline void leave_unvisited(Context& x, Index edge) {
 inline void begin_decision(Context& x, Index count) {
   ++x.decided;
   ++x.work;
+  x.depends_on_orders = false;
   for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.unit[at]] |= mark::visited;
   if (is_followed(x)) begin_followed(x, count);
 }
 
 inline void end_decision(Context& x, Index count) {
+  if (x.depends_on_orders) note_if_stale(x, x.t.edges[x.s.unit[0]].requester);
   if (is_followed(x)) compare_with_last(x, count);
 }
 

@@ -47,9 +47,9 @@ void look_ahead(Context& x, Index group) {
     --e;
     const Index level = x.s.request[e].level;
     if (!x.whole && level != nil && !injected(Fault::outdated_orders_are_overlooked)) {
-      const bool decided_below = x.s.edge_trail[e].has(trail::below_stale);
-      counts = counts || decided_below;
-      if ((differs & (decided_below ? trail::asks | trail::stale : trail::asks)) != 0) {
+      const bool on_orders = x.s.edge_trail[e].has(trail::on_orders);
+      counts = counts || on_orders;
+      if ((differs & (on_orders ? trail::asks | trail::stale : trail::asks)) != 0) {
         reach_edge(x, e);
         if (!asks) reach_pushes_of(x, e);
       }
@@ -66,7 +66,7 @@ void look_ahead(Context& x, Index group) {
         continue;
       }
     }
-    counts = counts || x.whole;
+    counts = counts || !x.s.now[group].granted(); // it asks for this no longer than it is stale
     const Level& row = x.t.levels[level];
     std::uint8_t all = marks;
     if (row.optional || row.apart || injected(Fault::members_for_themselves)) {
@@ -109,6 +109,7 @@ void try_unit(Context& x, Index edge, bool outdated) {
     return;
   }
   begin_decision(x, count);
+  x.depends_on_orders = outdated && count > 1;
   if (outdated || count == 1) {
     for (Index i = 0; i < count; ++i) decide_alone(x, x.s.unit[i], outdated);
   } else {

@@ -39,9 +39,9 @@ inline constexpr std::uint8_t on_last = 4;  ///< its decision may be another one
 inline constexpr std::uint8_t on_stale = 8; ///< or when the orders of others are outdated: it is decided in every pass
 inline constexpr std::uint8_t waits = 16;   ///< it waits for somebody who is pushed, or searched for one
 inline constexpr std::uint8_t behind = 32; ///< all that its decision looked at is that an edge before it has its target
-inline constexpr std::uint8_t below_stale = 64; ///< decided while its requester's orders were outdated
-inline constexpr std::uint8_t altered = 128;    ///< its request before this micro-step stands in State::before
-inline constexpr std::uint8_t kept = on_last | on_stale | waits | behind | below_stale;
+inline constexpr std::uint8_t on_orders = 64; ///< or when its requester's orders are not outdated any more
+inline constexpr std::uint8_t altered = 128;  ///< its request before this micro-step stands in State::before
+inline constexpr std::uint8_t kept = on_last | on_stale | waits | behind | on_orders;
 // Bits of State::group_trail.
 inline constexpr std::uint8_t disturbed = 1; ///< its holder, provider, plan or push may be another than last time
 inline constexpr std::uint8_t moved = 2;     ///< its place in the order may be another than last time
