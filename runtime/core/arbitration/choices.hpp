@@ -5,6 +5,7 @@
 // State::trial (what it would claim) until leave_combination. docs/semantics.md, sections 4.3 and 4.4, Grant.
 
 #include "runtime/core/arbitration/context.hpp"
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
@@ -32,7 +33,7 @@ inline std::span<TriedMember> members(const Context& x, Index count) { return {x
 inline Index entries_begin(const Context& x, Index at) { return at == 0 ? Index{0} : x.s.member[at - 1].entries_end; }
 
 /// A member's plan.
-inline std::span<const PlanEntry> plan_of(const Context& x, Index at) {
+DIRECTOR_ONE_COPY inline std::span<const PlanEntry> plan_of(const Context& x, Index at) {
   return {x.s.entry + entries_begin(x, at), x.s.entry + x.s.member[at].entries_end};
 }
 

@@ -5,6 +5,7 @@
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/trail.hpp"
+#include "runtime/core/base/inline.hpp"
 
 namespace director::arbitration {
 
@@ -20,14 +21,14 @@ DIRECTOR_PART void refuse(Context& x, Index count);
 void explain(Context& x, Index count, Why why, Index condition = nil);
 
 /// For this very edge, or for the first time.
-inline void claim(Context& x, Index group, Index edge) {
+DIRECTOR_ONE_COPY inline void claim(Context& x, Index group, Index edge) {
   if (!is_opened(x, group)) open(x, group);
   GroupAssignment& now = x.s.now[group];
   now.holder = edge; // it is free, or held by this very edge
 }
 
 /// The target of an edge, which is claimed, runs in the provider chosen.
-inline void now_granted(Context& x, Index edge, Index provider) {
+DIRECTOR_ONE_COPY inline void now_granted(Context& x, Index edge, Index provider) {
   const Index group = x.t.edges[edge].target;
   GroupAssignment& now = x.s.now[group];
   const GroupAssignment& last = x.s.last[group];

@@ -6,6 +6,7 @@
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
@@ -154,7 +155,7 @@ inline Index above(const Context& x, Place place) {
 }
 
 /// Rules 3 to 5 for two edges of one requester and what lies below them.
-inline int compare_siblings(const Context& x, Side a, Side b, bool in_order) {
+DIRECTOR_ONE_COPY inline int compare_siblings(const Context& x, Side a, Side b, bool in_order) {
   const int by_rank = compare_ranks(a, b, urgency(x, a.edge), urgency(x, b.edge)).order;
   if (by_rank != 0 || !in_order) return by_rank;
   const auto stamp = [&](Index edge) { return requested(x, edge) ? x.s.request[edge].stamp : ~std::uint64_t{0}; };
@@ -169,7 +170,7 @@ inline int compare_siblings(const Context& x, Index a, Index b) {
 }
 
 /// Negative: `a` goes first; 0: equal (by rules 1 to 4), or the same. `in_order`: with rule 5, total.
-inline int compare(const Context& x, Place a, Place b, bool in_order) {
+DIRECTOR_ONE_COPY inline int compare(const Context& x, Place a, Place b, bool in_order) {
   if (a.along != b.along || is_limbo(x, a.edge) || is_limbo(x, b.edge) ||
       x.t.edges[a.edge].requester != x.t.edges[b.edge].requester)
     return compare_chains(x, a, b, in_order);

@@ -5,6 +5,7 @@
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
@@ -37,7 +38,7 @@ inline Index preferred(const Context& x, Index group, Index place, Index edge) {
 inline std::span<const Index> pushed_groups(const Context& x) { return {x.s.pushed + x.row.order, x.pushed_count}; }
 
 /// The pusher goes before `edge`, and `edge` is not below it.
-inline bool applies(const Context& x, const Push& push, Index edge) {
+DIRECTOR_ONE_COPY inline bool applies(const Context& x, const Push& push, Index edge) {
   return push.edge != nil && before(x, {push.edge, Chains::current}, {edge, Chains::current}) &&
          !in_chain(x, push.edge, {edge, Chains::current});
 }

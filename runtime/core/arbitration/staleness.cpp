@@ -44,6 +44,9 @@ void wait_for_orders(Context& x, Index count) {
   keep_pushes(x, count);
 }
 
+/// The unit in hand was decided otherwise than it may be when its requester has run.
+void note_outdated_orders(Context& x) { note_if_stale(x, x.t.edges[x.s.unit[0]].requester); }
+
 /// What runs already stays, and the others wait until the stale groups before them have run.
 void defer(Context& x, Index count) {
   for (Index i = 0; i < count; ++i) {

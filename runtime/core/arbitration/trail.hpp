@@ -8,6 +8,7 @@
 #include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 #include "runtime/core/base/fault_injection.hpp"
+#include "runtime/core/base/inline.hpp"
 #include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
@@ -46,7 +47,7 @@ inline void compare_claim(Context& x, Index group) {
 }
 
 /// What is decided about the group in this pass: nothing yet.
-inline void clear(Context& x, Index group) {
+DIRECTOR_ONE_COPY inline void clear(Context& x, Index group) {
   x.s.now[group] = GroupAssignment{};
   x.s.run_queue[group].counts = 0;
   if (!alternatives(x, x.component)) return;
@@ -100,7 +101,7 @@ inline void begin_decision(Context& x, Index count) {
 }
 
 inline void end_decision(Context& x, Index count) {
-  if (x.depends_on_orders) note_if_stale(x, x.t.edges[x.s.unit[0]].requester);
+  if (x.depends_on_orders) note_outdated_orders(x);
   if (is_followed(x)) compare_with_last(x, count);
 }
 

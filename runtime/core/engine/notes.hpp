@@ -127,7 +127,7 @@ DIRECTOR_INLINE bool Engine::withdraw(Index edge) {
 }
 
 /// True if the value changes. What expires counts anew, also where it does not.
-inline bool Engine::set_value(Index state, std::int32_t value) {
+DIRECTOR_ONE_COPY inline bool Engine::set_value(Index state, std::int32_t value) {
   const Time expires = x_.t.states[state].expires;
   if (expires != 0) timers_.arm({Timers::Kind::expiry, state}, later(x_.s.counters->now, expires));
   return assign(state, value);
