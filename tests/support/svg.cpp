@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <regex>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 namespace director::tests {
 
 namespace {
-
-using Matches = std::sregex_iterator;
 
 std::string plain(std::string text) {
   static const std::vector<std::pair<std::string, std::string>> escapes{
@@ -25,30 +24,64 @@ std::string plain(std::string text) {
   return text;
 }
 
-std::string first(const std::string& text, const std::string& pattern) {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : std::string{};
-}
+// Not with std::regex: tests are not optimised, and it would take most of the time that they run.
 
-std::vector<std::string> all(const std::string& text, const std::string& pattern) {
+/// What stands between `begin` and the next `end`, each time.
+std::vector<std::string> all_between(std::string_view text, std::string_view begin, std::string_view end) {
   std::vector<std::string> out;
-  const std::regex each(pattern);
-  for (Matches at(text.begin(), text.end(), each), end; at != end; ++at) out.push_back((*at)[1].str());
+  for (std::size_t at = text.find(begin); at != text.npos; at = text.find(begin, at)) {
+    at += begin.size();
+    const std::size_t to = text.find(end, at);
+    if (to == text.npos) break;
+    out.emplace_back(text.substr(at, to - at));
+  }
   return out;
 }
 
-/// Around all numbers of a list of points, whatever letters are between them.
+std::string first_of(const std::vector<std::string>& all) { return all.empty() ? std::string{} : all.front(); }
+
+std::string between(std::string_view text, std::string_view begin, std::string_view end) {
+  return first_of(all_between(text, begin, end));
+}
+
+/// Of each element with this name, the attributes as they are written.
+std::vector<std::string> elements(std::string_view text, const std::string& name) {
+  return all_between(text, "<" + name + " ", ">");
+}
+
+/// Of each element with this name that has the attribute.
+std::vector<std::string> attributes(std::string_view text, const std::string& element, const std::string& name) {
+  std::vector<std::string> out;
+  for (const std::string& written : elements(text, element)) {
+    if (const auto found = all_between(" " + written, " " + name + "=\"", "\""); !found.empty())
+      out.push_back(found.front());
+  }
+  return out;
+}
+
+std::vector<double> numbers(const std::string& list) {
+  static const char* const digits = "0123456789.";
+  std::vector<double> out;
+  for (std::size_t at = list.find_first_of(digits); at != list.npos;) {
+    const std::size_t end = std::min(list.find_first_not_of(digits, at), list.size());
+    const bool is_negative = at > 0 && list[at - 1] == '-';
+    out.push_back((is_negative ? -1 : 1) * std::stod(list.substr(at, end - at)));
+    at = list.find_first_of(digits, end);
+  }
+  return out;
+}
+
+/// Around all points of lists `1,2 3,4`, whatever letters are between them.
 SvgBox around(const std::vector<std::string>& lists) {
   constexpr double far = std::numeric_limits<double>::max();
   SvgBox out{far, far, -far, -far};
-  static const std::regex number("-?[0-9.]+");
   for (const std::string& list : lists) {
     bool is_x = true;
-    for (Matches at(list.begin(), list.end(), number), end; at != end; ++at, is_x = !is_x) {
-      const double value = std::stod(at->str());
+    for (const double value : numbers(list)) {
       double &low = is_x ? out.left : out.top, &high = is_x ? out.right : out.bottom;
       low = std::min(low, value);
       high = std::max(high, value);
+      is_x = !is_x;
     }
   }
   return out;
@@ -56,10 +89,9 @@ SvgBox around(const std::vector<std::string>& lists) {
 
 /// Points on the curves of a path: `M1,2C3,4 5,6 7,8`. Those that bend it are beside it.
 std::string on_the_curve(const std::string& path) {
-  static const std::regex pair("(-?[0-9.]+),(-?[0-9.]+)");
+  const std::vector<double> values = numbers(path);
   std::vector<std::pair<double, double>> points;
-  for (Matches at(path.begin(), path.end(), pair), end; at != end; ++at)
-    points.emplace_back(std::stod((*at)[1]), std::stod((*at)[2]));
+  for (std::size_t i = 0; i + 1 < values.size(); i += 2) points.emplace_back(values[i], values[i + 1]);
   std::ostringstream out;
   for (std::size_t i = 0; i + 3 < points.size(); i += 3) {
     for (int step = 0; step <= 20; ++step) {
@@ -77,17 +109,18 @@ std::string on_the_curve(const std::string& path) {
 SvgThing read_thing(const std::string& text, bool is_arrow) {
   SvgThing out;
   out.is_arrow = is_arrow;
-  out.title = plain(first(text, "<title>([^<]*)</title>"));
-  for (const std::string& words : all(text, "xlink:title=\"([^\"]*)\"")) out.tooltips.push_back(plain(words));
-  for (const std::string& link : all(text, "xlink:href=\"([^\"]*)\"")) out.links.push_back(plain(link));
-  std::vector<std::string> points = all(text, "<path[^>]* d=\"([^\"]*)\"");
+  out.title = plain(between(text, "<title>", "<"));
+  for (const std::string& words : all_between(text, "xlink:title=\"", "\"")) out.tooltips.push_back(plain(words));
+  for (const std::string& link : all_between(text, "xlink:href=\"", "\"")) out.links.push_back(plain(link));
+  std::vector<std::string> points = attributes(text, "path", "d");
   if (is_arrow) {
     for (std::string& path : points) path = on_the_curve(path);
-    for (const std::string& label : all(text, "<polygon fill=\"#ffffff\" stroke=\"transparent\" points=\"([^\"]*)\""))
-      out.labels.push_back(around({label}));
+    static const std::string paper = "<polygon fill=\"#ffffff\" stroke=\"transparent\" points=\"";
+    for (const std::string& label : all_between(text, paper, "\"")) out.labels.push_back(around({label}));
   } else {
-    for (const std::string& polygon : all(text, "points=\"([^\"]*)\"")) points.push_back(polygon);
-    for (const std::string& at : all(text, "<text[^>]* x=\"([^\"]*\" y=\"[^\"]*)\"")) points.push_back(at);
+    for (const std::string& polygon : all_between(text, "points=\"", "\"")) points.push_back(polygon);
+    for (const std::string& words : elements(text, "text"))
+      points.push_back(between(words, " x=\"", "\"") + "," + between(words, " y=\"", "\""));
   }
   out.box = around(points);
   return out;
@@ -119,23 +152,24 @@ bool SvgBox::holds(const SvgBox& other) const {
 
 Svg read_svg(const std::string& text) {
   Svg out;
-  out.title = plain(first(text, "<svg[^>]*>\\s*<title>([^<]*)</title>"));
-  out.description = plain(first(text, "<desc>([^<]*)</desc>"));
-  out.width = std::stod(first(text, "<svg[^>]* width=\"([0-9]+)pt\""));
-  out.height = std::stod(first(text, "<svg[^>]* height=\"([0-9]+)pt\""));
-  out.paper = around({first(text, "<polygon[^>]* points=\"([^\"]*)\"")});
-  static const std::regex begin("<g id=\"[a-z]+[0-9]+\" class=\"(node|edge)\">");
-  std::size_t at = 0;
+  out.title = plain(between(between(text, "<svg ", "</title>") + "<", ">\n<title>", "<"));
+  out.description = plain(between(text, "<desc>", "</desc>"));
+  out.width = std::stod(first_of(attributes(text, "svg", "width")));
+  out.height = std::stod(first_of(attributes(text, "svg", "height")));
+  out.paper = around({first_of(attributes(text, "polygon", "points"))});
+  std::size_t from = 0;
   std::string kind;
-  for (Matches each(text.begin(), text.end(), begin), end;; ++each) {
-    const auto next = each == end ? text.size() : static_cast<std::size_t>(each->position());
-    if (!kind.empty()) out.things.push_back(read_thing(text.substr(at, next - at), kind == "edge"));
-    if (each == end) break;
-    at = next;
-    kind = (*each)[1];
+  for (std::size_t at = text.find("<g id=");; at = text.find("<g id=", at + 1)) {
+    const std::string next =
+        at == text.npos ? "" : between(text.substr(at, text.find('>', at) - at), " class=\"", "\"");
+    if (at != text.npos && next != "node" && next != "edge") continue;
+    if (!kind.empty()) out.things.push_back(read_thing(text.substr(from, at - from), kind == "edge"));
+    if (at == text.npos) break;
+    from = at;
+    kind = next;
   }
-  out.text_colours = unique(all(text, "<text[^>]* fill=\"(#[0-9a-f]{6})\""));
-  out.grounds = unique(all(text, "<rect class=\"band\" fill=\"(#[0-9A-Fa-f]{6})\""));
+  out.text_colours = unique(attributes(text, "text", "fill"));
+  out.grounds = unique(all_between(text, "<rect class=\"band\" fill=\"", "\""));
   out.grounds.emplace_back("#ffffff");
   return out;
 }
