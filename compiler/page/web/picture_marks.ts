@@ -24,6 +24,14 @@ interface Box {
   shown: string;
 }
 
+/** What a box is to show from now on. */
+interface Change {
+  box: Box;
+  mark: Mark | '';
+  texts: [SVGTextElement, string][];
+  note: string;
+}
+
 interface Arrow {
   element: SVGGElement;
   from: number[];
@@ -69,7 +77,7 @@ export class PictureMarks {
   show(event: number | undefined, onlyNow = false): void {
     this.picture.svg.classList.toggle('moment', event !== undefined);
     this.picture.svg.classList.toggle('only-now', onlyNow);
-    for (const box of this.boxes) this.showBox(box, event);
+    this.apply(this.boxes.flatMap((box) => this.changeOf(box, event) ?? []));
     for (const arrow of this.arrows) this.showArrow(arrow, event);
   }
 
@@ -86,7 +94,7 @@ export class PictureMarks {
     return { node, groups, heads, rows, lengths: new Map(), note: undefined, shown: '' };
   }
 
-  private showBox(box: Box, event: number | undefined): void {
+  private changeOf(box: Box, event: number | undefined): Change | undefined {
     const standings = event === undefined ? [] : box.groups.map((group) => ({ group, standing: this.recording.standingAt(group, event) }));
     const most = standings.reduce<{ group: number; standing: Standing } | undefined>((a, b) => (a && order.indexOf(a.standing.mark) >= order.indexOf(b.standing.mark) ? a : b), undefined);
     const mark = most?.standing.mark ?? '';
@@ -94,33 +102,45 @@ export class PictureMarks {
     const provider = most && most.standing.provider !== nobody ? this.names.header.groups[most.group].providers[most.standing.provider] : '';
     const running = new Set(standings.filter(({ standing }) => standing.mark === 'running' || standing.mark === 'pushed').map(({ group }) => group));
     const shown = `${mark} ${provider} ${note} ${[...running].join()}`;
-    if (box.shown === shown) return;
+    if (box.shown === shown) return undefined;
     box.shown = shown;
-    for (const each of order) box.node.classList.toggle(`is-${each}`, each === mark);
-    for (const [name, text] of box.rows) this.write(box, text, (name === provider ? sign : '') + name, mark);
-    for (const [group, text] of box.heads) this.write(box, text, (running.has(group) ? sign : '') + this.names.header.groups[group].name, mark);
-    box.note?.remove();
-    box.note = note === '' ? undefined : this.note(box.node, note, mark);
+    const rows = [...box.rows].map(([name, text]): [SVGTextElement, string] => [text, (name === provider ? sign : '') + name]);
+    const heads = [...box.heads].map(([group, text]): [SVGTextElement, string] => [text, (running.has(group) ? sign : '') + this.names.header.groups[group].name]);
+    return { box, mark, texts: [...rows, ...heads], note };
   }
 
-  /** A sign and bold letters take more room than the frame was made for: then they stand closer together. */
-  private write(box: Box, text: SVGTextElement, words: string, mark: string): void {
-    text.textContent = words;
-    text.removeAttribute('textLength');
-    if (mark === '') return; // as it was drawn
-    const key = `${mark} ${words}`;
-    let length = box.lengths.get(key);
-    if (length === undefined) {
-      const frame = box.node.querySelector('path')?.getBBox();
-      const written = text.getBBox();
-      if (!frame || frame.width === 0) return; // it is not visible
-      const room = frame.x + frame.width - 3 - Math.max(written.x, frame.x + 3);
-      length = written.width > room ? room.toFixed(1) : '';
-      box.lengths.set(key, length);
+  /** All of it is written before any of it is measured, and measured before any of it is fitted: else each text has the whole picture laid out anew. */
+  private apply(changes: Change[]): void {
+    for (const { box, mark, texts } of changes) {
+      for (const each of order) box.node.classList.toggle(`is-${each}`, each === mark);
+      for (const [text, words] of texts) {
+        text.textContent = words;
+        text.removeAttribute('textLength');
+      }
+      box.note?.remove();
     }
-    if (length === '') return;
-    text.setAttribute('textLength', length);
-    text.setAttribute('lengthAdjust', 'spacingAndGlyphs');
+    const fitted = changes.flatMap(({ box, mark, texts }) => texts.map(([text, words]): [SVGTextElement, string] => [text, this.lengthOf(box, text, words, mark)]));
+    for (const [text, length] of fitted) {
+      if (length === '') continue;
+      text.setAttribute('textLength', length);
+      text.setAttribute('lengthAdjust', 'spacingAndGlyphs');
+    }
+    for (const { box, mark, note } of changes) box.note = note === '' ? undefined : this.note(box.node, note, mark);
+  }
+
+  /** A sign and bold letters take more room than the frame was made for: then they stand closer together. None where they fit. */
+  private lengthOf(box: Box, text: SVGTextElement, words: string, mark: Mark | ''): string {
+    if (mark === '') return ''; // as it was drawn
+    const key = `${mark} ${words}`;
+    const known = box.lengths.get(key);
+    if (known !== undefined) return known;
+    const frame = box.node.querySelector('path')?.getBBox();
+    const written = text.getBBox();
+    if (!frame || frame.width === 0) return ''; // it is not visible
+    const room = frame.x + frame.width - 3 - Math.max(written.x, frame.x + 3);
+    const length = written.width > room ? room.toFixed(1) : '';
+    box.lengths.set(key, length);
+    return length;
   }
 
   /** In lines as wide as the box, or somewhat wider; large enough to be read also where the picture is small; within the picture. */
