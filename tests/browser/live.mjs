@@ -5,7 +5,7 @@ import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { chromium } from 'playwright-core';
-import { check } from './situations.mjs';
+import { check, colours } from './situations.mjs';
 
 const [program, live, soccer, folder] = process.argv.slice(2);
 const browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
@@ -64,7 +64,7 @@ const game = [soccer, '--live', '0', '--speed', '4'];
 
 await situation('a game is followed: the picture, the tracks and the words show what runs now', game, {}, async ({ page }) => {
   await sees(page, '#moment', /Runs\n.*FallRecovery/s);
-  assert.ok(Math.abs(await page.locator('#live').evaluate((live) => live.getBoundingClientRect().top)) < 1); // so that all below it is seen
+  await until(page, () => Math.abs(document.getElementById('live').getBoundingClientRect().top) < 1); // so that all below it is seen
   const first = await time(page);
   await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 3, first);
   assert.match(await node(page, 'FallRecovery').getAttribute('class'), /is-running/);
@@ -164,7 +164,7 @@ for (const colorScheme of ['light', 'dark']) {
     await node(page, 'Open').click();
     await sees(page, '#why-answer', /^Open waits/);
     await page.locator('#follow').uncheck();
-    await check(page);
+    await check(page, colorScheme === 'dark' ? { rules: colours } : {});
     await shot(page, `live_${colorScheme}`);
   });
 }
