@@ -88,6 +88,25 @@ TEST_CASE("a body whose group is called otherwise by now is not taken for the on
   CHECK_THAT(told, Catch::Matchers::EndsWith("body.cpp:4: no member named 'Wheeel' in namespace 'cart'"));
 }
 
+TEST_CASE("where no body is found, what Clang does not understand is told first, as it may be why") {
+  Workshop work("not_understood");
+  work.write("types.hpp", "#pragma once\nnamespace types {\nstruct Speed {\n");
+  work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ncpp: {headers: [types.hpp]}\n"
+                          "groups: {Drive: {module: wheels, data: types::Speed}}\n");
+  REQUIRE(work.directorc({"generate", work.path("cart.yaml"), "-o", work.path("generated")}).status == 0);
+  work.write("body.cpp", included + "class MyWheels final : public cart::Wheels {};\n");
+  std::vector<std::string> all = flags(work);
+  all.push_back("-I" + work.path());
+  work.write_commands({work.path("body.cpp")}, all);
+  const Worked worked = verified(work);
+  CHECK(worked.status == 2);
+  INFO(worked.err);
+  const std::size_t end = worked.err.find('\n');
+  CHECK_THAT(worked.err, Catch::Matchers::StartsWith("directorc: not decided: Clang does not understand all of `"));
+  CHECK_THAT(worked.err.substr(end),
+             Catch::Matchers::StartsWith("\ndirectorc: no body of `cart` was found in the file of `"));
+}
+
 TEST_CASE("flags in response files count, also where one names another") {
   const Workshop work = workshop("response");
   work.write("body.cpp", wheels(included));
